@@ -1,0 +1,23 @@
+# scenefile_room(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
+# One folder of src/scenefile is one room is one static library target scenefile::NAME.
+include_guard(GLOBAL)
+
+add_library(scenefile_options INTERFACE)
+target_compile_features(scenefile_options INTERFACE cxx_std_20)
+target_compile_options(scenefile_options INTERFACE
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Werror=switch;-ffp-contract=off>
+  $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
+
+function(scenefile_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(target scenefile_${name})
+  add_library(${target} STATIC ${ROOM_SOURCES})
+  add_library(scenefile::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    CXX_EXTENSIONS OFF)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
+    $<BUILD_INTERFACE:scenefile_options>)
+endfunction()

@@ -1,0 +1,46 @@
+#pragma once
+// Pictures as plain data. Row 0 is the top row; pixels lie row after row, red green blue.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scenefile {
+
+/// A picture in floating point, 1 is full. What renderers return and writers take.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;  ///< 3 * width * height
+
+  Image() = default;
+  Image(int w, int h) : width(w), height(h), rgb(std::size_t{3} * w * h) {}
+  float* pixel(int x, int y) { return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x)); }
+  const float* pixel(int x, int y) const {
+    return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
+  }
+};
+
+/// A picture in 8-bit, 255 is full: textures, and what 8-bit files hold. Kept small because scenes
+/// may name large ones. Gray is expanded, alpha dropped.
+struct Texture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< 3 * width * height
+
+  bool empty() const { return rgb.empty(); }
+  const std::uint8_t* texel(int x, int y) const {
+    return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
+  }
+};
+
+/// How a float becomes an integer: the course's programs truncate, good ones round.
+enum class Rounding : std::uint8_t { truncate, nearest };
+
+/// value * 255, clamped to [0, 255] (not a number counts as 0), truncated or rounded.
+std::uint8_t quantize(float value, Rounding rounding);
+Texture quantize(const Image& image, Rounding rounding);
+/// value / 255.
+Image to_float(const Texture& texture);
+
+}  // namespace scenefile

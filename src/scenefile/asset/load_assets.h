@@ -1,0 +1,47 @@
+#pragma once
+// From file names to images and meshes.
+
+#include "scenefile/asset/image.h"
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/base/location.h"
+#include "scenefile/geometry/mesh.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+/// What a scene's files hold, at the same indices as RenderScene::texture_files and mesh_files.
+struct Assets {
+  std::vector<Texture> textures;  ///< empty() where the file could not be used
+  std::vector<Mesh> meshes;       ///< without triangles where the file could not be used
+};
+
+/// The bytes of a file, or why there are none.
+struct FileContents {
+  std::string bytes;
+  std::string error;  ///< empty: the bytes are the file
+};
+
+/// Fetches a file by its name as written in the scene. How names are resolved, and what may be
+/// opened, is the caller's business (io/asset_roots.h has the rules of the format).
+using FetchFile = std::function<FileContents(const std::string& name)>;
+
+enum class AssetKind : std::uint8_t { texture, mesh };
+
+struct LoadOptions {
+  bool textures = true;        ///< false: leave all of them empty, without a word
+  bool allow_missing = false;  ///< a mesh that cannot be used is a warning
+  Limits limits;
+};
+
+/// Loads every file once. A texture that cannot be used is a warning (it shades with the diffuse
+/// color), a mesh an error. Codes: asset/codes.h.
+Assets load_assets(std::span<const FileReference> texture_files,
+                   std::span<const FileReference> mesh_files, const FetchFile& fetch,
+                   const LoadOptions& options, Diagnostics& diagnostics);
+
+}  // namespace scenefile

@@ -1,0 +1,21 @@
+#pragma once
+// Wavefront OBJ: v, vt, vn and f lines. Polygons are cut into triangle fans, negative indices count from
+// the end. Source of the format: Wavefront, "Object Files (.obj)", appendix B1.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/geometry/mesh.h"
+
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// Reads the text of an OBJ file; every number and index is validated, findings bear the line and
+/// `file_name`. Materials, groups and smoothing are skipped. `triangle_budget` is what is left of
+/// limits.mesh_triangles, `byte_budget` of limits.mesh_bytes; both shrink by what was read. When
+/// an error was reported the mesh is empty.
+Mesh read_obj(std::string_view text, const std::string& file_name, const Limits& limits,
+              std::uint64_t& triangle_budget, std::uint64_t& byte_budget, Diagnostics& diagnostics);
+
+}  // namespace scenefile

@@ -1,0 +1,83 @@
+#pragma once
+// Findings about a file. Reading functions never throw, print or exit: they append to a
+// Diagnostics and return what they could. An error means that the result must not be used; a
+// warning means that it was used with the stated default.
+
+#include "scenefile/base/limits.h"
+#include "scenefile/base/location.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace scenefile {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+/// A kind of finding. Each is one constant in the `codes.h` of the room that reports it; its
+/// address is its identity, its name is stable across versions.
+struct Code {
+  std::string_view name;     ///< such as "camera.up-parallel-to-look"
+  Severity severity;         ///< unless a report says otherwise
+  std::string_view summary;  ///< one line: what is wrong
+  std::string_view help;     ///< why it matters and what to do
+  bool dialect = false;      ///< a spelling of a dialect: an error under `--strict`
+};
+
+/// One finding.
+struct Diagnostic {
+  const Code* code = nullptr;
+  Severity severity = Severity::error;
+  Location location;    ///< in `file`
+  std::string file;     ///< empty: the scene file itself; else the mesh or texture as named there
+  std::string message;  ///< one line of UTF-8; may hold input text, so escape it before a terminal
+};
+
+/// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of a
+/// kind and `limits.message_bytes` in all are kept, all are counted.
+class Diagnostics {
+ public:
+  explicit Diagnostics(const Limits& limits = {});
+
+  /// Adds a finding with the severity of its code.
+  void report(const Code& code, Location location, std::string message);
+  /// Adds a finding with a severity of its own.
+  void report(const Code& code, Severity severity, Location location, std::string message);
+  /// Adds a finding as it is, for those about other files.
+  void add(Diagnostic diagnostic);
+
+  const std::vector<Diagnostic>& list() const { return list_; }
+  std::size_t count(Severity severity) const { return counts_[static_cast<int>(severity)]; }
+  bool has_errors() const { return count(Severity::error) != 0; }
+  /// How many of this kind were counted but not kept.
+  std::size_t dropped(const Code& code) const;
+  /// How many were counted but not kept.
+  std::size_t dropped() const { return dropped_; }
+
+  /// Rewrites severities and removes findings, for `--strict`, `--deny warnings` and `--allow`.
+  /// `decide` gets each kept finding and returns the new severity, or `remove`. Findings that
+  /// were counted but not kept follow the first kept one of their code.
+  enum class Verdict : std::uint8_t { note, warning, error, remove };
+  template <typename Decide>
+  void rewrite(Decide decide);
+
+ private:
+  struct Tally {
+    std::size_t kept = 0;
+    std::size_t dropped = 0;
+    Severity severity = Severity::note;  ///< of the dropped ones
+  };
+
+  std::vector<Diagnostic> list_;
+  std::unordered_map<const Code*, Tally> tallies_;
+  std::size_t counts_[3] = {0, 0, 0};
+  std::size_t dropped_ = 0;
+  std::size_t bytes_ = 0;
+  std::size_t max_per_code_;
+  std::size_t max_bytes_;
+};
+
+}  // namespace scenefile

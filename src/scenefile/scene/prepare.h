@@ -1,0 +1,39 @@
+#pragma once
+// From the written scene to the ready one.
+
+#include "scenefile/base/limits.h"
+#include "scenefile/scene/render_scene.h"
+#include "scenefile/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+/// Where a ready primitive, instance or light came from.
+struct Source {
+  NodeId node = 0;    ///< in Scene::nodes
+  Location location;  ///< of the object or light in the file
+};
+
+/// A ready scene with the table that its `source` fields index. The table stays behind when the
+/// scene alone is wanted.
+struct Prepared {
+  RenderScene scene;
+  std::vector<Source> sources;
+};
+
+/// Multiplies transforms (in double precision), turns degrees to radians, numbers materials and
+/// files, makes one group of each template that is used. Groups that draw nothing are left out, as
+/// are primitives and instances whose transform is not invertible. Expects a scene in which
+/// check() found no error; for any other the result is unspecified but safe to use.
+Prepared prepare(const Scene& scene, const Limits& limits);
+
+/// Names from the root (or template) down to the node, joined by '/'; nameless nodes appear as
+/// `#k`, their place among their siblings from 1. For messages.
+std::string node_path(const Scene& scene, NodeId node);
+
+/// Whether two scenes are drawn alike: equal results of prepare().
+bool same_meaning(const Scene& a, const Scene& b);
+
+}  // namespace scenefile

@@ -1,0 +1,161 @@
+#pragma once
+// The written state of a scene: what the author said. Names, degrees, file names and places in the
+// file; read, checked, compared, converted and written back, never rendered (see
+// render_scene.h for that).
+//
+// Conventions: right-handed, y up, column vectors, angles in degrees (`_deg`), colors red green
+// blue, 1 is full.
+
+#include "scenefile/base/location.h"
+#include "scenefile/base/shape.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scenefile {
+
+/// Coefficients that scale the terms of the lighting equation in the whole scene.
+struct Global {
+  float ambient = 0.5f;
+  float diffuse = 0.5f;
+  float specular = 0.5f;
+  /// Not given in nearly all files; what that means is for the renderer's profile to say.
+  std::optional<float> transparent;
+
+  friend bool operator==(const Global&, const Global&) = default;
+};
+
+/// The camera. `focus` of the files is a look direction here.
+struct Camera {
+  glm::vec3 position{5, 5, 5};
+  glm::vec3 look{-1, -1, -1};      ///< direction, any length but zero
+  glm::vec3 up{0, 1, 0};           ///< any length, not parallel to look
+  float height_angle_deg = 45;     ///< full vertical angle of view, in (0, 180)
+  float aperture = 0;              ///< lens size in world units; 0 is a pinhole
+  float focal_length = 0;          ///< distance of the plane in focus, world units; 0 is a pinhole
+  Location location;
+
+  friend bool operator==(const Camera& a, const Camera& b);
+};
+
+struct Translate {
+  glm::vec3 by{0};
+  friend bool operator==(const Translate&, const Translate&) = default;
+};
+struct Rotate {
+  glm::vec3 axis{0, 1, 0};  ///< any length but zero
+  float angle_deg = 0;      ///< right-handed about the axis
+  friend bool operator==(const Rotate&, const Rotate&) = default;
+};
+struct Scale {
+  glm::vec3 by{1};
+  friend bool operator==(const Scale&, const Scale&) = default;
+};
+/// A 4x4 matrix as glm stores it: m[column][row]; files list rows.
+struct Matrix {
+  glm::mat4 m{1};
+  friend bool operator==(const Matrix&, const Matrix&) = default;
+};
+
+struct Transform {
+  std::variant<Translate, Rotate, Scale, Matrix> map;
+  Location location;
+
+  friend bool operator==(const Transform& a, const Transform& b) { return a.map == b.map; }
+};
+
+/// An image file on a surface.
+struct TextureUse {
+  std::string file;      ///< as written
+  float repeat_u = 1;    ///< how often the image repeats along u
+  float repeat_v = 1;
+  Location location;
+
+  friend bool operator==(const TextureUse& a, const TextureUse& b);
+};
+
+/// Phong material. Colors are not bounded by 1.
+struct Material {
+  glm::vec3 ambient{0};
+  glm::vec3 diffuse{1};
+  glm::vec3 specular{0};
+  glm::vec3 reflective{0};
+  glm::vec3 transparent{0};
+  float shininess = 0;  ///< exponent; 0 means no highlight
+  float ior = 0;        ///< index of refraction; 0 means not given, and counts as 1
+  float blend = 0;      ///< share of the texture in the diffuse color, 0..1
+  std::optional<TextureUse> texture;
+  std::optional<TextureUse> bump_map;
+
+  friend bool operator==(const Material&, const Material&) = default;
+};
+
+struct Primitive {
+  Shape shape = Shape::cube;
+  std::string mesh_file;  ///< as written; for Shape::mesh alone
+  Material material;
+  Location location;
+
+  friend bool operator==(const Primitive& a, const Primitive& b);
+};
+
+struct Light {
+  LightType type = LightType::point;
+  glm::vec3 color{1};
+  glm::vec3 position{0};         ///< in the space of its node; unused by directional lights
+  glm::vec3 direction{0};        ///< of the light's travel, in the space of its node
+  glm::vec3 attenuation{1, 0, 0};  ///< constant, linear and quadratic coefficient of the distance
+  std::optional<float> angle_deg;  ///< spot: half-angle of the outer cone
+  float penumbra_deg = 0;        ///< spot: from full light to none, inside `angle_deg`
+  float width = 0;               ///< area: world units
+  float height = 0;
+  std::optional<int> id;         ///< has no effect
+  std::string name;              ///< has no effect
+  Location location;
+
+  friend bool operator==(const Light& a, const Light& b);
+};
+
+/// Index into Scene::nodes.
+using NodeId = std::uint32_t;
+
+/// A group: what it contains is placed by its transforms. A node with `instance_of` stands for a
+/// copy of that template's contents and has none of its own.
+struct Node {
+  std::string name;                   ///< may be empty; templates need one
+  std::vector<Transform> transforms;  ///< product in listed order: the last listed acts first
+  std::vector<Light> lights;
+  std::vector<Primitive> primitives;
+  std::vector<NodeId> children;
+  std::string instance_of;            ///< name of a template; empty: not an instance
+  Location location;
+};
+
+/// A scene as written. The nodes form a forest: every node but the root and the templates is the
+/// child of exactly one node. They lie in one array so that no depth of nesting can exhaust the
+/// stack when a scene is copied or destroyed.
+struct Scene {
+  std::string name;
+  Global global;
+  std::optional<Camera> camera;  ///< absent: the default camera is used
+  std::vector<Node> nodes = std::vector<Node>(1);
+  std::vector<NodeId> templates;  ///< named nodes to instantiate, in the order of declaration
+  NodeId root = 0;
+
+  /// Same structure and values; neither the places in the file nor the order of `nodes` count.
+  friend bool operator==(const Scene& a, const Scene& b);
+};
+
+/// Appends an empty node to the scene and makes it a child of `parent`. Returns its index.
+/// References to nodes are invalid afterwards.
+NodeId add_child(Scene& scene, NodeId parent);
+
+/// Appends an empty node of that name and makes it a template. Returns its index.
+NodeId add_template(Scene& scene, std::string name);
+
+}  // namespace scenefile

@@ -10,8 +10,8 @@ namespace scenefile {
 /// composed.
 template <typename T>
 struct BasicAffine {
-  glm::mat<3, 3, T> linear{1};     ///< columns are the images of the x, y and z axes
-  glm::vec<3, T> offset{T(0)};     ///< image of the origin
+  glm::mat<3, 3, T> linear{1};  ///< columns are the images of the x, y and z axes
+  glm::vec<3, T> offset{T(0)};  ///< image of the origin
 
   BasicAffine() = default;
   BasicAffine(const glm::mat<3, 3, T>& l, const glm::vec<3, T>& o) : linear(l), offset(o) {}

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -54,27 +56,23 @@ class Diagnostics {
   bool has_errors() const { return count(Severity::error) != 0; }
   /// How many of this kind were counted but not kept.
   std::size_t dropped(const Code& code) const;
-  /// How many were counted but not kept.
-  std::size_t dropped() const { return dropped_; }
+  /// How many of any kind were counted but not kept.
+  std::size_t dropped() const;
 
-  /// Rewrites severities and removes findings, for `--strict`, `--deny warnings` and `--allow`.
-  /// `decide` gets each kept finding and returns the new severity, or `remove`. Findings that
-  /// were counted but not kept follow the first kept one of their code.
-  enum class Verdict : std::uint8_t { note, warning, error, remove };
-  template <typename Decide>
-  void rewrite(Decide decide);
+  /// Rewrites severities and removes findings, for `--strict`, `--deny warnings` and `--allow`:
+  /// `decide` says the new severity of each kind with each severity it was reported with, or
+  /// nothing to remove the finding. Findings that were counted but not kept follow their kind.
+  void rewrite(const std::function<std::optional<Severity>(const Code&, Severity)>& decide);
 
  private:
   struct Tally {
     std::size_t kept = 0;
-    std::size_t dropped = 0;
-    Severity severity = Severity::note;  ///< of the dropped ones
+    std::size_t dropped[3] = {0, 0, 0};  ///< by severity
   };
 
   std::vector<Diagnostic> list_;
   std::unordered_map<const Code*, Tally> tallies_;
   std::size_t counts_[3] = {0, 0, 0};
-  std::size_t dropped_ = 0;
   std::size_t bytes_ = 0;
   std::size_t max_per_code_;
   std::size_t max_bytes_;

@@ -9,15 +9,15 @@ namespace scenefile {
 /// Upper bounds; each is checked before the memory is taken, each has a diagnostic of its own.
 /// The defaults hold every scene of the course and of public projects with room to spare.
 struct Limits {
-  std::uint64_t file_bytes = std::uint64_t{1} << 30;  ///< of a scene or asset file
-  std::uint32_t nesting = 1024;                       ///< elements or values inside each other
-  std::uint32_t attributes = 256;                     ///< of one element
-  std::uint32_t name_bytes = 4096;                    ///< names of elements, objects and files
-  std::uint32_t value_bytes = 65536;                  ///< any other attribute or string
-  std::uint32_t messages_per_code = 100;              ///< kept; the rest is counted
-  std::uint32_t message_bytes = 1 << 20;              ///< kept, in all
-  std::uint32_t lights = 1024;                        ///< in world space, after instancing
-  std::uint32_t texture_side = 16384;                 ///< pixels
+  std::uint64_t file_bytes = std::uint64_t{1} << 30;     ///< of a scene or asset file
+  std::uint32_t nesting = 1024;                          ///< elements or values inside each other
+  std::uint32_t attributes = 256;                        ///< of one element
+  std::uint32_t name_bytes = 4096;                       ///< names of elements, objects and files
+  std::uint32_t value_bytes = 65536;                     ///< any other attribute or string
+  std::uint32_t messages_per_code = 100;                 ///< kept; the rest is counted
+  std::uint32_t message_bytes = 1 << 20;                 ///< kept, in all
+  std::uint32_t lights = 1024;                           ///< in world space, after instancing
+  std::uint32_t texture_side = 16384;                    ///< pixels
   std::uint64_t texture_bytes = std::uint64_t{1} << 30;  ///< decoded, all textures together
   std::uint64_t mesh_triangles = 50'000'000;             ///< all meshes together
   std::uint64_t mesh_bytes = std::uint64_t{2} << 30;     ///< in memory, all meshes together

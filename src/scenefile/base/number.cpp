@@ -1,0 +1,115 @@
+#include "scenefile/base/number.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#if !defined(__cpp_lib_to_chars)
+#include <locale>
+#include <sstream>
+#endif
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_digit(text[at])) {
+    ++at;
+  }
+  return at;
+}
+
+// End of the longest number that starts at 0 (after a sign), or 0. Checked by hand because the
+// standard's parsers also take "inf", "nan" and hexadecimal.
+std::size_t number_end(std::string_view text) {
+  std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
+  const std::size_t whole = at;
+  at = skip_digits(text, at);
+  std::size_t digits = at - whole;
+  if (at < text.size() && text[at] == '.') {
+    const std::size_t end = skip_digits(text, at + 1);
+    digits += end - (at + 1);
+    at = end;
+  }
+  if (digits == 0) {
+    return 0;
+  }
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    std::size_t exponent = at + 1;
+    if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) {
+      ++exponent;
+    }
+    const std::size_t end = skip_digits(text, exponent);
+    if (end > exponent) {
+      at = end;
+    }
+  }
+  return at;
+}
+
+bool mantissa_is_zero(std::string_view text) {
+  return text.substr(0, text.find_first_of("eE")).find_first_of("123456789") ==
+         std::string_view::npos;
+}
+
+bool exponent_is_negative(std::string_view text) {
+  const std::size_t e = text.find_first_of("eE");
+  return e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-';
+}
+
+// `text` is a valid number without a leading plus. Beyond the range of double: infinity or 0.
+double convert(std::string_view text) {
+#if defined(__cpp_lib_to_chars)
+  double value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool overflow = result.ec == std::errc::result_out_of_range;
+#else
+  // libc++ 14 has no from_chars for floating point.
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  double value = 0;
+  stream >> value;
+  const bool overflow = stream.fail();
+#endif
+  if (!overflow) {
+    return value;
+  }
+  const bool tiny = mantissa_is_zero(text) || exponent_is_negative(text) || text.find("0.0") < 2;
+  return tiny ? 0 : std::numeric_limits<double>::infinity() * (text[0] == '-' ? -1 : 1);
+}
+
+}  // namespace
+
+ParsedNumber parse_number(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(blanks);
+  if (start == std::string_view::npos) {
+    return {0, NumberError::empty, 0};
+  }
+  std::string_view body = text.substr(start);
+  const std::size_t end = number_end(body);
+  if (end == 0) {
+    return {0, NumberError::malformed, 0};
+  }
+  const bool plus = body[0] == '+';
+  const double value = convert(body.substr(plus, end - plus));
+  const bool whole = body.find_first_not_of(blanks, end) == std::string_view::npos;
+  if (!(std::abs(value) <= double{std::numeric_limits<float>::max()})) {
+    return {0, whole ? NumberError::out_of_range : NumberError::malformed, start + end};
+  }
+  return {value, whole ? NumberError::none : NumberError::malformed, start + end};
+}
+
+std::string number_text(float value) {
+  return fmt::format("{}", value);
+}
+
+}  // namespace scenefile

@@ -1,0 +1,33 @@
+#pragma once
+// Diagnostics as text for people.
+
+#include "scenefile/base/diagnostics.h"
+
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+struct ReportStyle {
+  bool color = false;   ///< ANSI colors
+  bool excerpt = true;  ///< the line of the file and a caret under the place
+  bool notes = true;    ///< show notes too
+};
+
+/// All findings in the order of their places (those without one last), each as
+///
+///     chess.xml:41:9: error: unknown element <difuse> in primitive; did you mean <diffuse>?
+///     [xml.unknown-element]
+///        41 |         <difuse r="0.8" g="0.6" b="0.6"/>
+///           |         ^
+///
+/// `file` is the name of the scene, `text` its bytes for the excerpts (at most 80 characters of a
+/// line, escaped). Findings about other files get no excerpt. Says how many of a kind were not
+/// shown.
+std::string report_text(const Diagnostics& diagnostics, std::string_view file,
+                        std::string_view text, const ReportStyle& style);
+
+/// "chess.xml: 2 errors, 1 warning", or "chess.xml: fine"; notes do not count.
+std::string verdict_text(const Diagnostics& diagnostics, std::string_view file);
+
+}  // namespace scenefile

@@ -1,0 +1,69 @@
+#include "scenefile/base/suggest.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace scenefile {
+
+namespace {
+
+// Longer words are never typing mistakes of the format's names.
+constexpr std::size_t max_length = 40;
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// Optimal string alignment distance, ignoring case.
+std::size_t edits(std::string_view a, std::string_view b) {
+  std::array<std::array<std::size_t, max_length + 1>, max_length + 1> d;
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    d[i][0] = i;
+  }
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    d[0][j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t differ = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + differ});
+      if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+          lower(a[i - 2]) == lower(b[j - 1])) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known) {
+  if (word.size() > max_length) {
+    return {};
+  }
+  std::string_view best;
+  std::size_t best_edits = std::max<std::size_t>(word.size(), 3) / 3 + 1;
+  for (const std::string_view name : known) {
+    if (equal_ignoring_case(word, name)) {
+      return name;
+    }
+    if (name.size() > max_length || word.size() < 2) {
+      continue;
+    }
+    const std::size_t n = edits(word, name);
+    if (n < best_edits) {
+      best = name;
+      best_edits = n;
+    }
+  }
+  return best;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace scenefile {
+
+/// The known word that `word` was probably meant to be: another case of it, or the fewest edits
+/// (insert, delete, replace, swap neighbours) away, at most a third of its length. Empty when
+/// nothing is near. For "did you mean".
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace scenefile

@@ -1,0 +1,33 @@
+#pragma once
+// Text that came from a file, made fit for a message.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// Makes text safe to show: control characters, bidirectional overrides and other invisible
+/// characters become \n, \t or \u{...}, bytes that are not UTF-8 become \x.., at most
+/// `max_characters` characters of it, then "...". No input can forge a line or an escape sequence.
+std::string escaped(std::string_view text, std::size_t max_characters = 400);
+
+/// escaped() in double quotes.
+std::string quoted(std::string_view text, std::size_t max_characters = 40);
+
+/// One character of UTF-8.
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t bytes = 0;  ///< 0: the text does not start with valid UTF-8, or is empty
+};
+
+/// The first character of the text: strict UTF-8, no overlong forms, no surrogates.
+CodePoint first_code_point(std::string_view text);
+
+/// How many characters the text has; a byte that is not UTF-8 counts as one.
+std::size_t count_code_points(std::string_view text);
+
+/// Whether a character is not shown as itself: controls, format and bidirectional characters.
+bool is_invisible(char32_t c);
+
+}  // namespace scenefile

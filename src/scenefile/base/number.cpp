@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -56,14 +57,23 @@ std::size_t number_end(std::string_view text) {
   return at;
 }
 
-bool mantissa_is_zero(std::string_view text) {
-  return text.substr(0, text.find_first_of("eE")).find_first_of("123456789") ==
-         std::string_view::npos;
-}
-
-bool exponent_is_negative(std::string_view text) {
-  const std::size_t e = text.find_first_of("eE");
-  return e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-';
+// Whether a number that no double can hold is too large for one, rather than too small: by the
+// power of ten of its first digit that is not zero.
+bool is_huge(std::string_view text) {
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view mantissa = text.substr(0, e);
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == std::string_view::npos) {
+    return false;
+  }
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const long long power = static_cast<long long>(point) - static_cast<long long>(first);
+  long long exponent = 0;
+  for (const char c : text.substr(e)) {
+    exponent = is_digit(c) ? std::min(exponent * 10 + (c - '0'), 1'000'000'000LL) : exponent;
+  }
+  const bool negative = e + 1 < text.size() && text[e + 1] == '-';
+  return power + (negative ? -exponent : exponent) > 0;
 }
 
 // `text` is a valid number without a leading plus. Beyond the range of double: infinity or 0.
@@ -83,8 +93,8 @@ double convert(std::string_view text) {
   if (!overflow) {
     return value;
   }
-  const bool tiny = mantissa_is_zero(text) || exponent_is_negative(text) || text.find("0.0") < 2;
-  return tiny ? 0 : std::numeric_limits<double>::infinity() * (text[0] == '-' ? -1 : 1);
+  const double huge = std::numeric_limits<double>::infinity();
+  return is_huge(text) ? (text[0] == '-' ? -huge : huge) : 0;
 }
 
 }  // namespace

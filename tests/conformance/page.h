@@ -1,0 +1,15 @@
+#pragma once
+
+#include "run_row.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile::conformance {
+
+/// Writes FOLDER/index.html with ours, theirs and the difference (times 8) side by side, worst
+/// first, and the pictures beside it. Returns what went wrong, empty when nothing did.
+std::string write_page(const std::string& folder, const std::vector<Result>& results,
+                       const std::vector<Exception>& exceptions);
+
+}  // namespace scenefile::conformance

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "manifest.h"
+#include "scenefile/asset/compare_images.h"
+
+#include <string>
+
+namespace scenefile::conformance {
+
+/// A row, rendered and compared.
+struct Result {
+  Row row;
+  std::string error;  ///< why there is no picture; empty when there is one
+  Texture ours;
+  Texture theirs;
+  ImageDifference difference;
+  double cpu_seconds = 0;  ///< of rendering
+};
+
+/// Renders a row of the corpus at the size of its reference, in the course profile.
+Result run_row(const std::string& corpus, const Row& row);
+
+}  // namespace scenefile::conformance

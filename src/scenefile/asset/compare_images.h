@@ -6,10 +6,10 @@ namespace scenefile {
 
 /// How two 8-bit pictures of one size differ. All over the three channels of all pixels.
 struct ImageDifference {
-  double psnr_db = 99;        ///< 20 log10(255 / rms); 99 at most, 99 for equal pictures
-  double mean = 0;            ///< mean absolute difference, in 1/255
-  int max = 0;                ///< greatest absolute difference, in 1/255
-  double share_over = 0;      ///< share of pixels with a channel off by more than the threshold
+  double psnr_db = 99;    ///< 20 log10(255 / rms); 99 at most, 99 for equal pictures
+  double mean = 0;        ///< mean absolute difference, in 1/255
+  int max = 0;            ///< greatest absolute difference, in 1/255
+  double share_over = 0;  ///< share of pixels with a channel off by more than the threshold
 };
 
 /// Compares pictures of the same size. `threshold` in 1/255.

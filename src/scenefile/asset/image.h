@@ -15,7 +15,9 @@ struct Image {
 
   Image() = default;
   Image(int w, int h) : width(w), height(h), rgb(std::size_t{3} * w * h) {}
-  float* pixel(int x, int y) { return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x)); }
+  float* pixel(int x, int y) {
+    return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
+  }
   const float* pixel(int x, int y) const {
     return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Wavefront OBJ: v, vt, vn and f lines. Polygons are cut into triangle fans, negative indices count from
-// the end. Source of the format: Wavefront, "Object Files (.obj)", appendix B1.
+// Wavefront OBJ: v, vt, vn and f lines. Polygons are cut into triangle fans, negative indices count
+// from the end. Source of the format: Wavefront, "Object Files (.obj)", appendix B1.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

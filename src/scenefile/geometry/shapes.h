@@ -35,14 +35,15 @@ bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit
 
 /// What shading needs at a point of the surface, in object space.
 struct Surface {
-  glm::dvec3 normal{0, 1, 0};   ///< outward, unit length
-  glm::dvec2 uv{0};             ///< in [0, 1], v up
+  glm::dvec3 normal{0, 1, 0};     ///< outward, unit length
+  glm::dvec2 uv{0};               ///< in [0, 1], v up
   glm::dvec3 tangent_u{1, 0, 0};  ///< d(point)/du; zero where u is undefined (poles, apex)
   glm::dvec3 tangent_v{0, 0, 1};  ///< d(point)/dv
 };
 
 /// Normal, uv and tangents of a point on a face of a shape. uv of round sides:
-/// u = 1 - phi / 2 pi with phi = atan2(z, x) in [0, 2 pi) grows clockwise seen from above. Formulas: docs/rendering.md.
+/// u = 1 - phi / 2 pi with phi = atan2(z, x) in [0, 2 pi) grows clockwise seen from above.
+/// Formulas: docs/rendering.md.
 Surface surface_at(Shape shape, Face face, const glm::dvec3& point);
 
 /// Axis-aligned box; empty when min > max.

@@ -63,7 +63,7 @@ struct RenderPrimitive {
 /// which holds it; invertible.
 struct RenderInstance {
   Affine group_from_instance;
-  std::uint32_t group = 0;   ///< into RenderScene::groups; smaller than that of the holder
+  std::uint32_t group = 0;  ///< into RenderScene::groups; smaller than that of the holder
   std::uint32_t source = 0;
 
   friend bool operator==(const RenderInstance& a, const RenderInstance& b);
@@ -96,12 +96,12 @@ struct RenderLight {
 /// position - w + x * tan(fov_y / 2) * aspect * u + y * tan(fov_y / 2) * v, x and y in [-1, 1].
 struct RenderCamera {
   glm::dvec3 position{0};
-  glm::dvec3 u{1, 0, 0};    ///< to the right of the picture, unit length
-  glm::dvec3 v{0, 1, 0};    ///< up in the picture, unit length
-  glm::dvec3 w{0, 0, 1};    ///< against the view direction, unit length
+  glm::dvec3 u{1, 0, 0};              ///< to the right of the picture, unit length
+  glm::dvec3 v{0, 1, 0};              ///< up in the picture, unit length
+  glm::dvec3 w{0, 0, 1};              ///< against the view direction, unit length
   double fov_y = 0.7853981633974483;  ///< full vertical angle of view, radians, in (0, pi)
-  double aperture = 0;      ///< lens offsets reach this far along u and v; 0: pinhole
-  double focal_length = 0;  ///< distance along -w of the plane in focus; 0: pinhole
+  double aperture = 0;                ///< lens offsets reach this far along u and v; 0: pinhole
+  double focal_length = 0;            ///< distance along -w of the plane in focus; 0: pinhole
 
   friend bool operator==(const RenderCamera&, const RenderCamera&) = default;
 };
@@ -120,9 +120,9 @@ struct RenderScene {
   RenderGlobal global;
   RenderCamera camera;
   std::vector<RenderLight> lights;
-  std::vector<RenderMaterial> materials;  ///< each once
-  std::vector<RenderGroup> groups;        ///< a group stands behind all groups that it contains
-  std::uint32_t root = 0;                 ///< the group that is the world
+  std::vector<RenderMaterial> materials;     ///< each once
+  std::vector<RenderGroup> groups;           ///< a group stands behind all groups that it contains
+  std::uint32_t root = 0;                    ///< the group that is the world
   std::vector<FileReference> texture_files;  ///< each once
   std::vector<FileReference> mesh_files;     ///< each once
 

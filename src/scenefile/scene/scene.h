@@ -33,11 +33,11 @@ struct Global {
 /// The camera. `focus` of the files is a look direction here.
 struct Camera {
   glm::vec3 position{5, 5, 5};
-  glm::vec3 look{-1, -1, -1};      ///< direction, any length but zero
-  glm::vec3 up{0, 1, 0};           ///< any length, not parallel to look
-  float height_angle_deg = 45;     ///< full vertical angle of view, in (0, 180)
-  float aperture = 0;              ///< lens size in world units; 0 is a pinhole
-  float focal_length = 0;          ///< distance of the plane in focus, world units; 0 is a pinhole
+  glm::vec3 look{-1, -1, -1};   ///< direction, any length but zero
+  glm::vec3 up{0, 1, 0};        ///< any length, not parallel to look
+  float height_angle_deg = 45;  ///< full vertical angle of view, in (0, 180)
+  float aperture = 0;           ///< lens size in world units; 0 is a pinhole
+  float focal_length = 0;       ///< distance of the plane in focus, world units; 0 is a pinhole
   Location location;
 
   friend bool operator==(const Camera& a, const Camera& b);
@@ -71,8 +71,8 @@ struct Transform {
 
 /// An image file on a surface.
 struct TextureUse {
-  std::string file;      ///< as written
-  float repeat_u = 1;    ///< how often the image repeats along u
+  std::string file;    ///< as written
+  float repeat_u = 1;  ///< how often the image repeats along u
   float repeat_v = 1;
   Location location;
 
@@ -107,15 +107,15 @@ struct Primitive {
 struct Light {
   LightType type = LightType::point;
   glm::vec3 color{1};
-  glm::vec3 position{0};         ///< in the space of its node; unused by directional lights
-  glm::vec3 direction{0};        ///< of the light's travel, in the space of its node
+  glm::vec3 position{0};           ///< in the space of its node; unused by directional lights
+  glm::vec3 direction{0};          ///< of the light's travel, in the space of its node
   glm::vec3 attenuation{1, 0, 0};  ///< constant, linear and quadratic coefficient of the distance
   std::optional<float> angle_deg;  ///< spot: half-angle of the outer cone
-  float penumbra_deg = 0;        ///< spot: from full light to none, inside `angle_deg`
-  float width = 0;               ///< area: world units
+  float penumbra_deg = 0;          ///< spot: from full light to none, inside `angle_deg`
+  float width = 0;                 ///< area: world units
   float height = 0;
-  std::optional<int> id;         ///< has no effect
-  std::string name;              ///< has no effect
+  std::optional<int> id;  ///< has no effect
+  std::string name;       ///< has no effect
   Location location;
 
   friend bool operator==(const Light& a, const Light& b);
@@ -132,7 +132,7 @@ struct Node {
   std::vector<Light> lights;
   std::vector<Primitive> primitives;
   std::vector<NodeId> children;
-  std::string instance_of;            ///< name of a template; empty: not an instance
+  std::string instance_of;  ///< name of a template; empty: not an instance
   Location location;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// The CPU ray tracer: ready scene + assets -> image. Semantics and their sources: docs/rendering.md.
+// The CPU ray tracer: ready scene + assets -> image. Semantics and their sources:
+// docs/rendering.md.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/asset/load_assets.h"
@@ -36,10 +37,10 @@ struct RenderOptions {
   Profile profile = Profile::fine;
   Mode mode = Mode::ray;
   Features features;
-  int width = 1024;   ///< pixels, at least 1
+  int width = 1024;  ///< pixels, at least 1
   int height = 768;
-  int samples = 16;   ///< fine: most samples a pixel, at least 1
-  int max_depth = 16;  ///< reflections and refractions behind a primary ray; at most 64
+  int samples = 16;        ///< fine: most samples a pixel, at least 1
+  int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
   std::uint64_t seed = 0;  ///< fine: another noise pattern
   int threads = 0;         ///< 0: one a processor
 };

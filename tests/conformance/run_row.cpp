@@ -1,43 +1,14 @@
 #include "run_row.h"
 
 #include "scenefile/asset/image_file.h"
-#include "scenefile/base/report.h"
-#include "scenefile/format/read_scene.h"
-#include "scenefile/io/asset_roots.h"
 #include "scenefile/io/file.h"
-#include "scenefile/scene/check.h"
-#include "scenefile/scene/prepare.h"
+#include "support/load_scene.h"
 
 #include <ctime>
 
 namespace scenefile::conformance {
 
 namespace {
-
-// An error of the scene or one of its files, as text; empty when the scene can be drawn.
-std::string load(const std::string& path, RenderScene& scene, Assets& assets) {
-  std::string text;
-  const Limits limits;
-  if (IoError error = read_file(path, limits.file_bytes, text); !error.empty()) {
-    return error;
-  }
-  Diagnostics diagnostics(limits);
-  const Scene written = read_scene(text, {.compat_course = true, .limits = limits}, diagnostics);
-  if (!diagnostics.has_errors()) {
-    check(written, limits, diagnostics);
-  }
-  if (!diagnostics.has_errors()) {
-    scene = prepare(written, limits).scene;
-    const AssetRootsOptions roots{.scene_path = path, .asset_roots = {}};
-    const FetchFile fetch = [&](const std::string& name) {
-      FileContents contents;
-      contents.error = read_asset(roots, name, contents.bytes);
-      return contents;
-    };
-    assets = load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
-  }
-  return diagnostics.has_errors() ? report_text(diagnostics, path, text, {.excerpt = false}) : "";
-}
 
 std::string load_reference(const std::string& path, Texture& picture) {
   std::string bytes;
@@ -60,13 +31,14 @@ double cpu_seconds() {
 Result run_row(const std::string& corpus, const Row& row) {
   Result result;
   result.row = row;
-  RenderScene scene;
-  Assets assets;
   result.error = load_reference(corpus + "/" + row.reference, result.theirs);
-  if (result.error.empty()) {
-    result.error = load(corpus + "/" + row.scene, scene, assets);
-  }
   if (!result.error.empty()) {
+    return result;
+  }
+  const testing_support::LoadedScene loaded =
+      testing_support::load_scene(corpus + "/" + row.scene, true);
+  if (!loaded.error.empty()) {
+    result.error = loaded.error;
     return result;
   }
   RenderOptions options = default_options(Profile::course);
@@ -75,7 +47,7 @@ Result run_row(const std::string& corpus, const Row& row) {
   options.width = result.theirs.width;
   options.height = result.theirs.height;
   const double start = cpu_seconds();
-  const RenderResult rendered = render(scene, assets, options);
+  const RenderResult rendered = render(loaded.ready.scene, loaded.assets, options);
   result.cpu_seconds = cpu_seconds() - start;
   if (rendered.status != RenderStatus::complete) {
     result.error = "the tracer gave up";

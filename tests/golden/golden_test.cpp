@@ -1,0 +1,77 @@
+// Small pictures of our own scenes, looked at by a person before they were accepted. To accept
+// changed ones: run with SCENEFILE_ACCEPT_GOLDEN=1, look at them, commit them alone.
+
+#include "scenefile/asset/compare_images.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/io/file.h"
+#include "scenefile/trace/render.h"
+#include "support/load_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace scenefile {
+namespace {
+
+struct Golden {
+  const char* scene;  ///< below scenes/
+  const char* name;   ///< of the picture, below tests/golden/
+  Profile profile;
+  Mode mode;
+};
+
+// Other processors round and fuse differently, and a last bit can move an edge by a sample.
+constexpr double least_db = 45;
+
+constexpr Golden goldens[] = {
+    {"showcase.xml", "showcase-fine", Profile::fine, Mode::ray},
+    {"showcase.xml", "showcase-course", Profile::course, Mode::ray},
+    {"showcase.xml", "showcase-normals", Profile::course, Mode::normals},
+    {"showcase.xml", "showcase-intersect", Profile::fine, Mode::intersect},
+};
+
+Texture draw(const Golden& golden) {
+  const testing_support::LoadedScene loaded =
+      testing_support::load_scene(std::string(SCENEFILE_SCENES "/") + golden.scene, false);
+  EXPECT_EQ(loaded.error, "");
+  RenderOptions options = default_options(golden.profile);
+  options.mode = golden.mode;
+  options.width = 240;
+  options.height = 180;
+  const RenderResult result = render(loaded.ready.scene, loaded.assets, options);
+  EXPECT_EQ(result.status, RenderStatus::complete);
+  return quantize(result.image, rounding_of(golden.profile));
+}
+
+class GoldenPicture : public testing::TestWithParam<Golden> {};
+
+TEST_P(GoldenPicture, IsAsAccepted) {
+  const std::string path = std::string(SCENEFILE_GOLDEN "/") + GetParam().name + ".png";
+  const Texture ours = draw(GetParam());
+  std::string error;
+  if (std::getenv("SCENEFILE_ACCEPT_GOLDEN") != nullptr) {
+    const std::string bytes =
+        encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest, error);
+    ASSERT_EQ(error, "");
+    ASSERT_EQ(write_file(path, bytes), "");
+  }
+  std::string bytes;
+  const Limits limits;
+  std::uint64_t budget = limits.texture_bytes;
+  ASSERT_EQ(read_file(path, limits.file_bytes, bytes), "");
+  const Texture accepted = decode_image(bytes, limits, budget, error);
+  ASSERT_EQ(accepted.width, ours.width) << error;
+  ASSERT_EQ(accepted.height, ours.height);
+  EXPECT_GE(compare_images(ours, accepted).psnr_db, least_db);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ours, GoldenPicture, testing::ValuesIn(goldens), [](const auto& i) {
+  std::string name = i.param.name;
+  name.replace(name.find('-'), 1, "_");
+  return name;
+});
+
+}  // namespace
+}  // namespace scenefile

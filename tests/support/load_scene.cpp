@@ -1,0 +1,49 @@
+#include "support/load_scene.h"
+
+#include "scenefile/base/report.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/io/asset_roots.h"
+#include "scenefile/io/file.h"
+#include "scenefile/scene/check.h"
+
+namespace scenefile::testing_support {
+
+namespace {
+
+Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
+  AssetRootsOptions roots;
+  roots.scene_path = path;
+  const FetchFile fetch = [&](const std::string& name) {
+    FileContents contents;
+    contents.error = read_asset(roots, name, contents.bytes);
+    return contents;
+  };
+  return load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, bool compat_course) {
+  LoadedScene loaded;
+  const Limits limits;
+  std::string text;
+  loaded.error = read_file(path, limits.file_bytes, text);
+  if (!loaded.error.empty()) {
+    return loaded;
+  }
+  loaded.written =
+      read_scene(text, {.compat_course = compat_course, .limits = limits}, loaded.diagnostics);
+  if (!loaded.diagnostics.has_errors()) {
+    check(loaded.written, limits, loaded.diagnostics);
+  }
+  if (!loaded.diagnostics.has_errors()) {
+    loaded.ready = prepare(loaded.written, limits);
+    loaded.assets = load_files(path, loaded.ready.scene, loaded.diagnostics);
+  }
+  if (loaded.diagnostics.has_errors()) {
+    loaded.error = report_text(loaded.diagnostics, path, text, {.excerpt = false});
+  }
+  return loaded;
+}
+
+}  // namespace scenefile::testing_support

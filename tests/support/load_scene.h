@@ -1,0 +1,24 @@
+#pragma once
+// From a path to what render() takes, for tests that want a picture.
+
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/scene/prepare.h"
+#include "scenefile/scene/scene.h"
+
+#include <string>
+
+namespace scenefile::testing_support {
+
+struct LoadedScene {
+  Scene written;
+  Prepared ready;
+  Assets assets;
+  Diagnostics diagnostics;
+  std::string error;  ///< the errors as text; empty: the scene can be drawn
+};
+
+/// Reads, checks, prepares and loads the files of a scene, as the program does.
+LoadedScene load_scene(const std::string& path, bool compat_course);
+
+}  // namespace scenefile::testing_support

@@ -1,0 +1,81 @@
+# The front door. CMake does the work; `make help` lists what there is.
+
+BUILD   := build/release
+PRESET  := --preset release
+JOBS    := $(shell nproc)
+QUIET   := --no-print-directory
+
+# Quiet where nothing is to be done: the log is shown only when a step fails.
+define quietly
+	@mkdir -p build && { $(1) > build/log.txt 2>&1 || { cat build/log.txt; exit 1; }; }
+endef
+
+.PHONY: help
+help: ## this list
+	@grep -hE '^[a-z-]+:.*## ' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 22
+
+.PHONY: deps
+deps: ## install the packages that are missing
+	@scripts/install-deps core tests
+
+.PHONY: build
+build: ## build the program: build/release/scenefile
+	@scripts/install-deps core
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET) --target scenefile
+
+.PHONY: configure
+configure: build/release/build.ninja
+
+build/release/build.ninja: CMakePresets.json
+	$(call quietly,cmake $(PRESET))
+
+.PHONY: demo
+demo: ## install what is missing, build, render scenes/showcase.xml to out/showcase.png
+	@scripts/install-deps core
+	@$(MAKE) $(QUIET) build
+	@mkdir -p out
+	@$(BUILD)/scenefile render scenes/showcase.xml -o out/showcase.png
+
+.PHONY: test
+test: ## build and pass all tests
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+
+.PHONY: conformance
+conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
+	@test -n "$(CORPUS)" || { echo "say where the corpus is: make conformance CORPUS=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET) --target scenefile_conformance
+	@$(BUILD)/tests/conformance/scenefile_conformance "$(CORPUS)" out/conformance
+
+.PHONY: asan tsan
+asan tsan: ## all tests under a sanitizer
+	@scripts/install-deps core tests
+	@cmake --preset $@ && cmake --build --preset $@ && ctest --test-dir build/$@ --output-on-failure -j $(JOBS)
+
+.PHONY: portable
+portable: ## the portable rooms with clang 14 and libc++ 14
+	@scripts/install-deps core portable
+	@cmake --preset portable && cmake --build --preset portable
+
+SOURCES = $(shell git ls-files 'src/*.h' 'src/*.cpp' 'app/*.h' 'app/*.cpp' 'tests/*.h' 'tests/*.cpp')
+
+.PHONY: format tidy
+format: ## clang-format all sources
+	@clang-format-14 -i $(SOURCES)
+tidy: ## clang-tidy all sources
+	@$(MAKE) $(QUIET) configure
+	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
+
+.PHONY: install
+install: build ## install to PREFIX (default /usr/local)
+	@cmake --build $(PRESET)
+	@cmake --install $(BUILD) --prefix "$(or $(PREFIX),/usr/local)"
+
+.PHONY: clean
+clean: ## remove what was built
+	@rm -rf build out

@@ -1,0 +1,132 @@
+// Holds the table of ARCHITECTURE.md: which room may know what. Reads the #include lines.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = SCENEFILE_ROOT;
+
+// A room may include the headers of these rooms, or single headers.
+const std::map<std::string, std::set<std::string>> may_know = {
+    {"base", {}},
+    {"scene", {"base"}},
+    {"geometry", {"base"}},
+    {"format", {"base", "scene"}},
+    {"asset", {"base", "geometry"}},
+    {"io", {"base"}},
+    {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
+};
+
+// Every library but the standard one and glm lives in one .cpp of one room. fmt, which only makes
+// text, is free to every .cpp; operating system headers belong to io.
+const std::map<std::string, std::string> third_party = {
+    {"expat.h", "format/xml_reader.cpp"},
+    {"rapidjson/", "format/json_parser.cpp"},
+    {"png.h", "asset/png.cpp"},
+    {"stb_image.h", "asset/stb.cpp"},
+    {"tinyexr.h", "asset/exr.cpp"},
+    {"embree3/", "trace/accelerator.cpp"},
+    {"embree4/", "trace/accelerator.cpp"},
+    {"tbb/", "trace/render.cpp"},
+    {"oneapi/", "trace/render.cpp"},
+};
+
+struct Include {
+  fs::path file;     ///< below src/scenefile
+  std::string name;  ///< between the brackets or quotes
+};
+
+std::vector<Include> all_includes() {
+  const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<Include> includes;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "src/scenefile")) {
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") {
+      continue;
+    }
+    std::ifstream file(entry.path());
+    std::smatch match;
+    for (std::string line; std::getline(file, line);) {
+      if (std::regex_search(line, match, line_pattern)) {
+        includes.push_back({fs::relative(entry.path(), root / "src/scenefile"), match[1]});
+      }
+    }
+  }
+  return includes;
+}
+
+std::string room_of(const fs::path& file) {
+  return file.begin()->string();
+}
+
+TEST(IncludeLaw, RoomsKnowOnlyTheRoomsBelowThem) {
+  const std::string prefix = "scenefile/";
+  for (const Include& i : all_includes()) {
+    if (!i.name.starts_with(prefix)) {
+      continue;
+    }
+    const std::string target = i.name.substr(prefix.size());
+    const std::string from = room_of(i.file);
+    ASSERT_TRUE(may_know.contains(from)) << from << " is in no row of the table";
+    const std::set<std::string>& known = may_know.at(from);
+    const std::string to = room_of(target);
+    EXPECT_TRUE(to == from || known.contains(to) || known.contains(target))
+        << i.file << " includes " << i.name;
+    EXPECT_TRUE(fs::exists(root / "src" / i.name)) << i.file << " includes " << i.name;
+  }
+}
+
+TEST(IncludeLaw, OneThirdPartyLibraryInOneFile) {
+  for (const Include& i : all_includes()) {
+    for (const auto& [library, home] : third_party) {
+      if (i.name.starts_with(library)) {
+        EXPECT_EQ(i.file.generic_string(), home) << "includes " << i.name;
+      }
+    }
+  }
+}
+
+TEST(IncludeLaw, HeadersShowNoLibraryButGlm) {
+  const std::regex standard(R"(^[a-z_]+$)");
+  for (const Include& i : all_includes()) {
+    if (i.file.extension() == ".h") {
+      EXPECT_TRUE(i.name.starts_with("scenefile/") || i.name.starts_with("glm/") ||
+                  std::regex_match(i.name, standard))
+          << i.file << " includes " << i.name;
+    }
+  }
+}
+
+TEST(IncludeLaw, OperatingSystemOnlyInIo) {
+  const std::regex system(
+      R"(^(unistd|fcntl|dirent|signal|poll|sys/.*)\.h$|^(csignal|filesystem)$)");
+  for (const Include& i : all_includes()) {
+    if (std::regex_match(i.name, system)) {
+      EXPECT_EQ(room_of(i.file), "io") << i.file << " includes " << i.name;
+    }
+  }
+}
+
+TEST(IncludeLaw, PortableRoomsUseNothingThatOldCompilersLack) {
+  const std::set<std::string> portable = {"base", "scene", "format", "geometry", "asset"};
+  const std::set<std::string> lacking = {"format", "expected", "source_location",
+                                         "ranges", "thread",   "mutex",
+                                         "future", "fstream",  "print"};
+  for (const Include& i : all_includes()) {
+    if (portable.contains(room_of(i.file))) {
+      EXPECT_FALSE(lacking.contains(i.name)) << i.file << " includes " << i.name;
+      EXPECT_TRUE(i.name != "charconv" || i.file == "base/number.cpp") << i.file;
+    }
+  }
+}
+
+}  // namespace

@@ -1,15 +1,17 @@
-# scenefile_room(NAME SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
-# One folder of src/scenefile is one room is one static library target scenefile::NAME.
+# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...])
+# One folder of src/scenefile is one room is one static library target scenefile::NAME. HEADERS are
+# the public ones, which are installed; all others are the room's own business.
 include_guard(GLOBAL)
 
 add_library(scenefile_options INTERFACE)
-target_compile_features(scenefile_options INTERFACE cxx_std_20)
 target_compile_options(scenefile_options INTERFACE
-  $<BUILD_INTERFACE:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion;-Werror=switch;-ffp-contract=off>
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
+  # The same bytes from every build: no fused multiply-add that one compiler finds and another not.
+  -ffp-contract=off
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
 
 function(scenefile_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target scenefile_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(scenefile::${name} ALIAS ${target})
@@ -20,4 +22,6 @@ function(scenefile_room name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
     $<BUILD_INTERFACE:scenefile_options>)
+  install(TARGETS ${target} EXPORT scenefileTargets)
+  install(FILES ${ROOM_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scenefile/${name})
 endfunction()

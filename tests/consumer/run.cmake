@@ -1,0 +1,19 @@
+# Installs the build to a fresh folder, builds the consumer against it as a stranger would, and
+# renders a scene with it.  cmake -DBUILD=... -DSOURCE=... -DSCENE=... -DWORK=... -P run.cmake
+function(must)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${ARGN}\n${out}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+must(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
+  -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+must(${CMAKE_COMMAND} --build ${WORK}/build)
+must(${WORK}/build/consumer ${SCENE} ${WORK}/out.png)
+file(SIZE ${WORK}/out.png size)
+if(size LESS 1000)
+  message(FATAL_ERROR "the consumer wrote ${size} bytes")
+endif()

@@ -14,7 +14,7 @@ std::string load_reference(const std::string& path, Texture& picture) {
   std::string bytes;
   const Limits limits;
   if (IoError error = read_file(path, limits.file_bytes, bytes); !error.empty()) {
-    return error;
+    return error.text;
   }
   std::uint64_t budget = limits.texture_bytes;
   std::string error;

@@ -55,12 +55,12 @@ TEST_P(GoldenPicture, IsAsAccepted) {
     const std::string bytes =
         encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest, error);
     ASSERT_EQ(error, "");
-    ASSERT_EQ(write_file(path, bytes), "");
+    ASSERT_EQ(write_file(path, bytes).text, "");
   }
   std::string bytes;
   const Limits limits;
   std::uint64_t budget = limits.texture_bytes;
-  ASSERT_EQ(read_file(path, limits.file_bytes, bytes), "");
+  ASSERT_EQ(read_file(path, limits.file_bytes, bytes).text, "");
   const Texture accepted = decode_image(bytes, limits, budget, error);
   ASSERT_EQ(accepted.width, ours.width) << error;
   ASSERT_EQ(accepted.height, ours.height);

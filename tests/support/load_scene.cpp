@@ -11,11 +11,10 @@ namespace scenefile::testing_support {
 namespace {
 
 Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
-  AssetRootsOptions roots;
-  roots.scene_path = path;
+  AssetRoots roots({.scene_path = path, .asset_roots = {}});
   const FetchFile fetch = [&](const std::string& name) {
     FileContents contents;
-    contents.error = read_asset(roots, name, contents.bytes);
+    contents.error = roots.read(name, contents.bytes).text;
     return contents;
   };
   return load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
@@ -27,7 +26,7 @@ LoadedScene load_scene(const std::string& path, bool compat_course) {
   LoadedScene loaded;
   const Limits limits;
   std::string text;
-  loaded.error = read_file(path, limits.file_bytes, text);
+  loaded.error = read_file(path, limits.file_bytes, text).text;
   if (!loaded.error.empty()) {
     return loaded;
   }

@@ -6,20 +6,30 @@
 
 namespace scenefile {
 
-/// What went wrong, in words for a person, with the path and the system's text; empty: nothing.
-using IoError = std::string;
+/// What went wrong, for a person.
+struct IoError {
+  std::string text;         ///< the path and why, in one line; empty: nothing went wrong
+  bool over_limit = false;  ///< the file is larger than allowed
 
-/// Reads a regular file whole, or standard input for "-". Directories, devices, pipes and files of
-/// more than `max_bytes` are refused without blocking. On failure `bytes` is empty.
+  bool empty() const { return text.empty(); }
+};
+
+/// Reads a regular file whole. "-" and the system's names for it (/dev/stdin) mean standard input,
+/// whatever that is. Directories, devices, sockets and pipes are refused without blocking, files of
+/// more than `max_bytes` without reading. On failure `bytes` is empty.
 IoError read_file(const std::string& path, std::uint64_t max_bytes, std::string& bytes);
 
-/// Why writing `path` would fail: its folder is missing or not writable, it is a folder. Called
-/// before long work starts.
+/// Why writing `path` would fail: its folder is missing or not writable, it is a folder or
+/// protected. Called before long work starts.
 IoError check_writable(const std::string& path);
 
 /// Writes through a temporary name beside the target, fsync and rename: the target is the old file
-/// or the whole new one, and no other file stays behind. "-" writes to standard output. A device
-/// such as /dev/stdout is written directly.
+/// or the whole new one, and no other file stays behind. An existing file keeps its mode; behind a
+/// symbolic link the file itself is replaced. "-" and /dev/stdout write to standard output; a
+/// device or pipe is written directly.
 IoError write_file(const std::string& path, const std::string& bytes);
+
+/// Whether both paths lead to one existing file.
+bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace scenefile

@@ -1,0 +1,92 @@
+#include "scenefile/io/asset_index.h"
+
+#include "scenefile/io/asset_name.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace scenefile {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string base_name_of(std::string_view path) {
+  return std::string(path.substr(path.rfind('/') + 1));
+}
+
+// One folder of a walk: adds its files, queues its folders. Hidden entries are skipped: they hold
+// the history of version control, not assets. Links to folders are not followed.
+bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& files,
+           std::vector<std::pair<std::string, int>>& queue, std::size_t& budget) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder.first, error), end; !error && it != end;
+       it.increment(error)) {
+    if (budget-- == 0) {
+      return false;
+    }
+    const std::string path = it->path().string();
+    std::error_code ignored;
+    if (base_name_of(path).starts_with('.')) {
+      continue;
+    }
+    if (it->symlink_status(ignored).type() == fs::file_type::directory) {
+      if (folder.second + 1 < AssetIndex::max_levels) {
+        queue.emplace_back(path, folder.second + 1);
+      }
+    } else if (it->is_regular_file(ignored)) {
+      files.push_back(path);
+    }
+  }
+  return true;
+}
+
+bool walk(const std::string& root, std::vector<std::string>& files) {
+  std::vector<std::pair<std::string, int>> queue{{root == "/" ? "" : root, 0}};
+  std::size_t budget = AssetIndex::max_entries;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::pair<std::string, int> folder = queue[i];
+    if (!visit({folder.first + "/", folder.second}, files, queue, budget)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+AssetIndex::AssetIndex(const std::vector<std::string>& roots) {
+  std::set<std::string> seen;
+  for (const std::string& root : roots) {
+    std::vector<std::string> files;
+    if (!walk(root, files)) {
+      skipped_.push_back(root);
+      continue;
+    }
+    for (const std::string& file : files) {
+      if (seen.insert(file).second) {
+        by_lower_name_[lower_case(base_name_of(file))].push_back(file);
+      }
+    }
+  }
+  for (auto& [name, paths] : by_lower_name_) {
+    std::sort(paths.begin(), paths.end());
+  }
+}
+
+std::vector<std::string> AssetIndex::find(std::string_view base_name, bool any_case) const {
+  const auto found = by_lower_name_.find(lower_case(base_name));
+  if (found == by_lower_name_.end()) {
+    return {};
+  }
+  std::vector<std::string> paths = found->second;
+  if (!any_case) {
+    std::erase_if(paths, [&](const std::string& p) { return base_name_of(p) != base_name; });
+  }
+  return paths;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,31 @@
+#pragma once
+// Private to the io room: the files below some folders, by base name.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace scenefile {
+
+/// What a bounded walk through the roots met. A root with more entries than allowed is left out
+/// whole, because half a walk can prove no name unique and depends on the order of the disk.
+class AssetIndex {
+ public:
+  static constexpr int max_levels = 4;
+  static constexpr std::size_t max_entries = 10'000;
+
+  explicit AssetIndex(const std::vector<std::string>& roots);
+
+  /// Paths of files with this base name; with `any_case`, in any mixture of case.
+  std::vector<std::string> find(std::string_view base_name, bool any_case) const;
+  /// Roots that were too large to search.
+  const std::vector<std::string>& skipped() const { return skipped_; }
+
+ private:
+  std::unordered_map<std::string, std::vector<std::string>> by_lower_name_;
+  std::vector<std::string> skipped_;
+};
+
+}  // namespace scenefile

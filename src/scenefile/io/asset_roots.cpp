@@ -1,0 +1,309 @@
+#include "scenefile/io/asset_roots.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/io/asset_index.h"
+#include "scenefile/io/asset_name.h"
+#include "scenefile/io/descriptor.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> sibling_folders{"image", "images", "texture", "textures",
+                                                          "mesh",  "meshes", "model",   "models"};
+constexpr std::size_t shown_places = 3;
+
+// Absolute, without links, "." and ".."; empty when there is no such file.
+std::string canonical(const std::string& path) {
+  std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
+  return real == nullptr ? std::string() : std::string(real.get());
+}
+
+std::string joined(const std::string& folder, const std::string& rest) {
+  return folder.ends_with('/') ? folder + rest : folder + "/" + rest;
+}
+
+bool inside(std::string_view path, std::string_view folder) {
+  return path.starts_with(folder) &&
+         (folder.ends_with('/') || path.size() == folder.size() || path[folder.size()] == '/');
+}
+
+// How many parts the endings of path and name have in common, in any mixture of case.
+std::size_t common_ending(const std::string& path, const AssetName& name) {
+  const AssetName other = parse_name(path);
+  std::size_t n = 0;
+  while (n < std::min(other.parts.size(), name.parts.size()) &&
+         lower_case(other.parts[other.parts.size() - 1 - n]) ==
+             lower_case(name.parts[name.parts.size() - 1 - n])) {
+    ++n;
+  }
+  return n;
+}
+
+// What was opened under `path`, which may have become a link since it was judged.
+std::string opened_path(const Descriptor& file, const std::string& path) {
+  if (std::string opened = canonical(fmt::format("/proc/self/fd/{}", file.get()));
+      !opened.empty()) {
+    return opened;
+  }
+  struct stat now {};
+  struct stat opened {};
+  const bool same = ::stat(path.c_str(), &now) == 0 && ::fstat(file.get(), &opened) == 0 &&
+                    now.st_dev == opened.st_dev && now.st_ino == opened.st_ino;
+  return same ? canonical(path) : std::string();
+}
+
+}  // namespace
+
+std::string_view rule_text(AssetRule rule) {
+  switch (rule) {
+    case AssetRule::absolute:
+      return "as written";
+    case AssetRule::scene_folder:
+      return "beside the scene";
+    case AssetRule::scene_parent:
+      return "beside the scene's folder";
+    case AssetRule::current_folder:
+      return "in the working directory";
+    case AssetRule::asset_root:
+      return "in an asset root";
+    case AssetRule::path_suffix:
+      return "by the end of its path";
+    case AssetRule::base_name:
+      return "by its name alone";
+    case AssetRule::not_found:
+      return "not found";
+  }
+  return {};
+}
+
+AssetRoots::AssetRoots(AssetRootsOptions options) : options_(std::move(options)) {
+  if (own_descriptor(options_.scene_path, 0) < 0) {
+    const std::string folder = std::filesystem::path(options_.scene_path).parent_path().string();
+    scene_folder_ = canonical(folder.empty() ? "." : folder);
+  }
+  if (!scene_folder_.empty()) {
+    allowed_.push_back(scene_folder_);
+    scene_parent_ = std::filesystem::path(scene_folder_).parent_path().string();
+    for (const std::string_view name : sibling_folders) {
+      // A link of that name would open whatever it leads to, so only folders count.
+      const std::string folder = joined(scene_parent_, std::string(name));
+      std::error_code error;
+      if (std::filesystem::symlink_status(folder, error).type() ==
+          std::filesystem::file_type::directory) {
+        allowed_.push_back(folder);
+      }
+    }
+  }
+  for (const std::string& root : options_.asset_roots) {
+    if (std::string folder = canonical(root); !folder.empty()) {
+      given_.push_back(folder);
+      allowed_.push_back(std::move(folder));
+    }
+  }
+}
+
+AssetRoots::~AssetRoots() = default;
+
+bool AssetRoots::contains(std::string_view canonical_path) const {
+  return options_.allow_outside ||
+         std::any_of(allowed_.begin(), allowed_.end(),
+                     [&](const std::string& root) { return inside(canonical_path, root); });
+}
+
+const AssetIndex& AssetRoots::index() {
+  if (index_ == nullptr) {
+    index_ = std::make_unique<AssetIndex>(allowed_);
+  }
+  return *index_;
+}
+
+/// One name on its way through the rules.
+class AssetSearch {
+ public:
+  AssetSearch(AssetRoots& roots, std::string_view written)
+      : roots_(roots), written_(written), name_(parse_name(written)) {}
+
+  ResolvedAsset run() {
+    if (!by_path() && !by_suffix() && !by_case() && !by_base_name()) {
+      explain();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // True when the candidate is the file. What stands in the way is kept for the message.
+  bool take(const std::string& candidate, AssetRule rule) {
+    if (std::find(result_.tried.begin(), result_.tried.end(), candidate) != result_.tried.end()) {
+      return false;
+    }
+    result_.tried.push_back(candidate);
+    const std::string path = canonical(candidate);
+    if (path.empty() || !roots_.contains(path)) {
+      return false;
+    }
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+      obstacle_ = fmt::format("{} is {}, not a regular file", escaped(candidate, PATH_MAX),
+                              kind_of(status));
+      return false;
+    }
+    result_.rule = rule;
+    result_.path = path;
+    return true;
+  }
+
+  bool below(const std::string& folder, const std::string& rest, AssetRule rule) {
+    return !folder.empty() && take(joined(folder, rest), rule);
+  }
+
+  bool by_path() {
+    const std::string path = join_parts(name_.parts, 0);
+    if (path.empty()) {
+      return false;
+    }
+    if (name_.absolute) {
+      return take("/" + path, AssetRule::absolute);
+    }
+    if (below(roots_.scene_folder_, path, AssetRule::scene_folder) ||
+        below(roots_.scene_parent_, path, AssetRule::scene_parent)) {
+      return true;
+    }
+    return below(canonical("."), path, AssetRule::current_folder) || by_given(path);
+  }
+
+  bool by_given(const std::string& path) {
+    return std::any_of(roots_.given_.begin(), roots_.given_.end(), [&](const std::string& root) {
+      return take(joined(root, path), AssetRule::asset_root);
+    });
+  }
+
+  // Longest ending first: /course/cs123/data/image/x.png, ..., image/x.png, x.png.
+  bool by_suffix() {
+    for (std::size_t first = first_plain_part(name_); first < name_.parts.size(); ++first) {
+      const std::string path = join_parts(name_.parts, first);
+      if (below(roots_.scene_folder_, path, AssetRule::path_suffix) ||
+          below(roots_.scene_parent_, path, AssetRule::path_suffix)) {
+        return true;
+      }
+      for (const std::string& root : roots_.given_) {
+        if (take(joined(root, path), AssetRule::path_suffix)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // The longest ending of at least two parts in another case, where only one file has it.
+  bool by_case() {
+    std::size_t longest = 1;
+    std::vector<std::string> best;
+    for (const std::string& path : candidates(true)) {
+      const std::size_t length = common_ending(path, name_);
+      if (length > longest) {
+        best.clear();
+        longest = length;
+      }
+      if (length == longest && length > 1) {
+        best.push_back(path);
+      }
+    }
+    return best.size() == 1 && take(best[0], AssetRule::path_suffix);
+  }
+
+  bool by_base_name() {
+    for (const bool any_case : {false, true}) {
+      const std::vector<std::string> paths = candidates(any_case);
+      if (paths.size() == 1) {
+        return take(paths[0], AssetRule::base_name);
+      }
+      if (paths.size() > 1) {
+        obstacle_ = fmt::format("{} files have its name, such as {} and {}", paths.size(),
+                                escaped(paths[0], PATH_MAX), escaped(paths[1], PATH_MAX));
+        return false;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::string> candidates(bool any_case) {
+    if (name_.parts.empty() || name_.parts.back() == "..") {
+      return {};
+    }
+    return roots_.index().find(name_.parts.back(), any_case);
+  }
+
+  // Says the same whether or not there is a file outside the roots, so that a scene cannot be used
+  // to probe a machine.
+  void explain() {
+    std::string why = obstacle_;
+    if (why.empty()) {
+      why = "no such file in the scene's folder or an asset root; looked for " + places();
+      for (const std::string& root : roots_.index().skipped()) {
+        why += fmt::format("; {} has too many files to search by name", escaped(root, PATH_MAX));
+      }
+    }
+    result_.error.text = why;
+  }
+
+  std::string places() const {
+    std::string text;
+    std::size_t shown = 0;
+    for (const std::string& path : result_.tried) {
+      if (shown < shown_places) {
+        text += (shown++ == 0 ? "" : ", ") + escaped(path, PATH_MAX);
+      }
+    }
+    if (result_.tried.size() > shown) {
+      text += fmt::format(" and {} more places", result_.tried.size() - shown);
+    }
+    return text.empty() ? "it nowhere, for want of an asset root" : text;
+  }
+
+  AssetRoots& roots_;
+  std::string_view written_;
+  AssetName name_;
+  ResolvedAsset result_;
+  std::string obstacle_;
+};
+
+ResolvedAsset AssetRoots::resolve(const std::string& name) {
+  if (const std::string_view why = reject_name(name); !why.empty()) {
+    ResolvedAsset rejected;
+    rejected.error.text = why;
+    return rejected;
+  }
+  return AssetSearch(*this, name).run();
+}
+
+IoError AssetRoots::read(const std::string& name, std::string& bytes) {
+  bytes.clear();
+  const ResolvedAsset asset = resolve(name);
+  if (!asset.error.empty()) {
+    return asset.error;
+  }
+  std::uint64_t size = 0;
+  IoError error;
+  const Descriptor file = open_regular(asset.path, false, options_.max_bytes, size, error);
+  if (!file.open()) {
+    return error;
+  }
+  if (opened_path(file, asset.path) != asset.path) {
+    return io_error(asset.path, "changed while it was opened");
+  }
+  return read_all(file.get(), asset.path, size, options_.max_bytes, bytes);
+}
+
+}  // namespace scenefile

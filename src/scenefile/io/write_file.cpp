@@ -1,0 +1,205 @@
+#include "scenefile/io/descriptor.h"
+#include "scenefile/io/temporary.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace scenefile {
+
+namespace {
+
+constexpr int max_links = 40;
+
+// Where the bytes go in the end.
+struct Target {
+  std::string path;    ///< symbolic links in the last place followed, even if nothing is there yet
+  std::string folder;  ///< of `path`
+  bool exists = false;
+  struct stat status {};
+};
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+// The file that a chain of symbolic links names.
+std::string follow_links(std::string path) {
+  for (int i = 0; i < max_links; ++i) {
+    std::error_code error;
+    const std::filesystem::path link = std::filesystem::read_symlink(path, error);
+    if (error) {
+      break;
+    }
+    path = (std::filesystem::path(path).parent_path() / link).string();
+  }
+  return path;
+}
+
+IoError find_target(const std::string& path, Target& target) {
+  target.path = follow_links(path);
+  target.folder = folder_of(target.path);
+  target.exists = ::stat(target.path.c_str(), &target.status) == 0;
+  if (path.empty() || (!target.exists && errno != ENOENT)) {
+    return system_error(path, "cannot write", path.empty() ? ENOENT : errno);
+  }
+  if (target.exists && S_ISDIR(target.status.st_mode)) {
+    return io_error(path, "cannot write: it is a directory");
+  }
+  if (target.exists && ::faccessat(AT_FDCWD, target.path.c_str(), W_OK, AT_EACCESS) != 0) {
+    return system_error(path, "cannot write", errno);
+  }
+  return {};
+}
+
+IoError check_folder(const std::string& path, const Target& target) {
+  struct stat status {};
+  if (::stat(target.folder.c_str(), &status) != 0) {
+    return system_error(path, fmt::format("cannot write: the directory {}", target.folder), errno);
+  }
+  if (!S_ISDIR(status.st_mode)) {
+    return io_error(path, fmt::format("cannot write: {} is not a directory", target.folder));
+  }
+  if (::faccessat(AT_FDCWD, target.folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    return system_error(path, fmt::format("cannot write to the directory {}", target.folder),
+                        errno);
+  }
+  return {};
+}
+
+IoError write_error(std::string_view path, int error) {
+  return error == 0 ? IoError() : system_error(path, "cannot write", error);
+}
+
+// Devices and pipes cannot be replaced, only written to.
+IoError write_special(const std::string& path, const Target& target, const std::string& bytes) {
+  Descriptor file(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
+  if (!file.open()) {
+    return system_error(path, "cannot write", errno);
+  }
+  const int error = write_all(file.get(), bytes);
+  return write_error(path, error != 0 ? error : file.close());
+}
+
+// The new file takes over owner and mode of the old one, as far as that is allowed.
+int copy_mode(int fd, const Target& target) {
+  if (!target.exists) {
+    return 0;
+  }
+  if (::fchown(fd, target.status.st_uid, target.status.st_gid) != 0 && errno != EPERM) {
+    return errno;
+  }
+  return ::fchmod(fd, target.status.st_mode & 07777) == 0 ? 0 : errno;
+}
+
+// Creates the file and makes it durable. Returns 0 or an errno.
+int write_temporary(const std::string& path, const Target& target, const std::string& bytes) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!file.open()) {
+    return errno;
+  }
+  int error = write_all(file.get(), bytes);
+  if (error == 0) {
+    error = copy_mode(file.get(), target);
+  }
+  if (error == 0 && ::fsync(file.get()) != 0) {
+    error = errno;
+  }
+  const int close_error = file.close();
+  return error != 0 ? error : close_error;
+}
+
+// Makes the rename durable. The new file is whole and in place already, so a failure here is none
+// of the write.
+void sync_folder(const std::string& folder) {
+  const Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (file.open()) {
+    ::fsync(file.get());
+  }
+}
+
+// Removes the temporary file on every way out but success, exceptions included.
+class TemporaryGuard {
+ public:
+  explicit TemporaryGuard(const std::string& path) : path_(path) { guard_temporary(path); }
+  ~TemporaryGuard() {
+    if (!kept_) {
+      ::unlink(path_.c_str());
+    }
+    release_temporary();
+  }
+  TemporaryGuard(const TemporaryGuard&) = delete;
+  TemporaryGuard& operator=(const TemporaryGuard&) = delete;
+
+  void keep() { kept_ = true; }
+
+ private:
+  const std::string& path_;
+  bool kept_ = false;
+};
+
+IoError replace(const std::string& path, const Target& target, const std::string& bytes) {
+  const std::string temporary = temporary_name(target.folder);
+  TemporaryGuard guard(temporary);
+  int error = write_temporary(temporary, target, bytes);
+  if (error == 0 && std::rename(temporary.c_str(), target.path.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    return write_error(path, error);
+  }
+  guard.keep();
+  sync_folder(target.folder);
+  return {};
+}
+
+}  // namespace
+
+IoError check_writable(const std::string& path) {
+  if (const int own = own_descriptor(path, STDOUT_FILENO); own >= 0) {
+    const int flags = ::fcntl(own, F_GETFL);
+    if (flags < 0) {
+      return system_error(path, "cannot write", errno);
+    }
+    return (flags & O_ACCMODE) == O_RDONLY ? system_error(path, "cannot write", EBADF) : IoError();
+  }
+  Target target;
+  if (IoError error = find_target(path, target); !error.empty()) {
+    return error;
+  }
+  if (target.exists && !S_ISREG(target.status.st_mode)) {
+    return {};
+  }
+  return check_folder(path, target);
+}
+
+IoError write_file(const std::string& path, const std::string& bytes) {
+  if (const int own = own_descriptor(path, STDOUT_FILENO); own >= 0) {
+    return write_error(own == STDOUT_FILENO ? "standard output" : path, write_all(own, bytes));
+  }
+  Target target;
+  if (IoError error = find_target(path, target); !error.empty()) {
+    return error;
+  }
+  if (target.exists && !S_ISREG(target.status.st_mode)) {
+    return write_special(path, target, bytes);
+  }
+  if (IoError error = check_folder(path, target); !error.empty()) {
+    return error;
+  }
+  return replace(path, target, bytes);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,69 @@
+#include "scenefile/io/interrupt.h"
+
+#include "io/temp_folder.h"
+#include "scenefile/io/temporary.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using testing_support::TempFolder;
+
+TEST(HandleSignals, EndsWithTheStatusOfTheSignal) {
+  for (const auto& [signal, status] : {std::pair(SIGINT, 130), {SIGTERM, 143}, {SIGHUP, 129}}) {
+    EXPECT_EXIT(
+        {
+          handle_signals();
+          std::raise(signal);
+        },
+        ::testing::ExitedWithCode(status), "");
+  }
+}
+
+TEST(HandleSignals, RemovesTheTemporaryOfAWrite) {
+  const TempFolder folder;
+  const std::string file = folder.write("half");
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        guard_temporary(file);
+        std::raise(SIGTERM);
+      },
+      ::testing::ExitedWithCode(143), "");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(HandleSignals, LeavesAFinishedFile) {
+  const TempFolder folder;
+  const std::string file = folder.write("whole");
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        guard_temporary(file);
+        release_temporary();
+        std::raise(SIGTERM);
+      },
+      ::testing::ExitedWithCode(143), "");
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+TEST(HandleSignals, KeepsIgnoredSignalsIgnored) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGINT, SIG_IGN);
+        handle_signals();
+        std::raise(SIGINT);
+        std::_Exit(0);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -1,0 +1,121 @@
+#include "io/temp_folder.h"
+#include "scenefile/io/file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace scenefile {
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing_support::TempFolder;
+
+TEST(WriteFile, WritesAllAndNothingElse) {
+  const TempFolder folder;
+  const std::string bytes(300'000, 'q');
+  EXPECT_EQ(check_writable(folder.path("out")).text, "");
+  EXPECT_THAT(folder.list(), ElementsAre());
+  EXPECT_EQ(write_file(folder.path("out"), bytes).text, "");
+  EXPECT_EQ(folder.read("out"), bytes);
+  EXPECT_THAT(folder.list(), ElementsAre("out"));
+}
+
+TEST(WriteFile, KeepsTheModeOfTheOldFile) {
+  const TempFolder folder;
+  const std::string file = folder.write("out", "old");
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  EXPECT_EQ(write_file(file, "new").text, "");
+  struct stat status {};
+  ASSERT_EQ(::stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 07777, 0640U);
+  EXPECT_EQ(folder.read("out"), "new");
+}
+
+TEST(WriteFile, WritesThroughLinks) {
+  const TempFolder folder;
+  folder.write("real/old", "old");
+  ASSERT_EQ(::symlink("real/old", folder.path("to_old").c_str()), 0);
+  ASSERT_EQ(::symlink("real/none", folder.path("to_none").c_str()), 0);
+  for (const std::string name : {"old", "none"}) {
+    EXPECT_EQ(write_file(folder.path("to_" + name), "new").text, "");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path("to_" + name)));
+    EXPECT_EQ(folder.read("real/" + name), "new");
+  }
+}
+
+TEST(WriteFile, ALoopOfLinksIsAnError) {
+  const TempFolder folder;
+  ASSERT_EQ(::symlink("loop", folder.path("loop").c_str()), 0);
+  EXPECT_THAT(write_file(folder.path("loop"), "x").text, HasSubstr("cannot write"));
+}
+
+TEST(WriteFile, FailsBeforeWorkWhereItWouldFailAfter) {
+  const TempFolder folder;
+  folder.write("file");
+  for (const std::string& path :
+       {folder.path(), folder.path("no/such/out"), folder.path("file/out"), std::string(),
+        folder.path(std::string(300, 'n'))}) {
+    const IoError before = check_writable(path);
+    EXPECT_THAT(before.text, HasSubstr("cannot write")) << path;
+    EXPECT_EQ(before.text, write_file(path, "x").text);
+  }
+}
+
+TEST(WriteFile, WritesADeviceInPlace) {
+  EXPECT_EQ(check_writable("/dev/null").text, "");
+  EXPECT_EQ(write_file("/dev/null", "x").text, "");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_THAT(write_file("/dev/full", "x").text, HasSubstr("No space left"));
+}
+
+TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
+  const TempFolder folder;
+  const std::string file = folder.write("out", "old");
+  // A limit of the process stands in for a full disk.
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old_limit{};
+  ::getrlimit(RLIMIT_FSIZE, &old_limit);
+  rlimit small = old_limit;
+  small.rlim_cur = 100;
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const IoError error = write_file(file, std::string(1000, 'n'));
+  ::setrlimit(RLIMIT_FSIZE, &old_limit);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_THAT(error.text, HasSubstr("File too large"));
+  EXPECT_EQ(folder.read("out"), "old");
+  EXPECT_THAT(folder.list(), ElementsAre("out"));
+}
+
+TEST(WriteFile, RespectsAProtectedTarget) {
+  if (::geteuid() == 0) {
+    GTEST_SKIP() << "nothing is protected from root";
+  }
+  const TempFolder folder;
+  const std::string file = folder.write("out", "old");
+  ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
+  EXPECT_THAT(check_writable(file).text, HasSubstr("Permission denied"));
+  EXPECT_THAT(write_file(file, "new").text, HasSubstr("Permission denied"));
+  EXPECT_EQ(folder.read("out"), "old");
+}
+
+TEST(SameFile, SeesThroughSpelling) {
+  const TempFolder folder;
+  folder.write("a");
+  folder.write("b");
+  ASSERT_EQ(::symlink("a", folder.path("link").c_str()), 0);
+  EXPECT_TRUE(same_file(folder.path("a"), folder.path("./a")));
+  EXPECT_TRUE(same_file(folder.path("a"), folder.path("link")));
+  EXPECT_FALSE(same_file(folder.path("a"), folder.path("b")));
+  EXPECT_FALSE(same_file(folder.path("a"), folder.path("none")));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -5,7 +5,7 @@
 #include <scenefile/scene/prepare.h>
 #include <scenefile/trace/render.h>
 
-int main(int, char** argv) {  // consumer SCENE OUT.png
+int main(int, char** argv) {  // arguments: a scene, the picture to write
   using namespace scenefile;
   std::string text, error;
   if (!read_file(argv[1], Limits{}.file_bytes, text).empty()) return 3;

@@ -12,11 +12,12 @@
 namespace scenefile {
 
 /// A triangle mesh in its own space. Normals and uvs, where present, have an index list of their
-/// own because files index them apart; a triangle without them has mesh_no_index there.
+/// own because files index them apart; a triangle without them has mesh_no_index in all three
+/// places of that list.
 struct Mesh {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;  ///< any length but zero
-  std::vector<glm::vec2> uvs;
+  std::vector<glm::vec3> positions;  ///< all finite; some may belong to no triangle
+  std::vector<glm::vec3> normals;    ///< any length but zero where a triangle uses them
+  std::vector<glm::vec2> uvs;        ///< v up; any value, textures repeat
   std::vector<std::array<std::uint32_t, 3>> triangles;         ///< into positions; all valid
   std::vector<std::array<std::uint32_t, 3>> triangle_normals;  ///< empty, or one per triangle
   std::vector<std::array<std::uint32_t, 3>> triangle_uvs;      ///< empty, or one per triangle
@@ -24,11 +25,14 @@ struct Mesh {
 
 inline constexpr std::uint32_t mesh_no_index = 0xffffffffu;
 
-/// The surface of triangle `index` at barycentric weights (1-b1-b2, b1, b2) of its corners:
-/// geometric normal by the counterclockwise order of the corners when `smooth` is false or the
-/// triangle has no normals, else the interpolated one. uv is (0, 0) where the mesh has none.
+/// The surface of triangle `index` at barycentric weights (1-b1-b2, b1, b2) of its corners. The
+/// normal is the geometric one, by the counterclockwise order of the corners, when `smooth` is
+/// false or the triangle has no normals; else the directions of the corners' normals, interpolated.
+/// Without uvs, uv is (0, 0) and the tangents are zero; they are zero too where the uvs span no
+/// area.
 Surface surface_at(const Mesh& mesh, std::uint32_t index, double b1, double b2, bool smooth);
 
+/// The box around the triangles.
 Bounds bounds(const Mesh& mesh);
 
 }  // namespace scenefile

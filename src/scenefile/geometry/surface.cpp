@@ -1,0 +1,133 @@
+#include "scenefile/geometry/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double pi = 3.14159265358979323846;
+
+// The direction of a point about the y axis; on the axis, that of +x.
+struct Around {
+  double cosine, sine;
+  double distance;  // from the axis
+};
+
+Around around_axis(const dvec3& p) {
+  const double distance = std::sqrt(p.x * p.x + p.z * p.z);
+  return distance > 0 ? Around{p.x / distance, p.z / distance, distance} : Around{1, 0, 0};
+}
+
+double around_u(const Around& around) {
+  const double phi = std::atan2(around.sine, around.cosine);
+  return phi < 0 ? -phi / (2 * pi) : 1 - phi / (2 * pi);
+}
+
+// d/du of a point that circles the axis at this distance: u runs against phi.
+dvec3 around_tangent(const Around& around, double distance) {
+  return 2 * pi * distance * dvec3(around.sine, 0, -around.cosine);
+}
+
+double unit_interval(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+Surface sphere_surface(const dvec3& p) {
+  const Around around = around_axis(p);
+  const double latitude = std::atan2(p.y, around.distance);
+  const double up = std::sin(latitude);
+  const double out = std::cos(latitude);
+  Surface s;
+  s.normal = dvec3(out * around.cosine, up, out * around.sine);
+  s.uv = dvec2(around_u(around), unit_interval(latitude / pi + 0.5));
+  s.tangent_u = around_tangent(around, around.distance > 0 ? 0.5 * out : 0);
+  s.tangent_v = 0.5 * pi * dvec3(-up * around.cosine, out, -up * around.sine);
+  return s;
+}
+
+Surface cylinder_side(const dvec3& p) {
+  const Around around = around_axis(p);
+  Surface s;
+  s.normal = dvec3(around.cosine, 0, around.sine);
+  s.uv = dvec2(around_u(around), unit_interval(p.y + 0.5));
+  s.tangent_u = around_tangent(around, 0.5);
+  s.tangent_v = dvec3(0, 1, 0);
+  return s;
+}
+
+Surface cone_side(const dvec3& p) {
+  const Around around = around_axis(p);
+  Surface s;
+  if (around.distance > 0) {
+    s.normal = dvec3(2 * around.cosine, 1, 2 * around.sine) / std::sqrt(5.0);
+  }
+  s.uv = dvec2(around_u(around), unit_interval(p.y + 0.5));
+  s.tangent_u = around_tangent(around, around.distance);
+  s.tangent_v = dvec3(-0.5 * around.cosine, 1, -0.5 * around.sine);
+  return s;
+}
+
+// A flat face, by the directions in which its u and v grow.
+Surface flat(const dvec3& p, const dvec3& along_u, const dvec3& along_v) {
+  return {
+      glm::cross(along_u, along_v),
+      dvec2(unit_interval(glm::dot(p, along_u) + 0.5), unit_interval(glm::dot(p, along_v) + 0.5)),
+      along_u, along_v};
+}
+
+Surface top(const dvec3& p) {
+  return flat(p, dvec3(1, 0, 0), dvec3(0, 0, -1));
+}
+
+Surface bottom(const dvec3& p) {
+  return flat(p, dvec3(1, 0, 0), dvec3(0, 0, 1));
+}
+
+Surface cube_surface(Face face, const dvec3& p) {
+  const dvec3 up(0, 1, 0);
+  switch (face) {
+    case Face::pos_x:
+      return flat(p, dvec3(0, 0, -1), up);
+    case Face::neg_x:
+      return flat(p, dvec3(0, 0, 1), up);
+    case Face::pos_z:
+      return flat(p, dvec3(1, 0, 0), up);
+    case Face::neg_z:
+      return flat(p, dvec3(-1, 0, 0), up);
+    case Face::neg_y:
+    case Face::bottom:
+      return bottom(p);
+    case Face::pos_y:
+    case Face::top:
+    case Face::side:
+      break;
+  }
+  return top(p);
+}
+
+}  // namespace
+
+Surface surface_at(Shape shape, Face face, const dvec3& point) {
+  switch (shape) {
+    case Shape::cube:
+      return cube_surface(face, point);
+    case Shape::sphere:
+      return sphere_surface(point);
+    case Shape::cylinder:
+      return face == Face::top      ? top(point)
+             : face == Face::bottom ? bottom(point)
+                                    : cylinder_side(point);
+    case Shape::cone:
+      return face == Face::bottom ? bottom(point) : cone_side(point);
+    case Shape::mesh:
+      break;
+  }
+  return {};
+}
+
+}  // namespace scenefile

@@ -225,6 +225,17 @@ TEST_F(Layout, OutsideOnDemand) {
   finds(roots, "loose.png", "loose.png", AssetRule::scene_parent);
 }
 
+TEST_F(Layout, TheWorkingDirectoryWhereItLiesInsideARoot) {
+  home.write("scenes/work/sub/a.png");
+  home.write("secret/b.png");
+  const std::filesystem::path old = std::filesystem::current_path();
+  std::filesystem::current_path(home.path("scenes/work"));
+  finds("sub/a.png", "scenes/work/sub/a.png", AssetRule::current_folder);
+  std::filesystem::current_path(home.path("secret"));
+  misses("b.png");
+  std::filesystem::current_path(old);
+}
+
 TEST_F(Layout, StandardInputHasTheGivenRootsAlone) {
   home.write("given/a.png");
   AssetRootsOptions options;

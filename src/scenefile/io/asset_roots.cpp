@@ -180,7 +180,9 @@ class AssetSearch {
         below(roots_.scene_parent_, path, AssetRule::scene_parent)) {
       return true;
     }
-    return below(canonical("."), path, AssetRule::current_folder) || by_given(path);
+    const std::string here = canonical(".");
+    return (roots_.contains(here) && below(here, path, AssetRule::current_folder)) ||
+           by_given(path);
   }
 
   bool by_given(const std::string& path) {

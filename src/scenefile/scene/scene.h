@@ -26,8 +26,9 @@ struct Global {
   float specular = 0.5f;
   /// Not given in nearly all files; what that means is for the renderer's profile to say.
   std::optional<float> transparent;
+  Location location;
 
-  friend bool operator==(const Global&, const Global&) = default;
+  friend bool operator==(const Global& a, const Global& b);
 };
 
 /// The camera. `focus` of the files is a look direction here.
@@ -125,7 +126,7 @@ struct Light {
 using NodeId = std::uint32_t;
 
 /// A group: what it contains is placed by its transforms. A node with `instance_of` stands for a
-/// copy of that template's contents and has none of its own.
+/// copy of that template (its transforms included) and has no contents of its own.
 struct Node {
   std::string name;                   ///< may be empty; templates need one
   std::vector<Transform> transforms;  ///< product in listed order: the last listed acts first
@@ -136,9 +137,46 @@ struct Node {
   Location location;
 };
 
-/// A scene as written. The nodes form a forest: every node but the root and the templates is the
-/// child of exactly one node. They lie in one array so that no depth of nesting can exhaust the
-/// stack when a scene is copied or destroyed.
+/// A value of the globals, the camera, a light, a primitive or a node; named as the member that
+/// holds it.
+enum class Field : std::uint8_t {
+  ambient,
+  diffuse,
+  specular,
+  transparent,
+  position,
+  look,
+  up,
+  height_angle_deg,
+  aperture,
+  focal_length,
+  color,
+  direction,
+  attenuation,
+  angle_deg,
+  penumbra_deg,
+  width,
+  height,
+  id,
+  reflective,
+  shininess,
+  ior,
+  blend,
+  mesh_file,
+  instance_of
+};
+
+/// Where one value stands in the file.
+struct FieldPlace {
+  Location owner;  ///< the `location` of the Global, Camera, Light, Primitive or Node
+  Field field = Field::ambient;
+  Location location;
+};
+
+/// A scene as written. The nodes form a forest: the root and the templates are its trees, every
+/// other node is the child of exactly one node, or of none and then not part of the scene. They lie
+/// in one array so that no depth of nesting can exhaust the stack when a scene is copied or
+/// destroyed.
 struct Scene {
   std::string name;
   Global global;
@@ -146,8 +184,11 @@ struct Scene {
   std::vector<Node> nodes = std::vector<Node>(1);
   std::vector<NodeId> templates;  ///< named nodes to instantiate, in the order of declaration
   NodeId root = 0;
+  /// For messages alone, in any order. A value that is not listed is taken to stand where its owner
+  /// stands.
+  std::vector<FieldPlace> field_places;
 
-  /// Same structure and values; neither the places in the file nor the order of `nodes` count.
+  /// Same structure and values; neither places in the file nor the order of `nodes` count.
   friend bool operator==(const Scene& a, const Scene& b);
 };
 

@@ -1,0 +1,154 @@
+#include "scenefile/scene/check.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/codes.h"
+#include "scenefile/scene/walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// The ids of lights, which should differ and be 0 to 7.
+class LightIds {
+ public:
+  void check(const Light& light, NodeId node, Reporter& reporter) {
+    if (!light.id) {
+      return;
+    }
+    const Subject subject{"light", light.location, node};
+    if (*light.id < 0 || *light.id > 7) {
+      reporter.report(light_id_range, subject, Field::id,
+                      fmt::format("id {} of a light is not between 0 and 7", *light.id));
+    }
+    const auto [first, added] = first_.emplace(*light.id, light.location);
+    if (!added) {
+      const std::string where =
+          first->second.known() ? fmt::format(" (line {})", first->second.line) : "";
+      reporter.report(light_duplicate_id, subject, Field::id,
+                      fmt::format("id {} belongs to an earlier light{} too", *light.id, where));
+    }
+  }
+
+ private:
+  std::map<int, Location> first_;
+};
+
+void check_contents(const Scene& scene, Reporter& reporter) {
+  LightIds ids;
+  std::vector<bool> seen(scene.nodes.size());
+  for (const NodeId head : tree_heads(scene)) {
+    walk_nodes(scene, head, 0, seen, [&](NodeId id, int) {
+      for (const Light& light : scene.nodes[id].lights) {
+        check_light(light, id, reporter);
+        ids.check(light, id, reporter);
+      }
+      for (const Primitive& primitive : scene.nodes[id].primitives) {
+        check_primitive(primitive, id, reporter);
+      }
+      return 0;
+    });
+  }
+}
+
+}  // namespace
+
+void Reporter::report(const Code& code, const Subject& subject, std::string message) {
+  report_at(code, subject.location, subject.node, std::move(message));
+}
+
+void Reporter::report(const Code& code, const Subject& subject, Field field, std::string message) {
+  report_at(code, places_.find(subject.location, field), subject.node, std::move(message));
+}
+
+void Reporter::report_at(const Code& code, Location location, NodeId node, std::string message) {
+  // Nobody reads the paths of findings that are not kept, and there may be very many.
+  if (!location.known() && node != no_node && diagnostics_.dropped(code) == 0) {
+    if (!paths_) {
+      paths_.emplace(scene_);
+    }
+    message += fmt::format(" (in {})", escaped(paths_->path(node), 200));
+  }
+  diagnostics_.report(code, location, std::move(message));
+}
+
+bool Reporter::finite(const Subject& subject, Field field, std::string_view name, float value) {
+  return finite(subject, field, name, glm::vec3(value));
+}
+
+bool Reporter::finite(const Subject& subject, Field field, std::string_view name,
+                      const glm::vec3& value) {
+  if (scenefile::finite(value)) {
+    return true;
+  }
+  report(scene_not_finite, subject, field,
+         fmt::format("{} of the {} is not a finite number", name, subject.what));
+  return false;
+}
+
+std::string vector_text(const glm::vec3& v) {
+  return fmt::format("{} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
+}
+
+bool finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+float largest(const glm::vec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+float smallest(const glm::vec3& v) {
+  return std::min({v.x, v.y, v.z});
+}
+
+std::string_view shape_name(Shape shape) {
+  switch (shape) {
+    case Shape::cube:
+      return "cube";
+    case Shape::cone:
+      return "cone";
+    case Shape::cylinder:
+      return "cylinder";
+    case Shape::sphere:
+      return "sphere";
+    case Shape::mesh:
+      return "mesh";
+  }
+  return {};
+}
+
+std::string_view light_type_name(LightType type) {
+  switch (type) {
+    case LightType::point:
+      return "point light";
+    case LightType::directional:
+      return "directional light";
+    case LightType::spot:
+      return "spotlight";
+    case LightType::area:
+      return "area light";
+  }
+  return {};
+}
+
+void check(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
+  Reporter reporter(scene, diagnostics);
+  check_structure(scene, reporter);
+  check_global(scene.global, reporter);
+  if (scene.camera) {
+    check_camera(*scene.camera, reporter);
+  }
+  check_contents(scene, reporter);
+  check_transforms(scene, reporter);
+  check_templates(scene, limits, reporter);
+}
+
+}  // namespace scenefile

@@ -1,0 +1,116 @@
+#include "scenefile/base/number.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/codes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+constexpr float huge_coefficient = 100;
+// Beyond this neighbouring floats are a unit apart.
+constexpr float far_away = 1e7f;
+// Sine of the angle between look and up: below the first, rounding of the file's numbers decides.
+constexpr double parallel = 1e-6;
+constexpr double nearly_parallel = 1e-3;
+
+void check_coefficient(float value, Field field, std::string_view name, const Subject& global,
+                       Reporter& reporter) {
+  if (!reporter.finite(global, field, name, value)) {
+    return;
+  }
+  if (value < 0) {
+    reporter.report(global_negative, global, field,
+                    fmt::format("{} {} is negative", name, number_text(value)));
+  } else if (value > huge_coefficient) {
+    reporter.report(global_huge, global, field,
+                    fmt::format("{} {} is far above 1", name, number_text(value)));
+  }
+}
+
+void check_directions(const Camera& camera, const Subject& subject, Reporter& reporter) {
+  const bool look_finite = reporter.finite(subject, Field::look, "look", camera.look);
+  const bool up_finite = reporter.finite(subject, Field::up, "up", camera.up);
+  if (!look_finite || !up_finite) {
+    return;
+  }
+  if (camera.look == glm::vec3(0)) {
+    reporter.report(camera_look_zero, subject, Field::look,
+                    "look of the camera is 0 0 0, which is no direction");
+    return;
+  }
+  if (camera.up == glm::vec3(0)) {
+    reporter.report(camera_up_zero, subject, Field::up,
+                    "up of the camera is 0 0 0, which is no direction");
+    return;
+  }
+  const glm::dvec3 look = glm::normalize(glm::dvec3(camera.look));
+  const glm::dvec3 up = glm::normalize(glm::dvec3(camera.up));
+  const double sine = glm::length(glm::cross(look, up));
+  if (sine < nearly_parallel) {
+    reporter.report(
+        sine < parallel ? camera_up_parallel : camera_up_nearly_parallel, subject, Field::up,
+        fmt::format("up {} of the camera is {}parallel to look {}", vector_text(camera.up),
+                    sine < parallel ? "" : "nearly ", vector_text(camera.look)));
+  }
+}
+
+void check_lens(const Camera& camera, const Subject& subject, Reporter& reporter) {
+  const bool finite =
+      reporter.finite(subject, Field::aperture, "aperture", camera.aperture) &&
+      reporter.finite(subject, Field::focal_length, "focallength", camera.focal_length);
+  if (!finite) {
+    return;
+  }
+  if (camera.aperture < 0) {
+    reporter.report(camera_lens_negative, subject, Field::aperture,
+                    fmt::format("aperture {} is negative; it counts as 0, a pinhole",
+                                number_text(camera.aperture)));
+  }
+  if (camera.focal_length < 0) {
+    reporter.report(camera_lens_negative, subject, Field::focal_length,
+                    fmt::format("focallength {} is negative; it counts as 0, a pinhole",
+                                number_text(camera.focal_length)));
+  }
+  if (camera.aperture > 0 && camera.focal_length == 0) {
+    reporter.report(camera_lens_incomplete, subject, Field::aperture,
+                    fmt::format("aperture {} has no effect without a focallength",
+                                number_text(camera.aperture)));
+  }
+}
+
+}  // namespace
+
+void check_global(const Global& global, Reporter& reporter) {
+  const Subject subject{"global data", global.location};
+  check_coefficient(global.ambient, Field::ambient, "ambientcoeff", subject, reporter);
+  check_coefficient(global.diffuse, Field::diffuse, "diffusecoeff", subject, reporter);
+  check_coefficient(global.specular, Field::specular, "specularcoeff", subject, reporter);
+  if (global.transparent) {
+    check_coefficient(*global.transparent, Field::transparent, "transparentcoeff", subject,
+                      reporter);
+  }
+}
+
+void check_camera(const Camera& camera, Reporter& reporter) {
+  const Subject subject{"camera", camera.location};
+  if (reporter.finite(subject, Field::position, "pos", camera.position) &&
+      largest(glm::abs(camera.position)) > far_away) {
+    reporter.report(camera_far_away, subject, Field::position,
+                    fmt::format("pos {} of the camera is too far from the origin to draw from",
+                                vector_text(camera.position)));
+  }
+  check_directions(camera, subject, reporter);
+  // The negation catches not-a-number too.
+  if (!(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
+    reporter.report(camera_height_angle, subject, Field::height_angle_deg,
+                    fmt::format("heightangle {} is not between 0 and 180 degrees",
+                                number_text(camera.height_angle_deg)));
+  }
+  check_lens(camera, subject, reporter);
+}
+
+}  // namespace scenefile

@@ -1,0 +1,133 @@
+#include "scenefile/base/number.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/codes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+// Bright lights that fade are common (up to 200 in files of the course's students).
+constexpr float huge_color = 1e4f;
+constexpr float byte_habit = 16;
+
+bool fades(const Light& light) {
+  return light.type != LightType::directional &&
+         (light.attenuation.y > 0 || light.attenuation.z > 0 || light.attenuation.x > 1);
+}
+
+void check_color(const Light& light, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, Field::color, "color", light.color)) {
+    return;
+  }
+  if (smallest(light.color) < 0) {
+    reporter.report(
+        light_color_negative, subject, Field::color,
+        fmt::format("color {} of the {} is negative", vector_text(light.color), subject.what));
+  }
+  if (largest(light.color) > (fades(light) ? huge_color : byte_habit)) {
+    reporter.report(
+        light_color_huge, subject, Field::color,
+        fmt::format("color {} of the {} is far above 1{}", vector_text(light.color), subject.what,
+                    largest(light.color) <= 255 ? "; is it meant to be of 255?" : ""));
+  }
+}
+
+void check_attenuation(const Light& light, const Subject& subject, Reporter& reporter) {
+  if (light.type == LightType::directional ||
+      !reporter.finite(subject, Field::attenuation, "function", light.attenuation)) {
+    return;
+  }
+  if (light.attenuation == glm::vec3(0)) {
+    reporter.report(light_no_attenuation, subject, Field::attenuation,
+                    fmt::format("function (JSON attenuationCoeff) 0 0 0 of the {} divides by zero; "
+                                "it counts as 1 0 0",
+                                subject.what));
+  } else if (smallest(light.attenuation) < 0) {
+    reporter.report(light_attenuation_negative, subject, Field::attenuation,
+                    fmt::format("function (JSON attenuationCoeff) {} of the {} has a negative "
+                                "coefficient; it counts as 0",
+                                vector_text(light.attenuation), subject.what));
+  }
+}
+
+void check_direction(const Light& light, const Subject& subject, Reporter& reporter) {
+  if (reporter.finite(subject, Field::direction, "direction", light.direction) &&
+      light.direction == glm::vec3(0)) {
+    reporter.report(light_direction_zero, subject, Field::direction,
+                    fmt::format("the {} needs a direction other than 0 0 0", subject.what));
+  }
+}
+
+void check_angle(const Light& light, const Subject& subject, Reporter& reporter) {
+  const float angle = *light.angle_deg;
+  if (!reporter.finite(subject, Field::angle_deg, "angle", angle)) {
+    return;
+  }
+  if (angle <= 0 || angle > 180) {
+    reporter.report(light_angle_range, subject, Field::angle_deg,
+                    fmt::format("angle {} of the spotlight is not between 0 and 180 degrees{}",
+                                number_text(angle), angle <= 0 ? "; it lights nothing" : ""));
+  } else if (light.penumbra_deg > angle) {
+    reporter.report(
+        light_penumbra_wide, subject, Field::penumbra_deg,
+        fmt::format("penumbra {} of the spotlight is larger than its angle {}; it counts as {}",
+                    number_text(light.penumbra_deg), number_text(angle), number_text(angle)));
+  }
+}
+
+void check_cone(const Light& light, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, Field::penumbra_deg, "penumbra", light.penumbra_deg)) {
+    return;
+  }
+  if (light.penumbra_deg < 0) {
+    reporter.report(light_penumbra_negative, subject, Field::penumbra_deg,
+                    fmt::format("penumbra {} of the spotlight is negative; it counts as 0",
+                                number_text(light.penumbra_deg)));
+  }
+  if (light.angle_deg) {
+    check_angle(light, subject, reporter);
+    return;
+  }
+  reporter.report(light_spot_angle, subject,
+                  light.penumbra_deg > 0
+                      ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
+                                    "half-angle",
+                                    number_text(light.penumbra_deg))
+                      : "the spotlight has neither an angle nor a penumbra; it lights nothing");
+}
+
+void check_rectangle(const Light& light, const Subject& subject, Reporter& reporter) {
+  if (reporter.finite(subject, Field::width, "width", light.width) &&
+      reporter.finite(subject, Field::height, "height", light.height) &&
+      (light.width <= 0 || light.height <= 0)) {
+    reporter.report(light_area_size, subject, light.width <= 0 ? Field::width : Field::height,
+                    fmt::format("width {} and height {} of the area light enclose no area",
+                                number_text(light.width), number_text(light.height)));
+  }
+}
+
+}  // namespace
+
+void check_light(const Light& light, NodeId node, Reporter& reporter) {
+  const Subject subject{light_type_name(light.type), light.location, node};
+  check_color(light, subject, reporter);
+  check_attenuation(light, subject, reporter);
+  if (light.type != LightType::directional) {
+    reporter.finite(subject, Field::position, "position", light.position);
+  }
+  if (light.type != LightType::point) {
+    check_direction(light, subject, reporter);
+  }
+  if (light.type == LightType::spot) {
+    check_cone(light, subject, reporter);
+  }
+  if (light.type == LightType::area) {
+    check_rectangle(light, subject, reporter);
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,160 @@
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/codes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+constexpr float byte_habit = 16;  // no file of the course's students has a larger meant one
+constexpr float huge_color = 255;
+constexpr float huge_shininess = 1e4f;
+constexpr float least_ior = 0.25f;
+constexpr float most_ior = 5;
+constexpr float least_repeat = 1e-3f;
+constexpr float most_repeat = 1e4f;
+
+struct Color {
+  Field field;
+  std::string_view name;
+  const glm::vec3& value;
+};
+
+void check_color(const Color& color, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, color.field, color.name, color.value)) {
+    return;
+  }
+  const auto report = [&](const Code& code, std::string_view what) {
+    reporter.report(code, subject, color.field,
+                    fmt::format("{} {} of the {} is {}", color.name, vector_text(color.value),
+                                subject.what, what));
+  };
+  if (smallest(color.value) < 0) {
+    report(material_negative, "negative");
+  }
+  if (largest(color.value) > huge_color) {
+    report(material_color_huge, "far above 1");
+  } else if (largest(color.value) > byte_habit) {
+    report(material_color_255, "far above 1; is it meant to be of 255?");
+  }
+}
+
+void check_highlight(const Material& material, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, Field::shininess, "shininess", material.shininess)) {
+    return;
+  }
+  const auto report = [&](const Code& code, std::string_view what) {
+    reporter.report(code, subject, Field::shininess,
+                    fmt::format("shininess {} of the {} {}", number_text(material.shininess),
+                                subject.what, what));
+  };
+  if (material.shininess < 0) {
+    report(material_shininess_negative, "is negative; it counts as 0, no highlight");
+  } else if (material.shininess > huge_shininess) {
+    report(material_shininess_huge, "makes a highlight too small to see");
+  } else if (material.shininess == 0 && material.specular != glm::vec3(0)) {
+    reporter.report(material_no_shininess, subject, Field::specular,
+                    fmt::format("specular {} of the {} has no effect, because its shininess is 0",
+                                vector_text(material.specular), subject.what));
+  }
+}
+
+void check_refraction(const Material& material, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, Field::ior, "ior", material.ior)) {
+    return;
+  }
+  const float ior = material.ior;
+  if (ior < 0) {
+    reporter.report(material_ior_negative, subject, Field::ior,
+                    fmt::format("ior {} of the {} is negative; it counts as 1", number_text(ior),
+                                subject.what));
+  } else if (ior != 0 && (ior < least_ior || ior > most_ior)) {
+    reporter.report(
+        material_ior_range, subject, Field::ior,
+        fmt::format("ior {} of the {} is that of no material", number_text(ior), subject.what));
+  }
+  if (largest(material.reflective + material.transparent) > 1.0001f &&
+      largest(material.transparent) > 0 && largest(material.reflective) > 0) {
+    reporter.report(material_energy, subject, Field::transparent,
+                    fmt::format("reflective {} and transparent {} of the {} add up to more than 1",
+                                vector_text(material.reflective), vector_text(material.transparent),
+                                subject.what));
+  }
+}
+
+// `name` is the element of the files, "texture" or "bumpmap".
+void check_texture(const TextureUse& texture, std::string_view name, const Subject& subject,
+                   Reporter& reporter) {
+  const Subject place{subject.what, texture.location.known() ? texture.location : subject.location,
+                      subject.node};
+  if (texture.file.empty()) {
+    reporter.report(material_texture_unnamed, place,
+                    fmt::format("{} of the {} names no file", name, subject.what));
+  }
+  const std::pair<char, float> repeats[] = {{'u', texture.repeat_u}, {'v', texture.repeat_v}};
+  for (const auto& [axis, repeat] : repeats) {
+    const float size = std::abs(repeat);
+    if (repeat < 0 || !(size >= least_repeat && size <= most_repeat)) {
+      reporter.report(std::isfinite(repeat) ? material_repeat : scene_not_finite, place,
+                      fmt::format("{} {} repeats {} times along {}", name, quoted(texture.file),
+                                  number_text(repeat), axis));
+    }
+  }
+}
+
+void check_blend(const Material& material, const Subject& subject, Reporter& reporter) {
+  if (!reporter.finite(subject, Field::blend, "blend", material.blend)) {
+    return;
+  }
+  const float blend = material.blend;
+  if (blend < 0 || blend > 1) {
+    reporter.report(material_blend_range, subject, Field::blend,
+                    fmt::format("blend {} of the {} is not between 0 and 1; it counts as {}",
+                                number_text(blend), subject.what, blend < 0 ? 0 : 1));
+  } else if (material.texture && blend == 0) {
+    const Location place = material.texture->location;
+    reporter.report(material_texture_unseen,
+                    {subject.what, place.known() ? place : subject.location, subject.node},
+                    fmt::format("texture {} of the {} is not seen, because its blend is 0",
+                                quoted(material.texture->file), subject.what));
+  } else if (!material.texture && blend > 0) {
+    reporter.report(material_blend_unused, subject, Field::blend,
+                    fmt::format("blend {} of the {} has no effect without a texture",
+                                number_text(blend), subject.what));
+  }
+}
+
+}  // namespace
+
+void check_primitive(const Primitive& primitive, NodeId node, Reporter& reporter) {
+  const Subject subject{shape_name(primitive.shape), primitive.location, node};
+  const Material& m = primitive.material;
+  if (primitive.shape == Shape::mesh && primitive.mesh_file.empty()) {
+    reporter.report(tree_mesh_unnamed, subject, Field::mesh_file,
+                    "the mesh names no file (filename or meshfile, JSON meshFile)");
+  }
+  for (const Color& color : {Color{Field::ambient, "ambient", m.ambient},
+                             {Field::diffuse, "diffuse", m.diffuse},
+                             {Field::specular, "specular", m.specular},
+                             {Field::reflective, "reflective", m.reflective},
+                             {Field::transparent, "transparent", m.transparent}}) {
+    check_color(color, subject, reporter);
+  }
+  check_highlight(m, subject, reporter);
+  check_refraction(m, subject, reporter);
+  check_blend(m, subject, reporter);
+  if (m.texture) {
+    check_texture(*m.texture, "texture", subject, reporter);
+  }
+  if (m.bump_map) {
+    check_texture(*m.bump_map, "bumpmap", subject, reporter);
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,71 @@
+#pragma once
+// The parts that check() is made of. Internal to the room.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/scene/field_places.h"
+#include "scenefile/scene/node_path.h"
+#include "scenefile/scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+inline constexpr NodeId no_node = 0xffffffffu;
+
+/// What a finding is about: a camera, a light, a primitive, a node.
+struct Subject {
+  std::string_view what;  ///< such as "sphere"
+  Location location;
+  NodeId node = no_node;
+};
+
+/// Gives findings their place.
+class Reporter {
+ public:
+  Reporter(const Scene& scene, Diagnostics& diagnostics)
+      : scene_(scene), diagnostics_(diagnostics), places_(scene.field_places) {}
+
+  /// A finding about the whole of the subject. Where it has no place in a file, the message says
+  /// which node it is in.
+  void report(const Code& code, const Subject& subject, std::string message);
+  /// A finding about one value of the subject.
+  void report(const Code& code, const Subject& subject, Field field, std::string message);
+
+  /// Whether the value is finite; reports if not.
+  bool finite(const Subject& subject, Field field, std::string_view name, float value);
+  bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);
+
+ private:
+  void report_at(const Code& code, Location location, NodeId node, std::string message);
+
+  const Scene& scene_;
+  Diagnostics& diagnostics_;
+  FieldPlaces places_;
+  std::optional<NodePaths> paths_;
+};
+
+/// "1 0.5 0".
+std::string vector_text(const glm::vec3& v);
+bool finite(const glm::vec3& v);
+float largest(const glm::vec3& v);
+float smallest(const glm::vec3& v);
+std::string_view shape_name(Shape shape);
+std::string_view light_type_name(LightType type);
+
+void check_global(const Global& global, Reporter& reporter);
+void check_camera(const Camera& camera, Reporter& reporter);
+void check_light(const Light& light, NodeId node, Reporter& reporter);
+void check_primitive(const Primitive& primitive, NodeId node, Reporter& reporter);
+
+/// Indices of nodes, which nothing else in the room trusts.
+void check_structure(const Scene& scene, Reporter& reporter);
+/// Templates, what they hold, and what it adds up to.
+void check_templates(const Scene& scene, const Limits& limits, Reporter& reporter);
+/// Transforms, and that their products can be drawn.
+void check_transforms(const Scene& scene, Reporter& reporter);
+
+}  // namespace scenefile

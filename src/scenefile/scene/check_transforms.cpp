@@ -1,0 +1,128 @@
+#include "scenefile/base/number.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/codes.h"
+#include "scenefile/scene/transforms.h"
+#include "scenefile/scene/walk.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+namespace scenefile {
+
+namespace {
+
+class TransformCheck {
+ public:
+  TransformCheck(const Transform& transform, const Subject& subject, Reporter& reporter)
+      : transform_(transform), subject_(subject), reporter_(reporter) {}
+
+  /// Whether the transform by itself leaves something to draw.
+  bool run() {
+    return std::visit([this](const auto& map) { return check(map); }, transform_.map);
+  }
+
+ private:
+  bool check(const Translate& t) { return finite("translate", t.by); }
+
+  bool check(const Rotate& r) {
+    if (!finite("rotate", r.axis) || !finite("rotate", glm::vec3(r.angle_deg))) {
+      return false;
+    }
+    if (r.axis == glm::vec3(0)) {
+      reporter_.report(transform_axis_zero, subject_,
+                       "rotate about the axis 0 0 0 does not rotate");
+    }
+    return true;
+  }
+
+  bool check(const Scale& s) {
+    if (!finite("scale", s.by)) {
+      return false;
+    }
+    return has_inverse(fmt::format("scale {}", vector_text(s.by)));
+  }
+
+  bool check(const Matrix& matrix) {
+    for (int column = 0; column < 4; ++column) {
+      if (!finite("matrix", glm::vec3(matrix.m[column])) ||
+          !finite("matrix", glm::vec3(matrix.m[column].w))) {
+        return false;
+      }
+    }
+    check_last_row(matrix.m);
+    return has_inverse("matrix");
+  }
+
+  void check_last_row(const glm::mat4& m) {
+    const glm::vec3 row(m[0].w, m[1].w, m[2].w);
+    if (row == glm::vec3(0) && m[3].w == 1) {
+      return;
+    }
+    const bool transposed = glm::vec3(m[3]) == glm::vec3(0) && m[3].w == 1;
+    reporter_.report(transform_projective, subject_,
+                     fmt::format("the last row of the matrix is {} {}, not 0 0 0 1{}",
+                                 vector_text(row), number_text(m[3].w),
+                                 transposed ? "; is it transposed, with its translation in the row?"
+                                            : "; it is taken as that"));
+  }
+
+  bool has_inverse(std::string_view what) {
+    if (storable(composed(DAffine(), transform_))) {
+      return true;
+    }
+    reporter_.report(transform_flat, subject_,
+                     fmt::format("{} leaves no volume; what stands in it is not drawn", what));
+    return false;
+  }
+
+  bool finite(std::string_view name, const glm::vec3& value) {
+    if (scenefile::finite(value)) {
+      return true;
+    }
+    reporter_.report(scene_not_finite, subject_,
+                     fmt::format("{} is not made of finite numbers", name));
+    return false;
+  }
+
+  const Transform& transform_;
+  const Subject& subject_;
+  Reporter& reporter_;
+};
+
+// The way to a node: its map, and whether a finding about its flatness was made already.
+struct Way {
+  DAffine map;
+  bool flat = false;
+};
+
+Way checked_way(const Scene& scene, NodeId id, const Way& above, Reporter& reporter) {
+  const Node& node = scene.nodes[id];
+  Way way = above;
+  for (const Transform& transform : node.transforms) {
+    const Subject subject{"transform",
+                          transform.location.known() ? transform.location : node.location, id};
+    way.flat = !TransformCheck(transform, subject, reporter).run() || way.flat;
+    way.map = composed(way.map, transform);
+  }
+  const bool draws = !node.primitives.empty() || !node.instance_of.empty();
+  if (draws && !way.flat && !storable(way.map)) {
+    reporter.report(transform_degenerate, {"node", node.location, id},
+                    "the transforms of this object, multiplied, are too large, too small or flat; "
+                    "it is not drawn");
+  }
+  return way;
+}
+
+}  // namespace
+
+void check_transforms(const Scene& scene, Reporter& reporter) {
+  std::vector<bool> seen(scene.nodes.size());
+  for (const NodeId head : tree_heads(scene)) {
+    walk_nodes(scene, head, Way{}, seen, [&](NodeId id, const Way& above) {
+      return checked_way(scene, id, above, reporter);
+    });
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,327 @@
+#include "scenefile/scene/diff.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/diff_align.h"
+#include "scenefile/scene/diff_values.h"
+#include "scenefile/scene/node_path.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t seed, std::uint64_t value) {
+  const std::uint64_t x = (seed ^ value) * 0x9e3779b97f4a7c15u;
+  return x ^ (x >> 29);
+}
+
+std::uint64_t hash_of(const Values& values) {
+  std::uint64_t hash = values.size();
+  for (const Value& value : values) {
+    hash = mixed(hash, std::hash<std::string_view>{}(value.name));
+    hash = mixed(hash, std::hash<std::string>{}(value.text));
+  }
+  return hash;
+}
+
+// The heads of trees and all nodes below them, parents first; each once.
+std::vector<NodeId> parents_first(const Scene& scene) {
+  std::vector<NodeId> order;
+  std::vector<bool> seen(scene.nodes.size());
+  const auto add = [&](NodeId id) {
+    if (id < scene.nodes.size() && !seen[id]) {
+      seen[id] = true;
+      order.push_back(id);
+    }
+  };
+  for (const NodeId id : scene.templates) {
+    add(id);
+  }
+  add(scene.root);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    for (const NodeId child : scene.nodes[order[i]].children) {
+      add(child);
+    }
+  }
+  return order;
+}
+
+// One of the two scenes, with the hashes of its subtrees.
+class Side {
+ public:
+  explicit Side(const Scene& written)
+      : scene(written), paths_(written), hashes_(written.nodes.size()) {
+    const std::vector<NodeId> order = parents_first(scene);
+    for (std::size_t i = order.size(); i-- > 0;) {
+      hashes_[order[i]] = hash_of_tree(scene.nodes[order[i]]);
+    }
+  }
+
+  bool has(NodeId id) const { return id < scene.nodes.size(); }
+  std::uint64_t hash(NodeId id) const { return hashes_[id]; }
+  std::string path(NodeId id) const { return paths_.path(id); }
+
+  AlignItem item(NodeId id) const {
+    const Node& node = scene.nodes[id];
+    return {hashes_[id], !node.name.empty() ? node.name : node.instance_of};
+  }
+
+  std::vector<AlignItem> items(const std::vector<NodeId>& nodes) const {
+    std::vector<AlignItem> result;
+    for (const NodeId id : nodes) {
+      result.push_back(has(id) ? item(id) : AlignItem{});
+    }
+    return result;
+  }
+
+  const Scene& scene;
+
+ private:
+  std::uint64_t hash_of_tree(const Node& node) const {
+    std::uint64_t hash = hash_of(values_of(node));
+    const std::uint64_t counts[] = {node.lights.size(), node.primitives.size(),
+                                    node.children.size()};
+    for (const std::uint64_t count : counts) {
+      hash = mixed(hash, count);
+    }
+    for (const Light& light : node.lights) {
+      hash = mixed(hash, hash_of(values_of(light)));
+    }
+    for (const Primitive& primitive : node.primitives) {
+      hash = mixed(hash, hash_of(values_of(primitive)));
+    }
+    for (const NodeId child : node.children) {
+      hash = mixed(hash, has(child) ? hashes_[child] : 0);
+    }
+    return hash;
+  }
+
+  NodePaths paths_;
+  std::vector<std::uint64_t> hashes_;
+};
+
+std::string_view label_of(const Light& light) {
+  return light_type_name(light.type);
+}
+std::string_view label_of(const Primitive& primitive) {
+  return shape_name(primitive.shape);
+}
+
+// "sphere, diffuse 1 0 0": an item in full.
+std::string description(std::string_view label, const Values& values) {
+  std::string text(label);
+  for (const Value& value : values) {
+    if (value.name != "type") {
+      text += fmt::format(", {} {}", value.name, value.text);
+    }
+  }
+  return text;
+}
+
+class Comparison {
+ public:
+  Comparison(const Scene& a, const Scene& b, std::size_t most) : a_(a), b_(b), most_(most) {}
+
+  std::vector<SceneDifference> run() {
+    const Scene& a = a_.scene;
+    const Scene& b = b_.scene;
+    if (a.name != b.name) {
+      add({"scene name", quoted(a.name), quoted(b.name), {}, {}});
+    }
+    compare_values("global data: ", values_of(a.global), values_of(b.global), a.global.location,
+                   b.global.location);
+    compare_cameras(a.camera, b.camera);
+    compare_nodes("templates", a.templates, b.templates);
+    if (a_.has(a.root) && b_.has(b.root)) {
+      pending_.emplace_back(a.root, b.root);
+    }
+    while (!pending_.empty() && differences_.size() < most_) {
+      const auto [in_a, in_b] = pending_.back();
+      pending_.pop_back();
+      if (a_.hash(in_a) != b_.hash(in_b)) {
+        compare(in_a, in_b);
+      }
+    }
+    return std::move(differences_);
+  }
+
+ private:
+  void add(SceneDifference difference) {
+    if (differences_.size() < most_) {
+      differences_.push_back(std::move(difference));
+    }
+  }
+
+  void compare_cameras(const std::optional<Camera>& a, const std::optional<Camera>& b) {
+    const Location in_a = a.value_or(Camera{}).location;
+    const Location in_b = b.value_or(Camera{}).location;
+    if (a && b) {
+      compare_values("camera: ", values_of(*a), values_of(*b), in_a, in_b);
+    } else if (a || b) {
+      add({"camera", a ? "given" : "not given", b ? "given" : "not given", in_a, in_b});
+    }
+  }
+
+  void compare(NodeId in_a, NodeId in_b) {
+    const Node& a = a_.scene.nodes[in_a];
+    const Node& b = b_.scene.nodes[in_b];
+    const std::string where = a_.path(in_a) + ": ";
+    compare_values(where, values_of(a), values_of(b), a.location, b.location);
+    compare_items(where, a.lights, b.lights);
+    compare_items(where, a.primitives, b.primitives);
+    compare_nodes(where + "children", a.children, b.children);
+  }
+
+  void compare_values(const std::string& where, const Values& a, const Values& b, Location in_a,
+                      Location in_b) {
+    const auto find = [](const Values& values, std::string_view name) {
+      for (const Value& value : values) {
+        if (value.name == name) {
+          return value.text;
+        }
+      }
+      return std::string("default");
+    };
+    for (const Value& value : a) {
+      const std::string other = find(b, value.name);
+      if (value.text != other) {
+        add({where + std::string(value.name), value.text, other, in_a, in_b});
+      }
+    }
+    for (const Value& value : b) {
+      if (find(a, value.name) == "default") {
+        add({where + std::string(value.name), "default", value.text, in_a, in_b});
+      }
+    }
+  }
+
+  template <typename Item>
+  static std::vector<AlignItem> align_items(const std::vector<Item>& items) {
+    std::vector<AlignItem> result;
+    for (const Item& item : items) {
+      result.push_back({hash_of(values_of(item)), std::string(label_of(item))});
+    }
+    return result;
+  }
+
+  // "root: sphere 2" for each item: numbered by kind, from 1, as a reader would count them.
+  template <typename Item>
+  static std::vector<std::string> names(const std::string& where, const std::vector<Item>& items) {
+    std::map<std::string_view, std::size_t> counts;
+    std::vector<std::string> result;
+    for (const Item& item : items) {
+      result.push_back(fmt::format("{}{} {}", where, label_of(item), ++counts[label_of(item)]));
+    }
+    return result;
+  }
+
+  // Lights or primitives of a node.
+  template <typename Item>
+  void compare_items(const std::string& where, const std::vector<Item>& a,
+                     const std::vector<Item>& b) {
+    const std::vector<std::string> names_a = names(where, a);
+    const std::vector<std::string> names_b = names(where, b);
+    for (const AlignedPair& pair : align(align_items(a), align_items(b))) {
+      if (differences_.size() >= most_) {
+        return;
+      }
+      if (!pair.b) {
+        const Item& item = a[*pair.a];
+        add({names_a[*pair.a],
+             description(label_of(item), values_of(item)),
+             "",
+             item.location,
+             {}});
+      } else if (!pair.a) {
+        const Item& item = b[*pair.b];
+        add({names_b[*pair.b],
+             "",
+             description(label_of(item), values_of(item)),
+             {},
+             item.location});
+      } else if (!pair.equal) {
+        compare_values(names_a[*pair.a] + ": ", values_of(a[*pair.a]), values_of(b[*pair.b]),
+                       a[*pair.a].location, b[*pair.b].location);
+      } else if (pair.moved) {
+        add({names_a[*pair.a], fmt::format("place {}", *pair.a + 1),
+             fmt::format("place {}", *pair.b + 1), a[*pair.a].location, b[*pair.b].location});
+      }
+    }
+  }
+
+  void compare_nodes(const std::string& where, const std::vector<NodeId>& a,
+                     const std::vector<NodeId>& b) {
+    for (const AlignedPair& pair : align(a_.items(a), b_.items(b))) {
+      if (differences_.size() >= most_) {
+        return;
+      }
+      if (!pair.b) {
+        add_lone(a_, a[*pair.a], true);
+      } else if (!pair.a) {
+        add_lone(b_, b[*pair.b], false);
+      } else if (pair.moved) {
+        add({fmt::format("{}: {}", where, name(a_, a[*pair.a])),
+             fmt::format("place {}", *pair.a + 1), fmt::format("place {}", *pair.b + 1),
+             location(a_, a[*pair.a]), location(b_, b[*pair.b])});
+      } else if (!pair.equal && a_.has(a[*pair.a]) && b_.has(b[*pair.b])) {
+        pending_.emplace_back(a[*pair.a], b[*pair.b]);
+      }
+    }
+  }
+
+  void add_lone(const Side& side, NodeId id, bool in_a) {
+    if (!side.has(id)) {
+      return;
+    }
+    const Node& node = side.scene.nodes[id];
+    std::string text =
+        fmt::format("a group of {} children, {} primitives, {} lights", node.children.size(),
+                    node.primitives.size(), node.lights.size());
+    if (!node.instance_of.empty()) {
+      text = "an instance of " + node.instance_of;
+    }
+    SceneDifference difference{side.path(id), text, "", node.location, {}};
+    if (!in_a) {
+      std::swap(difference.a, difference.b);
+      std::swap(difference.in_a, difference.in_b);
+    }
+    add(std::move(difference));
+  }
+
+  static std::string name(const Side& side, NodeId id) {
+    return side.has(id) ? side.path(id) : fmt::format("node {}", id);
+  }
+  static Location location(const Side& side, NodeId id) {
+    return side.has(id) ? side.scene.nodes[id].location : Location{};
+  }
+
+  Side a_;
+  Side b_;
+  std::size_t most_;
+  std::vector<SceneDifference> differences_;
+  std::vector<std::pair<NodeId, NodeId>> pending_;
+};
+
+}  // namespace
+
+std::vector<SceneDifference> diff(const Scene& a, const Scene& b, std::size_t most) {
+  return Comparison(a, b, most).run();
+}
+
+std::string difference_text(const SceneDifference& difference) {
+  if (difference.b.empty()) {
+    return fmt::format("{}: only in the first: {}", difference.where, difference.a);
+  }
+  if (difference.a.empty()) {
+    return fmt::format("{}: only in the second: {}", difference.where, difference.b);
+  }
+  return fmt::format("{}: {} -> {}", difference.where, difference.a, difference.b);
+}
+
+}  // namespace scenefile

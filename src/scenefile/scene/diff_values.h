@@ -1,0 +1,28 @@
+#pragma once
+// The values of a scene as text, for comparing and hashing. Internal to the room.
+
+#include "scenefile/scene/scene.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile {
+
+/// A value that is not the default, named as in the files. Equal texts mean equal values.
+struct Value {
+  std::string_view name;
+  std::string text;
+
+  friend bool operator==(const Value&, const Value&) = default;
+};
+using Values = std::vector<Value>;
+
+Values values_of(const Global& global);
+Values values_of(const Camera& camera);
+Values values_of(const Light& light);
+Values values_of(const Primitive& primitive);
+/// Of the node itself: not of what it contains.
+Values values_of(const Node& node);
+
+}  // namespace scenefile

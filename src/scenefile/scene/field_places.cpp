@@ -1,0 +1,36 @@
+#include "scenefile/scene/field_places.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scenefile {
+
+namespace {
+
+auto key(const FieldPlace& place) {
+  return std::tuple(place.owner.line, place.owner.column, place.field);
+}
+
+}  // namespace
+
+Location FieldPlaces::find(Location owner, Field field) {
+  if (!owner.known()) {
+    return owner;
+  }
+  if (sorted_.size() != places_.size()) {
+    sorted_ = places_;
+    // Of several the last counts, as with the values themselves.
+    std::stable_sort(sorted_.begin(), sorted_.end(),
+                     [](const FieldPlace& a, const FieldPlace& b) { return key(a) < key(b); });
+  }
+  const FieldPlace wanted{owner, field, {}};
+  const auto after =
+      std::upper_bound(sorted_.begin(), sorted_.end(), wanted,
+                       [](const FieldPlace& a, const FieldPlace& b) { return key(a) < key(b); });
+  if (after == sorted_.begin() || key(*(after - 1)) != key(wanted)) {
+    return owner;
+  }
+  return (after - 1)->location;
+}
+
+}  // namespace scenefile

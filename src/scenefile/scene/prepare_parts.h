@@ -1,0 +1,80 @@
+#pragma once
+// The parts that prepare() is made of. Internal to the room.
+
+#include "scenefile/base/affine.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/scene/render_scene.h"
+#include "scenefile/scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace scenefile {
+
+RenderCamera ready_camera(const Camera& camera);
+
+/// The light with its values made safe, in the space that `space_from_node` leads to; nothing when
+/// it lights nothing because it has no direction or no finite place.
+std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_from_node);
+
+/// Numbers materials, textures and meshes, each once.
+class MaterialTable {
+ public:
+  explicit MaterialTable(RenderScene& scene);
+
+  std::uint32_t material(const Material& material);
+  std::uint32_t mesh(const std::string& file, Location location);
+
+ private:
+  struct Hash {
+    const std::vector<RenderMaterial>* materials;
+    std::size_t operator()(std::uint32_t index) const;
+  };
+  struct Equal {
+    const std::vector<RenderMaterial>* materials;
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+      return (*materials)[a] == (*materials)[b];
+    }
+  };
+  using FileNumbers = std::unordered_map<std::string, std::uint32_t>;
+
+  RenderTexture texture(const TextureUse& use);
+
+  RenderScene& scene_;
+  std::unordered_set<std::uint32_t, Hash, Equal> numbers_;
+  FileNumbers texture_numbers_;
+  FileNumbers mesh_numbers_;
+};
+
+/// A light in the space of its part.
+struct PlacedLight {
+  const Light* light;
+  DAffine part_from_node;
+  std::uint32_t source;
+};
+
+/// A copy of another part.
+struct PartInstance {
+  Affine part_from_instance;
+  std::uint32_t part;
+  std::uint32_t source;
+  bool drawn;  ///< else it counts for the lights in it alone
+};
+
+/// One tree of the scene, the root or a template, with all nodes folded into it.
+struct Part {
+  NodeId head = 0;
+  bool drawn = true;
+  std::vector<RenderPrimitive> primitives;
+  std::vector<PartInstance> instances;
+  std::vector<PlacedLight> lights;
+};
+
+/// World-space copies of the lights of all parts, part 0 being the world, at most `max_lights`.
+std::vector<RenderLight> world_lights(const std::vector<Part>& parts, std::uint32_t max_lights);
+
+}  // namespace scenefile

@@ -1,0 +1,96 @@
+#pragma once
+// Which template holds copies of which. Internal to the room.
+
+#include "scenefile/scene/scene.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace scenefile {
+
+/// Templates by name, as indices into Scene::templates; of several with one name the first. The
+/// names live in the scene.
+using TemplateNames = std::unordered_map<std::string_view, std::uint32_t>;
+TemplateNames template_names(const Scene& scene);
+
+/// The edges of a directed graph, sorted by where they start.
+struct Graph {
+  std::vector<std::uint32_t> first;  ///< of each vertex, into `target`; one more at the end
+  std::vector<std::uint32_t> target;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(first.size() - 1); }
+  std::span<const std::uint32_t> targets(std::uint32_t vertex) const {
+    return std::span(target).subspan(first[vertex], first[vertex + 1] - first[vertex]);
+  }
+};
+
+/// Visits what can be reached from `starts`, depth first, targets in order: `leave(vertex)` once
+/// for each vertex, behind all its targets, and `loop(way, edge)` for each edge (an index into
+/// `target`) that leads back into the way to here, with the part of the way that it closes, first
+/// vertex first.
+template <typename Leave, typename Loop>
+void visit_depth_first(const Graph& graph, std::span<const std::uint32_t> starts, Leave leave,
+                       Loop loop) {
+  constexpr std::uint32_t unseen = 0xffffffffu;
+  constexpr std::uint32_t done = 0xfffffffeu;
+  std::vector<std::uint32_t> depth(graph.size(), unseen);  // on the way, else one of the above
+  std::vector<std::uint32_t> way;
+  std::vector<std::uint32_t> next;  // of each vertex on the way, into `target`
+  const auto enter = [&](std::uint32_t vertex) {
+    depth[vertex] = static_cast<std::uint32_t>(way.size());
+    way.push_back(vertex);
+    next.push_back(graph.first[vertex]);
+  };
+  for (const std::uint32_t start : starts) {
+    if (depth[start] == unseen) {
+      enter(start);
+    }
+    while (!way.empty()) {
+      const std::uint32_t vertex = way.back();
+      if (next.back() == graph.first[vertex + 1]) {
+        depth[vertex] = done;
+        leave(vertex);
+        way.pop_back();
+        next.pop_back();
+        continue;
+      }
+      const std::uint32_t target = graph.target[next.back()++];
+      if (depth[target] == unseen) {
+        enter(target);
+      } else if (depth[target] != done) {
+        loop(std::span<const std::uint32_t>(way).subspan(depth[target]), next.back() - 1);
+      }
+    }
+  }
+}
+
+/// The trees of a scene (in the order of tree_heads(), so the root is the last) and the instances
+/// in them.
+struct TemplateGraph {
+  std::vector<NodeId> heads;
+  Graph uses;                    ///< tree -> tree of each instance that names a template
+  std::vector<NodeId> use_node;  ///< the instance, for each edge of `uses`
+
+  std::uint32_t root() const { return uses.size() - 1; }
+};
+TemplateGraph template_graph(const Scene& scene);
+
+/// Vertices behind all that they lead to, and the rank of each in that order. An edge that closes a
+/// loop leads to the same or a higher rank.
+struct ContainmentOrder {
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> rank;
+};
+ContainmentOrder containment_order(const Graph& graph);
+
+/// What a value of each vertex adds up to with all copies inside: its own plus the total of each
+/// target. Saturates at infinity; edges that close loops count nothing.
+std::vector<double> totals(const Graph& graph, std::vector<double> own);
+
+/// The most edges in a row from each vertex; edges that close loops count nothing.
+std::vector<std::uint32_t> heights(const Graph& graph);
+
+}  // namespace scenefile

@@ -174,45 +174,49 @@ bool nearest(const Span& span, double shift, double t_min, double t_max, ShapeHi
   return false;
 }
 
-// The same ray with a direction whose square neither overflows nor underflows. Powers of two
-// change no digit.
-bool intersect_scaled(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
-  const dvec3 size = glm::abs(ray.direction);
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!(largest > 0 && largest < infinity)) {
-    return false;
-  }
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  const auto scaled = [&](double x, int by) { return std::ldexp(x, by); };
+// For directions whose square neither overflows nor underflows.
+bool intersect_moderate(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
   const dvec3& d = ray.direction;
-  const Ray unit{ray.origin,
-                 {scaled(d.x, -exponent), scaled(d.y, -exponent), scaled(d.z, -exponent)}};
-  ShapeHit found;
-  if (!intersect(shape, unit, scaled(t_min, exponent), scaled(t_max, exponent), found)) {
-    return false;
-  }
-  hit = {scaled(found.t, -exponent), found.face};
-  return true;
-}
-
-}  // namespace
-
-bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
-  const dvec3& d = ray.direction;
-  const double length2 = glm::dot(d, d);
-  if (!(length2 > 1e-100 && length2 < 1e100)) {
-    return intersect_scaled(shape, ray, t_min, t_max, hit);
-  }
   const dvec3 center(0, shape == Shape::cone ? 0.5 : 0, 0);
   const dvec3 origin = ray.origin - center;
-  const double shift = -glm::dot(origin, d) / length2;
+  const double shift = -glm::dot(origin, d) / glm::dot(d, d);
   const dvec3 p = origin + shift * d;
   // No point of a shape is farther than sqrt(5/4) from its center; also refuses what is not finite.
   if (!(glm::dot(p, p) <= 1.5)) {
     return false;
   }
   return nearest(shape_span(shape, p, d), shift, t_min, t_max, hit);
+}
+
+// The same ray with its direction scaled by a power of two, which changes no digit.
+bool intersect_extreme(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
+  const dvec3 size = glm::abs(ray.direction);
+  int exponent = 0;
+  std::frexp(std::max({size.x, size.y, size.z}), &exponent);
+  Ray scaled = ray;
+  for (int axis = 0; axis < 3; ++axis) {
+    scaled.direction[axis] = std::ldexp(ray.direction[axis], -exponent);
+  }
+  ShapeHit found;
+  if (!intersect_moderate(shape, scaled, std::ldexp(t_min, exponent), std::ldexp(t_max, exponent),
+                          found)) {
+    return false;
+  }
+  found.t = std::ldexp(found.t, -exponent);
+  if (!(found.t > t_min && found.t < t_max)) {
+    return false;
+  }
+  hit = found;
+  return true;
+}
+
+}  // namespace
+
+bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
+  const double length2 = glm::dot(ray.direction, ray.direction);
+  const bool moderate = length2 > 1e-100 && length2 < 1e100;
+  return moderate ? intersect_moderate(shape, ray, t_min, t_max, hit)
+                  : intersect_extreme(shape, ray, t_min, t_max, hit);
 }
 
 }  // namespace scenefile

@@ -1,0 +1,156 @@
+#include "scenefile/format/xml_fields.h"
+
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/xml_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+// Every element of the format.
+constexpr std::string_view all_elements[] = {"scenefile",
+                                             "globaldata",
+                                             "ambientcoeff",
+                                             "diffusecoeff",
+                                             "specularcoeff",
+                                             "cameradata",
+                                             "transparentcoeff",
+                                             "pos",
+                                             "look",
+                                             "focus",
+                                             "up",
+                                             "heightangle",
+                                             "aspectratio",
+                                             "aperture",
+                                             "focallength",
+                                             "lightdata",
+                                             "id",
+                                             "type",
+                                             "color",
+                                             "function",
+                                             "position",
+                                             "direction",
+                                             "penumbra",
+                                             "angle",
+                                             "radius",
+                                             "width",
+                                             "height",
+                                             "object",
+                                             "transblock",
+                                             "translate",
+                                             "rotate",
+                                             "scale",
+                                             "matrix",
+                                             "diffuse",
+                                             "ambient",
+                                             "specular",
+                                             "reflective",
+                                             "transparent",
+                                             "emissive",
+                                             "shininess",
+                                             "ior",
+                                             "blend",
+                                             "texture",
+                                             "bumpmap"};
+
+bool is_known(std::string_view name) {
+  return std::find(std::begin(all_elements), std::end(all_elements), name) !=
+         std::end(all_elements);
+}
+
+// The name without a namespace prefix.
+std::string_view local_name(std::string_view name) {
+  const std::size_t colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+std::string_view nearest_field(std::string_view name, std::span<const FieldName> names) {
+  std::vector<std::string_view> words;
+  words.reserve(names.size());
+  for (const FieldName& n : names) {
+    words.push_back(n.name);
+  }
+  return nearest_name(local_name(name), words);
+}
+
+std::string_view canonical_name(std::span<const FieldName> names, std::size_t field) {
+  for (const FieldName& n : names) {
+    if (n.field == field && !n.alias) {
+      return n.name;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::string_view block,
+                            std::span<const FieldName> names) {
+  const std::string where = element_text(block);
+  if (is_known(tag.name)) {
+    context.report(
+        xml_misplaced_element, tag,
+        fmt::format("{} does not belong in {}; it was ignored", element_text(tag.name), where));
+    return;
+  }
+  const std::string_view near = nearest_field(tag.name, names);
+  if (near.empty()) {
+    context.report(
+        xml_unknown_element, tag,
+        fmt::format("unknown element {} in {}; it was ignored", element_text(tag.name), where));
+    return;
+  }
+  context.report(xml_misspelt_element, tag,
+                 fmt::format("unknown element {} in {}{}", element_text(tag.name), where,
+                             did_you_mean(near, "<>")));
+}
+
+std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& tag,
+                                      std::span<const FieldName> names, std::string_view block) {
+  for (const FieldName& n : names) {
+    if (n.name == tag.name) {
+      if (n.alias) {
+        context.report(
+            xml_alias_element, tag,
+            fmt::format("{} in {} was read as {}", element_text(tag.name), element_text(block),
+                        element_text(canonical_name(names, n.field))));
+      }
+      return n.field;
+    }
+  }
+  for (const FieldName& n : names) {
+    if (equal_ignoring_case(n.name, tag.name)) {
+      context.report(xml_name_case, tag,
+                     fmt::format("{} in {} was read as {}", element_text(tag.name),
+                                 element_text(block), element_text(n.name)));
+      return n.field;
+    }
+  }
+  report_unknown_element(context, tag, block, names);
+  return std::nullopt;
+}
+
+void expect_no_attributes(const XmlContext& context, const XmlTag& tag) {
+  for (const XmlAttribute& attribute : tag.attributes) {
+    report_unknown_attribute(context, tag, attribute, {});
+  }
+}
+
+void SeenFields::note(const XmlContext& context, const XmlTag& tag, std::size_t field) {
+  if (has(field)) {
+    context.report(xml_duplicate_element, tag,
+                   fmt::format("{} is given again, after line {}; this one counts",
+                               element_text(tag.name), places_[field].line));
+  }
+  places_[field] = tag.location;
+}
+
+}  // namespace scenefile

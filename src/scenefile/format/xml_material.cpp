@@ -1,0 +1,204 @@
+#include "scenefile/format/xml_material.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/xml_values.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace scenefile {
+
+namespace {
+
+enum MaterialField : std::size_t {
+  m_diffuse,
+  m_ambient,
+  m_specular,
+  m_reflective,
+  m_transparent,
+  m_emissive,
+  m_shininess,
+  m_ior,
+  m_blend,
+  m_texture,
+  m_bump_map
+};
+
+constexpr FieldName material_names[] = {{"diffuse", m_diffuse},
+                                        {"specular", m_specular},
+                                        {"ambient", m_ambient},
+                                        {"reflective", m_reflective},
+                                        {"reflect", m_reflective, true},
+                                        {"transparent", m_transparent},
+                                        {"emissive", m_emissive},
+                                        {"shininess", m_shininess},
+                                        {"shine", m_shininess, true},
+                                        {"ior", m_ior},
+                                        {"blend", m_blend},
+                                        {"texture", m_texture},
+                                        {"bumpmap", m_bump_map}};
+
+// Where check() finds nothing to say about a value, nobody asks for its place; a scene of a million
+// primitives saves the memory.
+bool is_usual(const glm::vec3& color) {
+  return glm::all(glm::greaterThanEqual(color, glm::vec3(0))) &&
+         glm::all(glm::lessThanEqual(color, glm::vec3(1)));
+}
+
+struct Writer {
+  const XmlContext& context;
+  const XmlTag& tag;
+  PrimitiveDraft& draft;
+  Scene& scene;
+
+  void place(Field field) const {
+    scene.field_places.push_back({draft.primitive.location, field, tag.location});
+  }
+  void color(glm::vec3& member, Field field) const {
+    if (const std::optional<glm::vec3> value = read_color(context, tag)) {
+      member = *value;
+      if (!is_usual(*value)) {
+        place(field);
+      }
+    }
+  }
+  void number(float& member, Field field) const {
+    if (const std::optional<float> value = read_single(context, tag)) {
+      member = *value;
+      place(field);
+    }
+  }
+};
+
+bool is_blend_name(std::string_view name) {
+  return name == "blend" || name == "float" || name == "value" || name == "val" || name == "n";
+}
+
+// The number that the format text's sketch puts on textures.
+void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_texture) {
+  const std::string name = escaped(attribute.name, 40);
+  if (!is_texture) {
+    to.context.report(xml_texture_blend, attribute,
+                      fmt::format("attribute {} of <bumpmap> has no effect: a bump map is not "
+                                  "blended",
+                                  name));
+    return;
+  }
+  to.context.report(xml_texture_blend, attribute,
+                    fmt::format("attribute {} of <texture> was read as <blend>", name));
+  const float blend = read_number(to.context, to.tag, attribute);
+  if (!to.draft.seen.has(m_blend)) {
+    to.draft.primitive.material.blend = blend;
+  }
+}
+
+// The file name: `file`, or as other dialects call it, or the first attribute that is no number.
+const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
+  if (const XmlAttribute* file = tag.find("file")) {
+    return file;
+  }
+  const XmlAttribute* found = tag.find("filename");
+  for (const XmlAttribute& attribute : tag.attributes) {
+    const bool other = attribute.name != "u" && attribute.name != "v" &&
+                       parse_number(attribute.value).error == NumberError::malformed;
+    found = found == nullptr && other ? &attribute : found;
+  }
+  if (found == nullptr) {
+    context.report(xml_missing_attribute, tag,
+                   fmt::format("{} lacks attribute file", element_text(tag.name)));
+    return nullptr;
+  }
+  context.report(xml_alias_attribute, *found,
+                 fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
+                             element_text(tag.name)));
+  return found;
+}
+
+bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
+  if (attribute.value.size() <= context.options.limits.name_bytes) {
+    return true;
+  }
+  context.report(xml_length_limit, attribute,
+                 fmt::format("the file name of {} is longer than the limit of {} bytes",
+                             element_text(tag.name), context.options.limits.name_bytes));
+  return false;
+}
+
+std::optional<TextureUse> read_texture(const Writer& to, bool is_texture) {
+  constexpr std::string_view known[] = {"file", "u", "v"};
+  const XmlAttribute* file = find_file(to.context, to.tag);
+  if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
+    return std::nullopt;
+  }
+  TextureUse texture{std::string(file->value), 1, 1, to.tag.location};
+  for (const XmlAttribute& attribute : to.tag.attributes) {
+    if (&attribute == file) {
+      continue;
+    }
+    if (attribute.name == "u") {
+      texture.repeat_u = read_number(to.context, to.tag, attribute);
+    } else if (attribute.name == "v") {
+      texture.repeat_v = read_number(to.context, to.tag, attribute);
+    } else if (is_blend_name(attribute.name)) {
+      read_bare_blend(to, attribute, is_texture);
+    } else {
+      report_unknown_attribute(to.context, to.tag, attribute, known);
+    }
+  }
+  return texture;
+}
+
+}  // namespace
+
+bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
+                         Scene& scene) {
+  const std::optional<std::size_t> field = find_field(context, tag, material_names, "object");
+  if (!field) {
+    return false;
+  }
+  draft.seen.note(context, tag, *field);
+  const Writer to{context, tag, draft, scene};
+  Material& material = draft.primitive.material;
+  switch (static_cast<MaterialField>(*field)) {
+    case m_diffuse:
+      to.color(material.diffuse, Field::diffuse);
+      break;
+    case m_ambient:
+      to.color(material.ambient, Field::ambient);
+      break;
+    case m_specular:
+      to.color(material.specular, Field::specular);
+      break;
+    case m_reflective:
+      to.color(material.reflective, Field::reflective);
+      break;
+    case m_transparent:
+      to.color(material.transparent, Field::transparent);
+      break;
+    case m_emissive:
+      context.report(xml_ignored_element, tag, "<emissive> has no effect: objects do not shine");
+      break;
+    case m_shininess:
+      to.number(material.shininess, Field::shininess);
+      break;
+    case m_ior:
+      to.number(material.ior, Field::ior);
+      break;
+    case m_blend:
+      to.number(material.blend, Field::blend);
+      break;
+    case m_texture:
+      material.texture = read_texture(to, true);
+      break;
+    case m_bump_map:
+      material.bump_map = read_texture(to, false);
+      break;
+  }
+  return true;
+}
+
+}  // namespace scenefile

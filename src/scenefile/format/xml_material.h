@@ -1,0 +1,19 @@
+#pragma once
+// What stands in <object type="primitive">. Internal to the room.
+
+#include "scenefile/format/xml_fields.h"
+#include "scenefile/scene/scene.h"
+
+namespace scenefile {
+
+/// A primitive that is being read.
+struct PrimitiveDraft {
+  Primitive primitive;
+  SeenFields seen;
+};
+
+/// A child of a primitive. False: to be left out with everything in it.
+bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
+                         Scene& scene);
+
+}  // namespace scenefile

@@ -1,0 +1,209 @@
+#include "scenefile/format/xml_object.h"
+
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/xml_values.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> type_names = {"tree", "master", "primitive"};
+constexpr std::array<std::string_view, 5> shape_names = {"cube", "cone", "cylinder", "sphere",
+                                                         "mesh"};
+
+// The index of the name, in any case; names.size(): it is none of them.
+template <std::size_t N>
+std::size_t index_of(const std::array<std::string_view, N>& names, std::string_view word) {
+  std::size_t i = 0;
+  while (i < N && !equal_ignoring_case(names[i], word)) {
+    ++i;
+  }
+  return i;
+}
+
+void report_case(const XmlContext& context, const XmlAttribute& attribute,
+                 std::string_view canonical) {
+  if (attribute.value != canonical) {
+    context.report(
+        xml_name_case, attribute,
+        fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical));
+  }
+}
+
+std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribute& attribute) {
+  const std::size_t i = index_of(type_names, attribute.value);
+  if (i < type_names.size()) {
+    report_case(context, attribute, type_names[i]);
+    return static_cast<ObjectType>(i);
+  }
+  const std::string_view near = nearest_name(attribute.value, type_names);
+  const std::string type = quoted(attribute.value);
+  if (near.empty()) {
+    context.report(
+        xml_unknown_object_type, attribute,
+        fmt::format("object type {} is not of the format; the object was ignored", type));
+  } else {
+    context.report(xml_object_type, attribute,
+                   fmt::format("unknown object type {}{}", type, did_you_mean(near)));
+  }
+  return std::nullopt;
+}
+
+// The attributes by their names.
+struct Found {
+  const XmlAttribute* type = nullptr;
+  const XmlAttribute* name = nullptr;
+  const XmlAttribute* filename = nullptr;
+  const XmlAttribute* meshfile = nullptr;
+  std::vector<const XmlAttribute*> others;
+
+  bool is_mesh() const { return name != nullptr && equal_ignoring_case(name->value, "mesh"); }
+};
+
+Found find_attributes(const XmlTag& tag) {
+  Found found;
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (attribute.name == "type") {
+      found.type = &attribute;
+    } else if (attribute.name == "name") {
+      found.name = &attribute;
+    } else if (attribute.name == "filename") {
+      found.filename = &attribute;
+    } else if (attribute.name == "meshfile") {
+      found.meshfile = &attribute;
+    } else {
+      found.others.push_back(&attribute);
+    }
+  }
+  return found;
+}
+
+// Reports attributes of other names. True: one is a misspelling of a name that is missing.
+bool report_others(const XmlContext& context, const XmlTag& tag, const Found& found) {
+  std::vector<std::string_view> missing;
+  if (found.type == nullptr) {
+    missing.push_back("type");
+  }
+  if (found.name == nullptr) {
+    missing.push_back("name");
+  }
+  if (found.is_mesh() && found.filename == nullptr) {
+    missing.push_back("filename");
+  }
+  bool misspelt = false;
+  for (const XmlAttribute* attribute : found.others) {
+    const std::string_view near = nearest_name(attribute->name, missing);
+    if (near.empty()) {
+      report_unknown_attribute(context, tag, *attribute, {});
+      continue;
+    }
+    context.report(xml_misspelt_attribute, *attribute,
+                   fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
+                               did_you_mean(near)));
+    misspelt = true;
+  }
+  return misspelt;
+}
+
+// Moves the file of a mesh to `filename`, however it is named.
+void settle_mesh_file(const XmlContext& context, Found& found) {
+  if (found.filename != nullptr && found.meshfile != nullptr) {
+    context.report(xml_mesh_files, *found.meshfile,
+                   "the mesh has both filename and meshfile; filename counts");
+  }
+  if (found.filename == nullptr) {
+    found.filename = found.meshfile;
+  }
+  if (found.filename == nullptr && found.is_mesh() && found.others.size() == 1 &&
+      found.name != nullptr && found.type != nullptr) {
+    found.filename = found.others.front();
+    found.others.clear();
+    context.report(xml_alias_attribute, *found.filename,
+                   fmt::format("attribute {} of <object> was read as filename",
+                               escaped(found.filename->name, 40)));
+  }
+}
+
+bool name_fits(const XmlContext& context, const XmlAttribute* attribute) {
+  const std::uint32_t limit = context.options.limits.name_bytes;
+  if (attribute == nullptr || attribute->value.size() <= limit) {
+    return true;
+  }
+  context.report(xml_length_limit, *attribute,
+                 fmt::format("attribute {} of <object> is longer than the limit of {} bytes",
+                             escaped(attribute->name, 40), limit));
+  return false;
+}
+
+}  // namespace
+
+std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag) {
+  Found found = find_attributes(tag);
+  settle_mesh_file(context, found);
+  const bool misspelt = !found.others.empty() && report_others(context, tag, found);
+  if (found.type == nullptr) {
+    if (!misspelt) {
+      context.report(xml_missing_attribute, tag,
+                     "<object> lacks attribute type: tree, master or primitive");
+    }
+    return std::nullopt;
+  }
+  const std::optional<ObjectType> type = read_type(context, *found.type);
+  if (!type || misspelt || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
+    return std::nullopt;
+  }
+  ObjectTag object{*type, {}, {}, tag.location, tag.location};
+  if (found.name != nullptr) {
+    object.name = found.name->value;
+    object.name_place = context.places.inside_tag(found.name->name.data());
+  }
+  if (found.filename != nullptr) {
+    object.filename = found.filename->value;
+    object.filename_place = context.places.inside_tag(found.filename->name.data());
+  }
+  return object;
+}
+
+std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
+                                const ObjectTag& object) {
+  const XmlAttribute* name = tag.find("name");
+  if (name == nullptr) {
+    context.report(xml_missing_attribute, tag,
+                   "<object type=\"primitive\"> lacks attribute name, the shape");
+    return std::nullopt;
+  }
+  const std::size_t i = index_of(shape_names, name->value);
+  if (i == shape_names.size()) {
+    const std::string_view near = nearest_name(name->value, shape_names);
+    const std::string shape = quoted(name->value);
+    if (near.empty()) {
+      context.report(xml_unknown_shape, *name,
+                     fmt::format("shape {} is not of the format; it is not drawn", shape));
+    } else {
+      context.report(xml_misspelt_shape, *name,
+                     fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
+    }
+    return std::nullopt;
+  }
+  report_case(context, *name, shape_names[i]);
+  const auto shape = static_cast<Shape>(i);
+  if (shape == Shape::mesh && object.filename.empty()) {
+    context.report(xml_missing_attribute, tag, "the mesh lacks attribute filename");
+    return std::nullopt;
+  }
+  if (shape != Shape::mesh && !object.filename.empty()) {
+    context.diagnostics.report(
+        xml_unknown_attribute, object.filename_place,
+        fmt::format("the file name has no effect: a {} is no mesh", shape_names[i]));
+  }
+  return shape;
+}
+
+}  // namespace scenefile

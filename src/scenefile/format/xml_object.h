@@ -1,0 +1,32 @@
+#pragma once
+// The start tag of <object>. Internal to the room.
+
+#include "scenefile/base/shape.h"
+#include "scenefile/format/xml_context.h"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace scenefile {
+
+enum class ObjectType : std::uint8_t { tree, master, primitive };
+
+struct ObjectTag {
+  ObjectType type = ObjectType::tree;
+  std::string_view name;      ///< may be empty
+  std::string_view filename;  ///< of a mesh
+  Location name_place;        ///< of the attribute, else of the tag
+  Location filename_place;
+};
+
+/// Reads the attributes. Nothing, when the object is to be left out: after an error, or a warning
+/// about a type that is not of the format.
+std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag);
+
+/// The shape that a primitive names. Nothing, when it is to be left out: after an error, or a
+/// warning about a shape that is not of the format.
+std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
+                                const ObjectTag& object);
+
+}  // namespace scenefile

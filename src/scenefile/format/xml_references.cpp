@@ -1,0 +1,125 @@
+#include "scenefile/format/xml_references.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// The only tree of that name inside another tree.
+std::optional<NodeId> find_nested(const Scene& scene, std::string_view name) {
+  std::optional<NodeId> found;
+  for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+    const Node& node = scene.nodes[i];
+    if (node.name == name && !node.children.empty() && node.primitives.empty()) {
+      if (found) {
+        return std::nullopt;
+      }
+      found = i;
+    }
+  }
+  return found;
+}
+
+// Turns the contents of a node into a template of its name, and the node into an instance of it.
+void make_template(Scene& scene, NodeId nested) {
+  const NodeId added = add_template(scene, scene.nodes[nested].name);
+  scene.nodes[added].location = scene.nodes[nested].location;
+  scene.nodes[added].children = std::exchange(scene.nodes[nested].children, {});
+  scene.nodes[nested].instance_of = scene.nodes[nested].name;
+}
+
+}  // namespace
+
+bool XmlReferences::declare(const XmlContext& context, std::string_view name, Location place) {
+  const auto [entry, added] = declared_.emplace(name, place);
+  if (!added) {
+    context.diagnostics.report(xml_duplicate_name, place,
+                               fmt::format("a second tree named {}; the first one is at line {}",
+                                           quoted(name), entry->second.line));
+  }
+  return added;
+}
+
+void XmlReferences::use(Scene& scene, NodeId node, std::string_view name, Location place,
+                        bool is_tree) {
+  scene.nodes[node].instance_of = name;
+  scene.field_places.push_back({scene.nodes[node].location, Field::instance_of, place});
+  if (!declared_.contains(std::string(name))) {
+    early_uses_.push_back({node, place, is_tree});
+  }
+}
+
+void XmlReferences::move_last_use(NodeId from, NodeId to) {
+  if (!early_uses_.empty() && early_uses_.back().node == from) {
+    early_uses_.back().node = to;
+  }
+}
+
+void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location scenefile) {
+  for (const Use& use : early_uses_) {
+    resolve_use(context, scene, use);
+  }
+  if (!declared_.contains("root")) {
+    resolve_root(context, scene, scenefile);
+  }
+}
+
+// A name that nothing bears is left as it is: check() reports it.
+void XmlReferences::resolve_use(const XmlContext& context, Scene& scene, const Use& use) {
+  const std::string name = scene.nodes[use.node].instance_of;
+  if (declared_.contains(name)) {
+    context.diagnostics.report(xml_forward_reference, use.place,
+                               fmt::format("{} is used before it is declared, at line {}",
+                                           quoted(name), declared_.at(name).line));
+    return;
+  }
+  if (use.is_tree) {
+    context.diagnostics.report(
+        xml_empty_tree, use.place,
+        fmt::format("the tree {} is empty, and no master has that name", quoted(name)));
+    scene.nodes[use.node].instance_of.clear();
+    return;
+  }
+  if (const std::optional<NodeId> nested = find_nested(scene, name)) {
+    context.diagnostics.report(
+        xml_nested_master, use.place,
+        fmt::format(
+            "{} is a tree inside another tree, at line {}; most programs know only those at "
+            "the top of the file",
+            quoted(name), scene.nodes[*nested].location.line));
+    declared_.emplace(name, scene.nodes[*nested].location);
+    make_template(scene, *nested);
+  }
+}
+
+void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
+                                 Location scenefile) const {
+  const auto is_root = [&](NodeId id) { return equal_ignoring_case(scene.nodes[id].name, "root"); };
+  auto& templates = scene.templates;
+  const auto found = std::find_if(templates.begin(), templates.end(), is_root);
+  if (found != templates.end()) {
+    Node& node = scene.nodes[*found];
+    context.diagnostics.report(xml_name_case, node.location,
+                               fmt::format("the tree {} was read as root", quoted(node.name)));
+    scene.nodes[scene.root].children = std::exchange(node.children, {});
+    scene.nodes[scene.root].location = node.location;
+    templates.erase(found);
+    return;
+  }
+  const std::string hint =
+      templates.size() == 1
+          ? fmt::format("; is {} meant to be it?", quoted(scene.nodes[templates[0]].name))
+          : std::string();
+  context.diagnostics.report(xml_no_root, scenefile,
+                             "the scene has no tree named root, so the picture is empty" + hint);
+}
+
+}  // namespace scenefile

@@ -1,0 +1,551 @@
+#include "scenefile/format/xml_scene.h"
+
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/xml_camera.h"
+#include "scenefile/format/xml_fields.h"
+#include "scenefile/format/xml_light.h"
+#include "scenefile/format/xml_material.h"
+#include "scenefile/format/xml_object.h"
+#include "scenefile/format/xml_reader.h"
+#include "scenefile/format/xml_references.h"
+#include "scenefile/format/xml_transform.h"
+#include "scenefile/format/xml_values.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+enum class Block : std::uint8_t {
+  document,
+  scenefile,
+  globals,
+  camera,
+  light,
+  tree,
+  transblock,
+  primitive,
+  instance,
+  matrix,
+  leaf
+};
+
+// An element that is being read.
+struct Frame {
+  Block block = Block::leaf;
+  bool has_content = false;  // transblock: its object has come; tree: a transblock has
+  bool is_implicit = false;  // transblock that is not in the file
+  bool is_nested = false;    // tree inside a transblock
+  NodeId node = 0;           // tree, transblock, primitive, instance
+  std::string_view element;  // as written
+  Location name_place;       // tree
+};
+
+enum TopField : std::size_t { t_globals, t_camera, t_light, t_object };
+constexpr FieldName top_names[] = {{"globaldata", t_globals},
+                                   {"cameradata", t_camera},
+                                   {"lightdata", t_light},
+                                   {"object", t_object}};
+
+enum BlockField : std::size_t { b_translate, b_rotate, b_scale, b_matrix, b_object };
+constexpr FieldName block_names[] = {{"translate", b_translate},
+                                     {"rotate", b_rotate},
+                                     {"scale", b_scale},
+                                     {"matrix", b_matrix},
+                                     {"object", b_object}};
+
+// Builds the scene while the file is read. Holds the elements that are open and nothing of those
+// that are closed but what they mean.
+class SceneBuilder final : public XmlHandler {
+ public:
+  explicit SceneBuilder(const XmlContext& context) : context_(context) { push(Block::document, 0); }
+
+  bool start(const XmlTag& tag) override;
+  void end() override;
+  void text(std::string_view characters, Location location) override;
+
+  // At the end of the file, or where reading it stopped.
+  Scene finish(bool complete);
+
+ private:
+  bool open(const XmlTag& tag);
+  bool open_document(const XmlTag& tag);
+  bool open_top(const XmlTag& tag);
+  bool open_globals(const XmlTag& tag);
+  bool open_light(const XmlTag& tag);
+  bool open_top_object(const XmlTag& tag);
+  bool open_in_tree(const XmlTag& tag);
+  bool open_transblock(const XmlTag& tag);
+  bool open_in_transblock(const XmlTag& tag);
+  bool open_transform(const XmlTag& tag, std::optional<Transform> transform);
+  bool open_matrix(const XmlTag& tag);
+  bool open_object(const XmlTag& tag);
+  bool open_tree(const XmlTag& tag, const ObjectTag& object);
+  bool open_instance(const XmlTag& tag, const ObjectTag& object);
+  bool open_primitive(const XmlTag& tag, const ObjectTag& object);
+  bool open_leaf(const XmlTag& tag, bool known);
+  bool ignore(const Code& code, const XmlTag& tag, std::string message);
+
+  bool push(Block block, NodeId node, std::string_view element = {});
+  Frame& top() { return frames_.back(); }
+  NodeId add_node(Location location);
+  NodeId add_child_node(NodeId parent, Location location);
+  void flush_transforms(NodeId node);
+  void make_room_for_object(NodeId node);
+  void add_transform(Transform transform);
+  void end_tree(const Frame& tree);
+  void end_transblock(const Frame& block);
+
+  XmlContext context_;
+  Scene scene_;
+  XmlReferences references_;
+  std::vector<Frame> frames_;
+  std::size_t ignored_ = 0;  // elements open inside one that is left out, and itself
+  bool stopped_ = false;
+  bool text_reported_ = false;
+  Location scenefile_;
+
+  // What is being read; none of these can stand inside itself.
+  SeenFields globals_;
+  CameraDraft camera_;
+  LightDraft light_;
+  PrimitiveDraft primitive_;
+  MatrixDraft matrix_;
+  std::vector<Transform> transforms_;  // of the innermost transblock, until its object comes
+};
+
+bool SceneBuilder::start(const XmlTag& tag) {
+  if (ignored_ != 0 || !open(tag)) {
+    ++ignored_;
+  }
+  return !stopped_;
+}
+
+void SceneBuilder::end() {
+  if (ignored_ != 0) {
+    --ignored_;
+    return;
+  }
+  const Frame ended = top();
+  frames_.pop_back();
+  switch (ended.block) {
+    case Block::camera:
+      finish_camera(context_, camera_, scene_);
+      break;
+    case Block::light:
+      finish_light(context_, light_, scene_);
+      break;
+    case Block::primitive:
+      scene_.nodes[ended.node].primitives.push_back(std::move(primitive_.primitive));
+      break;
+    case Block::matrix:
+      if (std::optional<Transform> matrix = finish_matrix(context_, matrix_)) {
+        add_transform(*matrix);
+      }
+      break;
+    case Block::tree:
+      end_tree(ended);
+      break;
+    case Block::transblock:
+      end_transblock(ended);
+      break;
+    case Block::document:
+    case Block::scenefile:
+    case Block::globals:
+    case Block::instance:
+    case Block::leaf:
+      break;
+  }
+  if (top().is_implicit) {
+    frames_.pop_back();
+  }
+}
+
+void SceneBuilder::text(std::string_view characters, Location location) {
+  if (text_reported_ || ignored_ != 0) {
+    return;
+  }
+  text_reported_ = true;
+  context_.diagnostics.report(
+      xml_text, location,
+      fmt::format("the text {} has no effect; values are attributes, comments are written "
+                  "<!-- like this -->",
+                  quoted(characters.substr(0, characters.find_last_not_of(" \t") + 1))));
+}
+
+Scene SceneBuilder::finish(bool complete) {
+  if (complete) {
+    references_.resolve(context_, scene_, scenefile_);
+  }
+  return std::move(scene_);
+}
+
+// False: the element is left out with everything in it.
+bool SceneBuilder::open(const XmlTag& tag) {
+  switch (top().block) {
+    case Block::document:
+      return open_document(tag);
+    case Block::scenefile:
+      return open_top(tag);
+    case Block::globals:
+      return open_leaf(tag, read_global(context_, tag, globals_, scene_));
+    case Block::camera:
+      return open_leaf(tag, read_camera_part(context_, tag, camera_));
+    case Block::light:
+      return open_leaf(tag, read_light_part(context_, tag, light_));
+    case Block::primitive:
+      return open_leaf(tag, read_primitive_part(context_, tag, primitive_, scene_));
+    case Block::matrix:
+      read_matrix_child(context_, tag, matrix_);
+      return open_leaf(tag, true);
+    case Block::tree:
+      return open_in_tree(tag);
+    case Block::transblock:
+      return open_in_transblock(tag);
+    case Block::instance:
+      return ignore(xml_instance_children, tag,
+                    fmt::format("{} inside an instance has no effect", element_text(tag.name)));
+    case Block::leaf:
+      report_unknown_element(context_, tag, top().element);
+      return false;
+  }
+  return false;
+}
+
+bool SceneBuilder::open_document(const XmlTag& tag) {
+  if (!equal_ignoring_case(tag.name, "scenefile")) {
+    context_.report(xml_root_element, tag,
+                    fmt::format("the file is no scene: expected <scenefile>, found {}",
+                                element_text(tag.name)));
+    stopped_ = true;
+    return false;
+  }
+  if (tag.name != "scenefile") {
+    context_.report(xml_name_case, tag,
+                    fmt::format("{} was read as <scenefile>", element_text(tag.name)));
+  }
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (!attribute.name.starts_with("xml")) {
+      report_unknown_attribute(context_, tag, attribute, {});
+    }
+  }
+  scenefile_ = tag.location;
+  return push(Block::scenefile, 0, tag.name);
+}
+
+bool SceneBuilder::open_top(const XmlTag& tag) {
+  const std::optional<std::size_t> field = find_field(context_, tag, top_names, top().element);
+  if (!field) {
+    return false;
+  }
+  switch (static_cast<TopField>(*field)) {
+    case t_globals:
+      return open_globals(tag);
+    case t_camera:
+      expect_no_attributes(context_, tag);
+      camera_ = {};
+      camera_.camera.location = tag.location;
+      return push(Block::camera, 0, tag.name);
+    case t_light:
+      return open_light(tag);
+    case t_object:
+      return open_top_object(tag);
+  }
+  return false;
+}
+
+bool SceneBuilder::open_globals(const XmlTag& tag) {
+  expect_no_attributes(context_, tag);
+  if (scene_.global.location.known()) {
+    context_.report(xml_duplicate_element, tag,
+                    fmt::format("a second <globaldata>, after line {}; what it gives counts",
+                                scene_.global.location.line));
+  }
+  globals_ = {};
+  scene_.global.location = tag.location;
+  return push(Block::globals, 0, tag.name);
+}
+
+bool SceneBuilder::open_light(const XmlTag& tag) {
+  const std::uint32_t limit = context_.options.limits.lights;
+  if (scene_.nodes[scene_.root].lights.size() >= limit) {
+    stopped_ = true;
+    return ignore(xml_light_limit, tag,
+                  fmt::format("the scene has more lights than the limit of {}", limit));
+  }
+  light_ = begin_light(context_, tag);
+  return push(Block::light, 0, tag.name);
+}
+
+bool SceneBuilder::open_top_object(const XmlTag& tag) {
+  const std::optional<ObjectTag> object = read_object_tag(context_, tag);
+  if (!object) {
+    return false;
+  }
+  if (object->type != ObjectType::tree) {
+    return ignore(xml_misplaced_element, tag,
+                  "only trees may stand at the top of the file: this object must be inside a "
+                  "transblock of a tree; it was ignored");
+  }
+  if (object->name.empty()) {
+    return ignore(xml_master_name, tag, "a tree at the top of the file needs a name");
+  }
+  const bool is_root = object->name == "root";
+  const bool is_new = references_.declare(context_, object->name, object->name_place);
+  NodeId node = scene_.root;
+  if (!is_new || !is_root) {
+    // A tree of a name that is taken is read, for what is wrong in it, and belongs nowhere.
+    node = is_new ? add_template(scene_, std::string(object->name)) : add_node(tag.location);
+  }
+  if (is_new && !is_root && scene_.nodes[scene_.root].location.known()) {
+    context_.report(xml_master_after_root, tag,
+                    fmt::format("the master {} is declared after the root", quoted(object->name)));
+  }
+  if (is_root) {
+    scene_.nodes[node].name = "root";
+  }
+  scene_.nodes[node].location = tag.location;
+  return push(Block::tree, node, tag.name);
+}
+
+bool SceneBuilder::open_in_tree(const XmlTag& tag) {
+  constexpr std::string_view transblock = "transblock";
+  if (tag.name == transblock) {
+    return open_transblock(tag);
+  }
+  if (!nearest_name(tag.name, {&transblock, 1}).empty()) {
+    context_.report(xml_misspelt_transblock, tag,
+                    fmt::format("{} was read as <transblock>", element_text(tag.name)));
+    return open_transblock(tag);
+  }
+  if (tag.name != "object") {
+    report_unknown_element(context_, tag, top().element);
+    return false;
+  }
+  context_.report(xml_object_without_transblock, tag,
+                  "the object stands in a tree without a transblock around it");
+  top().has_content = true;
+  const std::size_t depth = frames_.size();
+  push(Block::transblock, add_child_node(top().node, tag.location), tag.name);
+  const bool opened = open_object(tag);
+  if (opened) {
+    frames_[depth].is_implicit = true;
+  } else {
+    frames_.pop_back();
+  }
+  return opened;
+}
+
+bool SceneBuilder::open_transblock(const XmlTag& tag) {
+  expect_no_attributes(context_, tag);
+  top().has_content = true;
+  return push(Block::transblock, add_child_node(top().node, tag.location), tag.name);
+}
+
+bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
+  if (top().has_content && !context_.options.compat_course) {
+    return ignore(
+        xml_after_object, tag,
+        fmt::format("{} is ignored, as all that follows the first object of a transblock; "
+                    "--compat course uses it",
+                    element_text(tag.name)));
+  }
+  const std::optional<std::size_t> field = find_field(context_, tag, block_names, top().element);
+  if (!field) {
+    return false;
+  }
+  if (top().has_content) {
+    context_.report(xml_after_object_used, tag,
+                    fmt::format("{} follows the first object of a transblock; it was used all the "
+                                "same",
+                                element_text(tag.name)));
+  }
+  switch (static_cast<BlockField>(*field)) {
+    case b_translate:
+      return open_transform(tag, read_translate(context_, tag));
+    case b_rotate:
+      return open_transform(tag, read_rotate(context_, tag));
+    case b_scale:
+      return open_transform(tag, read_scale(context_, tag));
+    case b_matrix:
+      return open_matrix(tag);
+    case b_object:
+      return open_object(tag);
+  }
+  return false;
+}
+
+bool SceneBuilder::open_transform(const XmlTag& tag, std::optional<Transform> transform) {
+  if (transform) {
+    add_transform(*transform);
+  }
+  return open_leaf(tag, true);
+}
+
+bool SceneBuilder::open_matrix(const XmlTag& tag) {
+  expect_no_attributes(context_, tag);
+  matrix_ = {};
+  matrix_.location = tag.location;
+  return push(Block::matrix, 0, tag.name);
+}
+
+// In a transblock.
+bool SceneBuilder::open_object(const XmlTag& tag) {
+  const std::optional<ObjectTag> object = read_object_tag(context_, tag);
+  make_room_for_object(top().node);
+  top().has_content = true;
+  if (!object) {
+    return false;
+  }
+  switch (object->type) {
+    case ObjectType::tree:
+      return open_tree(tag, *object);
+    case ObjectType::master:
+      return open_instance(tag, *object);
+    case ObjectType::primitive:
+      return open_primitive(tag, *object);
+  }
+  return false;
+}
+
+bool SceneBuilder::open_tree(const XmlTag& tag, const ObjectTag& object) {
+  if (object.name == "root") {
+    context_.diagnostics.report(xml_reserved_root, Severity::warning, object.name_place,
+                                "the name root belongs to the tree at the top of the file");
+  }
+  Node& node = scene_.nodes[top().node];
+  if (node.name.empty()) {
+    node.name = object.name;
+  }
+  push(Block::tree, top().node, tag.name);
+  top().is_nested = true;
+  top().name_place = object.name_place;
+  return true;
+}
+
+bool SceneBuilder::open_instance(const XmlTag& tag, const ObjectTag& object) {
+  if (object.name.empty()) {
+    return ignore(xml_master_name, tag, "an instance needs the name of a master");
+  }
+  if (object.name == "root") {
+    return ignore(xml_reserved_root, tag, "root cannot be a part of the scene; it is the scene");
+  }
+  Node& node = scene_.nodes[top().node];
+  const bool is_used = !node.primitives.empty() || !node.children.empty();
+  const NodeId id = is_used ? add_child_node(top().node, tag.location) : top().node;
+  references_.use(scene_, id, object.name, object.name_place, false);
+  return push(Block::instance, id, tag.name);
+}
+
+bool SceneBuilder::open_primitive(const XmlTag& tag, const ObjectTag& object) {
+  const std::optional<Shape> shape = read_shape(context_, tag, object);
+  if (!shape) {
+    return false;
+  }
+  primitive_ = {};
+  primitive_.primitive.shape = *shape;
+  primitive_.primitive.location = tag.location;
+  if (*shape == Shape::mesh) {
+    primitive_.primitive.mesh_file = object.filename;
+    scene_.field_places.push_back({tag.location, Field::mesh_file, object.filename_place});
+  }
+  return push(Block::primitive, top().node, tag.name);
+}
+
+// An element without children of its own.
+bool SceneBuilder::open_leaf(const XmlTag& tag, bool known) {
+  return known && push(Block::leaf, 0, tag.name);
+}
+
+bool SceneBuilder::ignore(const Code& code, const XmlTag& tag, std::string message) {
+  context_.report(code, tag, std::move(message));
+  return false;
+}
+
+bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
+  Frame frame;
+  frame.block = block;
+  frame.node = node;
+  frame.element = element;
+  frames_.push_back(frame);
+  return true;
+}
+
+NodeId SceneBuilder::add_node(Location location) {
+  scene_.nodes.emplace_back().location = location;
+  return static_cast<NodeId>(scene_.nodes.size() - 1);
+}
+
+NodeId SceneBuilder::add_child_node(NodeId parent, Location location) {
+  const NodeId child = add_node(location);
+  scene_.nodes[parent].children.push_back(child);
+  return child;
+}
+
+// All transforms so far go to the node, in an array that is just large enough.
+void SceneBuilder::flush_transforms(NodeId node) {
+  std::vector<Transform>& all = scene_.nodes[node].transforms;
+  if (all.empty()) {
+    all.assign(transforms_.begin(), transforms_.end());
+  } else {
+    all.insert(all.end(), transforms_.begin(), transforms_.end());
+  }
+  transforms_.clear();
+}
+
+// An instance has no contents of its own: when another object comes, it moves into a child.
+void SceneBuilder::make_room_for_object(NodeId node) {
+  flush_transforms(node);
+  if (scene_.nodes[node].instance_of.empty()) {
+    return;
+  }
+  const NodeId child = add_child_node(node, scene_.nodes[node].location);
+  scene_.nodes[child].instance_of = std::exchange(scene_.nodes[node].instance_of, {});
+  references_.move_last_use(node, child);
+}
+
+void SceneBuilder::add_transform(Transform transform) {
+  transforms_.push_back(transform);
+}
+
+void SceneBuilder::end_tree(const Frame& tree) {
+  if (!tree.is_nested || tree.has_content) {
+    return;
+  }
+  Node& node = scene_.nodes[tree.node];
+  const bool is_used = !node.primitives.empty() || !node.children.empty();
+  if (node.name.empty() || is_used) {
+    context_.diagnostics.report(xml_empty_tree, tree.name_place, "the tree is empty");
+    return;
+  }
+  const std::string name = std::exchange(node.name, {});
+  references_.use(scene_, tree.node, name, tree.name_place, true);
+}
+
+void SceneBuilder::end_transblock(const Frame& block) {
+  flush_transforms(block.node);
+  if (!block.has_content) {
+    context_.diagnostics.report(xml_transblock_without_object, scene_.nodes[block.node].location,
+                                "the transblock has no object, so nothing is drawn for it");
+  }
+}
+
+}  // namespace
+
+Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
+  PlaceFinder places(text);
+  SceneBuilder builder({options, diagnostics, places});
+  const bool complete = read_events(text, options.limits, places, builder, diagnostics);
+  return builder.finish(complete);
+}
+
+}  // namespace scenefile

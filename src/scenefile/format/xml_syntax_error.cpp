@@ -1,0 +1,152 @@
+#include "scenefile/format/xml_syntax_error.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/xml_tag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+std::string_view name_at(std::string_view text) {
+  return text.substr(0, text.find_first_of(" \t\r\n=/>&;\"'<"));
+}
+
+// The line that holds the offset, from its start.
+std::string_view line_at(std::string_view text, std::size_t at) {
+  const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of("\r\n", at - 1);
+  const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
+  const std::string_view rest = text.substr(start);
+  return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+bool is_conflict_marker(std::string_view line) {
+  return line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>");
+}
+
+std::string opened_at(const OpenElement& element) {
+  return fmt::format("<{}>, opened at line {}", escaped(element.name, 40), element.location.line);
+}
+
+std::string cut_off_message(std::string_view text, std::size_t at,
+                            std::span<const OpenElement> open) {
+  const bool in_markup = at < text.size() && text[at] == '<';
+  if (in_markup && text.substr(at).starts_with("<!--")) {
+    return "the file ends inside a comment; --> is missing";
+  }
+  if (open.empty()) {
+    return in_markup ? "the file ends inside a tag" : "the file ends before its first element";
+  }
+  return fmt::format("the file ends inside {}{}", in_markup ? "a tag of " : "",
+                     opened_at(open.back()));
+}
+
+std::string mismatch_message(std::string_view text, std::size_t at,
+                             std::span<const OpenElement> open) {
+  std::string_view rest = text.substr(at);
+  rest.remove_prefix(rest.starts_with("</") ? 2 : 0);
+  const std::string closing = escaped(name_at(rest), 40);
+  if (open.empty()) {
+    return fmt::format("</{}> closes nothing", closing);
+  }
+  return fmt::format("</{}> cannot close {}; </{}> is missing before it", closing,
+                     opened_at(open.back()), escaped(open.back().name, 40));
+}
+
+// Whether the offset lies in a comment that is still open there.
+bool in_comment(std::string_view text, std::size_t at) {
+  const std::size_t open = text.rfind("<!--", at);
+  return open != std::string_view::npos &&
+         text.substr(open, at - open).find("-->") == std::string_view::npos;
+}
+
+std::string quote_hint(std::string_view rest) {
+  for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
+    if (rest.starts_with(quote)) {
+      return "a typographic quotation mark, as word processors put it; use \" or '";
+    }
+  }
+  return {};
+}
+
+// Why the characters at the offset cannot stand there.
+std::string token_message(std::string_view text, std::size_t at) {
+  const std::string_view rest = text.substr(at);
+  if (const std::string hint = quote_hint(rest); !hint.empty()) {
+    return hint;
+  }
+  if (rest.empty()) {
+    return "the file ends too early";
+  }
+  const CodePoint c = first_code_point(rest);
+  if (c.bytes == 0) {
+    return fmt::format(
+        "the byte {} is not valid UTF-8; save the file as UTF-8 or declare its encoding",
+        quoted(rest.substr(0, 1)));
+  }
+  if (c.value < ' ' && c.value != '\t' && c.value != '\n' && c.value != '\r') {
+    return fmt::format("the character {} is not allowed in XML", quoted(rest.substr(0, 1)));
+  }
+  if (rest[0] == '&') {
+    return "a bare & is not allowed; write &amp;";
+  }
+  if (in_comment(text, at)) {
+    return "-- is not allowed inside a comment";
+  }
+  if (rest[0] == '<') {
+    return "< is not allowed here; inside a value write &lt;";
+  }
+  const std::string_view found =
+      rest.substr(0, std::max<std::size_t>(name_at(rest).size(), c.bytes));
+  return fmt::format("{} is not expected here", quoted(found, 20));
+}
+
+std::string message_of(SyntaxFault fault, std::string_view detail, std::string_view text,
+                       std::size_t at, std::span<const OpenElement> open) {
+  const std::string_view rest = text.substr(at);
+  switch (fault) {
+    case SyntaxFault::tag_mismatch:
+      return mismatch_message(text, at, open);
+    case SyntaxFault::cut_off:
+      return cut_off_message(text, at, open);
+    case SyntaxFault::duplicate_attribute:
+      return fmt::format("attribute {} is given twice", quoted(name_at(rest)));
+    case SyntaxFault::undefined_entity:
+      return fmt::format("the entity {} is not defined; for a bare & write &amp;",
+                         quoted(name_at(rest.substr(rest.starts_with('&')))));
+    case SyntaxFault::bad_character_reference:
+      return fmt::format("{} names no character", quoted(rest.substr(0, rest.find(';') + 1), 20));
+    case SyntaxFault::junk_after_document:
+      return fmt::format("nothing may follow the closing tag of the scene; found {}",
+                         quoted(rest.substr(0, rest.find_first_of("\r\n")), 20));
+    case SyntaxFault::late_declaration:
+      return "<?xml ...?> must be the very first thing in the file";
+    case SyntaxFault::invalid_token:
+      return token_message(text, at);
+    case SyntaxFault::other:
+      break;
+  }
+  return fmt::format("{} ({})", token_message(text, at), detail);
+}
+
+}  // namespace
+
+void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view text,
+                   std::size_t at, std::span<const OpenElement> open, Diagnostics& diagnostics) {
+  const std::string_view line = line_at(text, at);
+  if (is_conflict_marker(line)) {
+    diagnostics.report(xml_conflict_marker, PlaceFinder(text).advance_to(line.data()),
+                       fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
+    return;
+  }
+  diagnostics.report(xml_syntax, PlaceFinder(text).advance_to(text.data() + at),
+                     message_of(fault, detail, text, at, open));
+}
+
+}  // namespace scenefile

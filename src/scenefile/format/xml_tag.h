@@ -1,0 +1,69 @@
+#pragma once
+// One start tag of an XML text as the author wrote it, and places in the text. Internal to the
+// room.
+
+#include "scenefile/base/limits.h"
+#include "scenefile/base/location.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace scenefile {
+
+/// `name` lies in the text of the file, so that its place can be told; `value` only where no
+/// character of it had to be replaced.
+struct XmlAttribute {
+  std::string_view name;
+  std::string_view value;
+};
+
+/// Valid during the call that hands it out.
+struct XmlTag {
+  std::string_view name;  ///< lies in the text of the file, just behind the `<`
+  std::span<const XmlAttribute> attributes;
+  Location location;  ///< of the `<`
+
+  const XmlAttribute* find(std::string_view attribute) const;
+};
+
+/// Why a tag is refused before its meaning is looked at.
+enum class TagFault : std::uint8_t { none, name_too_long, too_many_attributes, value_too_long };
+
+struct TagScan {
+  std::string_view name;
+  TagFault fault = TagFault::none;
+  XmlAttribute culprit;  ///< under name_too_long and value_too_long, if it is an attribute
+};
+
+/// Finds the parts of the start tag at the front of `text`, which is well-formed but may be cut off
+/// anywhere. Values are as written, with their references.
+TagScan scan_tag(std::string_view text, const Limits& limits, std::vector<XmlAttribute>& out);
+
+/// Lines and columns of a text. Each call moves on from the place found before, so that all places
+/// of a file together cost one pass over it.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::string_view text);
+
+  /// The place of a tag or text; calls must be in the order of the text.
+  Location advance_to(const char* at);
+  /// A place inside the tag that was advanced to last.
+  Location inside_tag(const char* at);
+
+ private:
+  struct Cursor {
+    const char* at;
+    Location location{1, 1};
+  };
+  void move(Cursor& cursor, const char* to) const;
+
+  const char* end_;
+  bool lone_cr_;  ///< carriage returns end lines by themselves
+  Cursor tag_;
+  Cursor inside_;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,317 @@
+#include "scenefile/format/xml_values.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+constexpr AttributeForm single_forms[] = {
+    {{"v"}}, {{"value"}, true}, {{"val"}, true}, {{"n"}, true}};
+constexpr AttributeForm word_forms[] = {
+    {{"v"}}, {{"value"}, true}, {{"id"}, true}, {{"thing"}, true}};
+constexpr AttributeForm vector_forms[] = {{{"x", "y", "z"}}};
+constexpr AttributeForm color_forms[] = {{{"r", "g", "b"}, false, "a"},
+                                         {{"x", "y", "z"}, true, "w"}};
+constexpr AttributeForm attenuation_forms[] = {
+    {{"v1", "v2", "v3"}}, {{"x", "y", "z"}}, {{"a", "b", "c"}}};
+constexpr AttributeForm row_forms[] = {{{"a", "b", "c", "d"}}, {{"v1", "v2", "v3", "v4"}}};
+
+constexpr Signature single_signature{single_forms, 1};
+constexpr Signature word_signature{word_forms, 1};
+constexpr Signature vector_signature{vector_forms, 3};
+constexpr Signature color_signature{color_forms, 3};
+constexpr Signature attenuation_signature{attenuation_forms, 3};
+constexpr Signature row_signature{row_forms, 4};
+
+struct FoundForm {
+  Parts parts{};
+  std::size_t count = 0;
+  bool dialect = false;
+};
+
+FoundForm find_form(const XmlTag& tag, const AttributeForm& form, std::size_t parts) {
+  FoundForm found;
+  found.dialect = form.dialect;
+  for (std::size_t i = 0; i < parts; ++i) {
+    found.parts[i] = tag.find(form.names[i]);
+    found.count += found.parts[i] != nullptr;
+  }
+  return found;
+}
+
+// The form of which the most names are there, and for what it lacks, those of the others.
+FoundForm find_best_form(const XmlTag& tag, const Signature& signature) {
+  FoundForm best;
+  for (const AttributeForm& form : signature.forms) {
+    const FoundForm found = find_form(tag, form, signature.parts);
+    best = found.count > best.count ? found : best;
+  }
+  if (best.count == 0 || best.count == signature.parts) {
+    return best;
+  }
+  for (const AttributeForm& form : signature.forms) {
+    const FoundForm found = find_form(tag, form, signature.parts);
+    for (std::size_t i = 0; i < signature.parts; ++i) {
+      if (best.parts[i] == nullptr && found.parts[i] != nullptr) {
+        best.parts[i] = found.parts[i];
+        best.dialect = true;
+        ++best.count;
+      }
+    }
+  }
+  return best;
+}
+
+// The names that messages give the parts: "r, g, b".
+std::string names_text(const Signature& signature) {
+  const auto& names = signature.forms.front().names;
+  return fmt::format("{}", fmt::join(names.begin(), names.begin() + signature.parts, ", "));
+}
+
+std::vector<std::string_view> missing_names(const Signature& signature, const Parts& parts) {
+  // In the form that the author began to use.
+  const AttributeForm* form = &signature.forms.front();
+  for (const AttributeForm& candidate : signature.forms) {
+    for (std::size_t i = 0; i < signature.parts; ++i) {
+      if (parts[i] != nullptr && parts[i]->name == candidate.names[i] &&
+          form->names[i] != candidate.names[i]) {
+        form = &candidate;
+      }
+    }
+  }
+  std::vector<std::string_view> missing;
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    if (parts[i] == nullptr) {
+      missing.push_back(form->names[i]);
+    }
+  }
+  return missing;
+}
+
+bool is_part(const Parts& parts, const XmlAttribute& attribute) {
+  return std::find(parts.begin(), parts.end(), &attribute) != parts.end();
+}
+
+bool is_alpha(const Signature& signature, const XmlAttribute& attribute) {
+  return std::any_of(signature.forms.begin(), signature.forms.end(),
+                     [&](const AttributeForm& form) {
+                       return !form.alpha.empty() && form.alpha == attribute.name;
+                     });
+}
+
+// Reports the attributes that hold no part. True: one of them is a missing part, misspelt.
+bool report_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                   const Parts& parts) {
+  const std::vector<std::string_view> missing = missing_names(signature, parts);
+  bool misspelt = false;
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (is_part(parts, attribute)) {
+      continue;
+    }
+    const std::string_view near = nearest_name(attribute.name, missing);
+    if (is_alpha(signature, attribute)) {
+      context.report(xml_color_alpha, attribute,
+                     fmt::format("attribute {} of {} has no effect: a color has three parts",
+                                 attribute.name, element_text(tag.name)));
+    } else if (!near.empty()) {
+      context.report(xml_misspelt_attribute, attribute,
+                     fmt::format("unknown attribute {} of {}{}", escaped(attribute.name, 40),
+                                 element_text(tag.name), did_you_mean(near)));
+      misspelt = true;
+    } else {
+      report_unknown_attribute(context, tag, attribute, {});
+    }
+  }
+  return misspelt;
+}
+
+// All attributes in their order, as programs read them that do not look at the names.
+Parts by_order(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
+  Parts parts{};
+  for (std::size_t i = 0; i < tag.attributes.size(); ++i) {
+    parts[i] = &tag.attributes[i];
+  }
+  const XmlAttribute& first = tag.attributes.front();
+  if (signature.parts == 1) {
+    context.report(xml_alias_attribute, first,
+                   fmt::format("attribute {} of {} was read as {}", escaped(first.name, 40),
+                               element_text(tag.name), names_text(signature)));
+  } else {
+    context.report(xml_positional_attributes, first,
+                   fmt::format("the attributes of {} were read in their order, as {}",
+                               element_text(tag.name), names_text(signature)));
+  }
+  return parts;
+}
+
+void report_alias(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                  const Parts& parts) {
+  const AttributeForm& canonical = signature.forms.front();
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    if (parts[i] != nullptr && parts[i]->name != canonical.names[i]) {
+      context.report(xml_alias_attribute, *parts[i],
+                     fmt::format("attribute {} of {} was read as {}", parts[i]->name,
+                                 element_text(tag.name), canonical.names[i]));
+      return;
+    }
+  }
+}
+
+// The usual case, told by few comparisons: the canonical names in their order and nothing else.
+bool is_canonical(const XmlTag& tag, const Signature& signature) {
+  if (tag.attributes.size() != signature.parts) {
+    return false;
+  }
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    if (tag.attributes[i].name != signature.forms.front().names[i]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string comma_hint(std::string_view value) {
+  std::string with_point(value);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  const bool fits = with_point != value && parse_number(with_point).error == NumberError::none;
+  return fits ? did_you_mean(with_point) : std::string();
+}
+
+std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag,
+                                    const Signature& signature) {
+  const std::optional<Parts> parts = find_parts(context, tag, signature);
+  if (!parts) {
+    return std::nullopt;
+  }
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
+  }
+  return result;
+}
+
+}  // namespace
+
+void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
+                              const XmlAttribute& attribute,
+                              std::span<const std::string_view> known) {
+  context.report(
+      xml_unknown_attribute, attribute,
+      fmt::format("unknown attribute {} of {} has no effect{}", escaped(attribute.name, 40),
+                  element_text(tag.name), did_you_mean(nearest_name(attribute.name, known))));
+}
+
+void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                    const Parts& parts) {
+  const std::vector<std::string_view> missing = missing_names(signature, parts);
+  context.report(xml_missing_attribute, tag,
+                 fmt::format("{} lacks attribute{} {}", element_text(tag.name),
+                             missing.size() == 1 ? "" : "s", fmt::join(missing, ", ")));
+}
+
+std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
+                                const Signature& signature) {
+  if (is_canonical(tag, signature)) {
+    Parts parts{};
+    for (std::size_t i = 0; i < signature.parts; ++i) {
+      parts[i] = &tag.attributes[i];
+    }
+    return parts;
+  }
+  const FoundForm found = find_best_form(tag, signature);
+  if (found.count == 0 && tag.attributes.size() == signature.parts) {
+    return by_order(context, tag, signature);
+  }
+  if (found.dialect) {
+    report_alias(context, tag, signature, found.parts);
+  }
+  const bool misspelt = report_others(context, tag, signature, found.parts);
+  if (misspelt) {
+    return std::nullopt;
+  }
+  if (found.count < signature.parts && !signature.optional) {
+    report_missing(context, tag, signature, found.parts);
+    return std::nullopt;
+  }
+  return found.parts;
+}
+
+float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
+  const ParsedNumber number = parse_number(attribute.value);
+  if (number.error == NumberError::none) {
+    return static_cast<float>(number.value);
+  }
+  const std::string what =
+      fmt::format("attribute {} of {}", escaped(attribute.name, 40), element_text(tag.name));
+  const std::string value = quoted(attribute.value);
+  switch (number.error) {
+    case NumberError::none:
+      break;
+    case NumberError::empty:
+      context.report(xml_empty_number, attribute, what + " is empty; it counts as 0");
+      break;
+    case NumberError::out_of_range:
+      context.report(xml_number_range, attribute,
+                     fmt::format("{}: {} is too large for a number", what, value));
+      break;
+    case NumberError::malformed:
+      if (!context.options.compat_course) {
+        context.report(
+            xml_number, attribute,
+            fmt::format("{}: {} is not a number{}", what, value, comma_hint(attribute.value)));
+        break;
+      }
+      context.diagnostics.report(xml_number, Severity::warning,
+                                 context.places.inside_tag(attribute.name.data()),
+                                 fmt::format("{}: {} is not a number; it was read as {}", what,
+                                             value, number_text(static_cast<float>(number.value))));
+      return static_cast<float>(number.value);
+  }
+  return 0;
+}
+
+std::optional<float> read_single(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<Parts> parts = find_parts(context, tag, single_signature);
+  return parts ? std::optional(read_number(context, tag, *(*parts)[0])) : std::nullopt;
+}
+
+std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<Parts> parts = find_parts(context, tag, word_signature);
+  return parts ? std::optional((*parts)[0]->value) : std::nullopt;
+}
+
+std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& tag) {
+  return read_three(context, tag, vector_signature);
+}
+
+std::optional<glm::vec3> read_color(const XmlContext& context, const XmlTag& tag) {
+  return read_three(context, tag, color_signature);
+}
+
+std::optional<glm::vec3> read_attenuation(const XmlContext& context, const XmlTag& tag) {
+  return read_three(context, tag, attenuation_signature);
+}
+
+std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<Parts> parts = find_parts(context, tag, row_signature);
+  if (!parts) {
+    return std::nullopt;
+  }
+  glm::vec4 row;
+  for (int i = 0; i < 4; ++i) {
+    row[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
+  }
+  return row;
+}
+
+}  // namespace scenefile

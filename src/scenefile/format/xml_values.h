@@ -1,0 +1,58 @@
+#pragma once
+// From the attributes of a tag to numbers and text, in every way that the dialects name them.
+// Internal to the room.
+
+#include "scenefile/format/xml_context.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace scenefile {
+
+/// One way to name the parts of a value.
+struct AttributeForm {
+  std::array<std::string_view, 4> names;  ///< as many as the value has parts
+  bool dialect = false;                   ///< worth a warning
+  std::string_view alpha{};               ///< one more, which has no effect
+};
+
+/// All ways to name the parts of a value; the first is the one that messages name.
+struct Signature {
+  std::span<const AttributeForm> forms;
+  std::size_t parts = 1;
+  bool optional = false;  ///< the caller judges missing parts itself
+};
+
+/// The attributes that hold the parts; null: missing.
+using Parts = std::array<const XmlAttribute*, 4>;
+
+/// Finds the parts by their names, else by another form, else by their order, and reports what is
+/// assumed, unknown or missing. Nothing, after an error, when a part that must be there is missing.
+std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
+                                const Signature& signature);
+/// The error for parts that are missing.
+void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                    const Parts& parts);
+
+/// The value of a numeric attribute; reports what is wrong with it. 0 after an error.
+float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute);
+
+/// Each of these gives nothing, after an error, when an attribute is missing.
+std::optional<float> read_single(const XmlContext& context, const XmlTag& tag);
+std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
+std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& tag);
+std::optional<glm::vec3> read_color(const XmlContext& context, const XmlTag& tag);
+std::optional<glm::vec3> read_attenuation(const XmlContext& context, const XmlTag& tag);
+std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag);
+
+/// The attribute is not part of the format; suggests the nearest of `known`.
+void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
+                              const XmlAttribute& attribute,
+                              std::span<const std::string_view> known);
+
+}  // namespace scenefile

@@ -1,0 +1,55 @@
+#include "app/codes.h"
+
+#include "scenefile/asset/codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/scene/codes.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+std::vector<const Code*> collect() {
+  std::vector<const Code*> codes{&render_no_directional_light};
+  for (const auto& room : {format_codes(), scene_codes(), asset_codes()}) {
+    codes.insert(codes.end(), room.begin(), room.end());
+  }
+  std::sort(codes.begin(), codes.end(),
+            [](const Code* a, const Code* b) { return a->name < b->name; });
+  return codes;
+}
+
+}  // namespace
+
+std::span<const Code* const> all_codes() {
+  static const std::vector<const Code*> codes = collect();
+  return codes;
+}
+
+std::span<const std::string_view> code_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> result;
+    for (const Code* code : all_codes()) {
+      result.push_back(code->name);
+    }
+    return result;
+  }();
+  return names;
+}
+
+const Code* find_code(std::string_view name) {
+  const auto codes = all_codes();
+  const auto found =
+      std::find_if(codes.begin(), codes.end(), [&](const Code* c) { return c->name == name; });
+  return found == codes.end() ? nullptr : *found;
+}
+
+std::string_view severity_name(Severity severity) {
+  static constexpr std::array<std::string_view, 3> names{"note", "warning", "error"};
+  return names[static_cast<std::size_t>(severity)];
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,47 @@
+#pragma once
+// What a command of the program is.
+
+#include "app/options.h"
+
+#include <span>
+#include <string_view>
+
+namespace scenefile::app {
+
+/// The exit status. With several inputs the first of these that occurs, from the top.
+enum class ExitCode : int {
+  environment = 3,  ///< something cannot be read or written, or memory ran out
+  limit = 4,        ///< the input is larger than the limits allow
+  findings = 1,     ///< errors in the input
+  usage = 2,
+  fine = 0,
+};
+
+/// The one that goes first in the list.
+ExitCode worse(ExitCode a, ExitCode b);
+
+/// What the program is doing, for the message should memory run out: static text.
+struct Context {
+  std::string_view phase = "starting";
+};
+
+struct Command {
+  std::string_view name;
+  unsigned bit;                ///< in OptionRow::commands
+  std::string_view arguments;  ///< such as "SCENE..."
+  std::string_view summary;    ///< one line
+  std::string_view description;
+  std::string_view examples;  ///< lines
+  ExitCode (*run)(const Options&, Context&);
+};
+
+/// All commands, in the order of the help.
+std::span<const Command> commands();
+
+ExitCode run_check(const Options& options, Context& context);
+ExitCode run_help(const Options& options, Context& context);
+ExitCode run_info(const Options& options, Context& context);
+ExitCode run_render(const Options& options, Context& context);
+ExitCode run_version(const Options& options, Context& context);
+
+}  // namespace scenefile::app

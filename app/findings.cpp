@@ -1,0 +1,68 @@
+#include "app/findings.h"
+
+#include "app/output.h"
+#include "scenefile/base/report.h"
+
+#include <algorithm>
+
+namespace scenefile::app {
+
+namespace {
+
+// Limits have codes of their own, in every room.
+bool is_limit(const Diagnostic& d) {
+  return d.severity == Severity::error && d.code->name.ends_with("-limit");
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+void apply_policy(const Options& options, Diagnostics& diagnostics) {
+  diagnostics.rewrite([&](const Code& code, Severity severity) -> std::optional<Severity> {
+    if (severity == Severity::error) {
+      return severity;
+    }
+    if (contains(options.allowed_codes, code.name)) {
+      return std::nullopt;
+    }
+    const bool raised = severity == Severity::warning &&
+                        (options.deny_warnings || (options.strict && code.dialect));
+    return raised ? Severity::error : severity;
+  });
+}
+
+ExitCode status_of(const LoadedScene& scene) {
+  if (!scene.unreadable.empty()) {
+    return scene.unreadable.over_limit ? ExitCode::limit : ExitCode::environment;
+  }
+  const std::vector<Diagnostic>& list = scene.diagnostics.list();
+  if (std::any_of(list.begin(), list.end(), is_limit)) {
+    return ExitCode::limit;
+  }
+  return scene.diagnostics.has_errors() ? ExitCode::findings : ExitCode::fine;
+}
+
+std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool color) {
+  const std::string name = shown_name(scene.path);
+  if (!scene.unreadable.empty()) {
+    return "scenefile: " + scene.unreadable.text + "\n";
+  }
+  Diagnostics shown = scene.diagnostics;
+  if (verbosity == Verbosity::errors) {
+    shown.rewrite([](const Code&, Severity severity) {
+      return severity == Severity::error ? std::optional(severity) : std::nullopt;
+    });
+  }
+  const ReportStyle style{.color = color, .excerpt = true, .notes = verbosity == Verbosity::all};
+  std::string text = report_text(shown, name, scene.text, style);
+  const bool any = shown.count(Severity::error) + shown.count(Severity::warning) != 0;
+  if (verbosity == Verbosity::all || (any && verbosity == Verbosity::warnings)) {
+    text += verdict_text(shown, name) + "\n";
+  }
+  return text;
+}
+
+}  // namespace scenefile::app

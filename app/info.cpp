@@ -1,0 +1,151 @@
+#include "app/command.h"
+#include "app/findings.h"
+#include "app/json.h"
+#include "app/load.h"
+#include "app/names.h"
+#include "app/output.h"
+#include "app/tree.h"
+#include "scenefile/base/text.h"
+#include "scenefile/scene/summary.h"
+#include "scenefile/trace/bounds.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scenefile::app {
+
+namespace {
+
+template <typename V>
+std::string vector_text(const V& v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
+
+// "3 (2 point, 1 spot)".
+template <std::size_t n>
+std::string counts_text(const std::array<std::size_t, n>& counts,
+                        const std::array<std::string_view, n>& names) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (counts[i] != 0) {
+      parts.push_back(fmt::format("{} {}", counts[i], names[i]));
+    }
+  }
+  const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  return parts.empty() ? "0" : fmt::format("{} ({})", sum, fmt::join(parts, ", "));
+}
+
+// Exact as long as a double is.
+std::string virtual_text(double count) {
+  constexpr double exact = 9e15;
+  if (!std::isfinite(count)) {
+    return "more than 10^308";
+  }
+  return count < exact ? fmt::format("{:.0f}", count) : fmt::format("about {:.3g}", count);
+}
+
+std::string camera_text(const Scene& scene) {
+  const Camera camera = scene.camera.value_or(Camera{});
+  std::string text = fmt::format("position {}, look {}, up {}, height angle {:.6g} degrees",
+                                 vector_text(camera.position), vector_text(camera.look),
+                                 vector_text(camera.up), camera.height_angle_deg);
+  if (camera.aperture > 0) {
+    text +=
+        fmt::format(", aperture {:.6g}, focal length {:.6g}", camera.aperture, camera.focal_length);
+  }
+  return scene.camera.has_value() ? text : "none; by default " + text;
+}
+
+std::string bounds_text(const std::optional<Bounds>& bounds) {
+  return bounds.has_value()
+             ? fmt::format("{} to {}, size {}", vector_text(bounds->min), vector_text(bounds->max),
+                           vector_text(bounds->max - bounds->min))
+             : "nothing is drawn";
+}
+
+std::string files_text(const std::vector<AssetFile>& files, AssetKind kind) {
+  const auto total =
+      std::count_if(files.begin(), files.end(), [&](const AssetFile& f) { return f.kind == kind; });
+  const auto missing = std::count_if(files.begin(), files.end(), [&](const AssetFile& f) {
+    return f.kind == kind && !f.resolved.error.empty();
+  });
+  return missing == 0 ? fmt::format("{}", total) : fmt::format("{}, {} missing", total, missing);
+}
+
+void append_line(std::string& text, std::string_view name, std::string_view value) {
+  text += fmt::format("  {:<11} {}\n", name, value);
+}
+
+std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
+  const SceneSummary& s = report.summary;
+  std::string text = escaped(shown_name(scene.path)) + "\n";
+  append_line(text, "camera", camera_text(scene.written));
+  append_line(text, "lights", counts_text(s.lights, light_names));
+  append_line(text, "objects", counts_text(s.primitives, shape_names));
+  append_line(text, "drawn", virtual_text(s.virtual_primitives));
+  append_line(text, "nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
+  append_line(text, "templates",
+              fmt::format("{}, copied {} times, {} inside each other", s.templates, s.instances,
+                          s.instance_nesting));
+  append_line(text, "transforms", fmt::format("{}", s.transforms));
+  append_line(text, "materials", fmt::format("{}", s.materials));
+  append_line(text, "bounds", bounds_text(report.bounds));
+  append_line(text, "textures", files_text(report.files, AssetKind::texture));
+  append_line(text, "meshes", files_text(report.files, AssetKind::mesh));
+  return text;
+}
+
+std::string list_files(const std::vector<AssetFile>& files) {
+  std::string text;
+  for (const AssetFile& file : files) {
+    const ResolvedAsset& resolved = file.resolved;
+    const std::string_view kind = file.kind == AssetKind::texture ? "texture" : "mesh";
+    text += fmt::format("{} {} (line {}): ", kind, quoted(file.reference.name, 400),
+                        file.reference.location.line);
+    text += resolved.error.empty()
+                ? fmt::format("{}: {}\n", rule_text(resolved.rule), escaped(resolved.path, 4096))
+                : resolved.error.text + "\n";
+  }
+  return text;
+}
+
+InfoReport make_report(const LoadedScene& scene, const Options& options, Context& context) {
+  context.phase = "summing up";
+  InfoReport report;
+  report.summary = summarize(scene.written);
+  report.files = locate_files(scene, options);
+  if (const Bounds bounds = scene_bounds(scene.ready.scene, scene.assets); !bounds.empty()) {
+    report.bounds = bounds;
+  }
+  if (options.tree) {
+    report.tree = tree_text(scene.written);
+  }
+  return report;
+}
+
+}  // namespace
+
+ExitCode run_info(const Options& options, Context& context) {
+  // Meshes have bounds; textures are only looked for.
+  const LoadedScene scene = load_scene(options.arguments.front(), options, LoadDepth::with_meshes,
+                                       /*allow_missing=*/true, context);
+  const ExitCode status = status_of(scene);
+  if (!options.json) {
+    say(findings_text(scene, Verbosity::warnings, wants_color(Stream::chatter)));
+  }
+  if (status != ExitCode::fine) {
+    return options.json ? worse(status, answer(info_json(scene, nullptr))) : status;
+  }
+  const InfoReport report = make_report(scene, options, context);
+  if (options.json) {
+    return answer(info_json(scene, &report));
+  }
+  return answer(summary_text(scene, report) + (options.files ? list_files(report.files) : "") +
+                report.tree);
+}
+
+}  // namespace scenefile::app

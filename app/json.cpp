@@ -1,0 +1,353 @@
+#include "app/json.h"
+
+#include "app/codes.h"
+#include "app/names.h"
+#include "scenefile/base/text.h"
+#include "scenefile/trace/features.h"
+
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+#include <rapidjson/writer.h>
+
+#include <cmath>
+#include <concepts>
+
+namespace scenefile::app {
+
+namespace {
+
+using Buffer = rapidjson::StringBuffer;
+
+// Replaces what is not UTF-8, which the writer would pass on or stop at.
+std::string valid_utf8(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t bytes = first_code_point(text).bytes;
+    result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
+    text.remove_prefix(bytes == 0 ? 1 : bytes);
+  }
+  return result;
+}
+
+/// A thin shell around the library's writer: key and value in one call.
+class Json {
+ public:
+  Json() : writer_(buffer_) { writer_.SetIndent(' ', 2); }
+
+  void value(std::string_view text) {
+    const std::string safe = valid_utf8(text);
+    writer_.String(safe.data(), static_cast<rapidjson::SizeType>(safe.size()));
+  }
+  void value(bool b) { writer_.Bool(b); }
+  void value(std::unsigned_integral auto n) { writer_.Uint64(n); }
+  void value(std::signed_integral auto n) { writer_.Int64(n); }
+  // What JSON has no number for is null.
+  void value(std::floating_point auto d) {
+    if (std::isfinite(d)) {
+      writer_.Double(d);
+    } else {
+      writer_.Null();
+    }
+  }
+  template <typename T, glm::qualifier Q>
+  void value(const glm::vec<3, T, Q>& v) {
+    writer_.StartArray();
+    for (int i = 0; i < 3; ++i) {
+      value(v[i]);
+    }
+    writer_.EndArray();
+  }
+
+  void key(std::string_view name) {
+    writer_.Key(name.data(), static_cast<rapidjson::SizeType>(name.size()));
+  }
+  template <typename T>
+  void add(std::string_view name, const T& v) {
+    key(name);
+    value(v);
+  }
+  void add(std::string_view name, const char* v) { add(name, std::string_view(v)); }
+  void raw(const std::string& json) {
+    writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType);
+  }
+
+  void begin_object() { writer_.StartObject(); }
+  void end_object() { writer_.EndObject(); }
+  void begin_array(std::string_view name) {
+    key(name);
+    writer_.StartArray();
+  }
+  void end_array() { writer_.EndArray(); }
+
+  std::string text() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
+
+ private:
+  Buffer buffer_;
+  rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer_;
+};
+
+// Begins a document.
+void begin_document(Json& json, std::string_view command) {
+  json.begin_object();
+  json.add("scenefile", SCENEFILE_VERSION);
+  json.add("command", command);
+}
+
+void add_finding(Json& json, const Diagnostic& d) {
+  json.begin_object();
+  json.add("code", d.code->name);
+  json.add("severity", severity_name(d.severity));
+  json.add("message", d.message);
+  if (!d.file.empty()) {
+    json.add("file", d.file);
+  }
+  if (d.location.known()) {
+    json.add("line", d.location.line);
+    json.add("column", d.location.column);
+  }
+  json.end_object();
+}
+
+void add_scene(Json& json, const LoadedScene& scene) {
+  json.begin_object();
+  json.add("file", scene.path);
+  if (!scene.unreadable.empty()) {
+    json.add("error", scene.unreadable.text);
+  }
+  json.add("errors", scene.diagnostics.count(Severity::error));
+  json.add("warnings", scene.diagnostics.count(Severity::warning));
+  json.add("notes", scene.diagnostics.count(Severity::note));
+  json.add("not_listed", scene.diagnostics.dropped());
+  json.begin_array("findings");
+  for (const Diagnostic& d : scene.diagnostics.list()) {
+    add_finding(json, d);
+  }
+  json.end_array();
+  json.end_object();
+}
+
+void add_features(Json& json, Features features) {
+  json.begin_array("features");
+  for (const std::string_view word : feature_words()) {
+    if (*find_feature(features, word)) {
+      json.value(word);
+    }
+  }
+  json.end_array();
+}
+
+void add_camera(Json& json, const Scene& scene) {
+  const Camera camera = scene.camera.value_or(Camera{});
+  json.key("camera");
+  json.begin_object();
+  json.add("default", !scene.camera.has_value());
+  json.add("position", camera.position);
+  json.add("look", camera.look);
+  json.add("up", camera.up);
+  json.add("height_angle_deg", camera.height_angle_deg);
+  json.add("aperture", camera.aperture);
+  json.add("focal_length", camera.focal_length);
+  json.end_object();
+}
+
+template <std::size_t n>
+void add_counts(Json& json, std::string_view name, const std::array<std::size_t, n>& counts,
+                const std::array<std::string_view, n>& names) {
+  json.key(name);
+  json.begin_object();
+  for (std::size_t i = 0; i < n; ++i) {
+    json.add(names[i], counts[i]);
+  }
+  json.end_object();
+}
+
+void add_summary(Json& json, const SceneSummary& s) {
+  json.key("summary");
+  json.begin_object();
+  json.add("nodes", s.nodes);
+  json.add("depth", s.depth);
+  json.add("transforms", s.transforms);
+  add_counts(json, "primitives", s.primitives, shape_names);
+  add_counts(json, "lights", s.lights, light_names);
+  json.add("templates", s.templates);
+  json.add("instances", s.instances);
+  json.add("instance_nesting", s.instance_nesting);
+  json.add("virtual_primitives", s.virtual_primitives);
+  json.add("virtual_lights", s.virtual_lights);
+  json.add("materials", s.materials);
+  json.add("textures", s.textures);
+  json.add("meshes", s.meshes);
+  json.end_object();
+}
+
+void add_file(Json& json, const AssetFile& file) {
+  json.begin_object();
+  json.add("kind", file.kind == AssetKind::texture ? "texture" : "mesh");
+  json.add("name", file.reference.name);
+  json.add("line", file.reference.location.line);
+  json.add("found", file.resolved.error.empty());
+  json.add("rule", rule_text(file.resolved.rule));
+  if (file.resolved.error.empty()) {
+    json.add("path", file.resolved.path);
+  } else {
+    json.add("error", file.resolved.error.text);
+  }
+  json.begin_array("tried");
+  for (const std::string& path : file.resolved.tried) {
+    json.value(path);
+  }
+  json.end_array();
+  json.end_object();
+}
+
+void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
+  if (bounds.has_value()) {
+    json.key("bounds");
+    json.begin_object();
+    json.add("min", bounds->min);
+    json.add("max", bounds->max);
+    json.end_object();
+  }
+}
+
+void add_code(Json& json, const Code& code) {
+  json.begin_object();
+  json.add("name", code.name);
+  json.add("severity", severity_name(code.severity));
+  json.add("dialect", code.dialect);
+  json.add("summary", code.summary);
+  json.add("help", code.help);
+  json.end_object();
+}
+
+void add_command(Json& json, const Command& command) {
+  json.begin_object();
+  json.add("name", command.name);
+  json.add("arguments", command.arguments);
+  json.add("summary", command.summary);
+  json.begin_array("options");
+  for (const OptionRow& row : option_table()) {
+    if ((row.commands & command.bit) != 0) {
+      json.begin_object();
+      json.add("name", row.name);
+      json.add("letter", row.letter);
+      json.add("value", row.value);
+      json.add("help", row.help);
+      json.end_object();
+    }
+  }
+  json.end_array();
+  json.end_object();
+}
+
+}  // namespace
+
+std::string scene_json(const LoadedScene& scene) {
+  Json json;
+  add_scene(json, scene);
+  return json.text();
+}
+
+std::string check_json(const std::vector<std::string>& scenes) {
+  Json json;
+  begin_document(json, "check");
+  json.begin_array("scenes");
+  for (const std::string& scene : scenes) {
+    json.raw(scene);
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+std::string render_json(const LoadedScene& scene, const RenderReport& report) {
+  const RenderOptions& options = report.options;
+  Json json;
+  begin_document(json, "render");
+  json.key("scene");
+  add_scene(json, scene);
+  json.add("output", report.output);
+  json.add("written", report.error.empty());
+  if (!report.error.empty()) {
+    json.add("error", report.error);
+  }
+  json.add("width", options.width);
+  json.add("height", options.height);
+  json.add("profile", options.profile == Profile::course ? "course" : "fine");
+  json.add("mode", mode_names[static_cast<std::size_t>(options.mode)]);
+  add_features(json, options.features);
+  json.add("max_depth", options.max_depth);
+  if (options.profile == Profile::fine) {
+    json.add("samples", options.samples);
+    json.add("seed", options.seed);
+  }
+  json.add("primary_rays", report.stats.primary_rays);
+  json.add("shadow_rays", report.stats.shadow_rays);
+  json.add("secondary_rays", report.stats.secondary_rays);
+  json.add("build_seconds", report.stats.build_seconds);
+  json.add("trace_seconds", report.stats.trace_seconds);
+  json.add("seconds", report.seconds);
+  json.end_object();
+  return json.text();
+}
+
+std::string info_json(const LoadedScene& scene, const InfoReport* report) {
+  Json json;
+  begin_document(json, "info");
+  json.key("scene");
+  add_scene(json, scene);
+  if (report != nullptr) {
+    add_camera(json, scene.written);
+    add_summary(json, report->summary);
+    add_bounds(json, report->bounds);
+    json.begin_array("files");
+    for (const AssetFile& file : report->files) {
+      add_file(json, file);
+    }
+    json.end_array();
+    if (!report->tree.empty()) {
+      json.add("tree", report->tree);
+    }
+  }
+  json.end_object();
+  return json.text();
+}
+
+std::string version_json(const std::string& version) {
+  Json json;
+  json.begin_object();
+  json.add("scenefile", version);
+  json.end_object();
+  return json.text();
+}
+
+std::string command_json(const Command& command) {
+  Json json;
+  add_command(json, command);
+  return json.text();
+}
+
+std::string code_json(const Code& code) {
+  Json json;
+  add_code(json, code);
+  return json.text();
+}
+
+std::string help_json() {
+  Json json;
+  begin_document(json, "help");
+  json.begin_array("commands");
+  for (const Command& command : commands()) {
+    add_command(json, command);
+  }
+  json.end_array();
+  json.begin_array("codes");
+  for (const Code* code : all_codes()) {
+    add_code(json, *code);
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,48 @@
+#pragma once
+// The answers of the commands as JSON documents. All characters outside ASCII are escaped, so that
+// no input can play with a terminal; bytes that are not UTF-8 become U+FFFD.
+
+#include "app/load.h"
+#include "app/option_table.h"
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/geometry/shapes.h"
+#include "scenefile/scene/summary.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenefile::app {
+
+/// A scene with its findings, as a part of a document.
+std::string scene_json(const LoadedScene& scene);
+
+/// `scenes` are texts of scene_json().
+std::string check_json(const std::vector<std::string>& scenes);
+
+/// What a render came to.
+struct RenderReport {
+  RenderOptions options;
+  std::string output;
+  std::string error;   ///< empty: the picture was written
+  double seconds = 0;  ///< wall time of everything
+  RenderStats stats;
+};
+std::string render_json(const LoadedScene& scene, const RenderReport& report);
+
+/// What info found.
+struct InfoReport {
+  SceneSummary summary;
+  std::optional<Bounds> bounds;  ///< none: nothing is drawn
+  std::vector<AssetFile> files;
+  std::string tree;  ///< empty: not asked for
+};
+std::string info_json(const LoadedScene& scene, const InfoReport* report);
+
+std::string version_json(const std::string& version);
+std::string command_json(const Command& command);
+std::string code_json(const Code& code);
+/// All commands and all codes.
+std::string help_json();
+
+}  // namespace scenefile::app

@@ -1,0 +1,85 @@
+#include "app/load.h"
+
+#include "scenefile/format/read_scene.h"
+#include "scenefile/io/file.h"
+#include "scenefile/scene/check.h"
+
+#include <cstdlib>
+
+namespace scenefile::app {
+
+namespace {
+
+AssetRootsOptions roots_of(const std::string& path, const Options& options) {
+  AssetRootsOptions roots{.scene_path = path,
+                          .asset_roots = options.asset_roots,
+                          .allow_outside = options.allow_outside,
+                          .max_bytes = Limits{}.file_bytes};
+  // What /course/cs123/data was on the course's machines.
+  if (const char* const data = std::getenv("CS123_DATA"); data != nullptr && *data != '\0') {
+    roots.asset_roots.emplace_back(data);
+  }
+  return roots;
+}
+
+void load_files(LoadedScene& scene, const Options& options, bool textures, bool allow_missing) {
+  AssetRoots roots(roots_of(scene.path, options));
+  const FetchFile fetch = [&](const std::string& name) {
+    FileContents contents;
+    contents.error = roots.read(name, contents.bytes).text;
+    return contents;
+  };
+  LoadOptions load;
+  load.textures = textures;
+  load.allow_missing = allow_missing;
+  scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files, fetch,
+                             load, scene.diagnostics);
+}
+
+void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>& references,
+            std::vector<AssetFile>& files) {
+  for (const FileReference& reference : references) {
+    files.push_back({kind, reference, roots.resolve(reference.name)});
+  }
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
+                       bool allow_missing, Context& context) {
+  const Limits limits;
+  LoadedScene scene;
+  scene.path = path;
+  context.phase = "reading the file";
+  scene.unreadable = read_file(path, limits.file_bytes, scene.text);
+  if (!scene.unreadable.empty()) {
+    return scene;
+  }
+  context.phase = "reading the scene";
+  scene.written = read_scene(scene.text, {.compat_course = options.compat_course, .limits = limits},
+                             scene.diagnostics);
+  if (!scene.diagnostics.has_errors()) {
+    context.phase = "checking the scene";
+    check(scene.written, limits, scene.diagnostics);
+  }
+  if (scene.diagnostics.has_errors() || depth == LoadDepth::checked) {
+    return scene;
+  }
+  context.phase = "preparing the scene";
+  scene.ready = prepare(scene.written, limits);
+  if (depth != LoadDepth::prepared) {
+    context.phase = "loading textures and meshes";
+    load_files(scene, options, depth == LoadDepth::with_all_assets, allow_missing);
+  }
+  return scene;
+}
+
+std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options) {
+  AssetRoots roots(roots_of(scene.path, options));
+  std::vector<AssetFile> files;
+  locate(roots, AssetKind::texture, scene.ready.scene.texture_files, files);
+  locate(roots, AssetKind::mesh, scene.ready.scene.mesh_files, files);
+  return files;
+}
+
+}  // namespace scenefile::app

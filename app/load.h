@@ -1,0 +1,42 @@
+#pragma once
+// The way from a path to a scene that can be drawn, as all commands go it.
+
+#include "app/command.h"
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/io/asset_roots.h"
+#include "scenefile/scene/prepare.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile::app {
+
+/// How far to go.
+enum class LoadDepth { checked, prepared, with_meshes, with_all_assets };
+
+/// What became of a file that the scene names.
+struct AssetFile {
+  AssetKind kind = AssetKind::texture;
+  FileReference reference;
+  ResolvedAsset resolved;
+};
+
+struct LoadedScene {
+  std::string path;  ///< as given
+  std::string text;
+  IoError unreadable;  ///< why there is no text; empty: there is
+  Scene written;
+  Prepared ready;  ///< empty when there are errors
+  Assets assets;
+  Diagnostics diagnostics;
+};
+
+/// Reads, checks, prepares and loads. Goes on until the depth is reached or errors were found.
+/// `allow_missing`: a mesh that cannot be used is a warning.
+LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
+                       bool allow_missing, Context& context);
+
+/// Where each file of the scene is.
+std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
+
+}  // namespace scenefile::app

@@ -1,0 +1,123 @@
+// The program: a table of commands. Each parses nothing, prints through output.h and returns.
+
+#include "app/command.h"
+#include "app/help.h"
+#include "app/option_table.h"
+#include "app/output.h"
+#include "scenefile/base/text.h"
+#include "scenefile/io/interrupt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+
+namespace scenefile::app {
+
+namespace {
+
+constexpr std::array table{
+    Command{"render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
+            "Draws the scene to a picture. The picture appears whole or not at all, and does not "
+            "depend on the number of threads.",
+            "scenefile render chess.xml -o chess.png\n"
+            "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
+            "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
+            "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
+            "cat chess.xml | scenefile render - -o - > chess.png",
+            run_render},
+    Command{"check", for_check, "SCENE...", "report every mistake, with its place",
+            "Reads each scene with its textures and meshes and reports everything that is wrong "
+            "or doubtful. The exit status is 0 when there are no errors.",
+            "scenefile check *.xml\n"
+            "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"
+            "scenefile check --compat course old.xml\n"
+            "scenefile check --no-assets --json - < scene.json",
+            run_check},
+    Command{"info", for_info, "SCENE", "say what is in a scene",
+            "Counts what the scene holds, before and after templates are copied, and says where "
+            "its textures and meshes were found.",
+            "scenefile info chess.xml\n"
+            "scenefile info --files --tree chess.xml\n"
+            "scenefile info --json chess.xml",
+            run_info},
+    Command{"help", for_help, "[COMMAND|CODE]", "explain a command or the code of a finding",
+            "Explains a command, or the code that stands in brackets behind a finding.",
+            "scenefile help render\n"
+            "scenefile help camera.up-parallel-to-look",
+            run_help},
+    Command{"version", for_version, "", "say which version this is", "Prints the version.",
+            "scenefile version\nscenefile --version", run_version},
+};
+
+// The order in which statuses go before each other.
+constexpr std::array ranking{ExitCode::environment, ExitCode::limit, ExitCode::findings,
+                             ExitCode::usage, ExitCode::fine};
+
+ExitCode complain(std::string_view what, std::string_view topic) {
+  say_error(what);
+  say(fmt::format("\"scenefile help{}{}\" says more.\n", topic.empty() ? "" : " ", topic));
+  return ExitCode::usage;
+}
+
+ExitCode run_command(const Command& command, std::span<const char* const> words, Context& context) {
+  Options options;
+  if (const std::string wrong = parse_options(command, words, options); !wrong.empty()) {
+    return complain(wrong, command.name);
+  }
+  return options.help ? answer(command_text(command)) : command.run(options, context);
+}
+
+ExitCode run(std::span<const char* const> words, Context& context) {
+  if (words.empty()) {
+    say(overview_text());
+    return ExitCode::usage;
+  }
+  std::string_view name = words.front();
+  if (name == "--help" || name == "-h") {
+    name = "help";
+  } else if (name == "--version") {
+    name = "version";
+  }
+  if (const Command* const command = find_command(name); command != nullptr) {
+    return run_command(*command, words.subspan(1), context);
+  }
+  return complain(
+      fmt::format("there is no command {}{}", quoted(name), did_you_mean(name, command_names())),
+      {});
+}
+
+}  // namespace
+
+std::span<const Command> commands() {
+  return table;
+}
+
+ExitCode worse(ExitCode a, ExitCode b) {
+  return *std::find_if(ranking.begin(), ranking.end(),
+                       [&](ExitCode code) { return code == a || code == b; });
+}
+
+}  // namespace scenefile::app
+
+int main(int argc, char** argv) {
+  using namespace scenefile::app;
+  scenefile::handle_signals();
+  Context context;
+  // Nothing here may need memory.
+  try {
+    return static_cast<int>(
+        run({argv + std::min(argc, 1), static_cast<std::size_t>(std::max(argc - 1, 0))}, context));
+  } catch (const std::bad_alloc&) {
+    say("scenefile: out of memory while ");
+  } catch (const std::exception& error) {
+    say("scenefile: ");
+    say(error.what());
+    say(" while ");
+  }
+  say(context.phase);
+  say("\n");
+  return static_cast<int>(ExitCode::environment);
+}

@@ -1,0 +1,209 @@
+#include "app/option_table.h"
+
+#include "app/codes.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/trace/features.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <charconv>
+
+namespace scenefile::app {
+
+namespace {
+
+// A whole number in [min, max]; the words of the mistake otherwise.
+template <typename T>
+std::string set_number(const std::string& value, T min, T max, T& number) {
+  const char* const end = value.data() + value.size();
+  T read{};
+  const auto [rest, error] = std::from_chars(value.data(), end, read);
+  if (error != std::errc() || rest != end || read < min || read > max) {
+    return fmt::format("{} is not a whole number from {} to {}", quoted(value), min, max);
+  }
+  number = read;
+  return {};
+}
+
+template <typename T>
+std::string set_number(const std::string& value, T min, T max, std::optional<T>& number) {
+  return set_number(value, min, max, number.emplace());
+}
+
+// The index of a word in a list; the words of the mistake otherwise.
+std::string set_choice(const std::string& value, std::span<const std::string_view> words,
+                       std::size_t& index) {
+  for (index = 0; index < words.size(); ++index) {
+    if (value == words[index]) {
+      return {};
+    }
+  }
+  return fmt::format("{} is none of {}{}", quoted(value), fmt::join(words, ", "),
+                     did_you_mean(value, words));
+}
+
+std::string set_output(Options& options, const std::string& value) {
+  options.output = value;
+  return value.empty() ? "the name is empty" : "";
+}
+
+std::string set_size(Options& options, const std::string& value) {
+  const int most = static_cast<int>(Limits{}.image_side);
+  const std::size_t cross = value.find_first_of("xX");
+  if (cross == std::string::npos) {
+    return fmt::format("{} is not a size such as 1024x768", quoted(value));
+  }
+  std::string wrong = set_number(value.substr(0, cross), 1, most, options.width);
+  return wrong.empty() ? set_number(value.substr(cross + 1), 1, most, options.height) : wrong;
+}
+
+std::string set_profile(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 2> words{"course", "fine"};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.profile = index == 0 ? Profile::course : Profile::fine;
+  return wrong;
+}
+
+std::string set_mode(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 3> words{"ray", "intersect", "normals"};
+  static constexpr std::array<Mode, 4> modes{Mode::ray, Mode::intersect, Mode::normals, Mode::ray};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.mode = modes[index];
+  return wrong;
+}
+
+std::string set_features(Options& options, const std::string& value) {
+  const std::string_view unknown = parse_features(value, options.features.emplace());
+  if (unknown.empty()) {
+    return {};
+  }
+  std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
+  words.insert(words.end(), {"all", "none"});
+  return fmt::format("{} is none of {}{}", quoted(unknown), fmt::join(words, ", "),
+                     did_you_mean(unknown, words));
+}
+
+std::string set_compat(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 1> words{"course"};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.compat_course = wrong.empty();
+  return wrong;
+}
+
+std::string set_deny(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 1> words{"warnings"};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.deny_warnings = wrong.empty();
+  return wrong;
+}
+
+std::string set_allow(Options& options, const std::string& value) {
+  const Code* const code = find_code(value);
+  if (code == nullptr) {
+    return fmt::format("there is no code {}{}", quoted(value), did_you_mean(value, code_names()));
+  }
+  if (code->severity == Severity::error) {
+    return fmt::format("{} is an error: a scene that has it cannot be used", value);
+  }
+  options.allowed_codes.push_back(value);
+  return {};
+}
+
+template <bool Options::*flag, bool on = true>
+std::string set_flag(Options& options, const std::string& /*value*/) {
+  options.*flag = on;
+  return {};
+}
+
+constexpr std::array table{
+    OptionRow{"--output", "-o", "OUT",
+              "The picture to write: .png, .exr or .pfm; - for a PNG on standard output.",
+              for_render, set_output},
+    OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_render, set_size},
+    OptionRow{"--profile", "", "NAME",
+              "fine (default): the lighting equation of the course with good sampling. course: the "
+              "pixels of the course's reference pictures; implies --compat course.",
+              for_render, set_profile},
+    OptionRow{"--features", "", "LIST",
+              "What is switched on, separated by commas: shadows, reflect, refract, texture, "
+              "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
+              "course without super-sample.",
+              for_render, set_features},
+    OptionRow{"--mode", "", "NAME",
+              "ray (default), intersect (the course's ray caster: no shadows, reflections or "
+              "textures), or normals (colors are normals).",
+              for_render, set_mode},
+    OptionRow{"--samples", "", "N", "Most samples a pixel, for the profile fine (default 16).",
+              for_render,
+              [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
+    OptionRow{"--max-depth", "", "N",
+              "Most reflections and refractions behind each other (default: fine 16, course 4).",
+              for_render,
+              [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
+    OptionRow{"--threads", "", "N",
+              "Threads (default: one a processor). The picture does not depend on it.", for_render,
+              [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.threads); }},
+    OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
+              for_render,
+              [](Options& o, const std::string& v) {
+                return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
+              }},
+    OptionRow{"--compat", "", "NAME",
+              "course: read as the course's programs did where the format says otherwise: every "
+              "object of a transblock, transforms behind it, the numeric start of a malformed "
+              "number.",
+              for_all_readers, set_compat},
+    OptionRow{"--asset-root", "", "DIR",
+              "Look for textures and meshes there too. May be given several times.",
+              for_all_readers,
+              [](Options& o, const std::string& v) {
+                o.asset_roots.push_back(v);
+                return std::string(v.empty() ? "the name is empty" : "");
+              }},
+    OptionRow{"--allow-outside", "", "",
+              "Open textures and meshes wherever the scene says, not only in its folder and the "
+              "asset roots.",
+              for_all_readers, set_flag<&Options::allow_outside>},
+    OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
+              for_render | for_check, set_flag<&Options::allow_missing>},
+    OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
+              set_flag<&Options::assets, false>},
+    OptionRow{"--strict", "", "", "Spellings that only some programs read are errors.", for_check,
+              set_flag<&Options::strict>},
+    OptionRow{"--deny", "", "WHAT", "warnings: every warning is an error.", for_check, set_deny},
+    OptionRow{"--allow", "", "CODE",
+              "Do not report findings of this code. May be given several times.", for_check,
+              set_allow},
+    OptionRow{"--files", "", "",
+              "List textures and meshes with the place where each was found, or why it was not.",
+              for_info, set_flag<&Options::files>},
+    OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
+    OptionRow{"--json", "", "", "Answer in JSON, for programs.",
+              for_all_readers | for_help | for_version, set_flag<&Options::json>},
+    OptionRow{"--quiet", "-q", "", "Say nothing but errors.", for_render | for_check,
+              set_flag<&Options::quiet>},
+    OptionRow{"--help", "-h", "", "This text.", for_all_readers | for_help | for_version,
+              set_flag<&Options::help>},
+};
+
+}  // namespace
+
+std::span<const OptionRow> option_table() {
+  return table;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view nearest = nearest_name(word, known);
+  return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
+}
+
+}  // namespace scenefile::app

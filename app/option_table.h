@@ -1,0 +1,35 @@
+#pragma once
+// All options in one table, from which both the parser and the help are made.
+
+#include "app/options.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scenefile::app {
+
+inline constexpr unsigned for_render = 1;
+inline constexpr unsigned for_check = 2;
+inline constexpr unsigned for_info = 4;
+inline constexpr unsigned for_help = 8;
+inline constexpr unsigned for_version = 16;
+inline constexpr unsigned for_all_readers = for_render | for_check | for_info;
+
+struct OptionRow {
+  std::string_view name;    ///< "--size"
+  std::string_view letter;  ///< "-o", or empty
+  std::string_view value;   ///< "WxH"; empty: a flag
+  std::string_view help;
+  unsigned commands;  ///< for_... bits
+  /// Takes the value over. Returns what is wrong with it, in words that follow "--name: ".
+  std::string (*set)(Options& options, const std::string& value);
+};
+
+/// In the order of the help.
+std::span<const OptionRow> option_table();
+
+/// `; did you mean "word"?` for the known word nearest to this one, or nothing.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
+
+}  // namespace scenefile::app

@@ -1,0 +1,151 @@
+#include "app/options.h"
+
+#include "app/command.h"
+#include "app/option_table.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+// CLI11 takes "-o,--output".
+std::string names_of(const OptionRow& row) {
+  return row.letter.empty() ? std::string(row.name) : fmt::format("{},{}", row.letter, row.name);
+}
+
+// Carries the words of a mistake through CLI11.
+struct Mistake {
+  std::string text;
+};
+
+void set(const OptionRow& row, Options& options, const std::string& value) {
+  if (const std::string wrong = row.set(options, value); !wrong.empty()) {
+    throw Mistake{fmt::format("{}: {}", row.name, wrong)};
+  }
+}
+
+void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
+  if (row.value.empty()) {
+    parser.add_flag_callback(names_of(row), [&row, &options] { set(row, options, {}); });
+    return;
+  }
+  parser
+      .add_option_function<std::vector<std::string>>(
+          names_of(row),
+          [&row, &options](const std::vector<std::string>& values) {
+            for (const std::string& value : values) {
+              set(row, options, value);
+            }
+          })
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+}
+
+std::string unknown_option(const Command& command, const std::string& word) {
+  std::vector<std::string_view> known;
+  for (const OptionRow& row : option_table()) {
+    if ((row.commands & command.bit) != 0) {
+      known.push_back(row.name);
+    }
+  }
+  const std::string name = word.substr(0, word.find('='));
+  return fmt::format("{} has no option {}{}", command.name, escaped(name),
+                     did_you_mean(name, known));
+}
+
+std::string missing_value(std::string_view words) {
+  // CLI11: "--size: 1 required TEXT missing".
+  const std::string_view name = words.substr(0, words.find(':'));
+  for (const OptionRow& row : option_table()) {
+    if (row.name == name) {
+      return fmt::format("{} needs a value: {} {}", name, name, row.value);
+    }
+  }
+  return std::string(words);
+}
+
+std::string check_output(const std::string& output) {
+  ImageFormat format{};
+  const bool named = output.find('.', output.rfind('/') + 1) != std::string::npos;
+  if (output.empty()) {
+    return "render needs an output: -o OUT.png";
+  }
+  if (output == "-" || output.starts_with("/dev/") || image_format_of(output, format)) {
+    return {};
+  }
+  return fmt::format("cannot write {}: {}", quoted(output, 400),
+                     named ? "the name must end in .png, .exr or .pfm"
+                           : "without .png, .exr or .pfm at its end it does not say what to write");
+}
+
+// What no option can see alone.
+std::string check_together(const Command& command, const Options& options) {
+  if (command.bit != for_help && command.bit != for_version && options.arguments.empty()) {
+    return fmt::format("{} needs a scene: scenefile {} {}", command.name, command.name,
+                       command.arguments);
+  }
+  if (command.bit != for_check && options.arguments.size() > 1) {
+    return fmt::format("{} takes one argument; what is {}?", command.name,
+                       quoted(options.arguments[1], 400));
+  }
+  if (command.bit == for_render && options.profile == Profile::course &&
+      (options.samples.has_value() || options.seed.has_value())) {
+    return fmt::format(
+        "--profile course has samples of its own: leave {} out, or use --profile fine",
+        options.samples.has_value() ? "--samples" : "--seed");
+  }
+  return command.bit == for_render ? check_output(options.output) : std::string();
+}
+
+}  // namespace
+
+std::string parse_options(const Command& command, std::span<const char* const> words,
+                          Options& options) {
+  CLI::App parser;
+  parser.set_help_flag();
+  parser.allow_extras();
+  parser.add_option("arguments", options.arguments);
+  for (const OptionRow& row : option_table()) {
+    if ((row.commands & command.bit) != 0) {
+      add_option(parser, row, options);
+    }
+  }
+  try {
+    parser.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const Mistake& mistake) {
+    return mistake.text;
+  } catch (const CLI::ArgumentMismatch& error) {
+    return missing_value(error.what());
+  } catch (const CLI::ParseError& error) {
+    return escaped(error.what());
+  }
+  if (const std::vector<std::string> unknown = parser.remaining(); !unknown.empty()) {
+    return unknown_option(command, unknown.front());
+  }
+  if (options.help) {
+    return {};
+  }
+  options.compat_course = options.compat_course || options.profile == Profile::course;
+  return check_together(command, options);
+}
+
+RenderOptions render_options(const Options& options) {
+  RenderOptions result = default_options(options.profile);
+  result.mode = options.mode;
+  result.features = options.features.value_or(result.features);
+  result.width = options.width;
+  result.height = options.height;
+  result.samples = options.samples.value_or(result.samples);
+  result.max_depth = options.max_depth.value_or(result.max_depth);
+  result.seed = options.seed.value_or(result.seed);
+  result.threads = options.threads;
+  return result;
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,55 @@
+#pragma once
+// The command line as data.
+
+#include "scenefile/trace/render.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scenefile::app {
+
+struct Command;
+
+struct Options {
+  std::vector<std::string> arguments;  ///< scenes, or what help is about
+
+  std::string output;
+  int width = 1024;
+  int height = 768;
+  Profile profile = Profile::fine;
+  Mode mode = Mode::ray;
+  std::optional<Features> features;
+  std::optional<int> samples;
+  std::optional<int> max_depth;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;
+
+  bool compat_course = false;
+  std::vector<std::string> asset_roots;
+  bool allow_outside = false;
+  bool allow_missing = false;
+  bool assets = true;
+
+  bool strict = false;
+  bool deny_warnings = false;
+  std::vector<std::string> allowed_codes;
+
+  bool files = false;
+  bool tree = false;
+  bool json = false;
+  bool quiet = false;
+  bool help = false;
+};
+
+/// Reads the words behind the command. On a mistake returns what is wrong, in words that follow
+/// "scenefile: "; empty: all is well.
+std::string parse_options(const Command& command, std::span<const char* const> words,
+                          Options& options);
+
+/// The tracer's options: the profile's defaults where nothing was given.
+RenderOptions render_options(const Options& options);
+
+}  // namespace scenefile::app

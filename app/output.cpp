@@ -1,0 +1,57 @@
+#include "app/output.h"
+
+#include "scenefile/io/file.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace scenefile::app {
+
+namespace {
+
+bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+bool is_smart_terminal(Stream stream) {
+  const char* const kind = std::getenv("TERM");
+  return ::isatty(static_cast<int>(stream)) == 1 &&
+         (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+}  // namespace
+
+bool wants_color(Stream stream) {
+  return is_smart_terminal(stream) && !is_set("NO_COLOR");
+}
+
+bool wants_progress() {
+  return is_smart_terminal(Stream::chatter) && !is_set("CI");
+}
+
+ExitCode answer(const std::string& text) {
+  if (const IoError error = write_file("-", text); !error.empty()) {
+    say_error(error.text);
+    return ExitCode::environment;
+  }
+  return ExitCode::fine;
+}
+
+void say(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void say_error(std::string_view text) {
+  say("scenefile: ");
+  say(text);
+  say("\n");
+}
+
+std::string shown_name(const std::string& path) {
+  return path == "-" ? "<stdin>" : path;
+}
+
+}  // namespace scenefile::app

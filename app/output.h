@@ -1,0 +1,31 @@
+#pragma once
+// What the program says. Answers go to standard output, everything else to standard error.
+
+#include "app/command.h"
+
+#include <string>
+#include <string_view>
+
+namespace scenefile::app {
+
+enum class Stream : int { answer = 1, chatter = 2 };
+
+/// Whether a person looks on: a terminal that understands colors, and NO_COLOR is not set.
+bool wants_color(Stream stream);
+/// Whether a progress bar makes sense: standard error is a terminal, and no CI job's.
+bool wants_progress();
+
+/// Writes to standard output at once. A failure (closed, full) is said and is
+/// ExitCode::environment.
+ExitCode answer(const std::string& text);
+
+/// Writes to standard error.
+void say(std::string_view text);
+
+/// "scenefile: " and the text, as one line.
+void say_error(std::string_view text);
+
+/// The name of a scene in messages.
+std::string shown_name(const std::string& path);
+
+}  // namespace scenefile::app

@@ -1,0 +1,156 @@
+#include "scenefile/trace/render.h"
+
+#include "app/codes.h"
+#include "app/command.h"
+#include "app/findings.h"
+#include "app/json.h"
+#include "app/load.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
+#include "scenefile/io/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace scenefile::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What would make the work useless, found before it starts.
+ExitCode check_target(const Options& options) {
+  if (same_file(options.output, options.arguments.front())) {
+    say_error("the output would replace the scene");
+    return ExitCode::usage;
+  }
+  if (const IoError error = check_writable(options.output); !error.empty()) {
+    say_error(error.text);
+    return ExitCode::environment;
+  }
+  return ExitCode::fine;
+}
+
+void warn_of_darkness(const RenderOptions& options, LoadedScene& scene) {
+  const std::vector<RenderLight>& lights = scene.ready.scene.lights;
+  const bool course_caster = options.profile == Profile::course && options.mode == Mode::intersect;
+  const bool directional = std::any_of(lights.begin(), lights.end(), [](const RenderLight& l) {
+    return l.type == LightType::directional;
+  });
+  if (course_caster && !lights.empty() && !directional) {
+    scene.diagnostics.report(render_no_directional_light, {},
+                             "the scene has no directional light, and the course's ray caster "
+                             "knows no other");
+  }
+}
+
+LoadedScene load(const Options& options, const RenderOptions& render, Context& context) {
+  const bool textures = render.mode == Mode::ray && render.features.texture;
+  LoadedScene scene = load_scene(options.arguments.front(), options,
+                                 textures ? LoadDepth::with_all_assets : LoadDepth::with_meshes,
+                                 options.allow_missing, context);
+  if (status_of(scene) == ExitCode::fine) {
+    warn_of_darkness(render, scene);
+  }
+  return scene;
+}
+
+// Nothing went wrong where the error is empty.
+struct Outcome {
+  ExitCode status = ExitCode::fine;
+  std::string error;
+};
+
+Outcome judge(RenderStatus status) {
+  switch (status) {
+    case RenderStatus::complete:
+      return {};
+    case RenderStatus::cancelled:
+      return {ExitCode::environment, "the render was cancelled"};
+    case RenderStatus::limit_reached:
+      return {ExitCode::limit,
+              "copies of templates lie deeper inside each other than can be traced"};
+    case RenderStatus::failed:
+      return {ExitCode::environment, "out of memory while building the acceleration structure"};
+  }
+  return {};
+}
+
+Outcome write_picture(const Options& options, const Image& image, Context& context) {
+  context.phase = "encoding the picture";
+  ImageFormat format = ImageFormat::png8;
+  image_format_of(options.output, format);
+  std::string error;
+  const std::string bytes = encode_image(image, format, rounding_of(options.profile), error);
+  if (!error.empty()) {
+    return {ExitCode::environment, "cannot encode the picture: " + error};
+  }
+  context.phase = "writing the picture";
+  const IoError written = write_file(options.output, bytes);
+  return {written.empty() ? ExitCode::fine : ExitCode::environment, written.text};
+}
+
+Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& report,
+             Context& context) {
+  context.phase = "tracing";
+  RenderResult result;
+  {
+    ProgressBar bar(!options.quiet && !options.json && wants_progress());
+    result = render(scene.ready.scene, scene.assets, report.options, [&](double done) {
+      bar.update(done);
+      return true;
+    });
+  }
+  report.stats = result.stats;
+  const Outcome outcome = judge(result.status);
+  return outcome.error.empty() ? write_picture(options, result.image, context) : outcome;
+}
+
+std::string summary_text(const RenderReport& report) {
+  const std::uint64_t rays =
+      report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
+  return fmt::format("{}: {}x{}, {:.2f} s, {:.2f} million rays\n",
+                     report.output == "-" ? "<stdout>" : escaped(report.output),
+                     report.options.width, report.options.height, report.seconds,
+                     static_cast<double>(rays) / 1e6);
+}
+
+}  // namespace
+
+ExitCode run_render(const Options& options, Context& context) {
+  const Clock::time_point start = Clock::now();
+  if (const ExitCode status = check_target(options); status != ExitCode::fine) {
+    return status;
+  }
+  RenderReport report;
+  report.options = render_options(options);
+  report.output = options.output;
+  const LoadedScene scene = load(options, report.options, context);
+  Outcome outcome{status_of(scene), {}};
+  if (!options.json) {
+    say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                      wants_color(Stream::chatter)));
+  }
+  if (outcome.status == ExitCode::fine) {
+    outcome = draw(options, scene, report, context);
+  } else {
+    outcome.error = "the scene cannot be used";
+  }
+  report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  report.error = outcome.error;
+  if (options.json) {
+    return worse(outcome.status, answer(render_json(scene, report)));
+  }
+  if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
+    say_error(outcome.error);
+  } else if (outcome.status == ExitCode::fine && !options.quiet) {
+    say(summary_text(report));
+  }
+  return outcome.status;
+}
+
+}  // namespace scenefile::app

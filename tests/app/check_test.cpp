@@ -1,0 +1,156 @@
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string textured =
+    R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/no.png" u="1" v="1"/>)";
+
+struct Check : ::testing::Test {
+  TempFolder folder;
+};
+
+TEST_F(Check, AFineSceneIsSaidToBeFine) {
+  const std::string scene = folder.write("good.xml", good_scene);
+  const ProgramRun run = run_program({"check", scene});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, scene + ": fine\n");
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run_program({"check", "--quiet", scene}).out, "");
+}
+
+TEST_F(Check, AMistakeIsShownInItsLine) {
+  folder.write("bad.xml", scene_with(R"(<diffuse r="red" g="0.5" b="0"/>)"));
+  const ProgramRun run = run_program({"check", "bad.xml"}, {.folder = folder.path()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("bad.xml:15:"));
+  EXPECT_THAT(run.out, HasSubstr("[xml.number]\n"
+                                 "   15 |         <diffuse r=\"red\" g=\"0.5\" b=\"0\"/>\n"
+                                 "      |"));
+  EXPECT_THAT(run.out, HasSubstr("bad.xml: 1 error\n"));
+}
+
+TEST_F(Check, NoColorWithoutATerminal) {
+  folder.write("bad.xml", scene_with("<difuse/>"));
+  EXPECT_THAT(run_program({"check", folder.path("bad.xml")}).out, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(Check, ReadsStandardInput) {
+  for (const std::string name : {"-", "/dev/stdin"}) {
+    const ProgramRun run = run_program({"check", name}, {.input = good_scene});
+    EXPECT_EQ(run.status, 0) << run.err;
+  }
+  EXPECT_EQ(run_program({"check", "-"}, {.input = good_scene}).out, "<stdin>: fine\n");
+}
+
+TEST_F(Check, TheWorstOfSeveralInputsCounts) {
+  const std::string good = folder.write("good.xml", good_scene);
+  const std::string bad = folder.write("bad.xml", "<scenefile>");
+  const ProgramRun two = run_program({"check", good, bad});
+  EXPECT_EQ(two.status, 1);
+  EXPECT_THAT(two.out, AllOf(HasSubstr(good + ": fine"), HasSubstr(bad + ": 1 error")));
+  const ProgramRun three = run_program({"check", bad, folder.path("none.xml"), good});
+  EXPECT_EQ(three.status, 3);
+  EXPECT_THAT(three.err, HasSubstr("none.xml: cannot open: No such file or directory"));
+  EXPECT_THAT(three.out, HasSubstr(good + ": fine"));
+}
+
+TEST_F(Check, WhatCannotBeReadIsStatusThree) {
+  for (const std::string& path :
+       {folder.path("none.xml"), folder.path(), std::string("/dev/zero")}) {
+    const ProgramRun run = run_program({"check", path});
+    EXPECT_EQ(run.status, 3) << path;
+    EXPECT_THAT(run.err, HasSubstr(path));
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+TEST_F(Check, LimitsAreStatusFour) {
+  std::string deep = "<scenefile>";
+  for (int i = 0; i < 2000; ++i) {
+    deep += "<object type=\"tree\"><transblock>";
+  }
+  EXPECT_EQ(run_program({"check", "-"}, {.input = deep}).status, 4);
+}
+
+TEST_F(Check, FindsTexturesAsTheRulesSay) {
+  const std::string scene = folder.write("scenes/s.xml", scene_with(textured));
+  const ProgramRun missing = run_program({"check", scene});
+  EXPECT_EQ(missing.status, 0);
+  EXPECT_THAT(missing.out, AllOf(HasSubstr("s.xml:15:"), HasSubstr("image/no.png")));
+  EXPECT_EQ(run_program({"check", "--no-assets", scene}).out, scene + ": fine\n");
+}
+
+TEST_F(Check, PolicyRaisesAndRemoves) {
+  const std::string scene = folder.write("s.xml", scene_with(textured));
+  const rapidjson::Document report = parse_json(run_program({"check", "--json", scene}).out);
+  const std::string code = report["scenes"][0]["findings"][0]["code"].GetString();
+  EXPECT_EQ(run_program({"check", "--deny", "warnings", scene}).status, 1);
+  const ProgramRun allowed = run_program({"check", "--deny", "warnings", "--allow", code, scene});
+  EXPECT_EQ(allowed.status, 0);
+  EXPECT_EQ(allowed.out, scene + ": fine\n");
+}
+
+TEST_F(Check, StrictRefusesDialects) {
+  const std::string scene = folder.write("s.xml", scene_with(R"(<shininess value="3"/>)"));
+  EXPECT_EQ(run_program({"check", scene}).status, 0);
+  EXPECT_EQ(run_program({"check", "--strict", scene}).status, 1);
+}
+
+TEST_F(Check, AnErrorCannotBeAllowed) {
+  const ProgramRun run = run_program({"check", "--allow", "xml.number", "a.xml"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("a scene that has it cannot be used"));
+}
+
+TEST_F(Check, CompatCourseReadsWhatTheCourseRead) {
+  const std::string scene = folder.write("s.xml", scene_with(R"(<diffuse r="1'" g="0" b="0"/>)"));
+  EXPECT_EQ(run_program({"check", scene}).status, 1);
+  const ProgramRun run = run_program({"check", "--compat", "course", scene});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr("warning"));
+}
+
+TEST_F(Check, JsonIsOneDocumentAndAllThereIs) {
+  const std::string good = folder.write("good.xml", good_scene);
+  const std::string bad = folder.write("bad.xml", scene_with("<difuse r=\"\xff\x1b[31m\"/>"));
+  const std::string none = folder.path("no\nne.xml");
+  const ProgramRun run = run_program({"check", "--json", good, bad, none});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.err, "");
+  const rapidjson::Document report = parse_json(run.out);
+  ASSERT_EQ(report["scenes"].Size(), 3U);
+  EXPECT_EQ(report["scenes"][0]["errors"].GetInt(), 0);
+  EXPECT_STREQ(report["scenes"][0]["file"].GetString(), good.c_str());
+  const auto& finding = report["scenes"][1]["findings"][0];
+  EXPECT_EQ(finding["line"].GetInt(), 15);
+  EXPECT_STREQ(finding["severity"].GetString(), "error");
+  EXPECT_THAT(report["scenes"][2]["error"].GetString(), HasSubstr("No such file"));
+}
+
+TEST_F(Check, NamesCannotForgeLines) {
+  const std::string scene = folder.write("a\nforged.xml: fine\x1b[31m.xml", "<scenefile>");
+  const ProgramRun run = run_program({"check", scene});
+  EXPECT_THAT(run.out, AllOf(HasSubstr("a\\nforged.xml: fine"), Not(HasSubstr("\x1b"))));
+}
+
+TEST_F(Check, LeavesNothingBehind) {
+  folder.write("s.xml", scene_with(textured));
+  run_program({"check", "s.xml"}, {.folder = folder.path()});
+  EXPECT_THAT(folder.list(), ::testing::ElementsAre("s.xml"));
+  EXPECT_EQ(folder.read("s.xml"), scene_with(textured));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -1,0 +1,68 @@
+// What goes wrong around the program.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(Faults, AFullStandardOutputIsStatusThree) {
+  const TempFolder folder;
+  const std::string scene = folder.write("s.xml", good_scene);
+  const std::vector<std::vector<std::string>> all{
+      {"check", scene}, {"check", "--json", scene},
+      {"info", scene},  {"help"},
+      {"--version"},    {"render", scene, "-o", "-", "--size", "8x8"}};
+  for (const std::vector<std::string>& words : all) {
+    const ProgramRun run = run_program(words, {.out_file = "/dev/full"});
+    EXPECT_EQ(run.status, 3) << words[0];
+    EXPECT_THAT(run.err, HasSubstr("standard output: cannot write: No space left on device"));
+  }
+}
+
+TEST(Faults, AFullDeviceIsStatusThree) {
+  const TempFolder folder;
+  const std::string scene = folder.write("s.xml", good_scene);
+  const ProgramRun run = run_program({"render", scene, "-o", "/dev/full", "--size", "8x8"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("/dev/full: cannot write: No space left on device"));
+}
+
+TEST(Faults, AnInterruptedRenderLeavesNothing) {
+  const TempFolder folder;
+  folder.write("s.xml", good_scene);
+  folder.write("out.png", "old");
+  for (const auto& [signal, status] : {std::pair(SIGINT, 130), {SIGTERM, 143}}) {
+    for (const int delay : {30, 150, 400}) {
+      const ProgramRun run =
+          run_program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000"},
+                      {.folder = folder.path(), .signal = signal, .delay_ms = delay});
+      EXPECT_EQ(run.status, status) << delay;
+      EXPECT_EQ(folder.read("out.png"), "old");
+      EXPECT_THAT(folder.list(), ElementsAre("out.png", "s.xml"));
+    }
+  }
+}
+
+TEST(Faults, ThePictureDoesNotDependOnLocaleOrFolder) {
+  const TempFolder folder;
+  const std::string scene = folder.write("s.xml", good_scene);
+  const std::vector<std::string> words{"render", scene, "-o", "-", "--size", "20x20"};
+  const std::string picture = run_program(words).out;
+  EXPECT_FALSE(picture.empty());
+  EXPECT_EQ(run_program(words, {.environment = {"LC_ALL=de_DE.UTF-8"}}).out, picture);
+  EXPECT_EQ(run_program(words, {.folder = "/"}).out, picture);
+}
+
+}  // namespace
+
+}  // namespace scenefile

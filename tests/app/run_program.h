@@ -1,0 +1,38 @@
+#pragma once
+// Runs the built program as a user would.
+
+#include "io/temp_folder.h"
+
+#include <rapidjson/document.h>
+
+#include <string>
+#include <vector>
+
+namespace scenefile::testing_support {
+
+struct ProgramRun {
+  int status = -1;  ///< exit status, or 1000 + the signal that killed it
+  std::string out;
+  std::string err;
+};
+
+struct RunSettings {
+  std::string input;                     ///< standard input
+  std::vector<std::string> environment;  ///< "NAME=value", added
+  std::string out_file;                  ///< standard output goes there instead
+  std::string folder;                    ///< working directory
+  int signal = 0;                        ///< sent after `delay_ms`
+  int delay_ms = 0;
+};
+
+ProgramRun run_program(const std::vector<std::string>& arguments, const RunSettings& settings = {});
+
+/// The document, after a check that it is one and nothing else.
+rapidjson::Document parse_json(const std::string& text);
+
+/// A scene that is fine: a lit sphere. Lines 1 to 19.
+extern const char* const good_scene;
+/// The same with other text in place of the sphere's diffuse color, line 15.
+std::string scene_with(const std::string& material);
+
+}  // namespace scenefile::testing_support

@@ -1,0 +1,128 @@
+// What the program says about itself, and to those who hold it wrong.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+void is_misuse(const std::vector<std::string>& arguments, const std::string& words) {
+  const ProgramRun run = run_program(arguments);
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_THAT(run.err, HasSubstr(words));
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Usage, SuggestsTheCommandThatWasMeant) {
+  is_misuse({"chekc", "a.xml"}, R"(there is no command "chekc"; did you mean check?)");
+  is_misuse({"qqqqqq"}, R"(there is no command "qqqqqq")");
+  is_misuse({"re\x1b[31mnder"}, R"("re\u{1b}[31mnder")");
+  is_misuse({}, "scenefile render SCENE");
+}
+
+TEST(Usage, SuggestsTheOptionThatWasMeant) {
+  is_misuse({"render", "a.xml", "-o", "b.png", "--sise=3x4"},
+            "render has no option --sise; did you mean --size?");
+  is_misuse({"check", "a.xml", "--size", "3x4"}, "check has no option --size");
+}
+
+TEST(Usage, JudgesValues) {
+  const auto render = [](const std::string& option, const std::string& value) {
+    return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};
+  };
+  is_misuse(render("--size", "big"), R"(--size: "big" is not a size such as 1024x768)");
+  is_misuse(render("--size", "0x5"), R"("0" is not a whole number from 1 to 65536)");
+  is_misuse(render("--size", "5x65537"), R"("65537" is not a whole number)");
+  is_misuse(render("--size", "4x4x4"), R"("4x4" is not a whole number)");
+  is_misuse(render("--profile", "curse"),
+            R"("curse" is none of course, fine; did you mean course?)");
+  is_misuse(render("--mode", "rays"), "did you mean ray?");
+  is_misuse(render("--features", "shadows,reflection"), R"("reflection" is none of shadows)");
+  is_misuse(render("--features", "shadow"), "did you mean shadows?");
+  is_misuse(render("--samples", "0"), R"(--samples: "0" is not a whole number from 1)");
+  is_misuse(render("--max-depth", "65"), "from 0 to 64");
+  is_misuse(render("--threads", "-1"), "--threads");
+  is_misuse(render("--seed", "1.5"), "--seed");
+  is_misuse(render("--compat", "modern"), "course");
+  is_misuse({"check", "a.xml", "--deny", "all"}, "warnings");
+  is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(there is no code "xml.nosuch")");
+}
+
+TEST(Usage, MissesWhatIsMissing) {
+  is_misuse({"check"}, "check needs a scene");
+  is_misuse({"render", "-o", "b.png"}, "render needs a scene");
+  is_misuse({"render", "a.xml"}, "render needs an output");
+  is_misuse({"render", "a.xml", "-o"}, "--output needs a value");
+  is_misuse({"render", "a.xml", "b.xml", "-o", "b.png"}, R"(what is "b.xml"?)");
+  is_misuse({"render", "a.xml", "-o", "b.jpg"}, "must end in .png, .exr or .pfm");
+  is_misuse({"render", "a.xml", "-o", "picture"}, "does not say what to write");
+}
+
+TEST(Usage, TheCourseHasSamplesOfItsOwn) {
+  const std::vector<std::string> course{"render", "a.xml", "-o", "b.png", "--profile", "course"};
+  for (const std::string option : {"--samples", "--seed"}) {
+    std::vector<std::string> words = course;
+    words.insert(words.end(), {option, "3"});
+    is_misuse(words, "--profile course has samples of its own: leave " + option + " out");
+  }
+}
+
+TEST(Usage, VersionIsAnAnswer) {
+  for (const std::string word : {"--version", "version"}) {
+    const ProgramRun run = run_program({word});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.out, "scenefile " SCENEFILE_VERSION "\n");
+    EXPECT_EQ(run.err, "");
+  }
+  EXPECT_STREQ(parse_json(run_program({"version", "--json"}).out)["scenefile"].GetString(),
+               SCENEFILE_VERSION);
+}
+
+TEST(Usage, HelpCoversCommandsAndCodes) {
+  EXPECT_THAT(run_program({"help"}).out, HasSubstr("scenefile check SCENE..."));
+  EXPECT_EQ(run_program({"--help"}).out, run_program({"help"}).out);
+  const ProgramRun render = run_program({"help", "render"});
+  EXPECT_EQ(render.status, 0);
+  EXPECT_THAT(render.out, AllOf(HasSubstr("--features LIST"), HasSubstr("Examples:")));
+  EXPECT_EQ(run_program({"render", "--help"}).out, render.out);
+  EXPECT_THAT(run_program({"help", "camera.up-parallel-to-look"}).out,
+              HasSubstr("the camera looks along its up direction (error)"));
+  is_misuse({"help", "chek"}, "did you mean check?");
+  is_misuse({"help", "camera.up-paralel-to-look"}, "did you mean camera.up-parallel-to-look?");
+}
+
+TEST(Usage, HelpFitsATerminal) {
+  for (const std::string command : {"render", "check", "info", "help", "version"}) {
+    std::istringstream lines(run_program({"help", command}).out);
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_LE(line.size(), 90U) << line;
+    }
+  }
+}
+
+TEST(Usage, EveryCodeHasAPage) {
+  const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
+  ASSERT_GE(help["codes"].Size(), 60U);
+  std::string last;
+  for (const auto& code : help["codes"].GetArray()) {
+    const std::string name = code["name"].GetString();
+    EXPECT_LT(last, name) << "sorted, and each name once";
+    EXPECT_GT(code["summary"].GetStringLength(), 5U) << name;
+    EXPECT_GT(code["help"].GetStringLength(), 5U) << name;
+    last = name;
+  }
+  EXPECT_EQ(help["commands"].Size(), 5U);
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -42,7 +42,7 @@ TEST(Faults, AnInterruptedRenderLeavesNothing) {
   folder.write("s.xml", good_scene);
   folder.write("out.png", "old");
   for (const auto& [signal, status] : {std::pair(SIGINT, 130), {SIGTERM, 143}}) {
-    for (const int delay : {30, 150, 400}) {
+    for (const int delay : {150, 300, 600}) {
       const ProgramRun run =
           run_program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000"},
                       {.folder = folder.path(), .signal = signal, .delay_ms = delay});

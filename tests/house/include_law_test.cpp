@@ -42,14 +42,14 @@ const std::map<std::string, std::string> third_party = {
 };
 
 struct Include {
-  fs::path file;     ///< below src/scenefile
+  fs::path file;     ///< below the folder that was searched
   std::string name;  ///< between the brackets or quotes
 };
 
-std::vector<Include> all_includes() {
+std::vector<Include> includes_below(const fs::path& folder) {
   const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   std::vector<Include> includes;
-  for (const auto& entry : fs::recursive_directory_iterator(root / "src/scenefile")) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") {
       continue;
     }
@@ -57,11 +57,15 @@ std::vector<Include> all_includes() {
     std::smatch match;
     for (std::string line; std::getline(file, line);) {
       if (std::regex_search(line, match, line_pattern)) {
-        includes.push_back({fs::relative(entry.path(), root / "src/scenefile"), match[1]});
+        includes.push_back({fs::relative(entry.path(), folder), match[1]});
       }
     }
   }
   return includes;
+}
+
+std::vector<Include> all_includes() {
+  return includes_below(root / "src/scenefile");
 }
 
 std::string room_of(const fs::path& file) {
@@ -102,6 +106,19 @@ TEST(IncludeLaw, HeadersShowNoLibraryButGlm) {
       EXPECT_TRUE(i.name.starts_with("scenefile/") || i.name.starts_with("glm/") ||
                   std::regex_match(i.name, standard))
           << i.file << " includes " << i.name;
+    }
+  }
+}
+
+TEST(IncludeLaw, TheProgramKeepsItsLibrariesInOneFileEach) {
+  const std::map<std::string, std::string> homes = {
+      {"CLI/", "options.cpp"}, {"rapidjson/", "json.cpp"}, {"expat.h", ""}, {"png.h", ""}};
+  for (const Include& i : includes_below(root / "app")) {
+    for (const auto& [library, home] : homes) {
+      EXPECT_TRUE(!i.name.starts_with(library) || i.file == home) << i.file << ": " << i.name;
+    }
+    if (i.file.extension() == ".h") {
+      EXPECT_FALSE(i.name.starts_with("fmt/")) << i.file;
     }
   }
 }

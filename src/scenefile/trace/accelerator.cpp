@@ -1,0 +1,685 @@
+// The only file that knows Embree.
+//
+// Each kept group (merge_groups.h) is one Embree scene with one user geometry whose primitives are
+// the group's parts: analytic shapes, meshes, instances of other groups. Embree only finds
+// candidates, in single precision and with padded boxes; the callbacks below transform the ray in
+// double precision and decide. Distances are those of the world's ray everywhere, because no
+// transformed direction is normalized. Native Embree instances are not used: common builds allow
+// one level of them and abort at the second.
+
+#include "scenefile/trace/accelerator.h"
+
+#include "scenefile/trace/group_bounds.h"
+#include "scenefile/trace/merge_groups.h"
+#include "scenefile/trace/ray_box.h"
+
+#if SCENEFILE_EMBREE_MAJOR == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace scenefile {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A ray that enters more instances than this is lost in overlapping templates.
+constexpr std::uint32_t max_instances_entered = 1u << 22;
+
+// Groups of so few parts are searched one by one.
+constexpr std::size_t few_parts = 3;
+
+enum class PartKind : std::uint8_t { shape, mesh, group };
+
+// One cache line. The transform is the definition of where the part is; single precision moves it
+// by no more than the file's own numbers do.
+struct Part {
+  Affine part_from_group;
+  PartKind kind = PartKind::shape;
+  Shape shape = Shape::cube;
+  std::uint32_t target = no_index;  // mesh or group
+  std::uint32_t material = 0;
+  std::uint32_t source = 0;
+};
+
+struct FloatBox {
+  float min[3];
+  float max[3];
+};
+
+struct Group {
+  std::vector<Part> parts;
+  std::vector<FloatBox> boxes;  // of the parts, while the structure is built
+  Bounds bounds;
+  double diagonal = 0;
+  RTCScene scene = nullptr;  // none for a few parts
+};
+
+struct MeshScene {
+  const Mesh* mesh = nullptr;
+  Bounds bounds;
+  double diagonal = 0;
+  RTCScene scene = nullptr;
+};
+
+#if SCENEFILE_EMBREE_MAJOR == 4
+using BaseContext = RTCRayQueryContext;
+#else
+using BaseContext = RTCIntersectContext;
+#endif
+
+// What one ray is about. Embree hands the context to every callback; the rest follows it in memory.
+struct Query {
+  BaseContext context;
+  const std::vector<Group>* groups = nullptr;
+  const std::vector<MeshScene>* meshes = nullptr;
+  double t_min = 0;
+  double best = infinity;                      // t of the nearest hit so far, or the end of the ray
+  const Transmission* transmission = nullptr;  // shadow rays through transparent objects
+  glm::i64vec3 density{0};
+  bool shadow = false;
+  bool blocked = false;
+  bool overwhelmed = false;
+  std::uint32_t entered = 0;
+
+  // The level that is being traversed: its ray, and how far Embree's copy of it starts behind.
+  const Ray* ray = nullptr;
+  double shift = 0;
+  std::uint32_t depth = 0;
+  std::array<std::uint32_t, max_instance_nesting + 1> path;  // part in each group on the way
+
+  // The mesh that is being traversed.
+  const Part* mesh_part = nullptr;
+  bool mesh_crossed = false;
+
+  // The nearest hit.
+  bool found = false;
+  std::uint32_t found_depth = 0;
+  std::array<std::uint32_t, max_instance_nesting + 1> found_path;
+  const Part* part = nullptr;
+  Face face = Face::side;
+  std::uint32_t triangle = 0;
+  double b1 = 0;
+  double b2 = 0;
+};
+
+Ray transform(const Affine& to_from, const Ray& ray) {
+  const DAffine m(to_from);
+  return {m.point(ray.origin), m.vector(ray.direction)};
+}
+
+float next_up(double value) {
+  const auto f = static_cast<float>(value);
+  return std::nextafter(f, std::numeric_limits<float>::infinity());
+}
+
+// Whether a hit at t replaces the one found so far. Of equal ones the first in the file wins, so
+// that the order in which Embree offers them does not matter.
+bool improves(const Query& q, double t, std::uint32_t triangle) {
+  if (t != q.best || !q.found) {
+    return t < q.best;
+  }
+  for (std::uint32_t i = 0; i <= std::min(q.depth, q.found_depth); ++i) {
+    if (q.path[i] != q.found_path[i]) {
+      return q.path[i] < q.found_path[i];
+    }
+  }
+  return triangle < q.triangle;
+}
+
+void accept(Query& q, const Part& part, double t) {
+  q.found = true;
+  q.best = t;
+  q.part = &part;
+  q.found_depth = q.depth;
+  std::copy_n(q.path.begin(), q.depth + 1, q.found_path.begin());
+}
+
+// A shadow ray met an object.
+void obstruct(Query& q, std::uint32_t material) {
+  if (q.transmission == nullptr) {
+    q.blocked = true;
+    return;
+  }
+  q.density += q.transmission->density(material);
+  q.blocked = Transmission::blocks(q.density);
+}
+
+// Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
+// single precision good however far away the origin is. False: the ray misses the box.
+bool start_in_box(const Query& q, const Ray& ray, const Bounds& box, double diagonal, double& shift,
+                  RTCRay& out) {
+  double enter = q.t_min;
+  double leave = q.best;
+  if (!clip_to_box(ray, box, enter, leave)) {
+    return false;
+  }
+  const double length = glm::length(ray.direction);
+  if (!(length > 1e-30 && length < 1e30)) {
+    return false;
+  }
+  shift = enter - 1e-6 * diagonal / length;
+  const glm::vec3 origin(ray.origin + shift * ray.direction);
+  const glm::vec3 direction(ray.direction);
+  out = {origin.x,    origin.y,    origin.z,
+         0.0f,        direction.x, direction.y,
+         direction.z, 0.0f,        next_up(q.best - shift),
+         0xffffffffu, 0,           0};
+  return true;
+}
+
+void embree_intersect(RTCScene scene, Query& q, RTCRayHit& ray) {
+#if SCENEFILE_EMBREE_MAJOR == 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &q.context;
+  rtcIntersect1(scene, &ray, &arguments);
+#else
+  rtcIntersect1(scene, &q.context, &ray);
+#endif
+}
+
+void embree_occluded(RTCScene scene, Query& q, RTCRay& ray) {
+#if SCENEFILE_EMBREE_MAJOR == 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &q.context;
+  rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &q.context, &ray);
+#endif
+}
+
+void search_scene(Query& q, RTCScene scene, const RTCRay& start) {
+  if (q.shadow) {
+    RTCRay ray = start;
+    embree_occluded(scene, q, ray);
+    return;
+  }
+  RTCRayHit ray;
+  ray.ray = start;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree_intersect(scene, q, ray);
+}
+
+void test_part(Query& q, const Group& group, std::uint32_t index, const Ray& ray);
+
+void search_group(Query& q, const Group& group, const Ray& ray) {
+  if (group.scene == nullptr) {
+    for (std::uint32_t i = 0; i < group.parts.size() && !q.blocked; ++i) {
+      test_part(q, group, i, ray);
+    }
+    return;
+  }
+  double shift = 0;
+  RTCRay start;
+  if (!start_in_box(q, ray, group.bounds, group.diagonal, shift, start)) {
+    return;
+  }
+  const Ray* const outer_ray = q.ray;
+  const double outer_shift = q.shift;
+  q.ray = &ray;
+  q.shift = shift;
+  search_scene(q, group.scene, start);
+  q.ray = outer_ray;
+  q.shift = outer_shift;
+}
+
+void search_mesh(Query& q, const Part& part, const Ray& ray) {
+  const MeshScene& mesh = (*q.meshes)[part.target];
+  double shift = 0;
+  RTCRay start;
+  if (!start_in_box(q, ray, mesh.bounds, mesh.diagonal, shift, start)) {
+    return;
+  }
+  const Ray* const outer_ray = q.ray;
+  const double outer_shift = q.shift;
+  q.ray = &ray;
+  q.shift = shift;
+  q.mesh_part = &part;
+  q.mesh_crossed = false;
+  search_scene(q, mesh.scene, start);
+  q.ray = outer_ray;
+  q.shift = outer_shift;
+  if (q.mesh_crossed) {
+    obstruct(q, part.material);
+  }
+}
+
+void test_shape(Query& q, const Part& part, const Ray& ray) {
+  // Up to and including the best t, for the decision between equals.
+  ShapeHit hit;
+  const double end = q.shadow ? q.best : std::nextafter(q.best, infinity);
+  if (!intersect(part.shape, ray, q.t_min, end, hit)) {
+    return;
+  }
+  if (q.shadow) {
+    obstruct(q, part.material);
+  } else if (improves(q, hit.t, 0)) {
+    accept(q, part, hit.t);
+    q.face = hit.face;
+    q.triangle = 0;
+  }
+}
+
+void enter_instance(Query& q, const Part& part, const Ray& ray) {
+  if (++q.entered > max_instances_entered) {
+    q.overwhelmed = true;
+    q.blocked = true;
+    q.best = -infinity;
+    return;
+  }
+  ++q.depth;
+  search_group(q, (*q.groups)[part.target], ray);
+  --q.depth;
+}
+
+void test_part(Query& q, const Group& group, std::uint32_t index, const Ray& ray) {
+  const Part& part = group.parts[index];
+  const Ray local = transform(part.part_from_group, ray);
+  q.path[q.depth] = index;
+  switch (part.kind) {
+    case PartKind::shape:
+      return test_shape(q, part, local);
+    case PartKind::mesh:
+      return search_mesh(q, part, local);
+    case PartKind::group:
+      return enter_instance(q, part, local);
+  }
+}
+
+void group_bounds_callback(const RTCBoundsFunctionArguments* arguments) {
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  const FloatBox& box = group.boxes[arguments->primID];
+  *arguments->bounds_o = {box.min[0], box.min[1], box.min[2], 0.0f,
+                          box.max[0], box.max[1], box.max[2], 0.0f};
+}
+
+void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) {
+    return;
+  }
+  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  test_part(q, group, arguments->primID, *q.ray);
+  auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+  const float end = q.overwhelmed ? -1.0f : next_up(q.best - q.shift);
+  if (end < ray.ray.tfar) {
+    ray.ray.tfar = end;
+    ray.hit.geomID = arguments->geomID;
+    ray.hit.primID = arguments->primID;
+  }
+}
+
+void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) {
+    return;
+  }
+  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  test_part(q, group, arguments->primID, *q.ray);
+  if (q.blocked) {
+    reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -std::numeric_limits<float>::infinity();
+  }
+}
+
+struct TriangleHit {
+  double t = 0;
+  double b1 = 0;
+  double b2 = 0;
+};
+
+// Where the ray meets the triangle's plane; Embree has found that it is inside. Weights are
+// clamped because at an edge the two precisions disagree.
+bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, TriangleHit& hit) {
+  const auto& corners = mesh.triangles[index];
+  const glm::dvec3 p0(mesh.positions[corners[0]]);
+  const glm::dvec3 e1 = glm::dvec3(mesh.positions[corners[1]]) - p0;
+  const glm::dvec3 e2 = glm::dvec3(mesh.positions[corners[2]]) - p0;
+  const glm::dvec3 normal = glm::cross(e1, e2);
+  const double facing = glm::dot(normal, ray.direction);
+  hit.t = glm::dot(normal, p0 - ray.origin) / facing;
+  if (!std::isfinite(hit.t)) {
+    return false;
+  }
+  const glm::dvec3 q = glm::cross(p0 - ray.origin, ray.direction);
+  hit.b1 = glm::clamp(-glm::dot(q, e2) / facing, 0.0, 1.0);
+  hit.b2 = glm::clamp(glm::dot(q, e1) / facing, 0.0, 1.0 - hit.b1);
+  return true;
+}
+
+void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
+  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
+  const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  TriangleHit hit;
+  if (!meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit) || !(hit.t > q.t_min) ||
+      !improves(q, hit.t, candidate.primID)) {
+    arguments->valid[0] = 0;
+    return;
+  }
+  accept(q, *q.mesh_part, hit.t);
+  q.triangle = candidate.primID;
+  q.b1 = hit.b1;
+  q.b2 = hit.b2;
+  // A little beyond the hit, so that triangles at the same distance are offered too.
+  const double reach = q.best - q.shift;
+  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = next_up(reach + 1e-6 * std::abs(reach));
+}
+
+void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
+  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
+  const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  TriangleHit hit;
+  if (meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit) && hit.t > q.t_min &&
+      hit.t < q.best) {
+    q.mesh_crossed = true;
+  } else {
+    arguments->valid[0] = 0;
+  }
+}
+
+// A single-precision box around what is to be found in a part. The padding covers the rounding of
+// the part's transform and of Embree's rays; it is kept small beside the part itself.
+FloatBox padded(const Bounds& box, const Bounds& group) {
+  const glm::dvec3 reach = glm::max(glm::abs(group.min), glm::abs(group.max));
+  const glm::dvec3 own = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double largest = std::max({reach.x, reach.y, reach.z});
+  const double own_largest = std::max({own.x, own.y, own.z});
+  const double size = glm::length(box.max - box.min);
+  const double pad = std::max(1e-6 * own_largest, std::min(1e-6 * largest, 0.02 * size));
+  FloatBox result{};
+  for (int axis = 0; axis < 3; ++axis) {
+    result.min[axis] = -next_up(pad - box.min[axis]);
+    result.max[axis] = next_up(box.max[axis] + pad);
+  }
+  return result;
+}
+
+Bounds widened(const Bounds& box) {
+  const glm::dvec3 own = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const glm::dvec3 pad(2e-6 * std::max({own.x, own.y, own.z}) + 1e-300);
+  return {box.min - pad, box.max + pad};
+}
+
+}  // namespace
+
+struct Accelerator::Impl {
+  RTCDevice device = nullptr;
+  std::vector<Group> groups;
+  std::vector<MeshScene> meshes;
+  std::uint32_t root = 0;
+  AcceleratorStatus status = AcceleratorStatus::ready;
+  mutable std::atomic<bool> overwhelmed{false};
+
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    for (const Group& group : groups) {
+      release(group.scene);
+    }
+    for (const MeshScene& mesh : meshes) {
+      release(mesh.scene);
+    }
+    if (device != nullptr) {
+      rtcReleaseDevice(device);
+    }
+  }
+
+  static void release(RTCScene scene) {
+    if (scene != nullptr) {
+      rtcReleaseScene(scene);
+    }
+  }
+
+  void build(const RenderScene& scene, const Assets& assets, int threads);
+  void build_group(const RenderScene& scene, const MergePlan& plan, std::uint32_t index);
+  void add_part(Group& group, const MergedPart& merged, std::vector<Bounds>& boxes);
+  void commit_group(Group& group, const std::vector<Bounds>& boxes);
+  void build_mesh(std::uint32_t index);
+  RTCScene commit(RTCGeometry geometry, RTCSceneFlags flags);
+  bool search(Query& q, const Ray& ray) const;
+  void fill(const Query& q, const Ray& ray, Hit& hit) const;
+};
+
+void Accelerator::Impl::build(const RenderScene& scene, const Assets& assets, int threads) {
+  const MergePlan plan = plan_merge(scene);
+  if (plan.nesting > max_instance_nesting) {
+    status = AcceleratorStatus::too_deep;
+    return;
+  }
+  // Eight-wide trees: measured up to a quarter faster than the default.
+  const std::string options =
+      "frequency_level=simd256" + (threads > 0 ? ",threads=" + std::to_string(threads) : "");
+  device = rtcNewDevice(options.c_str());
+  if (device == nullptr) {
+    status = AcceleratorStatus::out_of_memory;
+    return;
+  }
+  const std::vector<Bounds> boxes = mesh_bounds(scene, assets);
+  meshes.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    meshes[i].bounds = boxes[i];
+    meshes[i].mesh = boxes[i].empty() ? nullptr : &assets.meshes[i];
+  }
+  groups.resize(scene.groups.size());
+  root = scene.root;
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    if (plan.kept[g]) {
+      build_group(scene, plan, g);
+    }
+  }
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
+    status = AcceleratorStatus::out_of_memory;
+  }
+}
+
+void Accelerator::Impl::build_group(const RenderScene& scene, const MergePlan& plan,
+                                    std::uint32_t index) {
+  Group& group = groups[index];
+  const std::vector<MergedPart> merged = merged_parts(scene, plan, index);
+  group.parts.reserve(merged.size());
+  std::vector<Bounds> boxes;
+  boxes.reserve(merged.size());
+  for (const MergedPart& part : merged) {
+    add_part(group, part, boxes);
+  }
+  for (const Bounds& box : boxes) {
+    group.bounds = unite(group.bounds, box);
+  }
+  if (group.parts.size() > few_parts) {
+    commit_group(group, boxes);
+  }
+  if (!group.bounds.empty()) {
+    group.bounds = widened(group.bounds);
+    group.diagonal = glm::length(group.bounds.max - group.bounds.min);
+  }
+}
+
+void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
+                                 std::vector<Bounds>& boxes) {
+  Part part;
+  Bounds box;
+  if (merged.primitive == nullptr) {
+    part.kind = PartKind::group;
+    part.target = merged.group;
+    box = placed_bounds(groups[merged.group].bounds, merged.group_from_part);
+  } else {
+    const RenderPrimitive& primitive = *merged.primitive;
+    part.shape = primitive.shape;
+    part.material = primitive.material;
+    part.source = primitive.source;
+    if (primitive.shape == Shape::mesh) {
+      part.kind = PartKind::mesh;
+      part.target = primitive.mesh;
+      build_mesh(primitive.mesh);
+      box = placed_bounds(meshes[primitive.mesh].bounds, merged.group_from_part);
+    } else {
+      box = shape_bounds(primitive.shape, merged.group_from_part);
+    }
+  }
+  part.part_from_group = Affine(inverse(merged.group_from_part));
+  // Merging may have multiplied transforms beyond what a float can hold.
+  if (!box.empty() && invertible(DAffine(part.part_from_group))) {
+    group.parts.push_back(part);
+    boxes.push_back(box);
+  }
+}
+
+void Accelerator::Impl::commit_group(Group& group, const std::vector<Bounds>& boxes) {
+  group.boxes.reserve(boxes.size());
+  for (const Bounds& box : boxes) {
+    group.boxes.push_back(padded(box, group.bounds));
+  }
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.parts.size()));
+  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryBoundsFunction(
+      geometry, [](const RTCBoundsFunctionArguments* a) { group_bounds_callback(a); }, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, group_intersect_callback);
+  rtcSetGeometryOccludedFunction(geometry, group_occluded_callback);
+  group.scene = commit(geometry, RTC_SCENE_FLAG_NONE);
+  group.boxes = {};
+}
+
+void Accelerator::Impl::build_mesh(std::uint32_t index) {
+  MeshScene& mesh = meshes[index];
+  if (mesh.mesh == nullptr || mesh.scene != nullptr) {
+    return;
+  }
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const std::vector<glm::vec3>& positions = mesh.mesh->positions;
+  // Copied, not shared: Embree reads a little past the last vertex.
+  void* const vertices = rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions.size());
+  if (vertices != nullptr) {
+    std::copy(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices));
+  }
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.mesh->triangles.data(), 0, sizeof(mesh.mesh->triangles[0]),
+                             mesh.mesh->triangles.size());
+  rtcSetGeometryUserData(geometry, &mesh);
+  rtcSetGeometryIntersectFilterFunction(geometry, mesh_intersect_filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, mesh_occluded_filter);
+  // Robust: without it rays slip through between triangles.
+  mesh.scene = commit(geometry, RTC_SCENE_FLAG_ROBUST);
+  mesh.bounds = widened(mesh.bounds);
+  mesh.diagonal = glm::length(mesh.bounds.max - mesh.bounds.min);
+}
+
+RTCScene Accelerator::Impl::commit(RTCGeometry geometry, RTCSceneFlags flags) {
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, flags);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  return scene;
+}
+
+bool Accelerator::Impl::search(Query& q, const Ray& ray) const {
+  const glm::dvec3 sum = ray.origin + ray.direction;
+  if (groups.empty() || !std::isfinite(sum.x + sum.y + sum.z)) {
+    return false;
+  }
+#if SCENEFILE_EMBREE_MAJOR == 4
+  rtcInitRayQueryContext(&q.context);
+#else
+  rtcInitIntersectContext(&q.context);
+#endif
+  q.groups = &groups;
+  q.meshes = &meshes;
+  search_group(q, groups[root], ray);
+  if (q.overwhelmed) {
+    overwhelmed.store(true, std::memory_order_relaxed);
+  }
+  return q.found && !q.overwhelmed;
+}
+
+void Accelerator::Impl::fill(const Query& q, const Ray& ray, Hit& hit) const {
+  const Part& part = *q.part;
+  hit.t = q.best;
+  hit.shape = part.shape;
+  hit.face = q.face;
+  hit.mesh = part.kind == PartKind::mesh ? part.target : no_index;
+  hit.triangle = q.triangle;
+  hit.b1 = q.b1;
+  hit.b2 = q.b2;
+  hit.material = part.material;
+  hit.source = part.source;
+  hit.part = &part;
+  hit.object_from_world = DAffine();
+  std::uint32_t group = root;
+  for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
+    const Part& step = groups[group].parts[q.found_path[i]];
+    hit.object_from_world = DAffine(step.part_from_group) * hit.object_from_world;
+    group = step.target;
+  }
+  hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
+}
+
+Accelerator::Accelerator(const RenderScene& scene, const Assets& assets, int threads)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->build(scene, assets, threads);
+}
+
+Accelerator::~Accelerator() = default;
+
+AcceleratorStatus Accelerator::status() const {
+  return impl_->status;
+}
+
+bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) const {
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  if (!impl_->search(q, ray)) {
+    return false;
+  }
+  impl_->fill(q, ray, hit);
+  return true;
+}
+
+bool Accelerator::occluded(const Ray& ray, double t_min, double t_max) const {
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  q.shadow = true;
+  impl_->search(q, ray);
+  return q.blocked;
+}
+
+glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max,
+                                      const Transmission& transmission) const {
+  if (transmission.all_opaque()) {
+    return glm::dvec3(occluded(ray, t_min, t_max) ? 0 : 1);
+  }
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  q.shadow = true;
+  q.transmission = &transmission;
+  impl_->search(q, ray);
+  return q.blocked ? glm::dvec3(0) : Transmission::factor(q.density);
+}
+
+bool Accelerator::overwhelmed() const {
+  return impl_->overwhelmed.load(std::memory_order_relaxed);
+}
+
+bool same_object(const Hit& a, const Hit& b) {
+  return a.part == b.part && a.object_from_world == b.object_from_world;
+}
+
+}  // namespace scenefile

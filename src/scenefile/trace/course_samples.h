@@ -1,0 +1,51 @@
+#pragma once
+// The two sampling patterns of the course's reference pictures.
+
+#include "scenefile/trace/tracer.h"
+
+#include <array>
+
+namespace scenefile {
+
+/// Color seen at a point of the picture, clamped to [0, 1].
+template <typename F>
+concept ColorAt = requires(F f, glm::dvec2 p) {
+  { f(p) } -> std::convertible_to<Color>;
+};
+
+namespace course {
+
+inline constexpr double max_difference = 50.0 / 255;  ///< between neighbors that stay as they are
+inline constexpr int max_level = 3;                   ///< cells of 1, 1/2 and 1/4 pixel
+
+inline bool differ(const Color& a, const Color& b) {
+  const Color d = glm::abs(a - b);
+  return d.x > max_difference || d.y > max_difference || d.z > max_difference;
+}
+
+/// Average over a square cell: four samples in its quadrants, of which those that differ from a
+/// horizontal or vertical neighbor are cells themselves.
+template <ColorAt F>
+Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) {
+  const double half = size / 2;
+  std::array<glm::dvec2, 4> corners;  // top left, top right, bottom left, bottom right
+  std::array<Color, 4> colors;
+  for (int i = 0; i < 4; ++i) {
+    corners[i] = corner + half * glm::dvec2(i % 2, i / 2);
+    colors[i] = color_at(corners[i] + half / 2);
+  }
+  Color sum(0);
+  for (int i = 0; i < 4; ++i) {
+    const bool uneven = differ(colors[i], colors[i ^ 1]) || differ(colors[i], colors[i ^ 2]);
+    sum += uneven && level < max_level ? cell(color_at, corners[i], half, level + 1) : colors[i];
+  }
+  return sum / 4.0;
+}
+
+/// Where the course's rays leave the lens, in apertures.
+inline constexpr std::array<std::array<double, 2>, 8> lens_points{
+    {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
+
+}  // namespace course
+
+}  // namespace scenefile

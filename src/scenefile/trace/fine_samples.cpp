@@ -1,0 +1,91 @@
+#include "scenefile/trace/fine_samples.h"
+
+#include "scenefile/trace/sequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::uint32_t first_round = 4;
+
+// Points on each area light seen from what a camera ray hits; bounced rays look at one.
+constexpr std::uint32_t light_samples = 4;
+
+// A pixel is settled when its mean is uncertain by less than this.
+constexpr double settled_error = 1.0 / 512;
+
+constexpr double visible_difference = 1.0 / 48;
+
+double largest(const Color& c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+}  // namespace
+
+double PixelSamples::error() const {
+  if (count < 2) {
+    return 0;
+  }
+  const Color mean_clamped = clamped_sum / double(count);
+  const Color variance = (sum_of_squares - double(count) * mean_clamped * mean_clamped) /
+                         (double(count) * (count - 1.0));
+  return std::sqrt(std::max(0.0, largest(variance)));
+}
+
+FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
+    : tracer_(tracer),
+      camera_(camera),
+      seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
+                       static_cast<std::uint32_t>(tracer.options.seed >> 32))) {}
+
+std::uint32_t FineSampler::first_samples() const {
+  return std::min(first_round, static_cast<std::uint32_t>(std::max(1, tracer_.options.samples)));
+}
+
+Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
+  const std::uint32_t pixel =
+      mixed_bits(mixed_bits(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)), seed_);
+  const bool alone = tracer_.options.samples <= 1;
+  const glm::dvec2 in_pixel = alone ? glm::dvec2(0.5) : stratified_2d(index, mixed_bits(pixel, 1));
+  const glm::dvec2 on_lens = camera_.has_lens()
+                                 ? disk_of_square(stratified_2d(index, mixed_bits(pixel, 2)))
+                                 : glm::dvec2(0);
+  const Ray ray = camera_.ray(glm::dvec2(x, y) + in_pixel, on_lens);
+  // The first samples share the pixel between them, so each filters textures over its share.
+  const RayCone cone{0, camera_.pixel_spread() / std::sqrt(double(first_samples()))};
+  const SampleKey key{index, mixed_bits(pixel, 3), light_samples};
+  return trace_camera_ray(tracer_, ray, cone, key, counts);
+}
+
+void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,
+                       RayCounts& counts) const {
+  for (; samples.count < count; ++samples.count) {
+    const Color color = sample(x, y, samples.count, counts);
+    const Color clamped = glm::clamp(color, Color(0), Color(1));
+    samples.sum += color;
+    samples.clamped_sum += clamped;
+    samples.sum_of_squares += clamped * clamped;
+  }
+}
+
+void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts) const {
+  const auto most = static_cast<std::uint32_t>(tracer_.options.samples);
+  do {
+    const std::uint32_t next = samples.count > most / 2 ? most : samples.count * 2;
+    take(x, y, next, samples, counts);
+  } while (samples.count < most && samples.error() > settled_error);
+}
+
+bool uneven(const PixelSamples& samples) {
+  return samples.error() > settled_error;
+}
+
+bool differ(const Color& a, const Color& b) {
+  const Color d = glm::abs(glm::clamp(a, Color(0), Color(1)) - glm::clamp(b, Color(0), Color(1)));
+  return largest(d) > visible_difference;
+}
+
+}  // namespace scenefile

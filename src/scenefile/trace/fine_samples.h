@@ -1,0 +1,47 @@
+#pragma once
+// The fine profile's samples of a pixel.
+
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/integrator.h"
+
+namespace scenefile {
+
+/// Sums over the samples that a pixel has had so far.
+struct PixelSamples {
+  Color sum{0};
+  Color sum_of_squares{0};  ///< of colors clamped to [0, 1]
+  Color clamped_sum{0};
+  std::uint32_t count = 0;
+
+  Color mean() const { return count == 0 ? Color(0) : sum / double(count); }
+  /// Standard error of the clamped mean, largest of the channels.
+  double error() const;
+};
+
+/// Samples of one picture; each is a function of the pixel, its number and the seed.
+class FineSampler {
+ public:
+  FineSampler(const Tracer& tracer, const CameraRays& camera);
+
+  /// How many samples every pixel gets before any gets more.
+  std::uint32_t first_samples() const;
+  /// Takes samples number samples.count to `count`.
+  void take(int x, int y, std::uint32_t count, PixelSamples& samples, RayCounts& counts) const;
+  /// Takes more, in rounds of doubled number, until they agree or options.samples are taken.
+  void refine(int x, int y, PixelSamples& samples, RayCounts& counts) const;
+
+ private:
+  Color sample(int x, int y, std::uint32_t index, RayCounts& counts) const;
+
+  const Tracer& tracer_;
+  const CameraRays& camera_;
+  std::uint32_t seed_;
+};
+
+/// Whether a pixel needs more than its first samples: they disagree with each other.
+bool uneven(const PixelSamples& samples);
+
+/// Whether two neighboring pixels differ enough for both to need more samples.
+bool differ(const Color& a, const Color& b);
+
+}  // namespace scenefile

@@ -1,0 +1,28 @@
+#pragma once
+// Light that arrives at a point, before anything blocks it.
+
+#include "scenefile/scene/render_scene.h"
+
+#include <glm/glm.hpp>
+
+namespace scenefile {
+
+struct Illumination {
+  glm::dvec3 to_light{0};  ///< unit length
+  double distance = 0;     ///< infinite for directional lights
+  glm::dvec3 color{0};     ///< attenuation and spot factor included
+};
+
+/// Share of full light at `distance` world units: 1 / (c1 + c2 d + c3 d^2), at most 1.
+double attenuation(const glm::vec3& coefficients, double distance);
+
+/// Share of full light at an angle (given by its cosine) from the axis of a spot: 1 up to the inner
+/// angle, a smoothstep of the angle down to 0 at the outer.
+double spot_factor(const RenderLight& light, double cosine);
+
+/// `on_light` in [0, 1]^2 chooses a point of an area light. Returns false when nothing arrives: the
+/// point is outside a spot's cone, behind an area light, or at the light itself.
+bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
+                Illumination& result);
+
+}  // namespace scenefile

@@ -1,0 +1,178 @@
+#include "scenefile/trace/merge_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace scenefile {
+
+namespace {
+
+// Identical instances at one place are one object to every ray, but each would be followed: a
+// template of ten equal lines, forty levels deep, would never end.
+std::vector<MergeEdge> distinct_edges(const RenderGroup& group) {
+  using Key = std::array<std::uint32_t, 13>;
+  std::vector<std::pair<Key, std::size_t>> keys;
+  keys.reserve(group.instances.size());
+  for (std::size_t i = 0; i < group.instances.size(); ++i) {
+    const RenderInstance& instance = group.instances[i];
+    static_assert(sizeof(Affine) == 12 * sizeof(float));
+    Key key;
+    std::memcpy(key.data(), &instance.group_from_instance, sizeof(Affine));
+    key[12] = instance.group;
+    keys.emplace_back(key, i);
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end(),
+                         [](const auto& a, const auto& b) { return a.first == b.first; }),
+             keys.end());
+  std::sort(keys.begin(), keys.end(),
+            [](const auto& a, const auto& b) { return a.second < b.second; });
+  std::vector<MergeEdge> edges;
+  edges.reserve(keys.size());
+  for (const auto& [key, i] : keys) {
+    const RenderInstance& instance = group.instances[i];
+    edges.push_back({instance.group_from_instance, instance.group, false});
+  }
+  return edges;
+}
+
+// Sums that a file can make larger than any integer.
+std::size_t add_saturating(std::size_t a, std::size_t b) {
+  return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max()
+                                                         : a + b;
+}
+
+// A group of so few steps is copied wherever it is used.
+constexpr std::size_t small_cost = 4;
+
+class Planner {
+ public:
+  Planner(const RenderScene& scene, const MergeLimits& limits, MergePlan& plan)
+      : scene_(scene), limits_(limits), plan_(plan) {}
+
+  void run() {
+    const std::size_t count = scene_.groups.size();
+    uses_.assign(count, 0);
+    cost_.assign(count, 0);
+    for (const RenderGroup& group : scene_.groups) {
+      plan_.edges.push_back(distinct_edges(group));
+      for (const MergeEdge& edge : plan_.edges.back()) {
+        ++uses_[edge.group];
+      }
+    }
+    for (std::uint32_t g = 0; g < count; ++g) {
+      merge_into(g);
+    }
+    keep_what_is_used();
+  }
+
+ private:
+  // Copying costs a step for each part and each group on the way to it; chains of templates that
+  // hold one thing each are not free.
+  std::size_t copy_cost(const MergeEdge& edge) const {
+    return uses_[edge.group] == 1 || cost_[edge.group] <= small_cost ? 0 : cost_[edge.group];
+  }
+
+  void merge_into(std::uint32_t g) {
+    std::size_t whole = scene_.groups[g].primitives.size();
+    std::size_t copied = 0;
+    for (const MergeEdge& edge : plan_.edges[g]) {
+      whole = add_saturating(whole, add_saturating(cost_[edge.group], 1));
+      copied = add_saturating(copied, copy_cost(edge));
+    }
+    const bool copy_shared =
+        whole <= limits_.group_parts && copied <= limits_.copied_parts - copied_;
+    copied_ += copy_shared ? copied : 0;
+    cost_[g] = scene_.groups[g].primitives.size();
+    for (MergeEdge& edge : plan_.edges[g]) {
+      edge.merged = copy_shared || copy_cost(edge) == 0;
+      cost_[g] += 1 + (edge.merged ? cost_[edge.group] : 0);
+    }
+  }
+
+  void keep_what_is_used() {
+    const std::size_t count = scene_.groups.size();
+    plan_.kept.assign(count, false);
+    // How deep kept groups nest below each group, itself not counted.
+    std::vector<std::uint32_t> below(count, 0);
+    for (std::uint32_t g = 0; g < count; ++g) {
+      for (const MergeEdge& edge : plan_.edges[g]) {
+        below[g] = std::max(below[g], below[edge.group] + (edge.merged ? 0 : 1));
+      }
+    }
+    if (count == 0) {
+      return;
+    }
+    plan_.kept[scene_.root] = true;
+    plan_.nesting = below[scene_.root];
+    mark_kept(scene_.root);
+  }
+
+  // A group is reached through merged ones too: what those refer to is used as well.
+  void mark_kept(std::uint32_t root) {
+    std::vector<bool> reached(scene_.groups.size(), false);
+    reached[root] = true;
+    for (std::uint32_t g = root + 1; g-- > 0;) {
+      if (!reached[g]) {
+        continue;
+      }
+      for (const MergeEdge& edge : plan_.edges[g]) {
+        reached[edge.group] = true;
+        plan_.kept[edge.group] = plan_.kept[edge.group] || !edge.merged;
+      }
+    }
+  }
+
+  const RenderScene& scene_;
+  const MergeLimits& limits_;
+  MergePlan& plan_;
+  std::vector<std::size_t> uses_;  // by instances, repetitions not counted
+  std::vector<std::size_t> cost_;  // steps to list the parts of the group after merging
+  std::size_t copied_ = 0;
+};
+
+}  // namespace
+
+MergePlan plan_merge(const RenderScene& scene, const MergeLimits& limits) {
+  MergePlan plan;
+  Planner(scene, limits, plan).run();
+  return plan;
+}
+
+std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& plan,
+                                     std::uint32_t group) {
+  struct Frame {
+    std::uint32_t group;
+    std::size_t next_edge;
+    DAffine top_from_group;
+  };
+  std::vector<MergedPart> parts;
+  const auto add_primitives = [&](const Frame& frame) {
+    for (const RenderPrimitive& primitive : scene.groups[frame.group].primitives) {
+      parts.push_back(
+          {frame.top_from_group * DAffine(primitive.group_from_object), &primitive, no_index});
+    }
+  };
+  std::vector<Frame> stack{{group, 0, {}}};
+  add_primitives(stack.back());
+  while (!stack.empty()) {
+    Frame& frame = stack.back();
+    if (frame.next_edge == plan.edges[frame.group].size()) {
+      stack.pop_back();
+      continue;
+    }
+    const MergeEdge& edge = plan.edges[frame.group][frame.next_edge++];
+    const DAffine top_from_instance = frame.top_from_group * DAffine(edge.group_from_instance);
+    if (edge.merged) {
+      stack.push_back({edge.group, 0, top_from_instance});
+      add_primitives(stack.back());
+    } else {
+      parts.push_back({top_from_instance, nullptr, edge.group});
+    }
+  }
+  return parts;
+}
+
+}  // namespace scenefile

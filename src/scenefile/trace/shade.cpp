@@ -1,0 +1,137 @@
+#include "scenefile/trace/shade.h"
+
+#include "scenefile/trace/bump.h"
+#include "scenefile/trace/lights.h"
+#include "scenefile/trace/sequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+// The course profile looks at the middles of so many cells along each side of an area light.
+constexpr std::uint32_t course_light_side = 4;
+
+// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
+Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
+                    double width) {
+  const RenderMaterial& material = *point.material;
+  const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
+  const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
+                        material.texture.used() && material.blend != 0;
+  if (!textured || tracer.assets.textures[material.texture.file].empty()) {
+    return plain;
+  }
+  const Texture& texture = tracer.assets.textures[material.texture.file];
+  const glm::dvec2& uv = point.object.uv;
+  Color color;
+  if (!tracer.options.features.texture_filter) {
+    color = lookup_nearest(texture, material.texture, uv);
+  } else if (tracer.course()) {
+    color = lookup_course_filter(texture, material.texture, uv);
+  } else {
+    color = lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
+                            uv_footprint(point, direction, width));
+  }
+  return glm::mix(plain, color, double(material.blend));
+}
+
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
+                double width) {
+  const RenderTexture& map = point.material->bump_map;
+  if (!map.used() || !point.has_uv || tracer.pyramids.empty() ||
+      tracer.pyramids[map.file].empty()) {
+    return;
+  }
+  point.normal =
+      bumped_normal(point, tracer.pyramids[map.file], uv_footprint(point, direction, width));
+}
+
+// Share of light of each color that reaches the point.
+Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumination& light,
+                 RayCounts& counts) {
+  if (!tracer.options.features.shadows || tracer.options.mode != Mode::ray) {
+    return Color(1);
+  }
+  ++counts.shadow;
+  const Ray ray{point.position, light.to_light};
+  const double start = tracer.start_offset(point.position, point.hit.t);
+  const double end = tracer.course() ? light.distance : light.distance * (1 - 1e-9);
+  return tracer.accelerator.transmittance(ray, start, end, tracer.transmission);
+}
+
+// What the light sends to the eye by way of the point.
+struct Reflector {
+  const Tracer& tracer;
+  const SurfacePoint& point;
+  glm::dvec3 to_eye;
+  Color diffuse;
+  Color specular;
+
+  Color lit_by(const Illumination& light, RayCounts& counts) const {
+    const double cosine = glm::dot(point.normal, light.to_light);
+    Color share = diffuse * std::max(0.0, cosine);
+    const double mirrored = glm::dot(2 * cosine * point.normal - light.to_light, to_eye);
+    if (mirrored > 0 && point.material->shininess > 0) {
+      share += specular * std::pow(mirrored, double(point.material->shininess));
+    }
+    if (share == Color(0)) {
+      return share;
+    }
+    return share * light.color * visibility(tracer, point, light, counts);
+  }
+
+  Color lit_by_area(const RenderLight& light, std::uint32_t index, const SampleKey& key,
+                    RayCounts& counts) const {
+    const bool grid = tracer.course();
+    const std::uint32_t side = course_light_side;
+    const std::uint32_t samples = grid ? side * side : key.light_samples;
+    Color sum(0);
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      const glm::dvec2 on_light =
+          grid ? glm::dvec2(i % side + 0.5, i / side + 0.5) / double(side)
+               : stratified_2d(key.sample * samples + i, mixed_bits(key.pattern, 16 + index));
+      Illumination arriving;
+      if (illuminate(light, point.position, on_light, arriving)) {
+        sum += lit_by(arriving, counts);
+      }
+    }
+    return sum / double(samples);
+  }
+};
+
+// The course's ray caster knows only directional lights.
+bool shines(const Tracer& tracer, const RenderLight& light) {
+  return !(tracer.options.mode == Mode::intersect && tracer.course()) ||
+         light.type == LightType::directional;
+}
+
+}  // namespace
+
+Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
+            const SampleKey& key, RayCounts& counts) {
+  apply_bump(tracer, point, direction, width);
+  const RenderGlobal& global = tracer.scene.global;
+  const RenderMaterial& material = *point.material;
+  const Reflector reflector{tracer, point, -direction,
+                            diffuse_color(tracer, point, direction, width),
+                            double(global.specular) * Color(material.specular)};
+  Color color = double(global.ambient) * Color(material.ambient);
+  for (std::uint32_t i = 0; i < tracer.scene.lights.size(); ++i) {
+    const RenderLight& light = tracer.scene.lights[i];
+    Illumination arriving;
+    if (!shines(tracer, light)) {
+      continue;
+    }
+    if (light.type == LightType::area) {
+      color += reflector.lit_by_area(light, i, key, counts);
+    } else if (illuminate(light, point.position, {0.5, 0.5}, arriving)) {
+      color += reflector.lit_by(arriving, counts);
+    }
+  }
+  return color;
+}
+
+}  // namespace scenefile

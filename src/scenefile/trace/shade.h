@@ -1,0 +1,22 @@
+#pragma once
+// The lighting equation at one point: everything but reflection and refraction.
+
+#include "scenefile/trace/footprint.h"
+#include "scenefile/trace/surface_point.h"
+#include "scenefile/trace/tracer.h"
+
+namespace scenefile {
+
+/// Which random numbers a ray uses; equal keys give equal pictures.
+struct SampleKey {
+  std::uint32_t sample = 0;         ///< of the pixel, from 0
+  std::uint32_t pattern = 0;        ///< differs from pixel to pixel and from bounce to bounce
+  std::uint32_t light_samples = 1;  ///< points on each area light (fine profile)
+};
+
+/// Ambient, diffuse and specular light that the point sends back against `direction`, the unit
+/// direction of the ray that found it. Replaces the shading normal by the bumped one.
+Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
+            const SampleKey& key, RayCounts& counts);
+
+}  // namespace scenefile

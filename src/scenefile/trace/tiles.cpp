@@ -1,0 +1,114 @@
+// The only file that knows TBB.
+
+#include "scenefile/trace/tiles.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace scenefile {
+
+namespace {
+
+constexpr int tile_side = 16;
+constexpr auto between_calls = std::chrono::milliseconds(20);
+
+// Denormal numbers are slow, and the ray library wants them off.
+class NoDenormals {
+ public:
+#if defined(__SSE2__)
+  NoDenormals() : saved_(_mm_getcsr()) {
+    _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | 0x0040u);  // 0x0040: denormal operands are zero
+  }
+  ~NoDenormals() {
+    _mm_setcsr(saved_);
+  }
+#else
+  NoDenormals() = default;
+#endif
+  NoDenormals(const NoDenormals&) = delete;
+  NoDenormals& operator=(const NoDenormals&) = delete;
+
+#if defined(__SSE2__)
+ private:
+  unsigned saved_;
+#endif
+};
+
+}  // namespace
+
+struct Watch::State {
+  const Progress& progress;
+  std::mutex mutex;
+  std::atomic<bool> stop{false};
+  std::atomic<double> done{0};
+  std::atomic<std::chrono::steady_clock::rep> last_call{0};
+};
+
+Watch::Watch(const Progress& progress) : state_(new State{progress, {}, {}, {}, {}}) {}
+
+Watch::~Watch() = default;
+
+bool Watch::stopped() const {
+  return state_->stop.load(std::memory_order_relaxed);
+}
+
+bool Watch::advance(double share) {
+  State& s = *state_;
+  double done = s.done.load(std::memory_order_relaxed);
+  while (!s.done.compare_exchange_weak(done, done + share, std::memory_order_relaxed)) {
+  }
+  if (!s.progress || stopped()) {
+    return !stopped();
+  }
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  const auto pause = std::chrono::duration_cast<std::chrono::steady_clock::duration>(between_calls);
+  if (now - s.last_call.load(std::memory_order_relaxed) < pause.count() || !s.mutex.try_lock()) {
+    return !stopped();
+  }
+  const std::lock_guard lock(s.mutex, std::adopt_lock);
+  s.last_call.store(now, std::memory_order_relaxed);
+  if (!s.progress(std::min(1.0, s.done.load(std::memory_order_relaxed)))) {
+    s.stop.store(true, std::memory_order_relaxed);
+  }
+  return !stopped();
+}
+
+void for_each_row(int width, int height, int threads, PassShare share, Watch& watch,
+                  const std::function<void(const Tile&)>& work) {
+  const int columns = (width + tile_side - 1) / tile_side;
+  const int rows = (height + tile_side - 1) / tile_side;
+  const std::size_t tiles = std::size_t(columns) * rows;
+  const double pixel_share = (share.end - share.begin) / (double(width) * height);
+  const auto run_tile = [&](std::size_t index) {
+    const NoDenormals no_denormals;
+    const int x0 = static_cast<int>(index % columns) * tile_side;
+    const int y0 = static_cast<int>(index / columns) * tile_side;
+    const int x1 = std::min(width, x0 + tile_side);
+    const int y1 = std::min(height, y0 + tile_side);
+    for (int y = y0; y < y1 && !watch.stopped(); ++y) {
+      work({x0, y, x1, y + 1});
+      watch.advance(pixel_share * (x1 - x0));
+    }
+  };
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles, 1),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                          run_tile(i);
+                        }
+                      });
+  });
+}
+
+}  // namespace scenefile

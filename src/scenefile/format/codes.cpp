@@ -1,5 +1,8 @@
 #include "scenefile/format/codes.h"
 
+#include "scenefile/format/json_codes.h"
+
+#include <iterator>
 #include <vector>
 
 namespace scenefile {
@@ -72,7 +75,12 @@ constexpr const Code* xml_codes[] = {&format_empty,
 }  // namespace
 
 std::span<const Code* const> format_codes() {
-  return xml_codes;
+  static const std::vector<const Code*> all = [] {
+    std::vector<const Code*> codes(std::begin(xml_codes), std::end(xml_codes));
+    codes.insert(codes.end(), json_codes().begin(), json_codes().end());
+    return codes;
+  }();
+  return all;
 }
 
 }  // namespace scenefile

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/json_reader.h"
 #include "scenefile/format/text_encoding.h"
 #include "scenefile/format/xml_scene.h"
 
@@ -44,10 +45,13 @@ Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics&
   if ((*decoded)[first] == '<') {
     return read_xml(*decoded, options, diagnostics);
   }
+  if ((*decoded)[first] == '{' || (*decoded)[first] == '[') {
+    return read_json(*decoded, options, diagnostics);
+  }
   diagnostics.report(
       format_unknown, after_blanks(*decoded, first),
       fmt::format("the file starts with {}, so it is no scene file: an XML scene starts with <, a "
-                  "JSON scene with {{",
+                  "JSON scene is an object and starts with {{",
                   quoted(decoded->substr(first, 40), 10)));
   return {};
 }

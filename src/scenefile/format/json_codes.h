@@ -1,0 +1,120 @@
+#pragma once
+// The findings of the JSON reader.
+
+#include "scenefile/base/diagnostics.h"
+
+#include <span>
+
+namespace scenefile {
+
+inline constexpr Code json_syntax{
+    "json.syntax", Severity::error, "not JSON",
+    "The text breaks the rules of JSON at this place: a comma, colon, quote or bracket is missing "
+    "or "
+    "too many. Nothing behind it was read. Keys and strings stand in double quotes, members and "
+    "elements are separated by single commas."};
+inline constexpr Code json_truncated{
+    "json.truncated", Severity::error, "the file ends too early",
+    "The file ends inside an object, an array or a string: it was cut off while it was copied or "
+    "saved, or a closing bracket is missing further up."};
+inline constexpr Code json_trailing_comma{
+    "json.trailing-comma", Severity::error, "a comma behind the last one",
+    "JSON allows commas between members and elements only. Remove the comma before the closing "
+    "bracket, or write what should follow it."};
+inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
+                                   "JSON has no comments. Remove it, or say it in a \"name\"."};
+inline constexpr Code json_number{
+    "json.number", Severity::error, "a number that JSON cannot say",
+    "JSON numbers have digits on both sides of the point and no leading zero or plus: 0.6 instead "
+    "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal."};
+inline constexpr Code json_number_range{
+    "json.number-range", Severity::error, "a number that is too large",
+    "Values are kept in single precision, which ends at about 3.4e38."};
+inline constexpr Code json_conflict_marker{
+    "json.conflict-marker", Severity::error, "an unresolved git conflict",
+    "git left both versions of a part in the file, between lines of <<<<<<<, ======= and >>>>>>>. "
+    "Keep one version and remove these lines."};
+inline constexpr Code json_string{
+    "json.string", Severity::error, "a string that JSON cannot say",
+    "Inside a string, line breaks, tabs and other control characters must be written \\n, \\t or "
+    "\\u0000, a backslash \\\\ and a quote \\\". A \\u escape has four digits, and characters "
+    "beyond "
+    "\\uffff need both halves of a surrogate pair."};
+inline constexpr Code json_after_end{
+    "json.after-end", Severity::error, "something behind the end",
+    "The first value is complete and more follows: two files in one, or a bracket too many."};
+inline constexpr Code json_limit{
+    "json.limit", Severity::error, "a limit is reached",
+    "Limits keep a mistaken or hostile file from taking all memory and time. They hold every scene "
+    "of the course with room to spare, and can be raised."};
+
+inline constexpr Code json_type{
+    "json.wrong-type", Severity::error, "a value of the wrong type",
+    "Each key has one type of value: numbers and strings are not converted to each other, vectors "
+    "are arrays of numbers, groups and lights are arrays of objects."};
+inline constexpr Code json_length{
+    "json.wrong-length", Severity::error, "an array of the wrong length",
+    "Vectors and colors have 3 numbers, rotate has 4 (x, y, z and degrees), matrix has 4 rows of 4 "
+    "numbers."};
+inline constexpr Code json_four_dimensional{
+    "json.four-dimensional", Severity::error, "a vector of a 4-D scene",
+    "A fork of the format describes scenes in four dimensions: vectors have 4 numbers there and "
+    "rotate has 7. Such scenes cannot be read."};
+inline constexpr Code json_missing_key{
+    "json.missing-key", Severity::error, "a required key is missing",
+    "The schema requires this key, and other readers refuse the file without it."};
+inline constexpr Code json_unknown_key{
+    "json.unknown-key", Severity::warning, "an unknown key",
+    "The key is none of the format: a spelling mistake, or an extension of somebody's own reader. "
+    "It "
+    "is ignored with all that it holds. The course's reader refuses the file."};
+inline constexpr Code json_duplicate_key{
+    "json.duplicate-key", Severity::warning, "a key that occurs twice",
+    "In one object each key may stand once. The last one counts, as in most programs; what the "
+    "earlier ones hold is ignored."};
+inline constexpr Code json_unused_key{
+    "json.unused-key", Severity::note, "a key without effect",
+    "The key belongs to the format, but not to this kind of light or primitive, or not without "
+    "another key."};
+inline constexpr Code json_look_and_focus{
+    "json.look-and-focus", Severity::error, "a camera with look and focus",
+    "look is the direction of view, focus a point to look at. A camera has one of them."};
+inline constexpr Code json_light_type{"json.unknown-light-type", Severity::error,
+                                      "a light of unknown type",
+                                      "Lights are point, directional, spot or area."};
+inline constexpr Code json_primitive_type{
+    "json.unknown-primitive-type", Severity::warning, "a primitive of unknown type",
+    "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of somebody's "
+    "own reader. The primitive is left out. The course's reader refuses the file."};
+inline constexpr Code json_area_light{
+    "json.area-light", Severity::note, "an area light",
+    "Area lights belong to the format, but the course's JSON reader does not know them and refuses "
+    "the file. width and height are read here."};
+inline constexpr Code json_matrix_order{
+    "json.matrix-with-others", Severity::note, "a matrix beside other transforms",
+    "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
+    "acts "
+    "first. Some programs refuse a matrix beside others; nested groups make the order visible."};
+inline constexpr Code json_no_groups{"json.no-groups", Severity::warning, "a scene without groups",
+                                     "All that is to be seen, and all lights, stand in groups."};
+inline constexpr Code json_instance_keys{
+    "json.instance-keys", Severity::warning, "an instance with keys that are ignored",
+    "A group whose name is that of a template group declared before stands for that template, and "
+    "its other keys are ignored. To place an instance, put it into a group with the transforms: "
+    "{\"translate\": [1, 0, 0], \"groups\": [{\"name\": \"chair\"}]}. If no instance is meant, "
+    "give "
+    "the group another name."};
+inline constexpr Code json_template_order{
+    "json.template-order", Severity::warning, "a group with the name of a later template",
+    "Template groups can use those before them only; here the name is declared later, and other "
+    "readers see an ordinary group. Declare the template first, or rename the group."};
+inline constexpr Code json_unknown_template{
+    "json.unknown-template", Severity::warning, "a group with a name and nothing else",
+    "This is how an instance of a template group is written, but no template group has the name, "
+    "so "
+    "that nothing is drawn. Names are compared exactly, upper and lower case included."};
+
+/// All of the above, by name.
+std::span<const Code* const> json_codes();
+
+}  // namespace scenefile

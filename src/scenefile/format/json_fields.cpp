@@ -1,0 +1,261 @@
+#include "scenefile/format/json_fields.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/json_codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+std::size_t count_elements(const JsonTape& tape, JsonIndex array) {
+  std::size_t count = 0;
+  for (JsonIndex i = array + 1; i < tape.end(array); i = tape.end(i)) {
+    ++count;
+  }
+  return count;
+}
+
+bool all_numbers(const JsonTape& tape, JsonIndex array) {
+  for (JsonIndex i = array + 1; i < tape.end(array); i = tape.end(i)) {
+    if (!tape.is_number(i)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string key_name(const JsonContext& context, JsonIndex key) {
+  return quoted(context.tape.string(key));
+}
+
+// Reports a number that no float can hold.
+bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
+  const std::string_view text = context.tape.raw(item);
+  const ParsedNumber number = parse_number(text);
+  if (number.error != NumberError::none) {
+    context.report(
+        json_number_range, item,
+        fmt::format("the number {} of {} is too large", quoted(text), key_name(context, key)));
+    return false;
+  }
+  out = static_cast<float>(number.value);
+  return true;
+}
+
+// The numbers of an array that holds exactly `out.size()` numbers and nothing else.
+bool read_numbers(JsonContext& context, JsonIndex key, JsonIndex array, std::span<float> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (!convert(context, key, array + 1 + static_cast<JsonIndex>(i), out[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool holds_numbers(const JsonTape& tape, JsonIndex item, std::size_t count) {
+  return tape.is_array(item) && tape.end(item) - item - 1 == count && all_numbers(tape, item);
+}
+
+// Whether the value of a key is an array of so many numbers; else says what is wrong with it.
+bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
+                   std::string_view expected, bool four_dimensional) {
+  const JsonTape& tape = context.tape;
+  const JsonIndex value = key + 1;
+  if (holds_numbers(tape, value, count)) {
+    return true;
+  }
+  if (!tape.is_array(value) || !all_numbers(tape, value)) {
+    report_json_type(context, key, expected);
+    return false;
+  }
+  const std::size_t found = count_elements(tape, value);
+  const bool fork = four_dimensional && found == (count == 4 ? 7 : 4);
+  context.report(
+      fork ? json_four_dimensional : json_length, key,
+      fmt::format("{} must be {}, found {} number{}{}", key_name(context, key), expected, found,
+                  found == 1 ? "" : "s",
+                  fork ? ": this looks like a scene of the 4-D fork, which cannot be read" : ""));
+  return false;
+}
+
+std::optional<glm::vec3> read_three(JsonContext& context, JsonIndex key, std::string_view expected,
+                                    bool four_dimensional) {
+  float v[3];
+  if (!check_numbers(context, key, 3, expected, four_dimensional) ||
+      !read_numbers(context, key, key + 1, v)) {
+    return std::nullopt;
+  }
+  return glm::vec3(v[0], v[1], v[2]);
+}
+
+}  // namespace
+
+JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabulary& vocabulary)
+    : context_(context), object_(object), vocabulary_(vocabulary) {
+  const JsonTape& tape = context.tape;
+  std::size_t count = 0;
+  for (JsonIndex key = object + 1; key < tape.end(object); key = tape.end(key + 1)) {
+    if (++count > context.limits.attributes) {
+      context.report(
+          json_limit, key,
+          fmt::format("{} has more than {} keys; those from {} on were not read", vocabulary.what,
+                      context.limits.attributes, quoted(tape.string(key))));
+      break;
+    }
+    add(key);
+  }
+}
+
+void JsonFields::add(JsonIndex key) {
+  std::string_view name = context_.tape.raw(key);
+  std::string decoded;
+  if (name.find('\\') != std::string_view::npos) {
+    decoded = context_.tape.string(key);
+    name = decoded;
+  }
+  const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), name);
+  if (known == vocabulary_.keys.end()) {
+    ++unknown_;
+    const std::string_view near = nearest_name(name.substr(0, 64), vocabulary_.keys);
+    context_.report(json_unknown_key, key,
+                    fmt::format("unknown key {} in {}{}", quoted(name), vocabulary_.what,
+                                near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
+    return;
+  }
+  JsonIndex& slot = keys_[static_cast<std::size_t>(known - vocabulary_.keys.begin())];
+  if (slot != 0) {
+    const std::uint32_t first = context_.place(slot).line;
+    context_.report(json_duplicate_key, key,
+                    fmt::format("{} occurs twice in {}, first at line {}; the last one counts",
+                                quoted(name), vocabulary_.what, first));
+  }
+  slot = key;
+}
+
+bool JsonFields::require(std::size_t key) const {
+  if (has(key)) {
+    return true;
+  }
+  context_.report(
+      json_missing_key, object_,
+      fmt::format("{} must have the key \"{}\"", vocabulary_.what, vocabulary_.keys[key]));
+  return false;
+}
+
+std::string describe_json(const JsonTape& tape, JsonIndex value) {
+  switch (tape.first_character(value)) {
+    case '{':
+      return "an object";
+    case '[': {
+      const std::size_t count = count_elements(tape, value);
+      const bool numbers = count != 0 && all_numbers(tape, value);
+      return fmt::format("an array of {} {}{}", count, numbers ? "number" : "value",
+                         count == 1 ? "" : "s");
+    }
+    case '"':
+      return "the string " + quoted(tape.string(value));
+    case 't':
+    case 'f':
+    case 'n':
+      return std::string(tape.raw(value));
+    default:
+      return fmt::format("the number {}", escaped(tape.raw(value), 40));
+  }
+}
+
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected) {
+  context.report(json_type, key,
+                 fmt::format("{} must be {}, found {}", key_name(context, key), expected,
+                             describe_json(context.tape, key + 1)));
+}
+
+std::optional<float> number_value(JsonContext& context, JsonIndex key) {
+  if (!context.tape.is_number(key + 1)) {
+    report_json_type(context, key, "a number");
+    return std::nullopt;
+  }
+  float value = 0;
+  return convert(context, key, key + 1, value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<std::string> text_value(JsonContext& context, JsonIndex key,
+                                      std::uint32_t max_bytes) {
+  if (!context.tape.is_string(key + 1)) {
+    report_json_type(context, key, "a string");
+    return std::nullopt;
+  }
+  if (context.tape.raw(key + 1).size() > max_bytes) {
+    context.report(json_limit, key,
+                   fmt::format("the string of {} is longer than the limit of {} bytes",
+                               key_name(context, key), max_bytes));
+    return std::nullopt;
+  }
+  return context.tape.string(key + 1);
+}
+
+std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key) {
+  return read_three(context, key, "an array of 3 numbers (x, y, z)", true);
+}
+
+std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key) {
+  return read_three(context, key, "an array of 3 numbers (red, green, blue)", false);
+}
+
+std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key) {
+  float v[4];
+  if (!check_numbers(context, key, 4, "an array of 4 numbers (axis x, y, z and degrees)", true) ||
+      !read_numbers(context, key, key + 1, v)) {
+    return std::nullopt;
+  }
+  return glm::vec4(v[0], v[1], v[2], v[3]);
+}
+
+std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key) {
+  constexpr std::string_view expected = "4 rows, each an array of 4 numbers";
+  const JsonTape& tape = context.tape;
+  if (!tape.is_array(key + 1)) {
+    report_json_type(context, key, expected);
+    return std::nullopt;
+  }
+  const bool rows_fit = [&] {
+    for (JsonIndex row = key + 2; row < tape.end(key + 1); row = tape.end(row)) {
+      if (!holds_numbers(tape, row, 4)) {
+        return false;
+      }
+    }
+    return count_elements(tape, key + 1) == 4;
+  }();
+  if (!rows_fit) {
+    context.report(json_length, key,
+                   fmt::format("{} must be {}, found {}", key_name(context, key), expected,
+                               describe_json(tape, key + 1)));
+    return std::nullopt;
+  }
+  glm::mat4 matrix;
+  for (int row = 0; row < 4; ++row) {
+    float v[4];
+    if (!read_numbers(context, key, key + 2 + static_cast<JsonIndex>(5 * row), v)) {
+      return std::nullopt;
+    }
+    for (int column = 0; column < 4; ++column) {
+      matrix[column][row] = v[column];
+    }
+  }
+  return matrix;
+}
+
+bool is_json_list(JsonContext& context, JsonIndex key, std::string_view of_what) {
+  if (context.tape.is_array(key + 1)) {
+    return true;
+  }
+  report_json_type(context, key, fmt::format("an array of {}", of_what));
+  return false;
+}
+
+}  // namespace scenefile

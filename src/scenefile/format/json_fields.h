@@ -1,0 +1,86 @@
+#pragma once
+// What the JSON reader is made of: looking up the keys of an object, and typed values. Everything
+// here reports what is wrong and goes on. Private to the room.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/limits.h"
+#include "scenefile/format/json_parser.h"
+#include "scenefile/format/json_places.h"
+#include "scenefile/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// A text while it is read.
+struct JsonContext {
+  JsonContext(const JsonTape& t, const Limits& l, Diagnostics& d)
+      : tape(t), limits(l), diagnostics(d), places(t.text) {}
+
+  Location place(JsonIndex item) { return places.at(tape.items[item].offset); }
+  void report(const Code& code, JsonIndex item, std::string message) {
+    diagnostics.report(code, place(item), std::move(message));
+  }
+
+  const JsonTape& tape;
+  const Limits& limits;
+  Diagnostics& diagnostics;
+  JsonPlaces places;
+};
+
+/// The keys of one kind of object.
+struct JsonVocabulary {
+  std::string_view what;  ///< "a group"
+  std::span<const std::string_view> keys;
+};
+
+/// Where the keys of an object stand, by their place in the vocabulary.
+class JsonFields {
+ public:
+  static constexpr std::size_t max_keys = 16;
+
+  /// Reports keys that are unknown or occur twice. `object` is an object.
+  JsonFields(JsonContext& context, JsonIndex object, const JsonVocabulary& vocabulary);
+
+  bool has(std::size_t key) const { return keys_[key] != 0; }
+  /// The item of the key, for its place; the value is the next item.
+  JsonIndex key(std::size_t key) const { return keys_[key]; }
+  std::size_t unknown() const { return unknown_; }
+  /// Reports the key as missing unless it is there.
+  bool require(std::size_t key) const;
+
+ private:
+  void add(JsonIndex key);
+
+  JsonContext& context_;
+  JsonIndex object_;
+  const JsonVocabulary& vocabulary_;
+  std::array<JsonIndex, max_keys> keys_{};  // 0 is the document, never a key
+  std::size_t unknown_ = 0;
+};
+
+/// "an array of 3 numbers", "the number 5", "a string"; for messages.
+std::string describe_json(const JsonTape& tape, JsonIndex value);
+
+/// Reports that the value of a key is not what it must be.
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected);
+
+// The value of a key; nothing, with a report, when it is of another type.
+std::optional<float> number_value(JsonContext& context, JsonIndex key);
+std::optional<std::string> text_value(JsonContext& context, JsonIndex key, std::uint32_t max_bytes);
+/// A point or vector.
+std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key);
+std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key);
+/// x, y, z, degrees.
+std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key);
+std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key);
+/// Whether the value is an array; else reports.
+bool is_json_list(JsonContext& context, JsonIndex key, std::string_view of_what);
+
+}  // namespace scenefile

@@ -1,0 +1,20 @@
+#pragma once
+// The leaves of a JSON scene: globals, camera, lights, primitives. Private to the room.
+
+#include "scenefile/format/json_fields.h"
+#include "scenefile/scene/scene.h"
+
+#include <optional>
+
+namespace scenefile {
+
+// `key` is the key "globalData" or "cameraData".
+void read_json_global(JsonContext& context, JsonIndex key, Scene& scene);
+void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene);
+
+// One element of "lights" or "primitives"; nothing when it cannot be used. The places of its values
+// go into `scene`.
+std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene& scene);
+std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex item, Scene& scene);
+
+}  // namespace scenefile

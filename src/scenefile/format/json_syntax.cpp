@@ -1,0 +1,336 @@
+#include "scenefile/format/json_syntax.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/json_codes.h"
+#include "scenefile/format/json_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+bool is_word(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+         c == '.' || c == '+' || c == '-';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+struct Finding {
+  const Code* code = &json_syntax;
+  std::size_t offset = 0;
+  std::string message;
+};
+
+// The first rule that applies explains the fault.
+class Explainer {
+ public:
+  Explainer(const JsonError& error, std::string_view text, const Limits& limits)
+      : error_(error), text_(text), limits_(limits), places_(text), at_(error.offset) {}
+
+  Finding explain() {
+    Finding finding;
+    finding.offset = at_;
+    (void)(by_limit(finding) || by_conflict(finding) || by_end(finding) || by_string(finding) ||
+           by_comment(finding) || by_comma(finding) || by_number(finding) || by_quotes(finding) ||
+           by_bracket(finding) || by_expectation(finding));
+    return finding;
+  }
+
+  Location place(std::size_t offset) { return places_.at(offset); }
+
+ private:
+  char found() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+
+  // The last character before the fault that is not blank, as an offset; npos at the start.
+  std::size_t before() const {
+    return at_ == 0 ? at_ - 1 : text_.find_last_not_of(blanks, at_ - 1);
+  }
+
+  std::string_view word_around() const {
+    std::size_t first = std::min(at_, text_.size());
+    std::size_t last = first;
+    while (first > 0 && is_word(text_[first - 1])) {
+      --first;
+    }
+    while (last < text_.size() && is_word(text_[last])) {
+      ++last;
+    }
+    return text_.substr(first, last - first);
+  }
+
+  std::string found_text() const {
+    const std::string_view word = word_around();
+    return word.empty() ? quoted(text_.substr(at_, first_code_point(text_.substr(at_)).bytes))
+                        : quoted(word);
+  }
+
+  bool by_limit(Finding& f) {
+    if (error_.fault != JsonFault::too_deep) {
+      return false;
+    }
+    f.code = &json_limit;
+    f.message = fmt::format("arrays and objects are nested deeper than the limit of {} levels",
+                            limits_.nesting);
+    return true;
+  }
+
+  bool by_conflict(Finding& f) {
+    const std::size_t end = at_ == 0 ? std::string_view::npos : text_.find_last_of("\r\n", at_ - 1);
+    const std::size_t start = end == std::string_view::npos ? 0 : end + 1;
+    const std::string_view line = text_.substr(start, text_.find_first_of("\r\n", start) - start);
+    for (const std::string_view marker : {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}) {
+      if (line.starts_with(marker)) {
+        f.code = &json_conflict_marker;
+        f.offset = start;
+        f.message = fmt::format(
+            "git conflict marker {}: keep one of the two versions and remove "
+            "the lines of <<<<<<<, ======= and >>>>>>>",
+            escaped(line, 40));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool by_end(Finding& f) {
+    if (at_ < text_.size()) {
+      return false;
+    }
+    f.code = &json_truncated;
+    if (error_.open.empty()) {
+      f.message = error_.fault == JsonFault::empty ? "there is no JSON value in the file"
+                                                   : "the file ends in the middle of a value";
+      return true;
+    }
+    const std::size_t open = error_.open.back();
+    const bool object = text_[open] == '{';
+    f.message = fmt::format(
+        "the file ends inside the {} that begins at line {}, column {}; its "
+        "closing {} is missing",
+        object ? "object" : "array", place(open).line, place(open).column, object ? '}' : ']');
+    return true;
+  }
+
+  bool by_string(Finding& f) {
+    f.code = &json_string;
+    switch (error_.fault) {
+      case JsonFault::control_character:
+        f.message = found() == '\n' || found() == '\r'
+                        ? "the line ends inside a string: the closing quote is missing"
+                        : fmt::format(
+                              "the character {} inside a string must be written as an "
+                              "escape such as \\t or \\u0009",
+                              quoted(text_.substr(at_, 1)));
+        return true;
+      case JsonFault::escape:
+        f.message = fmt::format("unknown escape {} in a string; a backslash itself is written \\\\",
+                                quoted(text_.substr(at_, text_.substr(at_, 2) == "\\u" ? 6 : 2)));
+        return true;
+      case JsonFault::surrogate:
+        f.message =
+            "a string holds half of a surrogate pair (\\ud800 to \\udfff), which is no "
+            "character; write both halves, or the character itself";
+        return true;
+      case JsonFault::encoding:
+        f.code = &format_encoding;
+        f.message = fmt::format("the byte {} is not UTF-8; save the file as UTF-8",
+                                quoted(text_.substr(at_, 1)));
+        return true;
+      default:
+        f.code = &json_syntax;
+        return false;
+    }
+  }
+
+  bool by_comment(Finding& f) {
+    const std::string_view two = text_.substr(at_, 2);
+    if (two != "//" && two != "/*" && found() != '#') {
+      return false;
+    }
+    f.code = &json_comment;
+    f.message =
+        fmt::format("JSON has no comments; remove what follows {}", found() == '#' ? "#" : two);
+    return true;
+  }
+
+  bool by_comma(Finding& f) {
+    const std::size_t previous = before();
+    const bool after_comma = previous != std::string_view::npos && text_[previous] == ',';
+    if (after_comma && (found() == '}' || found() == ']')) {
+      f.code = &json_trailing_comma;
+      f.offset = previous;
+      f.message = fmt::format("comma before the closing {}; remove it, or write what should follow",
+                              found());
+      return true;
+    }
+    if (found() == ',' && (error_.fault == JsonFault::value || error_.fault == JsonFault::key)) {
+      f.message = after_comma ? "two commas in a row; remove one, or write what is missing between"
+                              : "a comma before the first member or element; remove it";
+      return true;
+    }
+    return false;
+  }
+
+  bool by_number(Finding& f) {
+    if (error_.fault == JsonFault::number_too_large) {
+      f.code = &json_number_range;
+      f.message = fmt::format("the number {} is too large", quoted(word_around()));
+      return true;
+    }
+    const std::string_view word = word_around();
+    const bool digits = std::any_of(word.begin(), word.end(), is_digit) &&
+                        word.find_first_not_of("+-.0123456789eExX") == std::string_view::npos;
+    const bool starts_so = !word.empty() && (is_digit(word[0]) || word.find_first_of("+-.") == 0);
+    std::string lower(word);
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    const bool special =
+        lower.ends_with("nan") || lower.ends_with("inf") || lower.ends_with("infinity");
+    const bool of_value = error_.fault == JsonFault::value || error_.fault == JsonFault::number ||
+                          error_.fault == JsonFault::array_comma ||
+                          error_.fault == JsonFault::object_comma;
+    if (!of_value || word.data() == nullptr ||
+        !(special || (starts_so && (digits || word == "-")) || error_.fault == JsonFault::number)) {
+      return false;
+    }
+    f.code = &json_number;
+    f.offset = static_cast<std::size_t>(word.data() - text_.data());
+    f.message = special ? fmt::format("JSON has no {}; write a number", quoted(word))
+                        : fmt::format("{} is no JSON number{}", quoted(word), corrected(word));
+    return true;
+  }
+
+  // "; write 0.6", where what was meant can be said.
+  static std::string corrected(std::string_view word) {
+    const bool minus = word.starts_with('-');
+    word.remove_prefix(minus || word.starts_with('+') ? 1 : 0);
+    const std::size_t mantissa_end = std::min(word.find_first_of("eE"), word.size());
+    const std::string_view mantissa = word.substr(0, mantissa_end);
+    std::string_view exponent = word.substr(mantissa_end);
+    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+    std::string_view whole = mantissa.substr(0, point);
+    const std::string_view fraction = mantissa.substr(std::min(point + 1, mantissa.size()));
+    const auto only_digits = [](std::string_view s) {
+      return std::all_of(s.begin(), s.end(), is_digit);
+    };
+    if (!only_digits(whole) || !only_digits(fraction) || (whole.empty() && fraction.empty())) {
+      return {};
+    }
+    if (exponent.find_first_of("0123456789") == std::string_view::npos) {
+      exponent = {};
+    }
+    whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
+    return fmt::format("; write {}{}.{}{}", minus ? "-" : "", whole.empty() ? "0" : whole,
+                       fraction.empty() ? "0" : fraction, exponent);
+  }
+
+  bool by_quotes(Finding& f) {
+    const std::string_view word = word_around();
+    const bool here = !word.empty() && word.data() == text_.data() + at_;
+    if (found() == '\'') {
+      f.message = "strings and keys stand in double quotes, not in single ones";
+    } else if (error_.fault == JsonFault::key && here) {
+      f.message = fmt::format("the key {} must stand in double quotes", quoted(word));
+    } else if (error_.fault == JsonFault::value && here) {
+      f.message = literal(word);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  static std::string literal(std::string_view word) {
+    constexpr std::pair<std::string_view, std::string_view> spellings[] = {
+        {"True", "true"}, {"TRUE", "true"}, {"False", "false"}, {"FALSE", "false"},
+        {"None", "null"}, {"NULL", "null"}, {"Null", "null"},   {"nil", "null"}};
+    for (const auto& [wrong, right] : spellings) {
+      if (word == wrong) {
+        return fmt::format("{} is written {} in JSON", wrong, right);
+      }
+    }
+    return fmt::format("{} is no value; strings stand in double quotes", quoted(word));
+  }
+
+  bool by_bracket(Finding& f) {
+    if (error_.open.empty()) {
+      return false;
+    }
+    const std::size_t open = error_.open.back();
+    const bool object = text_[open] == '{';
+    const Location at_open = place(open);
+    if (found() == (object ? ']' : '}')) {
+      f.message = fmt::format(
+          "the {} that begins at line {}, column {} is closed by {}; {} is "
+          "missing or one of them is too many",
+          object ? "object" : "array", at_open.line, at_open.column, found(), object ? '}' : ']');
+      return true;
+    }
+    if (!object && found() == ':') {
+      f.message = fmt::format(
+          "a key inside the array that begins at line {}, column {}; the {{ in "
+          "front of it is missing",
+          at_open.line, at_open.column);
+      return true;
+    }
+    return false;
+  }
+
+  bool by_expectation(Finding& f) {
+    f.message = fmt::format("expected {}, found {}", expected(), found_text());
+    if (found() == '\0') {
+      f.message = "a NUL byte; the file is damaged";
+    } else if (error_.fault == JsonFault::after_end) {
+      f.code = &json_after_end;
+      f.message = fmt::format("{} follows behind the end of the scene", found_text());
+    } else if (error_.fault == JsonFault::colon && found() == '=') {
+      f.message = "a key is followed by a colon, not by =";
+    } else if (found() == ';') {
+      f.message = "members and elements are separated by commas, not by semicolons";
+    }
+    return true;
+  }
+
+  std::string_view expected() const {
+    switch (error_.fault) {
+      case JsonFault::key:
+        return "a key in double quotes";
+      case JsonFault::colon:
+        return "a colon behind the key";
+      case JsonFault::object_comma:
+        return "a comma or } behind the member";
+      case JsonFault::array_comma:
+        return "a comma or ] behind the element";
+      default:
+        return "a value";
+    }
+  }
+
+  const JsonError& error_;
+  std::string_view text_;
+  const Limits& limits_;
+  JsonPlaces places_;
+  std::size_t at_;
+};
+
+}  // namespace
+
+void report_json_error(const JsonError& error, std::string_view text, const Limits& limits,
+                       Diagnostics& diagnostics) {
+  Explainer explainer(error, text, limits);
+  Finding finding = explainer.explain();
+  diagnostics.report(*finding.code, explainer.place(finding.offset), std::move(finding.message));
+}
+
+}  // namespace scenefile

@@ -4,6 +4,7 @@
 include_guard(GLOBAL)
 
 add_library(scenefile_options INTERFACE)
+target_compile_features(scenefile_options INTERFACE cxx_std_20)
 target_compile_options(scenefile_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
   # The same bytes from every build: no fused multiply-add that one compiler finds and another not.

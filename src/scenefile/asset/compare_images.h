@@ -12,7 +12,8 @@ struct ImageDifference {
   double share_over = 0;  ///< share of pixels with a channel off by more than the threshold
 };
 
-/// Compares pictures of the same size. `threshold` in 1/255.
+/// Compares pictures of the same size; those of different sizes differ in everything (0 dB).
+/// `threshold` in 1/255.
 ImageDifference compare_images(const Texture& a, const Texture& b, int threshold = 8);
 
 }  // namespace scenefile

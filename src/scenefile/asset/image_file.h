@@ -2,20 +2,24 @@
 // Image files as bytes in memory: decoding textures and references, encoding results.
 
 #include "scenefile/asset/image.h"
-#include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace scenefile {
 
-/// Decodes PNG, JPEG, GIF (first frame), TGA or BMP; the bytes decide which. Sizes are checked
-/// against `limits` before memory is taken; `budget` is what is left of limits.texture_bytes and
-/// shrinks by what is decoded. On failure the texture is empty and `error` says why in words that
-/// follow "cannot decode: ".
+/// Decodes PNG, JPEG, GIF (first frame), TGA or BMP; the bytes decide which, not a name. Gray is
+/// expanded, 16 bits are rounded to 8, alpha is dropped (colors are not multiplied by it), gamma
+/// and color profiles are ignored. A file that is cut or damaged is refused, not half decoded.
+///
+/// Sizes are checked against `limits` before memory is taken; `budget` is what is left of
+/// limits.texture_bytes and shrinks by what is decoded. On failure the texture is empty, `error`
+/// says why in words that follow "cannot decode: ", and `over_limit`, where given, whether it was
+/// for a limit.
 Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
-                     std::string& error);
+                     std::string& error, bool* over_limit = nullptr);
 
 /// Image formats that can be written, by file name extension.
 enum class ImageFormat : std::uint8_t { png8, png16, exr, pfm };
@@ -24,8 +28,8 @@ enum class ImageFormat : std::uint8_t { png8, png16, exr, pfm };
 bool image_format_of(std::string_view file_name, ImageFormat& format);
 
 /// Encodes; png8 and png16 clamp to [0, 1] and use `rounding`, the others keep every value as it
-/// is. Linear values are stored directly: the format knows no gamma. On failure the result is
-/// empty and `error` says why.
+/// is, in 32-bit floats. Linear values are stored directly: the format knows no gamma. The same
+/// image gives the same bytes. On failure the result is empty and `error` says why.
 std::string encode_image(const Image& image, ImageFormat format, Rounding rounding,
                          std::string& error);
 

@@ -38,8 +38,10 @@ struct LoadOptions {
   Limits limits;
 };
 
-/// Loads every file once. A texture that cannot be used is a warning (it shades with the diffuse
-/// color), a mesh an error. Codes: asset/codes.h.
+/// Loads every file of the lists once, in their order. A texture that cannot be used is a warning
+/// (it shades with the diffuse color), a mesh an error; their place is that of the reference.
+/// Findings inside a mesh file bear its name and line. The limits on textures and meshes hold for
+/// all of them together. Codes: asset/codes.h.
 Assets load_assets(std::span<const FileReference> texture_files,
                    std::span<const FileReference> mesh_files, const FetchFile& fetch,
                    const LoadOptions& options, Diagnostics& diagnostics);

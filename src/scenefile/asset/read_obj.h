@@ -6,15 +6,21 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/geometry/mesh.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace scenefile {
 
 /// Reads the text of an OBJ file; every number and index is validated, findings bear the line and
-/// `file_name`. Materials, groups and smoothing are skipped. `triangle_budget` is what is left of
-/// limits.mesh_triangles, `byte_budget` of limits.mesh_bytes; both shrink by what was read. When
-/// an error was reported the mesh is empty.
+/// `file_name`. Faces may stand before their vertices. Materials, groups, smoothing, lines, points,
+/// vertex colors and weights are skipped; curves and unknown keywords too, with a warning.
+/// Triangles without area are left out with a warning. Codes: asset/codes.h.
+///
+/// `triangle_budget` is what is left of limits.mesh_triangles, `byte_budget` of limits.mesh_bytes;
+/// both are checked before memory is taken, and shrink by what was read. When an error was reported
+/// the mesh is empty; reading stops at limits.messages_per_code of them. Time and memory are linear
+/// in the size of the text.
 Mesh read_obj(std::string_view text, const std::string& file_name, const Limits& limits,
               std::uint64_t& triangle_budget, std::uint64_t& byte_budget, Diagnostics& diagnostics);
 

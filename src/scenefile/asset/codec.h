@@ -1,0 +1,44 @@
+#pragma once
+// The decoders behind decode_image(). Private to the room.
+
+#include "scenefile/asset/image.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// What the header of an image file promises, before anything of that size is allocated.
+struct ImageHeader {
+  std::uint64_t width = 0;
+  std::uint64_t height = 0;
+  std::uint64_t working_bytes =
+      0;                          ///< needed to decode, beside the 3 * width * height of the result
+  std::uint64_t least_bytes = 0;  ///< no file with fewer bytes can hold that many pixels
+};
+
+/// One image format over bytes in memory. Each function returns false with `error` set when the
+/// bytes are not as they must be.
+struct Codec {
+  std::string_view name;
+  bool (*recognizes)(std::string_view bytes);
+  bool (*read_header)(std::string_view bytes, ImageHeader& header, std::string& error);
+  /// Fills texture.rgb. The size is set, and rgb has the capacity for it: memory that is never
+  /// touched by a file that ends early.
+  bool (*decode)(std::string_view bytes, Texture& texture, std::string& error);
+};
+
+extern const Codec png_codec;
+extern const Codec jpeg_codec;
+extern const Codec gif_codec;
+extern const Codec bmp_codec;
+extern const Codec tga_codec;
+
+/// The encoders behind encode_image(); the image is not empty.
+std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error);
+std::string encode_exr(const Image& image, std::string& error);
+
+inline constexpr std::string_view ends_early = "the file ends early";
+
+}  // namespace scenefile

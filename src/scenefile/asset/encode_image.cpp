@@ -1,0 +1,78 @@
+#include "scenefile/asset/codec.h"
+#include "scenefile/asset/image_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace scenefile {
+
+namespace {
+
+void append_float(std::string& bytes, float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes.push_back(static_cast<char>(bits >> shift & 255));
+  }
+}
+
+// Portable float map: a text header, then rows from the bottom up. A negative scale means that the
+// numbers are little-endian. Source: Debevec, "PFM Portable FloatMap Image Format".
+std::string encode_pfm(const Image& image) {
+  std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
+  bytes.reserve(bytes.size() + 4 * image.rgb.size());
+  for (int y = image.height - 1; y >= 0; --y) {
+    const float* row = image.pixel(0, y);
+    for (int i = 0; i < 3 * image.width; ++i) {
+      append_float(bytes, row[i]);
+    }
+  }
+  return bytes;
+}
+
+bool ends_with(std::string_view text, std::string_view end) {
+  const auto same = [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+  };
+  return text.size() >= end.size() &&
+         std::equal(end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
+                    [&](char b, char a) { return same(a, b); });
+}
+
+}  // namespace
+
+bool image_format_of(std::string_view file_name, ImageFormat& format) {
+  if (ends_with(file_name, ".png")) {
+    format = ImageFormat::png8;
+  } else if (ends_with(file_name, ".exr")) {
+    format = ImageFormat::exr;
+  } else if (ends_with(file_name, ".pfm")) {
+    format = ImageFormat::pfm;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::string encode_image(const Image& image, ImageFormat format, Rounding rounding,
+                         std::string& error) {
+  error.clear();
+  if (image.rgb.empty()) {
+    error = "an image without pixels cannot be written";
+    return {};
+  }
+  switch (format) {
+    case ImageFormat::png8:
+      return encode_png(image, 8, rounding, error);
+    case ImageFormat::png16:
+      return encode_png(image, 16, rounding, error);
+    case ImageFormat::exr:
+      return encode_exr(image, error);
+    case ImageFormat::pfm:
+      break;
+  }
+  return encode_pfm(image);
+}
+
+}  // namespace scenefile

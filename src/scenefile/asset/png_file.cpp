@@ -1,0 +1,242 @@
+// PNG by libpng, both ways. libpng reports errors by longjmp, so the functions between setjmp and
+// the library hold nothing with a destructor: all that lives in the callers.
+
+#include "scenefile/asset/codec.h"
+
+#include <png.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstring>
+#include <new>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+
+// The first error of the library, kept where longjmp cannot lose it.
+struct Message {
+  std::array<char, 160> text{};
+};
+
+extern "C" void png_failed(png_structp png, png_const_charp text) {
+  auto* message = static_cast<Message*>(png_get_error_ptr(png));
+  std::strncpy(message->text.data(), text, message->text.size() - 1);
+  png_longjmp(png, 1);
+}
+
+extern "C" void png_warned(png_structp, png_const_charp) {}
+
+struct Source {
+  const char* at;
+  std::size_t left;
+};
+
+extern "C" void png_fetch(png_structp png, png_bytep to, png_size_t count) {
+  auto* source = static_cast<Source*>(png_get_io_ptr(png));
+  if (count > source->left) {
+    png_error(png, ends_early.data());
+  }
+  std::memcpy(to, source->at, count);
+  source->at += count;
+  source->left -= count;
+}
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  }
+  return value;
+}
+
+bool recognizes(std::string_view bytes) {
+  return bytes.substr(0, signature.size()) == signature;
+}
+
+bool read_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+  if (bytes.size() < 33) {
+    error = ends_early;
+    return false;
+  }
+  if (bytes.substr(12, 4) != "IHDR") {
+    error = "it does not begin with IHDR";
+    return false;
+  }
+  header.width = big_endian(bytes, 16);
+  header.height = big_endian(bytes, 20);
+  const auto depth = static_cast<std::uint8_t>(bytes[24]);
+  const bool rgb = (bytes[25] & 2) != 0 && (bytes[25] & 1) == 0;
+  const std::uint64_t bits = header.width * depth * (rgb ? 3 : 1);
+  // Deflate shrinks to 1/1032 at best (zlib, "Technical Details").
+  header.least_bytes = (bits / 8 + 1) * header.height / 1032;
+  return true;
+}
+
+// Chunks that change nothing here are not even parsed: compressed texts and profiles have been
+// ways to exhaust memory, and gamma is not part of the format.
+void skip_ancillary_chunks(png_structp png) {
+  static const png_byte names[] =
+      "bKGD\0cHRM\0eXIf\0gAMA\0hIST\0iCCP\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0sRGB\0sTER\0"
+      "tEXt\0tIME\0tRNS\0zTXt";
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, names,
+                              static_cast<int>(sizeof names / 5));
+}
+
+void convert_to_rgb8(png_structp png, png_infop info) {
+  png_set_expand_gray_1_2_4_to_8(png);
+  png_set_palette_to_rgb(png);
+  png_set_gray_to_rgb(png);
+  png_set_scale_16(png);
+  png_set_strip_alpha(png);
+  png_read_update_info(png, info);
+}
+
+void read_rows(png_structp png, int passes, std::vector<std::uint8_t>& rgb, std::size_t row,
+               int height) {
+  if (passes > 1) {
+    rgb.resize(row * static_cast<std::size_t>(height));
+  }
+  for (int pass = 0; pass < passes; ++pass) {
+    for (int y = 0; y < height; ++y) {
+      if (passes == 1) {
+        rgb.resize(row * static_cast<std::size_t>(y + 1));
+      }
+      png_read_row(png, rgb.data() + row * static_cast<std::size_t>(y), nullptr);
+    }
+  }
+}
+
+bool read_image(png_structp png, png_infop info, Texture& texture) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
+  }
+  skip_ancillary_chunks(png);
+  png_set_check_for_invalid_index(png, 1);
+  png_read_info(png, info);
+  png_colorp palette = nullptr;
+  int colors = 0;
+  const bool indexed = png_get_PLTE(png, info, &palette, &colors) != 0 &&
+                       png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE;
+  const int passes = png_set_interlace_handling(png);
+  convert_to_rgb8(png, info);
+  const std::size_t row = std::size_t{3} * static_cast<std::size_t>(texture.width);
+  if (png_get_rowbytes(png, info) != row) {
+    png_error(png, "its rows have an unexpected length");
+  }
+  read_rows(png, passes, texture.rgb, row, texture.height);
+  png_read_end(png, nullptr);
+  if (indexed && png_get_palette_max(png, info) >= colors) {
+    png_error(png, "a pixel has a color beyond the end of the palette");
+  }
+  return true;
+}
+
+bool decode(std::string_view bytes, Texture& texture, std::string& error) {
+  Message message;
+  Source source{bytes.data(), bytes.size()};
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, png_failed, png_warned);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (info == nullptr) {
+    png_destroy_read_struct(&png, nullptr, nullptr);
+    throw std::bad_alloc();
+  }
+  png_set_read_fn(png, &source, png_fetch);
+  png_set_user_limits(png, static_cast<png_uint_32>(texture.width),
+                      static_cast<png_uint_32>(texture.height));
+  const bool fine = read_image(png, info, texture);
+  png_destroy_read_struct(&png, &info, nullptr);
+  error = message.text.data();
+  return fine;
+}
+
+struct Target {
+  std::string bytes;
+  bool out_of_memory = false;
+};
+
+extern "C" void png_store(png_structp png, png_bytep from, png_size_t count) {
+  auto* target = static_cast<Target*>(png_get_io_ptr(png));
+  try {
+    target->bytes.append(reinterpret_cast<const char*>(from), count);
+  } catch (const std::bad_alloc&) {
+    target->out_of_memory = true;
+  }
+  if (target->out_of_memory) {
+    png_error(png, "out of memory");
+  }
+}
+
+extern "C" void png_flushed(png_structp) {}
+
+void quantize_row(const float* from, std::size_t count, int bits, Rounding rounding,
+                  std::uint8_t* to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (bits == 8) {
+      to[i] = quantize(from[i], rounding);
+      continue;
+    }
+    const float clamped = from[i] > 0 ? (from[i] < 1 ? from[i] : 1.0f) : 0.0f;
+    const double scaled = double{clamped} * 65535 + (rounding == Rounding::nearest ? 0.5 : 0);
+    const auto value = static_cast<std::uint16_t>(scaled);
+    to[2 * i] = static_cast<std::uint8_t>(value >> 8);
+    to[2 * i + 1] = static_cast<std::uint8_t>(value & 255);
+  }
+}
+
+bool write_image(png_structp png, png_infop info, const Image& image, int bits, Rounding rounding,
+                 std::vector<std::uint8_t>& row) {
+  if (setjmp(png_jmpbuf(png)) != 0) {
+    return false;
+  }
+  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Measured over rendered pictures: writing must not cost more than tracing.
+  png_set_compression_level(png, 2);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_write_info(png, info);
+  for (int y = 0; y < image.height; ++y) {
+    quantize_row(image.pixel(0, y), std::size_t{3} * static_cast<std::size_t>(image.width), bits,
+                 rounding, row.data());
+    png_write_row(png, row.data());
+  }
+  png_write_end(png, info);
+  return true;
+}
+
+}  // namespace
+
+const Codec png_codec{"PNG", recognizes, read_header, decode};
+
+std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error) {
+  Message message;
+  Target target;
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3 *
+                                static_cast<std::size_t>(bits / 8));
+  png_structp png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, png_failed, png_warned);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  if (info == nullptr) {
+    png_destroy_write_struct(&png, nullptr);
+    throw std::bad_alloc();
+  }
+  png_set_write_fn(png, &target, png_store, png_flushed);
+  const bool fine = write_image(png, info, image, bits, rounding, row);
+  png_destroy_write_struct(&png, &info);
+  if (target.out_of_memory) {
+    throw std::bad_alloc();
+  }
+  if (!fine) {
+    error = message.text.data();
+    return {};
+  }
+  return std::move(target.bytes);
+}
+
+}  // namespace scenefile

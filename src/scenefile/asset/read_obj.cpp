@@ -1,0 +1,458 @@
+#include "scenefile/asset/read_obj.h"
+
+#include "scenefile/asset/codes.h"
+#include "scenefile/asset/obj_words.h"
+#include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+constexpr Corners no_corners = {mesh_no_index, mesh_no_index, mesh_no_index};
+
+// How many of each the file holds, from a first pass: so that the limits are checked and the memory
+// is taken before any of it is read, and faces may stand before their vertices.
+struct Counts {
+  std::uint64_t positions = 0;
+  std::uint64_t uvs = 0;
+  std::uint64_t normals = 0;
+  std::uint64_t triangles = 0;  ///< at most
+
+  std::uint64_t bytes() const {
+    const int lists = 1 + (uvs > 0 ? 1 : 0) + (normals > 0 ? 1 : 0);
+    return positions * sizeof(glm::vec3) + uvs * sizeof(glm::vec2) + normals * sizeof(glm::vec3) +
+           triangles * sizeof(Corners) * static_cast<std::uint64_t>(lists);
+  }
+};
+
+Counts count_elements(std::string_view text) {
+  Counts counts;
+  ObjWords words(text);
+  while (words.next_statement()) {
+    const std::string_view keyword = words.next_word();
+    if (keyword == "v") {
+      ++counts.positions;
+    } else if (keyword == "vt") {
+      ++counts.uvs;
+    } else if (keyword == "vn") {
+      ++counts.normals;
+    } else if (keyword == "f") {
+      std::uint64_t corners = 0;
+      while (!words.next_word().empty()) {
+        ++corners;
+      }
+      counts.triangles += corners > 2 ? corners - 2 : 0;
+    }
+  }
+  return counts;
+}
+
+Counts counts_of(const Mesh& mesh) {
+  return {mesh.positions.size(), mesh.uvs.size(), mesh.normals.size(), mesh.triangles.size()};
+}
+
+// Statements that change nothing that is drawn.
+bool is_skipped(std::string_view keyword) {
+  constexpr std::string_view names[] = {
+      "g",      "o",      "s",     "usemtl", "mtllib",     "l",         "p",        "mg",
+      "usemap", "maplib", "bevel", "lod",    "shadow_obj", "trace_obj", "c_interp", "d_interp"};
+  return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
+}
+
+bool is_free_form(std::string_view keyword) {
+  constexpr std::string_view names[] = {"vp",    "cstype", "deg",  "bmat",  "step", "curv",
+                                        "curv2", "surf",   "parm", "trim",  "hole", "scrv",
+                                        "sp",    "end",    "con",  "ctech", "stech"};
+  return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
+}
+
+// A word that no text format has.
+bool is_binary(std::string_view word) {
+  while (!word.empty()) {
+    const CodePoint c = first_code_point(word);
+    if (c.bytes == 0 || c.value < 0x20 || c.value == 0x7f) {
+      return true;
+    }
+    word.remove_prefix(c.bytes);
+  }
+  return false;
+}
+
+// One of the three lists a corner of a face points into.
+struct IndexList {
+  std::string_view name;
+  std::uint64_t in_file;  // in all
+  std::uint64_t so_far;
+};
+
+// A number of the file (from 1, or negative from the end) as an index, or why it is none.
+std::optional<std::uint32_t> parse_index(std::string_view word, const IndexList& list,
+                                         std::string& why) {
+  long long number = 0;
+  const char* end = word.data() + word.size();
+  const bool plus = !word.empty() && word[0] == '+';
+  const auto result = std::from_chars(word.data() + (plus ? 1 : 0), end, number);
+  if (word.empty()) {
+    why = fmt::format("it names no {}", list.name);
+    return std::nullopt;
+  }
+  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
+    why = fmt::format("{} is not the number of a {}", quoted(word), list.name);
+    return std::nullopt;
+  }
+  const bool overflow = result.ec == std::errc::result_out_of_range;
+  if (!overflow && number > 0 && static_cast<std::uint64_t>(number) <= list.in_file) {
+    return static_cast<std::uint32_t>(number - 1);
+  }
+  if (!overflow && number < 0 && static_cast<std::uint64_t>(-(number + 1)) < list.so_far) {
+    return static_cast<std::uint32_t>(list.so_far - 1 - static_cast<std::uint64_t>(-(number + 1)));
+  }
+  if (!overflow && number == 0) {
+    why = fmt::format("there is no {} 0: they count from 1, or from -1 backwards", list.name);
+  } else if (word[0] == '-') {
+    why = fmt::format("there is no {} {}: {} come before this face", list.name, escaped(word, 40),
+                      list.so_far);
+  } else {
+    why = fmt::format("there is no {} {}: the file has {}", list.name, escaped(word, 40),
+                      list.in_file);
+  }
+  return std::nullopt;
+}
+
+// A corner of a face; uv and normal may be mesh_no_index.
+struct Corner {
+  std::uint32_t position, uv, normal;
+};
+
+// Keeps the triangles of which `keep` is true.
+template <typename Keep>
+void keep_triangles(Mesh& mesh, Keep keep) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!keep(mesh.triangles[i])) {
+      continue;
+    }
+    for (auto* list : {&mesh.triangles, &mesh.triangle_uvs, &mesh.triangle_normals}) {
+      if (!list->empty()) {
+        (*list)[kept] = (*list)[i];
+      }
+    }
+    ++kept;
+  }
+  for (auto* list : {&mesh.triangles, &mesh.triangle_uvs, &mesh.triangle_normals}) {
+    list->resize(list->empty() ? 0 : kept);
+  }
+}
+
+bool has_area(const Mesh& mesh, const Corners& triangle) {
+  const glm::dvec3 a(mesh.positions[triangle[0]]);
+  const glm::dvec3 b(mesh.positions[triangle[1]]);
+  const glm::dvec3 c(mesh.positions[triangle[2]]);
+  return glm::cross(b - a, c - a) != glm::dvec3(0);
+}
+
+// An index list that no triangle uses is none.
+void drop_unused(std::vector<Corners>& list) {
+  const bool used =
+      std::any_of(list.begin(), list.end(), [](const Corners& c) { return c[0] != mesh_no_index; });
+  if (!used) {
+    list = {};
+  }
+}
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& file_name, const Limits& limits,
+            Diagnostics& diagnostics)
+      : words_(text),
+        counts_(count_elements(text)),
+        file_name_(file_name),
+        limits_(limits),
+        diagnostics_(diagnostics) {}
+
+  const Counts& counts() const { return counts_; }
+
+  void report(const Code& code, Location location, std::string message) {
+    errors_ += code.severity == Severity::error ? 1 : 0;
+    diagnostics_.add({&code, code.severity, location, file_name_, std::move(message)});
+  }
+
+  Mesh read() {
+    reserve();
+    bool is_obj = true;
+    while (is_obj && errors_ < limits_.messages_per_code && words_.next_statement()) {
+      is_obj = read_statement(words_.next_word());
+    }
+    if (!is_obj || (known_ == 0 && !unknown_.empty())) {
+      const Location first = is_obj ? unknown_.front().second : Location{};
+      report(mesh_not_obj, first, "this is not an OBJ file: none of its lines is one of OBJ");
+    }
+    if (errors_ == 0) {
+      report_unknown();
+      finish();
+    }
+    return errors_ == 0 ? std::move(mesh_) : Mesh{};
+  }
+
+ private:
+  void reserve() {
+    mesh_.positions.reserve(counts_.positions);
+    mesh_.uvs.reserve(counts_.uvs);
+    mesh_.normals.reserve(counts_.normals);
+    mesh_.triangles.reserve(counts_.triangles);
+    mesh_.triangle_uvs.reserve(counts_.uvs > 0 ? counts_.triangles : 0);
+    mesh_.triangle_normals.reserve(counts_.normals > 0 ? counts_.triangles : 0);
+  }
+
+  // False when the text cannot be OBJ.
+  bool read_statement(std::string_view keyword) {
+    ++known_;
+    if (keyword == "v") {
+      mesh_.positions.push_back(read_numbers(keyword, 3, 3));
+    } else if (keyword == "f") {
+      read_face(keyword);
+    } else if (keyword == "vn") {
+      read_normal(keyword);
+    } else if (keyword == "vt") {
+      mesh_.uvs.emplace_back(read_numbers(keyword, 1, 2));
+    } else if (!is_skipped(keyword)) {
+      known_ -= is_free_form(keyword) ? 0 : 1;
+      return note_unknown(keyword);
+    }
+    return true;
+  }
+
+  // Reads all numbers of the statement; `least` must be there, `most` are returned.
+  glm::vec3 read_numbers(std::string_view keyword, int least, int most) {
+    glm::vec3 result(0);
+    int count = 0;
+    while (true) {
+      const std::string_view word = words_.next_word();
+      if (word.empty()) {
+        break;
+      }
+      const ParsedNumber number = parse_number(word);
+      if (number.error != NumberError::none) {
+        report_number(keyword, word, number.error);
+        return result;
+      }
+      if (count < most) {
+        result[count] = static_cast<float>(number.value);
+      }
+      ++count;
+    }
+    if (count < least) {
+      report(mesh_number, words_.location(keyword),
+             fmt::format("{} needs {} numbers and has {}", keyword, least, count));
+    }
+    return result;
+  }
+
+  void report_number(std::string_view keyword, std::string_view word, NumberError error) {
+    const char* what =
+        error == NumberError::out_of_range ? "is too large for a number" : "is not a finite number";
+    report(mesh_number, words_.location(word),
+           fmt::format("{} in {} {}", quoted(word), keyword, what));
+  }
+
+  void read_normal(std::string_view keyword) {
+    const Location location = words_.location(keyword);
+    const glm::vec3 normal = read_numbers(keyword, 3, 3);
+    mesh_.normals.push_back(normal);
+    if (normal == glm::vec3(0)) {
+      first_zero_normal_ = zero_normals_ == 0 ? location : first_zero_normal_;
+      ++zero_normals_;
+    }
+  }
+
+  void read_face(std::string_view keyword) {
+    const Location location = words_.location(keyword);
+    Corner first{}, previous{};
+    std::uint64_t count = 0;
+    while (true) {
+      const std::string_view word = words_.next_word();
+      if (word.empty() || errors_ >= limits_.messages_per_code) {
+        break;
+      }
+      const Corner corner = read_corner(word);
+      if (count == 0) {
+        first = corner;
+      } else if (count >= 2) {
+        add_triangle(first, previous, corner);
+      }
+      previous = corner;
+      ++count;
+    }
+    if (count < 3) {
+      report(mesh_short_face, location,
+             fmt::format("a face with {} corner{} is left out: it takes three", count,
+                         count == 1 ? "" : "s"));
+    }
+  }
+
+  // v, v/vt, v//vn or v/vt/vn.
+  Corner read_corner(std::string_view word) {
+    const IndexList lists[] = {{"vertex", counts_.positions, mesh_.positions.size()},
+                               {"uv", counts_.uvs, mesh_.uvs.size()},
+                               {"normal", counts_.normals, mesh_.normals.size()}};
+    std::uint32_t indices[] = {mesh_no_index, mesh_no_index, mesh_no_index};
+    std::string_view rest = word;
+    for (std::size_t part = 0; part < 3; ++part) {
+      const std::size_t end = std::min(rest.find('/'), rest.size());
+      const std::string_view number = rest.substr(0, end);
+      if (part == 0 || !number.empty()) {
+        std::string why;
+        const std::optional<std::uint32_t> index = parse_index(number, lists[part], why);
+        if (!index) {
+          report(mesh_index, words_.location(word), number == word ? why : in_corner(word, why));
+          return {};
+        }
+        indices[part] = *index;
+      }
+      if (end == rest.size()) {
+        return {indices[0], indices[1], indices[2]};
+      }
+      rest.remove_prefix(end + 1);
+    }
+    report(mesh_index, words_.location(word),
+           in_corner(word, "a corner has at most three parts, v/vt/vn"));
+    return {};
+  }
+
+  static std::string in_corner(std::string_view word, std::string_view why) {
+    return fmt::format("in the corner {}: {}", quoted(word), why);
+  }
+
+  void add_triangle(const Corner& a, const Corner& b, const Corner& c) {
+    mesh_.triangles.push_back({a.position, b.position, c.position});
+    if (counts_.uvs > 0) {
+      const bool all = a.uv != mesh_no_index && b.uv != mesh_no_index && c.uv != mesh_no_index;
+      mesh_.triangle_uvs.push_back(all ? Corners{a.uv, b.uv, c.uv} : no_corners);
+    }
+    if (counts_.normals > 0) {
+      const bool all =
+          a.normal != mesh_no_index && b.normal != mesh_no_index && c.normal != mesh_no_index;
+      mesh_.triangle_normals.push_back(all ? Corners{a.normal, b.normal, c.normal} : no_corners);
+    }
+  }
+
+  // Reported at the end, when it is known that the file is OBJ at all.
+  bool note_unknown(std::string_view keyword) {
+    if (is_binary(keyword)) {
+      return false;
+    }
+    const auto same = [&](const auto& noted) { return noted.first == keyword; };
+    if (unknown_.size() < limits_.messages_per_code &&
+        std::none_of(unknown_.begin(), unknown_.end(), same)) {
+      unknown_.emplace_back(keyword, words_.location(keyword));
+    }
+    return true;
+  }
+
+  void report_unknown() {
+    constexpr std::string_view known[] = {"v", "vt", "vn", "f", "usemtl", "mtllib"};
+    for (const auto& [keyword, location] : unknown_) {
+      if (is_free_form(keyword)) {
+        report(mesh_unknown_keyword, location,
+               fmt::format("{} is skipped: curves and surfaces are not drawn", keyword));
+        continue;
+      }
+      const std::string_view meant = nearest_name(keyword, known);
+      report(mesh_unknown_keyword, location,
+             fmt::format("unknown keyword {} is skipped{}", quoted(keyword),
+                         meant.empty() ? "" : fmt::format("; did you mean {}?", meant)));
+    }
+  }
+
+  void finish() {
+    if (zero_normals_ > 0) {
+      make_flat();
+    }
+    const std::size_t all = mesh_.triangles.size();
+    keep_triangles(mesh_, [&](const Corners& triangle) { return has_area(mesh_, triangle); });
+    drop_unused(mesh_.triangle_uvs);
+    drop_unused(mesh_.triangle_normals);
+    if (const std::size_t dropped = all - mesh_.triangles.size(); dropped > 0) {
+      report(mesh_degenerate, {},
+             fmt::format("{} degenerate triangle{} without area {} left out", dropped,
+                         dropped == 1 ? "" : "s", dropped == 1 ? "is" : "are"));
+    }
+    if (mesh_.triangles.empty()) {
+      report(mesh_empty, {},
+             known_ == 0
+                 ? "the file is empty: there is nothing to draw"
+                 : fmt::format("there is nothing to draw: {} vertices, no face with an area",
+                               mesh_.positions.size()));
+    }
+  }
+
+  void make_flat() {
+    for (Corners& corners : mesh_.triangle_normals) {
+      for (const std::uint32_t corner : Corners(corners)) {
+        if (corner != mesh_no_index && mesh_.normals[corner] == glm::vec3(0)) {
+          corners = no_corners;
+        }
+      }
+    }
+    report(mesh_zero_normal, first_zero_normal_,
+           fmt::format("{} normal{} of length zero: triangles that use them are shaded flat",
+                       zero_normals_, zero_normals_ == 1 ? "" : "s"));
+  }
+
+  ObjWords words_;
+  Counts counts_;
+  const std::string& file_name_;
+  const Limits& limits_;
+  Diagnostics& diagnostics_;
+  Mesh mesh_;
+  std::uint64_t errors_ = 0;
+  std::uint64_t known_ = 0;  // statements
+  std::vector<std::pair<std::string_view, Location>> unknown_;
+  std::uint64_t zero_normals_ = 0;
+  Location first_zero_normal_;
+};
+
+// Why a mesh of this size is refused, or nothing.
+std::string over_limits(const Counts& counts, std::uint64_t triangles, std::uint64_t bytes) {
+  if (counts.triangles > triangles) {
+    return fmt::format("{} triangles, and {} are left of the limit for all meshes",
+                       counts.triangles, triangles);
+  }
+  const std::uint64_t most = std::max({counts.positions, counts.uvs, counts.normals});
+  if (counts.bytes() > bytes || most >= mesh_no_index) {
+    return fmt::format("it takes {} MB, and {} MB are left of the limit for all meshes",
+                       counts.bytes() / 1'000'000, bytes / 1'000'000);
+  }
+  return {};
+}
+
+}  // namespace
+
+Mesh read_obj(std::string_view text, const std::string& file_name, const Limits& limits,
+              std::uint64_t& triangle_budget, std::uint64_t& byte_budget,
+              Diagnostics& diagnostics) {
+  ObjReader reader(text, file_name, limits, diagnostics);
+  const std::string too_large = over_limits(reader.counts(), triangle_budget, byte_budget);
+  if (!too_large.empty()) {
+    reader.report(mesh_limit, {}, too_large);
+    return {};
+  }
+  Mesh mesh = reader.read();
+  const Counts read = counts_of(mesh);
+  triangle_budget -= read.triangles;
+  byte_budget -= read.bytes();
+  return mesh;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,177 @@
+// Truevision TGA. Source: Truevision, "TGA File Format Specification", version 2.0.
+
+#include "scenefile/asset/byte_reader.h"
+#include "scenefile/asset/codec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t header_bytes = 18;
+
+struct Header {
+  std::uint32_t id_bytes, has_palette, type;
+  std::uint32_t palette_first, palette_length, palette_bits;
+  std::uint32_t width, height, bits, descriptor;
+
+  bool indexed() const { return (type & 7) == 1; }
+  bool gray() const { return (type & 7) == 3; }
+  bool packed() const { return (type & 8) != 0; }
+  bool from_top() const { return (descriptor & 0x20) != 0; }
+  bool from_right() const { return (descriptor & 0x10) != 0; }
+};
+
+Header header_of(std::string_view bytes) {
+  ByteReader in(bytes);
+  Header h{};
+  h.id_bytes = in.u8();
+  h.has_palette = in.u8();
+  h.type = in.u8();
+  h.palette_first = in.u16();
+  h.palette_length = in.u16();
+  h.palette_bits = in.u8();
+  in.skip(4);
+  h.width = in.u16();
+  h.height = in.u16();
+  h.bits = in.u8();
+  h.descriptor = in.u8();
+  return h;
+}
+
+bool is_color_depth(std::uint32_t bits) {
+  return bits == 15 || bits == 16 || bits == 24 || bits == 32;
+}
+
+// Without a signature, every field has to make sense.
+bool recognizes(std::string_view bytes) {
+  if (bytes.size() < header_bytes) {
+    return false;
+  }
+  const Header h = header_of(bytes);
+  const bool type =
+      h.type == 1 || h.type == 2 || h.type == 3 || h.type == 9 || h.type == 10 || h.type == 11;
+  const bool palette = h.has_palette == 0 ? h.palette_length == 0 && !h.indexed()
+                                          : h.has_palette == 1 && is_color_depth(h.palette_bits);
+  const bool depth = h.indexed() || h.gray() ? h.bits == 8 || h.bits == 16 : is_color_depth(h.bits);
+  return type && palette && depth && (h.descriptor & 0xc0) == 0;
+}
+
+bool read_header(std::string_view bytes, ImageHeader& header, std::string&) {
+  const Header h = header_of(bytes);
+  header.width = h.width;
+  header.height = h.height;
+  const std::uint64_t pixels = header.width * header.height;
+  const std::uint64_t pixel_bytes = (h.bits + 7) / 8;
+  const std::uint64_t data = h.packed() ? pixels / 128 * (1 + pixel_bytes) : pixels * pixel_bytes;
+  header.least_bytes =
+      header_bytes + h.id_bytes + h.palette_length * ((h.palette_bits + 7) / 8) + data;
+  return true;
+}
+
+using Color = std::array<std::uint8_t, 3>;
+
+std::uint8_t from_5_bits(std::uint32_t value) {
+  return static_cast<std::uint8_t>(((value & 31) * 255 + 15) / 31);
+}
+
+Color read_color(ByteReader& in, std::uint32_t bits) {
+  if (bits <= 16) {
+    const std::uint32_t v = in.u16();
+    return {from_5_bits(v >> 10), from_5_bits(v >> 5), from_5_bits(v)};
+  }
+  const auto blue = static_cast<std::uint8_t>(in.u8());
+  const auto green = static_cast<std::uint8_t>(in.u8());
+  const auto red = static_cast<std::uint8_t>(in.u8());
+  in.skip(bits == 32 ? 1 : 0);
+  return {red, green, blue};
+}
+
+class Pixels {
+ public:
+  Pixels(std::string_view bytes, const Header& header)
+      : header_(header), in_(bytes, header_bytes + header.id_bytes) {
+    for (std::uint32_t i = 0; i < header.palette_length; ++i) {
+      palette_.push_back(read_color(in_, header.palette_bits));
+    }
+  }
+
+  // The next pixel in the order of the file.
+  Color next() {
+    if (!header_.packed()) {
+      return read();
+    }
+    if (left_ == 0) {
+      const std::uint32_t packet = in_.u8();
+      left_ = (packet & 127) + 1;
+      repeats_ = (packet & 128) != 0;
+      color_ = read();
+    } else if (!repeats_) {
+      color_ = read();
+    }
+    --left_;
+    return color_;
+  }
+
+  bool ended() const { return in_.ended(); }
+  bool bad_index() const { return bad_index_; }
+
+ private:
+  Color read() {
+    if (header_.gray()) {
+      const auto value = static_cast<std::uint8_t>(in_.u8());
+      in_.skip(header_.bits == 16 ? 1 : 0);
+      return {value, value, value};
+    }
+    if (!header_.indexed()) {
+      return read_color(in_, header_.bits);
+    }
+    const std::uint32_t index = (header_.bits == 8 ? in_.u8() : in_.u16()) - header_.palette_first;
+    if (index >= palette_.size()) {
+      bad_index_ = true;
+      return {};
+    }
+    return palette_[index];
+  }
+
+  const Header& header_;
+  ByteReader in_;
+  std::vector<Color> palette_;
+  Color color_{};
+  std::uint32_t left_ = 0;  // of the packet
+  bool repeats_ = false;
+  bool bad_index_ = false;
+};
+
+bool decode(std::string_view bytes, Texture& texture, std::string& error) {
+  const Header header = header_of(bytes);
+  Pixels pixels(bytes, header);
+  texture.rgb.resize(std::size_t{3} * header.width * header.height);
+  for (std::uint32_t row = 0; row < header.height; ++row) {
+    const std::size_t y = header.from_top() ? row : header.height - 1 - row;
+    for (std::uint32_t column = 0; column < header.width; ++column) {
+      const std::size_t x = header.from_right() ? header.width - 1 - column : column;
+      const Color color = pixels.next();
+      std::copy(color.begin(), color.end(), texture.rgb.begin() + 3 * (y * header.width + x));
+    }
+    if (pixels.ended()) {
+      error = ends_early;
+      return false;
+    }
+    if (pixels.bad_index()) {
+      error = fmt::format("a pixel in row {} has a color beyond the end of the palette", row);
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+const Codec tga_codec{"TGA", recognizes, read_header, decode};
+
+}  // namespace scenefile

@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -67,15 +69,29 @@ class Side {
   std::uint64_t hash(NodeId id) const { return hashes_[id]; }
   std::string path(NodeId id) const { return paths_.path(id); }
 
-  AlignItem item(NodeId id) const {
+  Location location(NodeId id) const { return scene.nodes[id].location; }
+
+  std::string description(NodeId id) const {
     const Node& node = scene.nodes[id];
-    return {hashes_[id], !node.name.empty() ? node.name : node.instance_of};
+    if (!node.instance_of.empty()) {
+      return "an instance of " + quoted(node.instance_of);
+    }
+    return fmt::format("a group of {} primitives, {} lights and {} children",
+                       node.primitives.size(), node.lights.size(), node.children.size());
+  }
+
+  std::vector<NodeId> existing(const std::vector<NodeId>& nodes) const {
+    std::vector<NodeId> result;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(result),
+                 [this](NodeId id) { return has(id); });
+    return result;
   }
 
   std::vector<AlignItem> items(const std::vector<NodeId>& nodes) const {
     std::vector<AlignItem> result;
     for (const NodeId id : nodes) {
-      result.push_back(has(id) ? item(id) : AlignItem{});
+      const Node& node = scene.nodes[id];
+      result.push_back({hashes_[id], !node.name.empty() ? node.name : node.instance_of});
     }
     return result;
   }
@@ -114,14 +130,19 @@ std::string_view label_of(const Primitive& primitive) {
 }
 
 // "sphere, diffuse 1 0 0": an item in full.
-std::string description(std::string_view label, const Values& values) {
-  std::string text(label);
-  for (const Value& value : values) {
+template <typename Item>
+std::string description(const Item& item) {
+  std::string text(label_of(item));
+  for (const Value& value : values_of(item)) {
     if (value.name != "type") {
       text += fmt::format(", {} {}", value.name, value.text);
     }
   }
   return text;
+}
+
+std::string place_text(std::size_t index) {
+  return fmt::format("place {}", index + 1);
 }
 
 class Comparison {
@@ -132,15 +153,15 @@ class Comparison {
     const Scene& a = a_.scene;
     const Scene& b = b_.scene;
     if (a.name != b.name) {
-      add({"scene name", quoted(a.name), quoted(b.name), {}, {}});
+      add("scene name", quoted(a.name), quoted(b.name), {}, {});
     }
     compare_values("global data: ", values_of(a.global), values_of(b.global), a.global.location,
                    b.global.location);
     compare_cameras(a.camera, b.camera);
-    compare_nodes("templates", a.templates, b.templates);
     if (a_.has(a.root) && b_.has(b.root)) {
       pending_.emplace_back(a.root, b.root);
     }
+    compare_nodes(a.templates, b.templates);
     while (!pending_.empty() && differences_.size() < most_) {
       const auto [in_a, in_b] = pending_.back();
       pending_.pop_back();
@@ -152,10 +173,16 @@ class Comparison {
   }
 
  private:
-  void add(SceneDifference difference) {
+  void add_at(std::string where, std::string a, std::string b, Location in_a, Location in_b) {
     if (differences_.size() < most_) {
-      differences_.push_back(std::move(difference));
+      differences_.push_back({std::move(where), std::move(a), std::move(b), in_a, in_b});
     }
+  }
+
+  // `what` is said of the node that is being compared, or of the scene where there is none.
+  void add(const std::string& what, std::string a, std::string b, Location in_a, Location in_b) {
+    add_at(node_ == no_node ? what : a_.path(node_) + ": " + what, std::move(a), std::move(b), in_a,
+           in_b);
   }
 
   void compare_cameras(const std::optional<Camera>& a, const std::optional<Camera>& b) {
@@ -164,21 +191,21 @@ class Comparison {
     if (a && b) {
       compare_values("camera: ", values_of(*a), values_of(*b), in_a, in_b);
     } else if (a || b) {
-      add({"camera", a ? "given" : "not given", b ? "given" : "not given", in_a, in_b});
+      add("camera", a ? "given" : "not given", b ? "given" : "not given", in_a, in_b);
     }
   }
 
   void compare(NodeId in_a, NodeId in_b) {
     const Node& a = a_.scene.nodes[in_a];
     const Node& b = b_.scene.nodes[in_b];
-    const std::string where = a_.path(in_a) + ": ";
-    compare_values(where, values_of(a), values_of(b), a.location, b.location);
-    compare_items(where, a.lights, b.lights);
-    compare_items(where, a.primitives, b.primitives);
-    compare_nodes(where + "children", a.children, b.children);
+    node_ = in_a;
+    compare_values("", values_of(a), values_of(b), a.location, b.location);
+    compare_items(a.lights, b.lights);
+    compare_items(a.primitives, b.primitives);
+    compare_nodes(a.children, b.children);
   }
 
-  void compare_values(const std::string& where, const Values& a, const Values& b, Location in_a,
+  void compare_values(const std::string& what, const Values& a, const Values& b, Location in_a,
                       Location in_b) {
     const auto find = [](const Values& values, std::string_view name) {
       for (const Value& value : values) {
@@ -191,12 +218,12 @@ class Comparison {
     for (const Value& value : a) {
       const std::string other = find(b, value.name);
       if (value.text != other) {
-        add({where + std::string(value.name), value.text, other, in_a, in_b});
+        add(what + std::string(value.name), value.text, other, in_a, in_b);
       }
     }
     for (const Value& value : b) {
       if (find(a, value.name) == "default") {
-        add({where + std::string(value.name), "default", value.text, in_a, in_b});
+        add(what + std::string(value.name), "default", value.text, in_a, in_b);
       }
     }
   }
@@ -210,100 +237,65 @@ class Comparison {
     return result;
   }
 
-  // "root: sphere 2" for each item: numbered by kind, from 1, as a reader would count them.
+  // "sphere 2" for each item: numbered by kind, from 1, as a reader would count them.
   template <typename Item>
-  static std::vector<std::string> names(const std::string& where, const std::vector<Item>& items) {
+  static std::vector<std::string> names(const std::vector<Item>& items) {
     std::map<std::string_view, std::size_t> counts;
     std::vector<std::string> result;
     for (const Item& item : items) {
-      result.push_back(fmt::format("{}{} {}", where, label_of(item), ++counts[label_of(item)]));
+      result.push_back(fmt::format("{} {}", label_of(item), ++counts[label_of(item)]));
     }
     return result;
   }
 
   // Lights or primitives of a node.
   template <typename Item>
-  void compare_items(const std::string& where, const std::vector<Item>& a,
-                     const std::vector<Item>& b) {
-    const std::vector<std::string> names_a = names(where, a);
-    const std::vector<std::string> names_b = names(where, b);
+  void compare_items(const std::vector<Item>& a, const std::vector<Item>& b) {
+    const std::vector<std::string> names_a = names(a);
+    const std::vector<std::string> names_b = names(b);
     for (const AlignedPair& pair : align(align_items(a), align_items(b))) {
-      if (differences_.size() >= most_) {
-        return;
-      }
       if (!pair.b) {
         const Item& item = a[*pair.a];
-        add({names_a[*pair.a],
-             description(label_of(item), values_of(item)),
-             "",
-             item.location,
-             {}});
+        add(names_a[*pair.a], description(item), "", item.location, {});
       } else if (!pair.a) {
         const Item& item = b[*pair.b];
-        add({names_b[*pair.b],
-             "",
-             description(label_of(item), values_of(item)),
-             {},
-             item.location});
+        add(names_b[*pair.b], "", description(item), {}, item.location);
       } else if (!pair.equal) {
         compare_values(names_a[*pair.a] + ": ", values_of(a[*pair.a]), values_of(b[*pair.b]),
                        a[*pair.a].location, b[*pair.b].location);
       } else if (pair.moved) {
-        add({names_a[*pair.a], fmt::format("place {}", *pair.a + 1),
-             fmt::format("place {}", *pair.b + 1), a[*pair.a].location, b[*pair.b].location});
+        add(names_a[*pair.a], place_text(*pair.a), place_text(*pair.b), a[*pair.a].location,
+            b[*pair.b].location);
       }
     }
   }
 
-  void compare_nodes(const std::string& where, const std::vector<NodeId>& a,
-                     const std::vector<NodeId>& b) {
+  void compare_nodes(const std::vector<NodeId>& all_of_a, const std::vector<NodeId>& all_of_b) {
+    const std::vector<NodeId> a = a_.existing(all_of_a);
+    const std::vector<NodeId> b = b_.existing(all_of_b);
+    const std::size_t behind = pending_.size();
     for (const AlignedPair& pair : align(a_.items(a), b_.items(b))) {
-      if (differences_.size() >= most_) {
-        return;
-      }
       if (!pair.b) {
-        add_lone(a_, a[*pair.a], true);
+        const NodeId id = a[*pair.a];
+        add_at(a_.path(id), a_.description(id), "", a_.location(id), {});
       } else if (!pair.a) {
-        add_lone(b_, b[*pair.b], false);
-      } else if (pair.moved) {
-        add({fmt::format("{}: {}", where, name(a_, a[*pair.a])),
-             fmt::format("place {}", *pair.a + 1), fmt::format("place {}", *pair.b + 1),
-             location(a_, a[*pair.a]), location(b_, b[*pair.b])});
-      } else if (!pair.equal && a_.has(a[*pair.a]) && b_.has(b[*pair.b])) {
+        const NodeId id = b[*pair.b];
+        add_at(b_.path(id), "", b_.description(id), {}, b_.location(id));
+      } else if (!pair.equal) {
         pending_.emplace_back(a[*pair.a], b[*pair.b]);
+      } else if (pair.moved) {
+        add_at(a_.path(a[*pair.a]), place_text(*pair.a), place_text(*pair.b),
+               a_.location(a[*pair.a]), b_.location(b[*pair.b]));
       }
     }
-  }
-
-  void add_lone(const Side& side, NodeId id, bool in_a) {
-    if (!side.has(id)) {
-      return;
-    }
-    const Node& node = side.scene.nodes[id];
-    std::string text =
-        fmt::format("a group of {} children, {} primitives, {} lights", node.children.size(),
-                    node.primitives.size(), node.lights.size());
-    if (!node.instance_of.empty()) {
-      text = "an instance of " + node.instance_of;
-    }
-    SceneDifference difference{side.path(id), text, "", node.location, {}};
-    if (!in_a) {
-      std::swap(difference.a, difference.b);
-      std::swap(difference.in_a, difference.in_b);
-    }
-    add(std::move(difference));
-  }
-
-  static std::string name(const Side& side, NodeId id) {
-    return side.has(id) ? side.path(id) : fmt::format("node {}", id);
-  }
-  static Location location(const Side& side, NodeId id) {
-    return side.has(id) ? side.scene.nodes[id].location : Location{};
+    // The first child is to be compared first.
+    std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(behind), pending_.end());
   }
 
   Side a_;
   Side b_;
   std::size_t most_;
+  NodeId node_ = no_node;
   std::vector<SceneDifference> differences_;
   std::vector<std::pair<NodeId, NodeId>> pending_;
 };

@@ -1,0 +1,118 @@
+#include "scenefile/scene/diff.h"
+
+#include "builders.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <utility>
+
+using namespace scenefile;
+using namespace scenefile::test;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+Scene sample() {
+  Scene scene = fine_scene();
+  scene.nodes[0].primitives = {primitive(Shape::cube), primitive(Shape::sphere),
+                               primitive(Shape::sphere)};
+  const NodeId arm = add_group(scene, 0, {translate(1, 0, 0)});
+  scene.nodes[arm].name = "arm";
+  add_primitive(scene, arm);
+  const NodeId lamp = add_template(scene, "lamp");
+  add_primitive(scene, lamp, {}, Shape::cone);
+  add_instance(scene, 0, "lamp");
+  return scene;
+}
+
+template <typename Change>
+std::vector<std::string> texts(Change change) {
+  Scene changed = sample();
+  change(changed);
+  std::vector<std::string> result;
+  for (const SceneDifference& difference : diff(sample(), changed)) {
+    result.push_back(difference_text(difference));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST(Diff, EqualScenesHaveNone) {
+  EXPECT_THAT(diff(sample(), sample()), IsEmpty());
+  EXPECT_THAT(texts([](Scene& s) { s.nodes[0].location = {4, 4}; }), IsEmpty());
+  EXPECT_THAT(texts([](Scene& s) { s.nodes[0].primitives[0].material.ambient.x = -0.0f; }),
+              IsEmpty());
+}
+
+TEST(Diff, NamesValues) {
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[0].primitives[2].material.diffuse = {1, 0, 0};
+              }),
+              ElementsAre("root: sphere 2: diffuse: default -> 1 0 0"));
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[0].lights[0].position = {3, 3, 4};
+              }),
+              ElementsAre("root: point light 1: position: 3 3 3 -> 3 3 4"));
+  EXPECT_THAT(texts([](Scene& s) { s.global.transparent = 0.25f; }),
+              ElementsAre("global data: transparentcoeff: default -> 0.25"));
+  EXPECT_THAT(texts([](Scene& s) { s.camera = Camera{}; }),
+              ElementsAre("camera: not given -> given"));
+  EXPECT_THAT(texts([](Scene& s) { s.name = "x"; }), ElementsAre("scene name: \"\" -> \"x\""));
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[1].transforms.push_back(rotate({0, 1, 0}, 30));
+              }),
+              ElementsAre("root/arm: transforms: translate 1 0 0 -> translate 1 0 0, rotate 30 "
+                          "about 0 1 0"));
+}
+
+TEST(Diff, CameraValues) {
+  Scene a;
+  a.camera = Camera{};
+  Scene b = a;
+  b.camera->height_angle_deg = 60;
+  EXPECT_EQ(difference_text(diff(a, b).at(0)), "camera: heightangle: default -> 60");
+}
+
+TEST(Diff, AnAddedObjectDoesNotShiftTheRest) {
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[0].primitives.insert(s.nodes[0].primitives.begin(),
+                                             primitive(Shape::cylinder));
+              }),
+              ElementsAre("root: cylinder 1: only in the second: cylinder"));
+  EXPECT_THAT(texts([](Scene& s) {
+                const NodeId added = add_primitive(s, 0);
+                s.nodes[added].name = "new";
+                std::vector<NodeId>& children = s.nodes[0].children;
+                std::swap(children.front(), children.back());
+                std::swap(children[1], children.back());
+              }),
+              ElementsAre("root/new: only in the second: a group of 1 primitives, 0 lights and "
+                          "0 children"));
+}
+
+TEST(Diff, RemovedAndMoved) {
+  EXPECT_THAT(texts([](Scene& s) { s.nodes[0].children.pop_back(); }),
+              ElementsAre("root/#2: only in the first: an instance of \"lamp\""));
+  EXPECT_THAT(texts([](Scene& s) { std::swap(s.nodes[0].children[0], s.nodes[0].children[1]); }),
+              ElementsAre("root/arm: place 1 -> place 2"));
+}
+
+TEST(Diff, FindsChangesInTemplates) {
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[s.nodes[s.templates[0]].children[0]].primitives[0].material.shininess = 9;
+              }),
+              ElementsAre("lamp/#1: cone 1: shininess: default -> 9"));
+}
+
+TEST(Diff, StopsWhenAsked) {
+  Scene a = fine_scene();
+  Scene b = fine_scene();
+  for (int i = 0; i < 50; ++i) {
+    add_primitive(a, 0, {translate(static_cast<float>(i), 0, 0)});
+    add_primitive(b, 0, {translate(static_cast<float>(-i), 1, 0)});
+  }
+  EXPECT_EQ(diff(a, b, 7).size(), 7u);
+}

@@ -1,6 +1,7 @@
 #include "scenefile/io/asset_roots.h"
 
 #include "io/temp_folder.h"
+#include "scenefile/io/asset_index.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -166,11 +167,17 @@ TEST_F(Layout, TheSearchIsFourLevelsDeepAndSkipsHiddenFolders) {
 }
 
 TEST_F(Layout, ALargeFolderIsNotSearched) {
-  home.write("scenes/x/a.png");
-  for (int i = 0; i < 10'001; ++i) {
-    ASSERT_EQ(::mkdir(home.path("scenes/x/" + std::to_string(i)).c_str(), 0700), 0);
+  for (const std::string name : {"a", "b", "x/c", "x/d"}) {
+    home.write("large/" + name);
   }
-  EXPECT_THAT(misses("q/a.png"), HasSubstr("too many files"));
+  home.write("small/a");
+  const std::vector<std::string> roots{home.path("large"), home.path("small")};
+  const AssetIndex all(roots, 5);  // four files and a folder
+  EXPECT_EQ(all.find("a", false).size(), 2U);
+  EXPECT_THAT(all.skipped(), IsEmpty());
+  const AssetIndex some(roots, 4);
+  EXPECT_THAT(some.find("a", false), ::testing::ElementsAre(home.path("small/a")));
+  EXPECT_THAT(some.skipped(), ::testing::ElementsAre(home.path("large")));
 }
 
 TEST_F(Layout, LinksAreJudgedByWhereTheyLead) {

@@ -44,9 +44,8 @@ bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& 
   return true;
 }
 
-bool walk(const std::string& root, std::vector<std::string>& files) {
+bool walk(const std::string& root, std::size_t budget, std::vector<std::string>& files) {
   std::vector<std::pair<std::string, int>> queue{{root == "/" ? "" : root, 0}};
-  std::size_t budget = AssetIndex::max_entries;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const std::pair<std::string, int> folder = queue[i];
     if (!visit({folder.first + "/", folder.second}, files, queue, budget)) {
@@ -58,11 +57,11 @@ bool walk(const std::string& root, std::vector<std::string>& files) {
 
 }  // namespace
 
-AssetIndex::AssetIndex(const std::vector<std::string>& roots) {
+AssetIndex::AssetIndex(const std::vector<std::string>& roots, std::size_t max_entries) {
   std::set<std::string> seen;
   for (const std::string& root : roots) {
     std::vector<std::string> files;
-    if (!walk(root, files)) {
+    if (!walk(root, max_entries, files)) {
       skipped_.push_back(root);
       continue;
     }

@@ -14,9 +14,8 @@ namespace scenefile {
 class AssetIndex {
  public:
   static constexpr int max_levels = 4;
-  static constexpr std::size_t max_entries = 10'000;
 
-  explicit AssetIndex(const std::vector<std::string>& roots);
+  AssetIndex(const std::vector<std::string>& roots, std::size_t max_entries);
 
   /// Paths of files with this base name; with `any_case`, in any mixture of case.
   std::vector<std::string> find(std::string_view base_name, bool any_case) const;

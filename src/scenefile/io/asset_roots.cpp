@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::array<std::string_view, 8> sibling_folders{"image", "images", "texture", "textures",
                                                           "mesh",  "meshes", "model",   "models"};
+constexpr std::size_t max_searched_entries = 10'000;
 constexpr std::size_t shown_places = 3;
 
 // Absolute, without links, "." and ".."; empty when there is no such file.
@@ -124,7 +125,7 @@ bool AssetRoots::contains(std::string_view canonical_path) const {
 
 const AssetIndex& AssetRoots::index() {
   if (index_ == nullptr) {
-    index_ = std::make_unique<AssetIndex>(allowed_);
+    index_ = std::make_unique<AssetIndex>(allowed_, max_searched_entries);
   }
   return *index_;
 }

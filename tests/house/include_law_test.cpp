@@ -31,7 +31,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
 // text, is free to every .cpp; operating system headers belong to io.
 const std::map<std::string, std::string> third_party = {
     {"expat.h", "format/xml_reader.cpp"},  {"rapidjson/", "format/json_parser.cpp"},
-    {"png.h", "asset/png_file.cpp"},       {"stb_image.h", "asset/stb.cpp"},
+    {"png.h", "asset/png_file.cpp"},       {"jpeglib.h", "asset/jpeg_file.cpp"},
     {"tinyexr.h", "asset/exr_file.cpp"},   {"embree3/", "trace/accelerator.cpp"},
     {"embree4/", "trace/accelerator.cpp"}, {"tbb/", "trace/tiles.cpp"},
     {"oneapi/", "trace/tiles.cpp"},

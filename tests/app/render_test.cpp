@@ -47,7 +47,7 @@ TEST_F(Render, WritesAPictureOfTheSize) {
   const Texture picture = decode(folder.read("out.png"));
   EXPECT_EQ(picture.width, 32);
   EXPECT_EQ(picture.height, 24);
-  EXPECT_GT(picture.texel(16, 12)[0], 100);
+  EXPECT_GT(picture.texel(16, 12)[0], 60);
   EXPECT_EQ(picture.texel(0, 0)[0], 0);
   EXPECT_THAT(folder.list(), ElementsAre("out.png", "scene.xml"));
 }

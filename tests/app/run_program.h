@@ -17,11 +17,11 @@ struct ProgramRun {
 };
 
 struct RunSettings {
-  std::string input;                     ///< standard input
-  std::vector<std::string> environment;  ///< "NAME=value", added
-  std::string out_file;                  ///< standard output goes there instead
-  std::string folder;                    ///< working directory
-  int signal = 0;                        ///< sent after `delay_ms`
+  std::string input{};                     ///< standard input
+  std::vector<std::string> environment{};  ///< "NAME=value", added
+  std::string out_file{};                  ///< standard output goes there instead
+  std::string folder{};                    ///< working directory
+  int signal = 0;                          ///< sent after `delay_ms`
   int delay_ms = 0;
 };
 

@@ -129,10 +129,10 @@ bool improves(const Query& q, double t, std::uint32_t triangle) {
   }
   for (std::uint32_t i = 0; i <= std::min(q.depth, q.found_depth); ++i) {
     if (q.path[i] != q.found_path[i]) {
-      return q.path[i] < q.found_path[i];
+      return q.path[i] > q.found_path[i];
     }
   }
-  return triangle < q.triangle;
+  return triangle > q.triangle;
 }
 
 void accept(Query& q, const Part& part, double t) {
@@ -352,8 +352,8 @@ bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, Triang
     return false;
   }
   const glm::dvec3 q = glm::cross(p0 - ray.origin, ray.direction);
-  hit.b1 = glm::clamp(-glm::dot(q, e2) / facing, 0.0, 1.0);
-  hit.b2 = glm::clamp(glm::dot(q, e1) / facing, 0.0, 1.0 - hit.b1);
+  hit.b1 = glm::clamp(glm::dot(q, e2) / facing, 0.0, 1.0);
+  hit.b2 = glm::clamp(-glm::dot(q, e1) / facing, 0.0, 1.0 - hit.b1);
   return true;
 }
 

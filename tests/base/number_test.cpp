@@ -4,9 +4,11 @@
 
 #include <clocale>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace scenefile {
 namespace {
@@ -73,6 +75,23 @@ TEST(Number, IgnoresTheLocale) {
   EXPECT_EQ(number_text(1.5f), "1.5");
   if (old != nullptr) {
     std::setlocale(LC_ALL, "C");
+  }
+}
+
+TEST(Number, ShortAndLongNumbersAreTheNearestDouble) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 200000; ++i) {
+    const int digits = 1 + static_cast<int>(random() % 18);
+    std::string text = random() % 2 == 0 ? "-" : "";
+    const int point = static_cast<int>(random() % static_cast<std::uint64_t>(2 * digits + 1));
+    for (int d = 0; d < digits; ++d) {
+      text += d == point ? "." : "";
+      text += static_cast<char>('0' + random() % 10);
+    }
+    const ParsedNumber n = parse_number(text);
+    ASSERT_EQ(n.error, NumberError::none) << text;
+    ASSERT_EQ(n.used, text.size()) << text;
+    ASSERT_EQ(n.value, std::strtod(text.c_str(), nullptr)) << text;
   }
 }
 

@@ -82,6 +82,10 @@ inline constexpr Code json_look_and_focus{
 inline constexpr Code json_light_type{"json.unknown-light-type", Severity::error,
                                       "a light of unknown type",
                                       "Lights are point, directional, spot or area."};
+inline constexpr Code json_light_default{
+    "json.light-default", Severity::warning, "a light lacks a key",
+    "The schema requires the key for this type of light, and the course's reader refuses the file. "
+    "The default that the message names is used."};
 inline constexpr Code json_primitive_type{
     "json.unknown-primitive-type", Severity::warning, "a primitive of unknown type",
     "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of somebody's "

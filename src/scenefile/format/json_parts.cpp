@@ -81,6 +81,14 @@ void report_unused(JsonContext& context, const JsonFields& fields, std::size_t k
   }
 }
 
+// What an extension could be called.
+bool is_identifier(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
 // The place of the "type" of a light or primitive in `names`; nothing, with a report, when it is
 // none of them.
 std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fields,
@@ -102,7 +110,8 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
   const std::string_view near = nearest_name(std::string_view(*name).substr(0, 64), names);
   const bool misspelt = !near.empty();
   context.diagnostics.report(
-      unknown, misspelt ? Severity::error : unknown.severity, context.place(key + 1),
+      unknown, misspelt || !is_identifier(*name) ? Severity::error : unknown.severity,
+      context.place(key + 1),
       fmt::format("unknown {} type {}{}", what, quoted(*name),
                   misspelt ? fmt::format("; did you mean \"{}\"?", near)
                            : fmt::format("; known are {}", fmt::join(names, ", "))));
@@ -168,14 +177,23 @@ void report_unused_keys(JsonContext& context, const JsonFields& fields, LightTyp
   }
 }
 
+void report_default(JsonContext& context, const JsonFields& fields, JsonIndex item, std::size_t key,
+                    LightType kind, std::string_view value) {
+  if (!fields.has(key)) {
+    context.report(json_light_default, item,
+                   fmt::format("a {} light must have the key \"{}\"; {} is used",
+                               types[static_cast<std::size_t>(kind)], names[key], value));
+  }
+}
+
 // A direction and an angle that are missing are for check() to judge.
-void require_keys(const JsonFields& fields, LightType kind) {
+void require_keys(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind) {
   fields.require(color);
   if (kind == LightType::point || kind == LightType::spot) {
-    fields.require(attenuation);
+    report_default(context, fields, item, attenuation, kind, "1 0 0 (no falloff)");
   }
   if (kind == LightType::spot) {
-    fields.require(penumbra);
+    report_default(context, fields, item, penumbra, kind, "0 (a hard edge)");
   }
 }
 }  // namespace light
@@ -311,7 +329,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
     context.report(json_area_light, fields.key(light::type),
                    "the course's JSON reader knows no area lights and refuses the file");
   }
-  light::require_keys(fields, light.type);
+  light::require_keys(context, fields, item, light.type);
   light::report_unused_keys(context, fields, light.type);
   if (fields.has(light::name)) {
     assign(light.name, text_value(context, fields.key(light::name), context.limits.name_bytes));

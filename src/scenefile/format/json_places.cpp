@@ -8,38 +8,83 @@ namespace {
 
 constexpr std::size_t step = 4096;
 
+// Short runs with a sum of one byte, which compilers turn into wide instructions.
+template <typename Test>
+std::uint32_t count_bytes(std::string_view text, Test test) {
+  std::uint32_t sum = 0;
+  while (!text.empty()) {
+    const std::string_view run = text.substr(0, 255);
+    std::uint8_t count = 0;
+    for (const char c : run) {
+      count = static_cast<std::uint8_t>(count + (test(c) ? 1 : 0));
+    }
+    sum += count;
+    text.remove_prefix(run.size());
+  }
+  return sum;
+}
+
+// Of UTF-8; counts the bytes that do not continue a character.
+std::uint32_t count_characters(std::string_view text) {
+  return count_bytes(text, [](char c) { return static_cast<signed char>(c) >= -0x40; });
+}
+
+bool has_lone_cr(std::string_view text) {
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos;
+       at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
-JsonPlaces::JsonPlaces(std::string_view text) : text_(text) {
-  steps_.reserve(text.size() / step + 1);
-  Mark mark;
-  for (std::size_t offset = 0; offset <= text.size(); offset += step) {
-    advance(mark, offset);
-    steps_.push_back(mark.location);
-  }
-}
+JsonPlaces::JsonPlaces(std::string_view text) : text_(text), lone_cr_(has_lone_cr(text)) {}
 
 Location JsonPlaces::at(std::size_t offset) {
   offset = std::min(offset, text_.size());
   if (offset < last_.offset || offset - last_.offset > step) {
-    last_ = {offset / step * step, steps_[offset / step]};
+    go_near(offset);
   }
   advance(last_, offset);
   return last_.location;
 }
 
-void JsonPlaces::advance(Mark& mark, std::size_t offset) const {
-  std::uint32_t line = mark.location.line;
-  std::uint32_t column = mark.location.column;
-  for (std::size_t i = mark.offset; i < offset; ++i) {
-    const char c = text_[i];
-    const bool line_end =
-        c == '\n' || (c == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'));
-    const bool continues = (static_cast<unsigned char>(c) & 0xc0u) == 0x80u;
-    line += line_end ? 1 : 0;
-    column = line_end ? 1 : column + (continues ? 0 : 1);
+void JsonPlaces::go_near(std::size_t offset) {
+  while (steps_.size() * step <= offset) {
+    advance(last_step_, steps_.size() * step);
+    steps_.push_back(last_step_.location);
   }
-  mark = {offset, {line, column}};
+  last_ = {offset / step * step, steps_[offset / step]};
+}
+
+void JsonPlaces::advance(Mark& mark, std::size_t offset) const {
+  const std::string_view passed = text_.substr(mark.offset, offset - mark.offset);
+  if (lone_cr_) {
+    advance_by_character(mark, offset);
+    return;
+  }
+  const std::uint32_t lines = count_bytes(passed, [](char c) { return c == '\n'; });
+  const std::size_t line_start = lines == 0 ? 0 : passed.rfind('\n') + 1;
+  mark.offset = offset;
+  mark.location.line += lines;
+  mark.location.column =
+      (lines == 0 ? mark.location.column : 1) + count_characters(passed.substr(line_start));
+}
+
+// Where old line ends are about, what a CR means depends on what follows it.
+void JsonPlaces::advance_by_character(Mark& mark, std::size_t offset) const {
+  for (; mark.offset < offset; ++mark.offset) {
+    const char c = text_[mark.offset];
+    const char next = mark.offset + 1 < text_.size() ? text_[mark.offset + 1] : '\0';
+    if (c == '\n' || (c == '\r' && next != '\n')) {
+      mark.location = {mark.location.line + 1, 1};
+    } else {
+      mark.location.column += count_characters(text_.substr(mark.offset, 1));
+    }
+  }
 }
 
 }  // namespace scenefile

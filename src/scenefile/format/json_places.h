@@ -23,10 +23,14 @@ class JsonPlaces {
     std::size_t offset = 0;
     Location location{1, 1};
   };
+  void go_near(std::size_t offset);
   void advance(Mark& mark, std::size_t offset) const;
+  void advance_by_character(Mark& mark, std::size_t offset) const;
 
   std::string_view text_;
-  std::vector<Location> steps_;  ///< of each multiple of the step in json_places.cpp
+  bool lone_cr_;
+  std::vector<Location> steps_;  ///< of each multiple of the step in json_places.cpp, as needed
+  Mark last_step_;
   Mark last_;
 };
 

@@ -42,7 +42,7 @@ class Explainer {
     Finding finding;
     finding.offset = at_;
     (void)(by_limit(finding) || by_conflict(finding) || by_end(finding) || by_string(finding) ||
-           by_comment(finding) || by_comma(finding) || by_number(finding) || by_quotes(finding) ||
+           by_comment(finding) || by_number(finding) || by_comma(finding) || by_quotes(finding) ||
            by_bracket(finding) || by_expectation(finding));
     return finding;
   }
@@ -183,33 +183,47 @@ class Explainer {
   }
 
   bool by_number(Finding& f) {
+    const std::string_view word = word_around();
     if (error_.fault == JsonFault::number_too_large) {
       f.code = &json_number_range;
-      f.message = fmt::format("the number {} is too large", quoted(word_around()));
+      f.message = fmt::format("the number {} is too large", quoted(word));
       return true;
     }
-    const std::string_view word = word_around();
-    const bool digits = std::any_of(word.begin(), word.end(), is_digit) &&
-                        word.find_first_not_of("+-.0123456789eExX") == std::string_view::npos;
-    const bool starts_so = !word.empty() && (is_digit(word[0]) || word.find_first_of("+-.") == 0);
-    std::string lower(word);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    const bool special =
-        lower.ends_with("nan") || lower.ends_with("inf") || lower.ends_with("infinity");
-    const bool of_value = error_.fault == JsonFault::value || error_.fault == JsonFault::number ||
-                          error_.fault == JsonFault::array_comma ||
-                          error_.fault == JsonFault::object_comma;
-    if (!of_value || word.data() == nullptr ||
-        !(special || (starts_so && (digits || word == "-")) || error_.fault == JsonFault::number)) {
+    if (!is_about_number(word)) {
       return false;
     }
     f.code = &json_number;
     f.offset = static_cast<std::size_t>(word.data() - text_.data());
-    f.message = special ? fmt::format("JSON has no {}; write a number", quoted(word))
-                        : fmt::format("{} is no JSON number{}", quoted(word), corrected(word));
+    f.message = is_special(word)
+                    ? fmt::format("JSON has no {}; write a number", quoted(word))
+                    : fmt::format("{} is no JSON number{}", quoted(word), corrected(word));
     return true;
+  }
+
+  // Whether the fault lies in the word around it, and the word was meant as a number.
+  bool is_about_number(std::string_view word) const {
+    if (word.empty() || error_.fault == JsonFault::number) {
+      return error_.fault == JsonFault::number;
+    }
+    const bool behind = at_ == static_cast<std::size_t>(word.data() - text_.data()) + word.size();
+    const bool value = error_.fault == JsonFault::value;
+    const bool comma =
+        error_.fault == JsonFault::array_comma || error_.fault == JsonFault::object_comma;
+    if (!(value || comma) || (behind && word != "-")) {
+      return false;
+    }
+    const bool digits = std::any_of(word.begin(), word.end(), is_digit) &&
+                        word.find_first_not_of("+-.0123456789eExXabcdfABCDF") == word.npos;
+    return is_special(word) || word == "-" ||
+           (digits && (is_digit(word[0]) || word.find_first_of("+-.") == 0));
+  }
+
+  static bool is_special(std::string_view word) {
+    std::string lower(word.substr(word.find_first_of("+-") == 0 ? 1 : 0));
+    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
   // "; write 0.6", where what was meant can be said.

@@ -14,7 +14,7 @@ namespace scenefile {
 struct XmlContext {
   const ReadOptions& options;
   Diagnostics& diagnostics;
-  PlaceFinder& places;
+  TextCursor& places;
 
   void report(const Code& code, const XmlTag& tag, std::string message) const {
     diagnostics.report(code, tag.location, std::move(message));

@@ -51,12 +51,13 @@ std::string_view name_of(LightType type) {
   return type_names[static_cast<std::size_t>(type)];
 }
 
-void read_type(const XmlContext& context, Location place, std::string_view word, Light& light) {
+void read_type(const XmlContext& context, Location place, std::string_view word,
+               LightDraft& draft) {
   for (std::size_t i = 0; i < type_names.size(); ++i) {
     if (!equal_ignoring_case(word, type_names[i])) {
       continue;
     }
-    light.type = static_cast<LightType>(i);
+    draft.light.type = static_cast<LightType>(i);
     if (word != type_names[i]) {
       context.diagnostics.report(
           xml_name_case, place,
@@ -64,6 +65,7 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
     }
     return;
   }
+  draft.type_known = false;
   const std::string_view near = nearest_name(word, type_names);
   context.diagnostics.report(
       xml_light_type, place,
@@ -121,6 +123,10 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
     missing(l_position, "position", "3 3 3");
   }
   missing(l_color, "color", "1 1 1");
+  if (!draft.seen.has(l_id) && !draft.light.id) {
+    context.diagnostics.report(xml_light_id, Severity::note, draft.light.location,
+                               "the light has no <id>; nothing depends on it here");
+  }
   if (type == LightType::spot) {
     missing(l_penumbra, "penumbra", "0");
   }
@@ -160,7 +166,7 @@ LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
                    fmt::format("attribute {0} of <lightdata> was read as <{0}>", attribute.name));
     const Location place = context.places.inside_tag(attribute.name.data());
     if (is_type) {
-      read_type(context, place, attribute.value, draft.light);
+      read_type(context, place, attribute.value, draft);
     } else {
       read_id(context, place, attribute.value, draft.light);
     }
@@ -180,7 +186,7 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
       read_id(context, tag.location, read_word(context, tag).value_or("0"), light);
       break;
     case l_type:
-      read_type(context, tag.location, read_word(context, tag).value_or("point"), light);
+      read_type(context, tag.location, read_word(context, tag).value_or("point"), draft);
       break;
     case l_color:
       set(light.color, read_color(context, tag));
@@ -214,8 +220,10 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
 }
 
 void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
-  report_unused(context, draft);
-  report_defaults(context, draft);
+  if (draft.type_known) {
+    report_unused(context, draft);
+    report_defaults(context, draft);
+  }
   add_places(draft, scene);
   scene.nodes[scene.root].lights.push_back(std::move(draft.light));
 }

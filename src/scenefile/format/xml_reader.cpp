@@ -25,8 +25,18 @@ struct ParserFree {
   void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
 };
 
-bool is_blank(std::string_view text) {
-  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+bool is_blank(char c) {
+  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
 }
 
 // Whether the tag uses an entity that XML itself does not define.
@@ -46,7 +56,7 @@ bool uses_entity(std::string_view tag) {
 // Between Expat and the handler.
 class EventReader {
  public:
-  EventReader(std::string_view text, const Limits& limits, PlaceFinder& places, XmlHandler& handler,
+  EventReader(std::string_view text, const Limits& limits, TextCursor& places, XmlHandler& handler,
               Diagnostics& diagnostics);
   bool run();
 
@@ -78,7 +88,7 @@ class EventReader {
 
   std::string_view text_;
   const Limits& limits_;
-  PlaceFinder& places_;
+  TextCursor& places_;
   XmlHandler& handler_;
   Diagnostics& diagnostics_;
   std::unique_ptr<XML_ParserStruct, ParserFree> parser_;
@@ -89,7 +99,7 @@ class EventReader {
   std::exception_ptr failure_;
 };
 
-EventReader::EventReader(std::string_view text, const Limits& limits, PlaceFinder& places,
+EventReader::EventReader(std::string_view text, const Limits& limits, TextCursor& places,
                          XmlHandler& handler, Diagnostics& diagnostics)
     : text_(text),
       limits_(limits),
@@ -136,12 +146,16 @@ void EventReader::on_end(void* self, const XML_Char*) {
 }
 
 void EventReader::on_text(void* self, const XML_Char* characters, int length) {
-  const std::string_view text(characters, static_cast<std::size_t>(length));
-  if (is_blank(text)) {
+  const std::string_view all(characters, static_cast<std::size_t>(length));
+  const std::string_view text = without_blanks(all);
+  if (text.empty()) {
     return;
   }
   EventReader& reader = of(self);
-  reader.guarded([&] { reader.handler_.text(text, reader.places_.advance_to(reader.current())); });
+  reader.guarded([&] {
+    const char* const at = reader.current() + (text.data() - all.data());
+    reader.handler_.text(text, reader.places_.advance_to(at));
+  });
 }
 
 void EventReader::on_doctype(void* self, const XML_Char*, const XML_Char* system_id,
@@ -152,8 +166,10 @@ void EventReader::on_doctype(void* self, const XML_Char*, const XML_Char* system
       return;
     }
     reader.has_external_subset_ = true;
+    const auto end = static_cast<std::size_t>(reader.current() - reader.text_.data());
+    const std::size_t start = reader.text_.rfind("<!DOCTYPE", end);
     reader.diagnostics_.report(
-        xml_external_dtd, reader.place_of(reader.current()),
+        xml_external_dtd, reader.place_of(reader.text_.data() + start),
         fmt::format("the DOCTYPE names the external file {}; it was not opened",
                     quoted(system_id != nullptr ? system_id : public_id)));
   });
@@ -197,7 +213,9 @@ void EventReader::start(const XML_Char** attributes) {
                     escaped(scan.name, 40)));
     return;
   }
-  decode_values(attributes);
+  if (scan.needs_decoding) {
+    decode_values(attributes);
+  }
   const XmlTag tag{scan.name, attributes_, places_.advance_to(at)};
   if (open_.size() == limits_.nesting) {
     diagnostics_.report(xml_nesting_limit, tag.location,
@@ -212,12 +230,10 @@ void EventReader::start(const XML_Char** attributes) {
   }
 }
 
-// Expat has replaced references and line breaks; where there were none, the text itself serves.
+// Takes the values from Expat, which has replaced references and line breaks in them.
 void EventReader::decode_values(const XML_Char** attributes) {
   for (std::size_t i = 0; i < attributes_.size(); ++i) {
-    if (attributes_[i].value.find_first_of("&\t\r\n") != std::string_view::npos) {
-      attributes_[i].value = attributes[2 * i + 1];
-    }
+    attributes_[i].value = attributes[2 * i + 1];
   }
 }
 
@@ -354,12 +370,12 @@ const char* EventReader::current() const {
 
 // For places out of order; costs a pass over the text.
 Location EventReader::place_of(const char* at) const {
-  return PlaceFinder(text_).advance_to(at);
+  return TextCursor(text_).advance_to(at);
 }
 
 }  // namespace
 
-bool read_events(std::string_view text, const Limits& limits, PlaceFinder& places,
+bool read_events(std::string_view text, const Limits& limits, TextCursor& places,
                  XmlHandler& handler, Diagnostics& diagnostics) {
   return EventReader(text, limits, places, handler, diagnostics).run();
 }

@@ -16,7 +16,7 @@ class XmlHandler {
   virtual bool start(const XmlTag& tag) = 0;
   /// The innermost element that is open ends.
   virtual void end() = 0;
-  /// Characters that are not blank, in or between elements; possibly a part of them.
+  /// Characters in or between elements, without the blanks around them; possibly a part of them.
   virtual void text(std::string_view characters, Location location) = 0;
 
  protected:
@@ -27,7 +27,7 @@ class XmlHandler {
 /// place that is not well-formed, declares or uses an entity, or breaks a limit, with an error.
 /// `places` must be fresh; inside XmlHandler::start it may be asked about the tag. Memory does not
 /// depend on the length of the text. False: it was not read to its end.
-bool read_events(std::string_view text, const Limits& limits, PlaceFinder& places,
+bool read_events(std::string_view text, const Limits& limits, TextCursor& places,
                  XmlHandler& handler, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -98,6 +99,7 @@ class SceneBuilder final : public XmlHandler {
   bool push(Block block, NodeId node, std::string_view element = {});
   Frame& top() { return frames_.back(); }
   NodeId add_node(Location location);
+  void reserve_nodes();
   NodeId add_child_node(NodeId parent, Location location);
   void flush_transforms(NodeId node);
   void make_room_for_object(NodeId node);
@@ -179,7 +181,7 @@ void SceneBuilder::text(std::string_view characters, Location location) {
       xml_text, location,
       fmt::format("the text {} has no effect; values are attributes, comments are written "
                   "<!-- like this -->",
-                  quoted(characters.substr(0, characters.find_last_not_of(" \t") + 1))));
+                  quoted(characters)));
 }
 
 Scene SceneBuilder::finish(bool complete) {
@@ -480,7 +482,21 @@ bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
   return true;
 }
 
+// Growing to what the rest of the file will need, if it goes on like this, spares a large scene the
+// last copy and the memory that doubling would leave unused.
+void SceneBuilder::reserve_nodes() {
+  constexpr std::size_t small = 4096;
+  std::vector<Node>& nodes = scene_.nodes;
+  if (nodes.size() < nodes.capacity() || nodes.size() < small) {
+    return;
+  }
+  const auto size = static_cast<double>(nodes.size());
+  const double expected = 1.02 * size / context_.places.progress();
+  nodes.reserve(static_cast<std::size_t>(std::clamp(expected, 1.25 * size, 4 * size)));
+}
+
 NodeId SceneBuilder::add_node(Location location) {
+  reserve_nodes();
   scene_.nodes.emplace_back().location = location;
   return static_cast<NodeId>(scene_.nodes.size() - 1);
 }
@@ -542,7 +558,7 @@ void SceneBuilder::end_transblock(const Frame& block) {
 }  // namespace
 
 Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
-  PlaceFinder places(text);
+  TextCursor places(text);
   SceneBuilder builder({options, diagnostics, places});
   const bool complete = read_events(text, options.limits, places, builder, diagnostics);
   return builder.finish(complete);

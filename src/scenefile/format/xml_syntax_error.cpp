@@ -141,11 +141,14 @@ void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view 
                    std::size_t at, std::span<const OpenElement> open, Diagnostics& diagnostics) {
   const std::string_view line = line_at(text, at);
   if (is_conflict_marker(line)) {
-    diagnostics.report(xml_conflict_marker, PlaceFinder(text).advance_to(line.data()),
+    diagnostics.report(xml_conflict_marker, TextCursor(text).advance_to(line.data()),
                        fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
     return;
   }
-  diagnostics.report(xml_syntax, PlaceFinder(text).advance_to(text.data() + at),
+  if (fault == SyntaxFault::tag_mismatch && at >= 2 && text.substr(at - 2, 2) == "</") {
+    at -= 2;
+  }
+  diagnostics.report(xml_syntax, TextCursor(text).advance_to(text.data() + at),
                      message_of(fault, detail, text, at, open));
 }
 

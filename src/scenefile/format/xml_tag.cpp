@@ -47,6 +47,37 @@ bool starts_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
+// From the first character of an attribute to the one behind it.
+const char* scan_attribute(const char* p, const char* end, XmlAttribute& out,
+                           bool& needs_decoding) {
+  const char* const name = p;
+  p = skip_name(p, end);
+  out.name = between(name, p);
+  while (p != end && *p != '"' && *p != '\'') {
+    ++p;
+  }
+  if (p == end) {
+    return p;
+  }
+  const char quote = *p++;
+  const char* const value = p;
+  for (; p != end && *p != quote; ++p) {
+    needs_decoding |= *p == '&' || static_cast<unsigned char>(*p) < ' ';
+  }
+  out.value = between(value, p);
+  return p == end ? p : p + 1;
+}
+
+TagFault fault_of(const XmlAttribute& attribute, std::size_t before, const Limits& limits) {
+  if (before >= limits.attributes) {
+    return TagFault::too_many_attributes;
+  }
+  if (attribute.name.size() > limits.name_bytes) {
+    return TagFault::name_too_long;
+  }
+  return attribute.value.size() > limits.value_bytes ? TagFault::value_too_long : TagFault::none;
+}
+
 }  // namespace
 
 const XmlAttribute* XmlTag::find(std::string_view attribute) const {
@@ -62,55 +93,35 @@ TagScan scan_tag(std::string_view text, const Limits& limits, std::vector<XmlAtt
   out.clear();
   const char* const end = text.data() + text.size();
   const char* p = skip_name(text.data() + 1, end);
-  TagScan scan{between(text.data() + 1, p), TagFault::none, {}};
-  if (scan.name.size() > limits.name_bytes) {
-    scan.fault = TagFault::name_too_long;
-    return scan;
-  }
-  for (p = skip_blanks(p, end); p != end && *p != '>' && *p != '/'; p = skip_blanks(p, end)) {
-    const char* const name = p;
-    p = skip_name(p, end);
-    XmlAttribute attribute{between(name, p), {}};
-    while (p != end && *p != '"' && *p != '\'') {
-      ++p;
-    }
-    if (p != end) {
-      const char quote = *p++;
-      const char* const value = p;
-      while (p != end && *p != quote) {
-        ++p;
-      }
-      attribute.value = between(value, p);
-      p += p != end;
-    }
-    if (out.size() == limits.attributes) {
-      scan.fault = TagFault::too_many_attributes;
-      return scan;
-    }
-    if (attribute.name.size() > limits.name_bytes || attribute.value.size() > limits.value_bytes) {
-      const bool name_long = attribute.name.size() > limits.name_bytes;
-      scan.fault = name_long ? TagFault::name_too_long : TagFault::value_too_long;
-      scan.culprit = attribute;
-      return scan;
-    }
+  TagScan scan;
+  scan.name = between(text.data() + 1, p);
+  scan.fault = scan.name.size() > limits.name_bytes ? TagFault::name_too_long : TagFault::none;
+  p = skip_blanks(p, end);
+  while (scan.fault == TagFault::none && p != end && *p != '>' && *p != '/') {
+    XmlAttribute attribute;
+    p = scan_attribute(p, end, attribute, scan.needs_decoding);
+    scan.fault = fault_of(attribute, out.size(), limits);
+    scan.culprit = attribute;
     out.push_back(attribute);
+    p = skip_blanks(p, end);
   }
   return scan;
 }
 
-PlaceFinder::PlaceFinder(std::string_view text)
-    : end_(text.data() + text.size()),
+TextCursor::TextCursor(std::string_view text)
+    : begin_(text.data()),
+      end_(text.data() + text.size()),
       lone_cr_(has_lone_cr(text)),
       tag_{text.data()},
       inside_{text.data()} {}
 
-Location PlaceFinder::advance_to(const char* at) {
+Location TextCursor::advance_to(const char* at) {
   move(tag_, at);
   inside_ = tag_;
   return tag_.location;
 }
 
-Location PlaceFinder::inside_tag(const char* at) {
+Location TextCursor::inside_tag(const char* at) {
   if (at < inside_.at) {
     inside_ = tag_;
   }
@@ -118,16 +129,20 @@ Location PlaceFinder::inside_tag(const char* at) {
   return inside_.location;
 }
 
-void PlaceFinder::move(Cursor& cursor, const char* to) const {
-  const char* p = cursor.at;
-  Location location = cursor.location;
+double TextCursor::progress() const {
+  return static_cast<double>(tag_.at - begin_) / static_cast<double>(end_ - begin_);
+}
+
+void TextCursor::move(Point& point, const char* to) const {
+  const char* p = point.at;
+  Location location = point.location;
   if (lone_cr_) {
     for (; p != to; ++p) {
       const bool ends_line = *p == '\n' || (*p == '\r' && p + 1 != end_ && p[1] != '\n');
       location.line += ends_line;
       location.column = ends_line ? 1 : location.column + starts_character(*p);
     }
-    cursor = {to, location};
+    point = {to, location};
     return;
   }
   while (const void* newline = std::memchr(p, '\n', static_cast<std::size_t>(to - p))) {
@@ -138,7 +153,7 @@ void PlaceFinder::move(Cursor& cursor, const char* to) const {
   for (; p != to; ++p) {
     location.column += starts_character(*p);
   }
-  cursor = {to, location};
+  point = {to, location};
 }
 
 }  // namespace scenefile

@@ -35,7 +35,8 @@ enum class TagFault : std::uint8_t { none, name_too_long, too_many_attributes, v
 struct TagScan {
   std::string_view name;
   TagFault fault = TagFault::none;
-  XmlAttribute culprit;  ///< under name_too_long and value_too_long, if it is an attribute
+  bool needs_decoding = false;  ///< a value holds a reference or a line break
+  XmlAttribute culprit;         ///< under value_too_long
 };
 
 /// Finds the parts of the start tag at the front of `text`, which is well-formed but may be cut off
@@ -44,26 +45,29 @@ TagScan scan_tag(std::string_view text, const Limits& limits, std::vector<XmlAtt
 
 /// Lines and columns of a text. Each call moves on from the place found before, so that all places
 /// of a file together cost one pass over it.
-class PlaceFinder {
+class TextCursor {
  public:
-  explicit PlaceFinder(std::string_view text);
+  explicit TextCursor(std::string_view text);
 
   /// The place of a tag or text; calls must be in the order of the text.
   Location advance_to(const char* at);
   /// A place inside the tag that was advanced to last.
   Location inside_tag(const char* at);
+  /// How much of the text is behind, 0..1.
+  double progress() const;
 
  private:
-  struct Cursor {
+  struct Point {
     const char* at;
     Location location{1, 1};
   };
-  void move(Cursor& cursor, const char* to) const;
+  void move(Point& point, const char* to) const;
 
+  const char* begin_;
   const char* end_;
   bool lone_cr_;  ///< carriage returns end lines by themselves
-  Cursor tag_;
-  Cursor inside_;
+  Point tag_;
+  Point inside_;
 };
 
 }  // namespace scenefile

@@ -57,6 +57,12 @@ asan tsan: ## all tests under a sanitizer
 	@scripts/install-deps core tests
 	@cmake --preset $@ && cmake --build --preset $@ && ctest --test-dir build/$@ --output-on-failure -j $(JOBS)
 
+.PHONY: fuzz
+fuzz: ## SECONDS=60: each fuzz target for so long
+	@scripts/install-deps core tests fuzz
+	@cmake --preset fuzz && cmake --build --preset fuzz --target scenefile_fuzz
+	@tests/fuzz/run build/fuzz $(or $(SECONDS),60)
+
 .PHONY: portable
 portable: ## the portable rooms with clang 14 and libc++ 14
 	@scripts/install-deps core portable

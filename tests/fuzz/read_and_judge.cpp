@@ -1,0 +1,65 @@
+#include "read_and_judge.h"
+
+#include "finding_laws.h"
+#include "law.h"
+#include "scene_laws.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/codes.h"
+#include "scenefile/scene/diff.h"
+#include "scenefile/scene/summary.h"
+
+namespace scenefile::fuzz {
+
+namespace {
+
+// What no text can bring about, only a program that edits scenes.
+void require_well_built(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    require(diagnostic.code != &scene_bad_index && diagnostic.code != &scene_shared_node &&
+                diagnostic.code != &scene_not_finite,
+            "the reader builds a forest of finite values");
+  }
+}
+
+void require_ready(const Scene& scene, const Limits& limits) {
+  const Prepared prepared = prepare(scene, limits);
+  require_valid(prepared, limits);
+  require(prepare(scene, limits).scene == prepared.scene, "preparing is a function");
+  require(diff(scene, scene).empty(), "a scene does not differ from itself");
+  // Equal up to rounding: parts that are not invertible are left out of the ready scene alone.
+  require(
+      count_virtual_primitives(prepared.scene) <= summarize(scene).virtual_primitives * 1.000001,
+      "the ready scene holds no more than the written one");
+}
+
+void judge(std::string_view text, const ReadOptions& options) {
+  Diagnostics diagnostics(options.limits);
+  const Scene scene = read_scene(text, options, diagnostics);
+  require_sound(diagnostics, options.limits, text);
+  Diagnostics again(options.limits);
+  const Scene same = read_scene(text, options, again);
+  require(again.list().size() == diagnostics.list().size(), "reading is a function");
+  if (diagnostics.has_errors()) {
+    require_safe(prepare(scene, options.limits), options.limits);
+    return;
+  }
+  require(scene == same, "reading gives the same finite values each time");
+  check(scene, options.limits, diagnostics);
+  require_sound(diagnostics, options.limits, text);
+  require_well_built(diagnostics);
+  if (diagnostics.has_errors()) {
+    require_safe(prepare(scene, options.limits), options.limits);
+  } else {
+    require_ready(scene, options.limits);
+  }
+}
+
+}  // namespace
+
+void read_and_judge(std::string_view text) {
+  judge(text, {});
+  judge(text, {.compat_course = true, .limits = narrow_limits()});
+}
+
+}  // namespace scenefile::fuzz

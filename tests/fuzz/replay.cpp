@@ -1,0 +1,71 @@
+// Runs files through a target without a fuzzer, so that every build replays what is known:
+//
+//     scenefile_replay_obj tests/fuzz/seeds/obj tests/fuzz/findings/obj
+//
+// Each file also cut short and damaged in single bytes, at up to `max_places` places each.
+
+#include "target.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr std::size_t max_places = 96;
+
+void run(const std::string& bytes) {
+  // A copy of its own size, so that a sanitizer sees a read behind the end.
+  const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
+  LLVMFuzzerTestOneInput(copy.data(), copy.size());
+}
+
+void run_damaged(const std::string& bytes) {
+  const std::size_t step = std::max<std::size_t>(1, bytes.size() / max_places);
+  for (std::size_t at = 0; at < bytes.size(); at += step) {
+    run(bytes.substr(0, at));
+    std::string damaged = bytes;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    run(damaged);
+  }
+}
+
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::size_t count = 0;
+  for (int i = 1; i < argc; ++i) {
+    if (!std::filesystem::is_directory(argv[i])) {
+      continue;
+    }
+    for (const std::filesystem::path& file : files_of(argv[i])) {
+      // Known before it runs, should it be the last.
+      std::printf("%s\n", file.c_str());
+      std::fflush(stdout);
+      const std::string bytes = contents(file);
+      run(bytes);
+      run_damaged(bytes);
+      ++count;
+    }
+  }
+  std::printf("%zu files\n", count);
+  return count == 0 ? 1 : 0;
+}

@@ -1,0 +1,133 @@
+#include "asset/sample_files.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <rapidcheck/gtest.h>
+#include <tinyexr.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+namespace scenefile {
+namespace {
+
+std::string encode(const Image& image, ImageFormat format, Rounding rounding = Rounding::nearest) {
+  std::string error;
+  std::string bytes = encode_image(image, format, rounding, error);
+  EXPECT_EQ(error, "");
+  EXPECT_EQ(encode_image(image, format, rounding, error), bytes) << "same image, same bytes";
+  return bytes;
+}
+
+Image gradient(int width, int height) {
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    image.rgb[i] = static_cast<float>(i * 7919 % 1000) / 900 - 0.05f;  // some below 0, some over 1
+  }
+  return image;
+}
+
+TEST(EncodeImage, Png8HoldsTheQuantizedPixels) {
+  for (const Rounding rounding : {Rounding::truncate, Rounding::nearest}) {
+    const Image image = gradient(31, 17);
+    const test::Decoded d = test::decode(encode(image, ImageFormat::png8, rounding));
+    ASSERT_EQ(d.error, "");
+    EXPECT_EQ(d.texture.width, 31);
+    EXPECT_EQ(d.texture.height, 17);
+    EXPECT_EQ(d.texture.rgb, quantize(image, rounding).rgb);
+  }
+}
+
+// Reads 16 bits with libpng's simple API.
+std::vector<std::uint16_t> read_png16(const std::string& bytes) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()), 0);
+  EXPECT_NE(header.format & PNG_FORMAT_FLAG_LINEAR, 0u) << "16 bits a channel";
+  header.format = PNG_FORMAT_LINEAR_RGB;
+  std::vector<std::uint16_t> values(std::size_t{3} * header.width * header.height);
+  EXPECT_NE(png_image_finish_read(&header, nullptr, values.data(), 0, nullptr), 0);
+  return values;
+}
+
+TEST(EncodeImage, Png16KeepsSixteenBits) {
+  Image image(3, 2);
+  const float values[] = {0, 1, 0.5f, 0.25f, 2, -1, 1e-4f, std::nanf(""), 1.0f / 65535};
+  std::copy(std::begin(values), std::end(values), image.rgb.begin());
+  const std::string rounded = encode(image, ImageFormat::png16, Rounding::nearest);
+  EXPECT_EQ(static_cast<int>(rounded[24]), 16) << "bit depth";
+  const auto read = read_png16(rounded);
+  const std::uint16_t expected[] = {0, 65535, 32768, 16384, 65535, 0, 7, 0, 1};
+  EXPECT_TRUE(std::equal(std::begin(expected), std::end(expected), read.begin()));
+  const auto cut = read_png16(encode(image, ImageFormat::png16, Rounding::truncate));
+  EXPECT_EQ(cut[2], 32767);
+  EXPECT_EQ(cut[6], 6);
+}
+
+TEST(EncodeImage, ExrKeepsEveryFloat) {
+  Image image = gradient(29, 40);
+  image.pixel(3, 5)[0] = 1e30f;
+  image.pixel(3, 5)[1] = -7.25f;
+  image.pixel(3, 5)[2] = std::numeric_limits<float>::infinity();
+  const std::string bytes = encode(image, ImageFormat::exr);
+  float* rgba = nullptr;
+  int width = 0, height = 0;
+  ASSERT_EQ(LoadEXRFromMemory(&rgba, &width, &height,
+                              reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                              nullptr),
+            TINYEXR_SUCCESS);
+  ASSERT_EQ(width, 29);
+  ASSERT_EQ(height, 40);
+  for (std::size_t p = 0; p < image.rgb.size() / 3; ++p) {
+    ASSERT_EQ(std::memcmp(rgba + 4 * p, image.rgb.data() + 3 * p, 3 * sizeof(float)), 0) << p;
+  }
+  std::free(rgba);
+}
+
+TEST(EncodeImage, PfmByHand) {
+  Image image(1, 2);
+  image.rgb = {1, 2, 3, -0.5f, 0, 1e10f};
+  const std::string expected = std::string("PF\n1 2\n-1.0\n") +
+                               std::string("\x00\x00\x00\xbf\x00\x00\x00\x00\xf9\x02\x15\x50", 12) +
+                               std::string("\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x40\x40", 12);
+  EXPECT_EQ(encode(image, ImageFormat::pfm), expected);
+}
+
+TEST(EncodeImage, WithoutPixelsIsAnError) {
+  for (const ImageFormat format :
+       {ImageFormat::png8, ImageFormat::png16, ImageFormat::exr, ImageFormat::pfm}) {
+    std::string error;
+    EXPECT_EQ(encode_image({}, format, Rounding::nearest, error), "");
+    EXPECT_NE(error, "");
+  }
+}
+
+TEST(EncodeImage, FormatFollowsTheExtension) {
+  const struct {
+    const char* name;
+    bool known;
+    ImageFormat format;
+  } cases[] = {{"a.png", true, ImageFormat::png8},     {"b/c.PNG", true, ImageFormat::png8},
+               {"a.exr", true, ImageFormat::exr},      {"a.Pfm", true, ImageFormat::pfm},
+               {"a.jpg", false, ImageFormat::exr},     {"png", false, ImageFormat::exr},
+               {"a.png.bak", false, ImageFormat::exr}, {"", false, ImageFormat::exr}};
+  for (const auto& c : cases) {
+    ImageFormat format = ImageFormat::exr;
+    EXPECT_EQ(image_format_of(c.name, format), c.known) << c.name;
+    EXPECT_EQ(format, c.format) << c.name;
+  }
+}
+
+RC_GTEST_PROP(EncodeImageLaw, EightBitsSurviveAPng, ()) {
+  Texture texture;
+  texture.width = *rc::gen::inRange(1, 20);
+  texture.height = *rc::gen::inRange(1, 20);
+  texture.rgb = *rc::gen::container<std::vector<std::uint8_t>>(
+      std::size_t{3} * texture.width * texture.height, rc::gen::arbitrary<std::uint8_t>());
+  const std::string bytes = encode(to_float(texture), ImageFormat::png8, Rounding::truncate);
+  RC_ASSERT(test::decode(bytes).texture.rgb == texture.rgb);
+}
+
+}  // namespace
+}  // namespace scenefile

@@ -1,0 +1,58 @@
+#pragma once
+// Small files to read, and the reading of them.
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/asset/read_obj.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile::test {
+
+using Color = std::array<int, 3>;
+
+/// The bytes of a file of tests/fixtures/asset.
+std::string fixture(const std::string& name);
+/// The names of the images there.
+std::vector<std::string> image_fixtures();
+
+/// The pictures that the fixtures hold; make_images.py has the same formulas.
+inline constexpr int fixture_width = 17;
+inline constexpr int fixture_height = 11;
+Color sharp(int x, int y);
+Color smooth(int x, int y);
+Color gray(int x, int y);
+Color two(int x, int y);
+
+/// decode_image() under default limits.
+struct Decoded {
+  Texture texture;
+  std::string error;
+  bool over_limit = false;
+};
+Decoded decode(std::string_view bytes, const Limits& limits = {});
+Color color_at(const Texture& texture, int x, int y);
+
+/// A PNG by libpng: `depth` and `color_type` as there, rows of packed samples.
+std::string make_png(int width, int height, int depth, int color_type, bool interlaced,
+                     const std::vector<std::string>& rows,
+                     const std::vector<std::array<std::uint8_t, 3>>& palette = {});
+/// The checksum of a chunk, so that tests can forge valid ones.
+std::string png_chunk(std::string_view type, std::string_view data);
+
+/// Little-endian bytes.
+std::string u16(unsigned value);
+std::string u32(unsigned value);
+
+/// read_obj() under default limits.
+struct ReadObj {
+  Mesh mesh;
+  Diagnostics diagnostics;
+};
+ReadObj read(std::string_view text, const Limits& limits = {});
+/// All findings as "line:column code message", one a line.
+std::string findings(const Diagnostics& diagnostics);
+
+}  // namespace scenefile::test

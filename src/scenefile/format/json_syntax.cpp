@@ -205,11 +205,11 @@ class Explainer {
     if (word.empty() || error_.fault == JsonFault::number) {
       return error_.fault == JsonFault::number;
     }
-    const bool behind = at_ == static_cast<std::size_t>(word.data() - text_.data()) + word.size();
-    const bool value = error_.fault == JsonFault::value;
+    const auto first = static_cast<std::size_t>(word.data() - text_.data());
+    const bool behind = at_ == first + word.size() && word != "-";
     const bool comma =
         error_.fault == JsonFault::array_comma || error_.fault == JsonFault::object_comma;
-    if (!(value || comma) || (behind && word != "-")) {
+    if (behind || !(error_.fault == JsonFault::value || (comma && at_ != first))) {
       return false;
     }
     const bool digits = std::any_of(word.begin(), word.end(), is_digit) &&
@@ -252,12 +252,12 @@ class Explainer {
 
   bool by_quotes(Finding& f) {
     const std::string_view word = word_around();
-    const bool here = !word.empty() && word.data() == text_.data() + at_;
     if (found() == '\'') {
       f.message = "strings and keys stand in double quotes, not in single ones";
-    } else if (error_.fault == JsonFault::key && here) {
+    } else if (!word.empty() && error_.fault == JsonFault::key) {
       f.message = fmt::format("the key {} must stand in double quotes", quoted(word));
-    } else if (error_.fault == JsonFault::value && here) {
+    } else if (!word.empty() && error_.fault == JsonFault::value) {
+      f.offset = static_cast<std::size_t>(word.data() - text_.data());
       f.message = literal(word);
     } else {
       return false;

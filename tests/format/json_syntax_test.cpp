@@ -1,0 +1,206 @@
+// What the reader says about texts that are not JSON.
+
+#include "scenefile/format/codes.h"
+#include "scenefile/format/json_codes.h"
+#include "scenefile/format/json_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace scenefile {
+namespace {
+
+Diagnostics diagnostics_of(std::string_view text) {
+  Diagnostics diagnostics;
+  read_json(text, {}, diagnostics);
+  return diagnostics;
+}
+
+struct Case {
+  std::string_view text;
+  const Code& code;
+  Location location;
+  std::string_view mention;
+};
+
+void expect_finding(const Case& c) {
+  const Diagnostics diagnostics = diagnostics_of(c.text);
+  ASSERT_EQ(diagnostics.list().size(), 1u) << c.text;
+  const Diagnostic& d = diagnostics.list().front();
+  EXPECT_EQ(d.code->name, c.code.name) << c.text << ": " << d.message;
+  EXPECT_EQ(d.location.line, c.location.line) << c.text << ": " << d.message;
+  EXPECT_EQ(d.location.column, c.location.column) << c.text << ": " << d.message;
+  EXPECT_NE(d.message.find(c.mention), std::string::npos) << c.text << ": " << d.message;
+}
+
+TEST(JsonSyntax, NumbersSayHowToWriteThem) {
+  const Case cases[] = {
+      {"{\"a\": .6}", json_number, {1, 7}, "write 0.6"},
+      {"{\"a\": -.6}", json_number, {1, 7}, "write -0.6"},
+      {"{\"a\": 1.}", json_number, {1, 7}, "write 1.0"},
+      {"{\"a\": 1.e5}", json_number, {1, 7}, "write 1.0e5"},
+      {"{\"a\": +1}", json_number, {1, 7}, "write 1.0"},
+      {"{\"a\": 007.5}", json_number, {1, 7}, "write 7.5"},
+      {"[01]", json_number, {1, 2}, "write 1.0"},
+      {"{\"a\": 1e}", json_number, {1, 7}, "write 1.0"},
+      {"{\"a\": 0x1F}", json_number, {1, 7}, "\"0x1F\" is no JSON number"},
+      {"{\"a\": -}", json_number, {1, 7}, "\"-\" is no JSON number"},
+      {"{\"a\": NaN}", json_number, {1, 7}, "JSON has no \"NaN\""},
+      {"{\"a\": -Infinity}", json_number, {1, 7}, "JSON has no \"-Infinity\""},
+      {"{\"a\": 1e400}", json_number_range, {1, 7}, "too large"},
+  };
+  for (const Case& c : cases) {
+    expect_finding(c);
+  }
+}
+
+TEST(JsonSyntax, CommasAndBrackets) {
+  const Case cases[] = {
+      {"{\"a\": [1, 2,]}", json_trailing_comma, {1, 12}, "before the closing ]"},
+      {"{\"a\": 1,\n}", json_trailing_comma, {1, 8}, "before the closing }"},
+      {"{\"a\": 1,, \"b\": 2}", json_syntax, {1, 9}, "two commas"},
+      {"[, 1]", json_syntax, {1, 2}, "a comma before the first"},
+      {"{\"a\": 1 \"b\": 2}", json_syntax, {1, 9}, "expected a comma or }"},
+      {"[1 2]", json_syntax, {1, 4}, "expected a comma or ]"},
+      {"{\"a\": [1, 2}}", json_syntax, {1, 12}, "the array that begins at line 1, column 7"},
+      {"{\"a\": 1]", json_syntax, {1, 8}, "the object that begins at line 1, column 1"},
+      {"{\"groups\": [\n\"name\": 1]}", json_syntax, {2, 7}, "the { in front of it is missing"},
+      {"{\"a\": 0.5; \"b\": 1}", json_syntax, {1, 10}, "not by semicolons"},
+      {"{\"a\" = 1}", json_syntax, {1, 6}, "not by ="},
+      {"{\"a\" 1}", json_syntax, {1, 6}, "expected a colon"},
+      {"{}}", json_after_end, {1, 3}, "behind the end"},
+      {"{} {}", json_after_end, {1, 4}, "behind the end"},
+  };
+  for (const Case& c : cases) {
+    expect_finding(c);
+  }
+}
+
+TEST(JsonSyntax, WordsAndQuotes) {
+  const Case cases[] = {
+      {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must stand in double quotes"},
+      {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
+      {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},
+      {"{\"a\": None}", json_syntax, {1, 7}, "None is written null"},
+      {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is no value"},
+      {"{\"a\": cube}", json_syntax, {1, 7}, "\"cube\" is no value"},
+      {"{ // note\n}", json_comment, {1, 3}, "no comments"},
+      {"{\"a\": 1 /* b */}", json_comment, {1, 9}, "no comments"},
+      {"{\"a\": 1\n# b\n}", json_comment, {2, 1}, "no comments"},
+  };
+  for (const Case& c : cases) {
+    expect_finding(c);
+  }
+}
+
+TEST(JsonSyntax, Strings) {
+  using namespace std::string_view_literals;
+  const Case cases[] = {
+      {"{\"a\": \"b\nc\"}", json_string, {1, 9}, "closing quote is missing"},
+      {"{\"a\": \"b\tc\"}", json_string, {1, 9}, "\"\\t\""},
+      {"{\"a\": \"\\q\"}", json_string, {1, 8}, "unknown escape \"\\q\""},
+      {"{\"a\": \"\\u12g4\"}", json_string, {1, 8}, "\"\\u12g4\""},
+      {"{\"a\": \"\\ud800\"}", json_string, {1, 8}, "surrogate"},
+      {"{\"a\": \"\\udc00\"}", json_string, {1, 7}, "surrogate"},
+      {"{\"\\udc00\": 1}", json_string, {1, 2}, "surrogate"},
+      {"{\"a\": \"\xff\"}", format_encoding, {1, 8}, "not UTF-8"},
+      {"{\"a\": \"\xed\xa0\x80\"}", format_encoding, {1, 8}, "not UTF-8"},
+      {"{\"a\": \"x\0y\"}"sv, json_syntax, {1, 9}, "NUL"},
+      {"{}\0"sv, json_syntax, {1, 3}, "NUL"},
+  };
+  for (const Case& c : cases) {
+    expect_finding(c);
+  }
+}
+
+TEST(JsonSyntax, TheEnd) {
+  const Case cases[] = {
+      {"{\"a\": [1,\n 2",
+       json_truncated,
+       {2, 3},
+       "inside the array that begins at line 1, column 7"},
+      {"{\"a\":", json_truncated, {1, 6}, "inside the object"},
+      {"{\"a\": \"b", json_truncated, {1, 9}, "inside the object"},
+      {"", json_truncated, {1, 1}, "no JSON value"},
+      {"-", json_truncated, {1, 2}, "in the middle of a value"},
+  };
+  for (const Case& c : cases) {
+    expect_finding(c);
+  }
+}
+
+TEST(JsonSyntax, ConflictMarkersAreNamed) {
+  for (const std::string marker : {"<<<<<<< HEAD", "=======", ">>>>>>> theirs"}) {
+    const std::string text = "{\"a\": 1,\n" + marker + "\n\"b\": 2}";
+    expect_finding({text, json_conflict_marker, {2, 1}, marker});
+  }
+}
+
+TEST(JsonSyntax, ColumnsCountCharacters) {
+  expect_finding({"{\"\xc3\xa4\xe2\x82\xac\xf0\x9f\x98\x80\": .5}", json_number, {1, 9}, "0.5"});
+}
+
+TEST(JsonSyntax, LinesEndInAnyWay) {
+  expect_finding({"{\r\n\"a\":\r\n.5}", json_number, {3, 1}, "0.5"});
+  expect_finding({"{\r\"a\":\r.5}", json_number, {3, 1}, "0.5"});
+  expect_finding({"{\r\n\"a\":\r .5}", json_number, {3, 2}, "0.5"});
+}
+
+TEST(JsonSyntax, NestingIsBounded) {
+  ReadOptions options;
+  options.limits.nesting = 3;
+  Diagnostics fine;
+  read_json("[[[]]]", options, fine);
+  EXPECT_EQ(fine.list().front().code, &json_type);
+  Diagnostics deep;
+  read_json("[[[\n[]]]]", options, deep);
+  ASSERT_EQ(deep.list().size(), 1u);
+  EXPECT_EQ(deep.list().front().code, &json_limit);
+  EXPECT_EQ(deep.list().front().location, (Location{2, 1}));
+  const Diagnostics very_deep = diagnostics_of(std::string(1'000'000, '['));
+  ASSERT_EQ(very_deep.list().size(), 1u);
+  EXPECT_EQ(very_deep.list().front().code, &json_limit);
+}
+
+TEST(JsonSyntax, LargeFilesAreRefused) {
+  ReadOptions options;
+  options.limits.file_bytes = 5;
+  Diagnostics diagnostics;
+  read_json("{    }", options, diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 1u);
+  EXPECT_EQ(diagnostics.list().front().code, &json_limit);
+}
+
+// A small scene with a value of every kind.
+constexpr std::string_view good = R"({
+  "name": "\u00e4 \\ \"", "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 5e-1,
+  "specularCoeff": -0.0}, "cameraData": {"position": [0, 0, 5], "up": [0, 1, 0],
+  "focus": [0, 0, 0], "heightAngle": 45},
+  "templateGroups": [{"name": "t", "primitives": [{"type": "mesh", "meshFile": "a.obj"}]}],
+  "groups": [{"translate": [1, 2, 3], "rotate": [0, 1, 0, 30], "scale": [1, 1, 1],
+  "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "groups": [{"name": "t"}, null, true]}]})";
+
+TEST(JsonSyntax, EveryPrefixEndsWithAnError) {
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    const Diagnostics diagnostics = diagnostics_of(good.substr(0, size));
+    ASSERT_TRUE(diagnostics.has_errors()) << size;
+    ASSERT_TRUE(diagnostics.list().front().location.known()) << size;
+  }
+}
+
+TEST(JsonSyntax, DamagedBytesNeverCrash) {
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (int byte = 0; byte < 256; ++byte) {
+      std::string text(good);
+      text[at] = static_cast<char>(byte);
+      const Diagnostics diagnostics = diagnostics_of(text);
+      for (const Diagnostic& d : diagnostics.list()) {
+        ASSERT_FALSE(d.message.empty()) << at << " " << byte;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scenefile

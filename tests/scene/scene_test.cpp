@@ -68,11 +68,11 @@ TEST(SceneEquality, SeesEveryKindOfChange) {
     change(changed);
     return !(two_groups() == changed) && !(changed == two_groups());
   };
-  EXPECT_TRUE(differs([](Scene& s) { s.name = "x"; }));
+  EXPECT_TRUE(differs([](Scene& s) { s.name = std::string("other"); }));
   EXPECT_TRUE(differs([](Scene& s) { s.global.ambient = 0.4f; }));
   EXPECT_TRUE(differs([](Scene& s) { s.global.transparent = 0.5f; }));
   EXPECT_TRUE(differs([](Scene& s) { s.camera = Camera{}; }));
-  EXPECT_TRUE(differs([](Scene& s) { s.nodes[0].name = "x"; }));
+  EXPECT_TRUE(differs([](Scene& s) { s.nodes[0].name = std::string("other"); }));
   EXPECT_TRUE(differs([](Scene& s) { s.nodes[0].lights[0].id = 0; }));
   EXPECT_TRUE(differs([](Scene& s) { s.nodes[0].primitives[0].material.texture.emplace(); }));
   EXPECT_TRUE(differs([](Scene& s) { s.nodes[1].transforms[0] = scale(1, 0, 0); }));
@@ -80,7 +80,7 @@ TEST(SceneEquality, SeesEveryKindOfChange) {
   EXPECT_TRUE(differs([](Scene& s) { s.nodes[0].children.pop_back(); }));
   EXPECT_TRUE(differs([](Scene& s) { s.templates.clear(); }));
   EXPECT_TRUE(differs([](Scene& s) { s.nodes.back().primitives[0].shape = Shape::cube; }));
-  EXPECT_TRUE(differs([](Scene& s) { s.nodes.back().instance_of = "t"; }));
+  EXPECT_TRUE(differs([](Scene& s) { s.nodes.back().instance_of = std::string("t"); }));
 }
 
 TEST(SceneEquality, EndsOnBrokenScenes) {

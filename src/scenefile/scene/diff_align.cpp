@@ -1,9 +1,7 @@
 #include "scenefile/scene/diff_align.h"
 
 #include <algorithm>
-#include <deque>
-#include <map>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 namespace scenefile {
@@ -11,21 +9,27 @@ namespace scenefile {
 namespace {
 
 using Match = std::pair<std::size_t, std::size_t>;  // place in a, place in b
+using Places = std::vector<std::size_t>;
 
-// Equal items, the k-th of its kind in a with the k-th in b, in the order of a.
-std::vector<Match> equal_items(const std::vector<AlignItem>& a, const std::vector<AlignItem>& b) {
-  std::unordered_map<std::uint64_t, std::deque<std::size_t>> places;
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    places[b[i].hash].push_back(i);
-  }
+// Pairs items of equal keys, the k-th of a key in `a` with the k-th in `b`, in the order of `a`.
+// Both lists hold places in ascending order.
+template <typename KeyA, typename KeyB>
+std::vector<Match> pair_by(Places a, Places b, KeyA key_a, KeyB key_b) {
+  std::stable_sort(a.begin(), a.end(),
+                   [&](std::size_t i, std::size_t j) { return key_a(i) < key_a(j); });
+  std::stable_sort(b.begin(), b.end(),
+                   [&](std::size_t i, std::size_t j) { return key_b(i) < key_b(j); });
   std::vector<Match> matches;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const auto found = places.find(a[i].hash);
-    if (found != places.end() && !found->second.empty()) {
-      matches.emplace_back(i, found->second.front());
-      found->second.pop_front();
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    if (key_a(a[i]) < key_b(b[j])) {
+      ++i;
+    } else if (key_b(b[j]) < key_a(a[i])) {
+      ++j;
+    } else {
+      matches.emplace_back(a[i++], b[j++]);
     }
   }
+  std::sort(matches.begin(), matches.end());
   return matches;
 }
 
@@ -55,76 +59,53 @@ std::vector<Match> longest_ascent(const std::vector<Match>& matches) {
   return ascent;
 }
 
-// Pairs what is left over by label: equal ones first, then the k-th of a label with the k-th.
-class Leftovers {
- public:
-  Leftovers(const std::vector<AlignItem>& a, const std::vector<AlignItem>& b,
-            const std::vector<Match>& kept)
-      : partner_of_a_(a.size(), none), taken_b_(b.size()), kept_b_(b.size()) {
-    for (const auto& [in_a, in_b] : kept) {
-      take(in_a, in_b);
-      kept_b_[in_b] = true;
-    }
-    for (const auto& [in_a, in_b] : equal_items(a, b)) {
-      if (partner_of_a_[in_a] == none && !taken_b_[in_b]) {
-        take(in_a, in_b);
-      }
-    }
-    pair_by_label(a, b);
-  }
+Places all_places(std::size_t count) {
+  Places places(count);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  return places;
+}
 
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t partner(std::size_t in_a) const { return partner_of_a_[in_a]; }
-  bool taken(std::size_t in_b) const { return taken_b_[in_b]; }
-  bool kept(std::size_t in_b) const { return kept_b_[in_b]; }
-
- private:
-  void take(std::size_t in_a, std::size_t in_b) {
-    partner_of_a_[in_a] = in_b;
-    taken_b_[in_b] = true;
-  }
-
-  void pair_by_label(const std::vector<AlignItem>& a, const std::vector<AlignItem>& b) {
-    std::map<std::string, std::deque<std::size_t>> free;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      if (!taken_b_[i]) {
-        free[b[i].label].push_back(i);
-      }
-    }
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const auto found = free.find(a[i].label);
-      if (partner_of_a_[i] == none && found != free.end() && !found->second.empty()) {
-        take(i, found->second.front());
-        found->second.pop_front();
-      }
+Places free_places(const std::vector<bool>& taken) {
+  Places places;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (!taken[i]) {
+      places.push_back(i);
     }
   }
-
-  std::vector<std::size_t> partner_of_a_;
-  std::vector<bool> taken_b_;
-  std::vector<bool> kept_b_;
-};
+  return places;
+}
 
 }  // namespace
 
 std::vector<AlignedPair> align(const std::vector<AlignItem>& a, const std::vector<AlignItem>& b) {
-  const Leftovers pairs(a, b, longest_ascent(equal_items(a, b)));
-  std::vector<AlignedPair> aligned;
+  const std::vector<Match> equal = pair_by(
+      all_places(a.size()), all_places(b.size()), [&](std::size_t i) { return a[i].hash; },
+      [&](std::size_t j) { return b[j].hash; });
+  std::vector<AlignedPair> of_a(a.size());
+  std::vector<bool> taken_a(a.size());
+  std::vector<bool> taken_b(b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const std::size_t j = pairs.partner(i);
-    if (j == Leftovers::none) {
-      aligned.push_back({i, std::nullopt});
-      continue;
-    }
-    const bool equal = a[i].hash == b[j].hash;
-    aligned.push_back({i, j, equal, equal && !pairs.kept(j)});
+    of_a[i].a = i;
   }
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    if (!pairs.taken(j)) {
-      aligned.push_back({std::nullopt, j});
-    }
+  for (const auto& [i, j] : equal) {
+    of_a[i] = {i, j, true, true};
+    taken_a[i] = taken_b[j] = true;
   }
-  return aligned;
+  for (const auto& [i, j] : longest_ascent(equal)) {
+    of_a[i].moved = false;
+  }
+  const std::vector<Match> versions = pair_by(
+      free_places(taken_a), free_places(taken_b),
+      [&](std::size_t i) -> const std::string& { return a[i].label; },
+      [&](std::size_t j) -> const std::string& { return b[j].label; });
+  for (const auto& [i, j] : versions) {
+    of_a[i].b = j;
+    taken_b[j] = true;
+  }
+  for (const std::size_t j : free_places(taken_b)) {
+    of_a.push_back({std::nullopt, j});
+  }
+  return of_a;
 }
 
 }  // namespace scenefile

@@ -49,10 +49,7 @@ std::uint32_t number_of(std::unordered_map<std::string, std::uint32_t>& numbers,
   return at->second;
 }
 
-}  // namespace
-
-std::size_t MaterialTable::Hash::operator()(std::uint32_t index) const {
-  const RenderMaterial& m = (*materials)[index];
+std::uint64_t hash_of(const RenderMaterial& m) {
   Mixer mixer;
   for (const glm::vec3* color :
        {&m.ambient, &m.diffuse, &m.specular, &m.reflective, &m.transparent}) {
@@ -63,11 +60,47 @@ std::size_t MaterialTable::Hash::operator()(std::uint32_t index) const {
   }
   mixer.add(m.texture);
   mixer.add(m.bump_map);
-  return static_cast<std::size_t>(mixer.value());
+  return mixer.value();
 }
 
-MaterialTable::MaterialTable(RenderScene& scene)
-    : scene_(scene), numbers_(16, Hash{&scene.materials}, Equal{&scene.materials}) {}
+}  // namespace
+
+MaterialTable::MaterialTable(RenderScene& scene) : scene_(scene) {
+  grow();
+}
+
+void MaterialTable::grow() {
+  std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2, Slot{0, no_index});
+  old.swap(slots_);
+  const std::size_t mask = slots_.size() - 1;
+  for (const Slot& slot : old) {
+    if (slot.index != no_index) {
+      std::size_t at = slot.hash & mask;
+      while (slots_[at].index != no_index) {
+        at = (at + 1) & mask;
+      }
+      slots_[at] = slot;
+    }
+  }
+}
+
+std::uint32_t MaterialTable::number(const RenderMaterial& material) {
+  std::vector<RenderMaterial>& materials = scene_.materials;
+  if (materials.size() * 2 >= slots_.size()) {
+    grow();
+  }
+  const std::uint64_t hash = hash_of(material);
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t at = hash & mask;
+  for (; slots_[at].index != no_index; at = (at + 1) & mask) {
+    if (slots_[at].hash == hash && materials[slots_[at].index] == material) {
+      return slots_[at].index;
+    }
+  }
+  slots_[at] = {hash, static_cast<std::uint32_t>(materials.size())};
+  materials.push_back(material);
+  return slots_[at].index;
+}
 
 RenderTexture MaterialTable::texture(const TextureUse& use) {
   if (use.file.empty()) {
@@ -93,13 +126,7 @@ std::uint32_t MaterialTable::material(const Material& material) {
   if (material.bump_map) {
     ready.bump_map = texture(*material.bump_map);
   }
-  const auto candidate = static_cast<std::uint32_t>(scene_.materials.size());
-  scene_.materials.push_back(ready);
-  const auto [at, added] = numbers_.insert(candidate);
-  if (!added) {
-    scene_.materials.pop_back();
-  }
-  return *at;
+  return number(ready);
 }
 
 std::uint32_t MaterialTable::mesh(const std::string& file, Location location) {

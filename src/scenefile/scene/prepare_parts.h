@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace scenefile {
@@ -30,22 +29,18 @@ class MaterialTable {
   std::uint32_t mesh(const std::string& file, Location location);
 
  private:
-  struct Hash {
-    const std::vector<RenderMaterial>* materials;
-    std::size_t operator()(std::uint32_t index) const;
-  };
-  struct Equal {
-    const std::vector<RenderMaterial>* materials;
-    bool operator()(std::uint32_t a, std::uint32_t b) const {
-      return (*materials)[a] == (*materials)[b];
-    }
+  struct Slot {
+    std::uint64_t hash;
+    std::uint32_t index;  // no_index: free
   };
   using FileNumbers = std::unordered_map<std::string, std::uint32_t>;
 
   RenderTexture texture(const TextureUse& use);
+  std::uint32_t number(const RenderMaterial& material);
+  void grow();
 
   RenderScene& scene_;
-  std::unordered_set<std::uint32_t, Hash, Equal> numbers_;
+  std::vector<Slot> slots_;  // a hash table with open addressing; a power of two of them
   FileNumbers texture_numbers_;
   FileNumbers mesh_numbers_;
 };

@@ -121,8 +121,8 @@ float next_up(double value) {
   return std::nextafter(f, std::numeric_limits<float>::infinity());
 }
 
-// Whether a hit at t replaces the one found so far. Of equal ones the first in the file wins, so
-// that the order in which Embree offers them does not matter.
+// Whether a hit at t replaces the one found so far. Of equal ones the last in the file wins (the
+// course's references do so), whatever the order in which Embree offers them.
 bool improves(const Query& q, double t, std::uint32_t triangle) {
   if (t != q.best || !q.found) {
     return t < q.best;

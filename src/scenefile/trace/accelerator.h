@@ -62,7 +62,7 @@ inline constexpr std::uint32_t max_instance_nesting = 64;
 
 /// The acceleration structure. Refers to the scene's meshes in `assets`, which must outlive it.
 /// All queries are const, exact in double precision, and safe from several threads; of surfaces at
-/// exactly one distance the first in the file is hit, however the structure was built.
+/// exactly one distance the last in the file is hit, however the structure was built.
 class Accelerator {
  public:
   Accelerator(const RenderScene& scene, const Assets& assets, int threads);

@@ -12,8 +12,10 @@ CameraRays::CameraRays(const RenderCamera& camera, int width, int height)
       has_lens_(camera.aperture > 0 && camera.focal_length > 0) {}
 
 Ray CameraRays::ray(const glm::dvec2& pixel, const glm::dvec2& lens) const {
-  const double x = (pixel.x / width_ - 0.5) * 2 * half_height_ * (width_ / height_);
-  const double y = (0.5 - pixel.y / height_) * 2 * half_height_;
+  // Counted in pixels from the middle, so that opposite and diagonal pixels get exactly mirrored
+  // rays.
+  const double x = (pixel.x - width_ / 2) * pixel_spread();
+  const double y = (height_ / 2 - pixel.y) * pixel_spread();
   const glm::dvec3 forward = x * camera_.u + y * camera_.v - camera_.w;
   if (!has_lens_) {
     return {camera_.position, glm::normalize(forward)};

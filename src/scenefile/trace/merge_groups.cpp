@@ -33,7 +33,7 @@ std::vector<MergeEdge> distinct_edges(const RenderGroup& group) {
   edges.reserve(keys.size());
   for (const auto& [key, i] : keys) {
     const RenderInstance& instance = group.instances[i];
-    edges.push_back({instance.group_from_instance, instance.group, false});
+    edges.push_back({instance.group_from_instance, instance.group, instance.source, false});
   }
   return edges;
 }
@@ -145,31 +145,33 @@ std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& 
                                      std::uint32_t group) {
   struct Frame {
     std::uint32_t group;
-    std::size_t next_edge;
     DAffine top_from_group;
+    std::size_t next_primitive = 0;
+    std::size_t next_edge = 0;
   };
   std::vector<MergedPart> parts;
-  const auto add_primitives = [&](const Frame& frame) {
-    for (const RenderPrimitive& primitive : scene.groups[frame.group].primitives) {
-      parts.push_back(
-          {frame.top_from_group * DAffine(primitive.group_from_object), &primitive, no_index});
-    }
-  };
-  std::vector<Frame> stack{{group, 0, {}}};
-  add_primitives(stack.back());
+  std::vector<Frame> stack{{group, {}}};
   while (!stack.empty()) {
     Frame& frame = stack.back();
-    if (frame.next_edge == plan.edges[frame.group].size()) {
+    const std::vector<RenderPrimitive>& primitives = scene.groups[frame.group].primitives;
+    const std::vector<MergeEdge>& edges = plan.edges[frame.group];
+    const bool primitives_left = frame.next_primitive < primitives.size();
+    const bool edges_left = frame.next_edge < edges.size();
+    if (!primitives_left && !edges_left) {
       stack.pop_back();
-      continue;
-    }
-    const MergeEdge& edge = plan.edges[frame.group][frame.next_edge++];
-    const DAffine top_from_instance = frame.top_from_group * DAffine(edge.group_from_instance);
-    if (edge.merged) {
-      stack.push_back({edge.group, 0, top_from_instance});
-      add_primitives(stack.back());
+    } else if (!edges_left || (primitives_left && primitives[frame.next_primitive].source <
+                                                      edges[frame.next_edge].source)) {
+      const RenderPrimitive& primitive = primitives[frame.next_primitive++];
+      parts.push_back(
+          {frame.top_from_group * DAffine(primitive.group_from_object), &primitive, no_index});
     } else {
-      parts.push_back({top_from_instance, nullptr, edge.group});
+      const MergeEdge& edge = edges[frame.next_edge++];
+      const DAffine top_from_instance = frame.top_from_group * DAffine(edge.group_from_instance);
+      if (edge.merged) {
+        stack.push_back({edge.group, top_from_instance});
+      } else {
+        parts.push_back({top_from_instance, nullptr, edge.group});
+      }
     }
   }
   return parts;

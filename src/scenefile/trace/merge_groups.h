@@ -23,6 +23,7 @@ struct MergeLimits {
 struct MergeEdge {
   Affine group_from_instance;
   std::uint32_t group = 0;
+  std::uint32_t source = 0;
   bool merged = false;  ///< copied instead of referred to
 };
 
@@ -42,7 +43,7 @@ struct MergedPart {
   std::uint32_t group = no_index;              ///< of an instance
 };
 
-/// All parts of a kept group, those of merged groups included.
+/// All parts of a kept group, those of merged groups included, in the order of the file.
 std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& plan,
                                      std::uint32_t group);
 

@@ -39,20 +39,6 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// Whether the tag uses an entity that XML itself does not define.
-bool uses_entity(std::string_view tag) {
-  for (std::size_t at = tag.find('&'); at != std::string_view::npos; at = tag.find('&', at + 1)) {
-    const std::string_view rest = tag.substr(at + 1);
-    const bool predefined = rest.starts_with('#') || rest.starts_with("lt;") ||
-                            rest.starts_with("gt;") || rest.starts_with("amp;") ||
-                            rest.starts_with("apos;") || rest.starts_with("quot;");
-    if (!predefined) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Between Expat and the handler.
 class EventReader {
  public:
@@ -82,7 +68,8 @@ class EventReader {
   bool feed(std::size_t from, std::size_t size, bool last);
   void report_syntax_error();
   void stop();
-  void refuse_entity(std::string message);
+  void refuse_entity(const char* at, std::string message);
+  const char* opening(std::string_view keyword) const;
   const char* current() const;
   Location place_of(const char* at) const;
 
@@ -166,10 +153,8 @@ void EventReader::on_doctype(void* self, const XML_Char*, const XML_Char* system
       return;
     }
     reader.has_external_subset_ = true;
-    const auto end = static_cast<std::size_t>(reader.current() - reader.text_.data());
-    const std::size_t start = reader.text_.rfind("<!DOCTYPE", end);
     reader.diagnostics_.report(
-        xml_external_dtd, reader.place_of(reader.text_.data() + start),
+        xml_external_dtd, reader.place_of(reader.opening("<!DOCTYPE")),
         fmt::format("the DOCTYPE names the external file {}; it was not opened",
                     quoted(system_id != nullptr ? system_id : public_id)));
   });
@@ -178,8 +163,10 @@ void EventReader::on_doctype(void* self, const XML_Char*, const XML_Char* system
 void EventReader::on_entity(void* self, const XML_Char* name, int, const XML_Char*, int,
                             const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
   of(self).guarded([&] {
-    of(self).refuse_entity(fmt::format(
-        "the DOCTYPE declares the entity {}; scene files may not declare entities", quoted(name)));
+    of(self).refuse_entity(
+        of(self).opening("<!ENTITY"),
+        fmt::format("the DOCTYPE declares the entity {}; scene files may not declare entities",
+                    quoted(name)));
   });
 }
 
@@ -187,6 +174,7 @@ void EventReader::on_attribute_list(void* self, const XML_Char* element, const X
                                     const XML_Char*, const XML_Char*, int) {
   of(self).guarded([&] {
     of(self).refuse_entity(
+        of(self).opening("<!ATTLIST"),
         fmt::format("the DOCTYPE declares attributes of <{}>; write them where they are used",
                     escaped(element, 40)));
   });
@@ -194,8 +182,10 @@ void EventReader::on_attribute_list(void* self, const XML_Char* element, const X
 
 void EventReader::on_skipped_entity(void* self, const XML_Char* name, int) {
   of(self).guarded([&] {
-    of(self).refuse_entity(fmt::format(
-        "the entity {} is not defined; only &lt; &gt; &amp; &quot; and &apos; are", quoted(name)));
+    of(self).refuse_entity(
+        of(self).current(),
+        fmt::format("the entity {} is not defined; only &lt; &gt; &amp; &quot; and &apos; are",
+                    quoted(name)));
   });
 }
 
@@ -206,12 +196,14 @@ void EventReader::start(const XML_Char** attributes) {
   if (!accept(scan, at)) {
     return;
   }
-  if (has_external_subset_ && uses_entity({at, size})) {
-    refuse_entity(
-        fmt::format("<{}> uses an entity; only &lt; &gt; &amp; &quot; and &apos; are "
-                    "defined",
-                    escaped(scan.name, 40)));
-    return;
+  if (has_external_subset_ && scan.needs_decoding) {
+    // Expat leaves such an entity out of a value without a word.
+    const std::size_t use = find_entity_use({at, size});
+    if (use != std::string_view::npos) {
+      refuse_entity(at + use,
+                    fmt::format("<{}> uses an entity that is not defined", escaped(scan.name, 40)));
+      return;
+    }
   }
   if (scan.needs_decoding) {
     decode_values(attributes);
@@ -358,9 +350,16 @@ void EventReader::stop() {
   XML_StopParser(parser_.get(), XML_FALSE);
 }
 
-void EventReader::refuse_entity(std::string message) {
-  diagnostics_.report(xml_entity, place_of(current()), std::move(message));
+void EventReader::refuse_entity(const char* at, std::string message) {
+  diagnostics_.report(xml_entity, place_of(at), std::move(message));
   stop();
+}
+
+// The start of the declaration that is being read; Expat tells of it at its end.
+const char* EventReader::opening(std::string_view keyword) const {
+  const auto end = static_cast<std::size_t>(current() - text_.data());
+  const std::size_t start = text_.rfind(keyword, end);
+  return text_.data() + (start == std::string_view::npos ? end : start);
 }
 
 const char* EventReader::current() const {

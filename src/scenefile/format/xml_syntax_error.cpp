@@ -135,7 +135,43 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
   return fmt::format("{} ({})", token_message(text, at), detail);
 }
 
+// Where the author has to look; Expat may point to the tag around it or the character behind it.
+std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at) {
+  switch (fault) {
+    case SyntaxFault::tag_mismatch:
+      return at >= 2 && text.substr(at - 2, 2) == "</" ? at - 2 : at;
+    case SyntaxFault::undefined_entity: {
+      const std::size_t use = find_entity_use(text.substr(at));
+      return use == std::string_view::npos ? at : at + use;
+    }
+    case SyntaxFault::invalid_token:
+      return at >= 1 && text[at - 1] == '&' ? at - 1 : at;
+    case SyntaxFault::cut_off:
+    case SyntaxFault::duplicate_attribute:
+    case SyntaxFault::bad_character_reference:
+    case SyntaxFault::junk_after_document:
+    case SyntaxFault::late_declaration:
+    case SyntaxFault::other:
+      break;
+  }
+  return at;
+}
+
 }  // namespace
+
+std::size_t find_entity_use(std::string_view markup) {
+  std::size_t at = markup.find('&');
+  for (; at != std::string_view::npos; at = markup.find('&', at + 1)) {
+    const std::string_view rest = markup.substr(at + 1);
+    const bool predefined = rest.starts_with('#') || rest.starts_with("lt;") ||
+                            rest.starts_with("gt;") || rest.starts_with("amp;") ||
+                            rest.starts_with("apos;") || rest.starts_with("quot;");
+    if (!predefined) {
+      break;
+    }
+  }
+  return at;
+}
 
 void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view text,
                    std::size_t at, std::span<const OpenElement> open, Diagnostics& diagnostics) {
@@ -145,9 +181,7 @@ void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view 
                        fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
     return;
   }
-  if (fault == SyntaxFault::tag_mismatch && at >= 2 && text.substr(at - 2, 2) == "</") {
-    at -= 2;
-  }
+  at = exact_place(fault, text, at);
   diagnostics.report(xml_syntax, TextCursor(text).advance_to(text.data() + at),
                      message_of(fault, detail, text, at, open));
 }

@@ -28,6 +28,9 @@ struct OpenElement {
   Location location;
 };
 
+/// Offset of the first reference to an entity that XML itself does not define; npos: there is none.
+std::size_t find_entity_use(std::string_view markup);
+
 /// Reports the fault at offset `at` of `text`. `detail` is what the XML library calls it, for
 /// SyntaxFault::other; `open` lists the elements around the place.
 void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view text,

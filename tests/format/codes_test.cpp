@@ -1,0 +1,93 @@
+// Every kind of finding has a file that gives it and a near miss that does not.
+
+#include "scenefile/format/codes.h"
+
+#include "format/reading.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace scenefile::testing {
+namespace {
+
+const std::string fixtures = SCENEFILE_FIXTURES "/format/";
+
+ReadOptions options_for(const Code& code) {
+  ReadOptions options;
+  options.compat_course = code.name == "xml.after-object-used";
+  if (code.name.ends_with("-limit")) {
+    options.limits.nesting = 8;
+    options.limits.attributes = 8;
+    options.limits.name_bytes = 32;
+    options.limits.value_bytes = 64;
+    options.limits.lights = 3;
+  }
+  return options;
+}
+
+bool gives(const std::string& path, const Code& code) {
+  const Reading reading = read(file_text(path), options_for(code));
+  const auto& list = reading.diagnostics.list();
+  return std::any_of(list.begin(), list.end(),
+                     [&](const Diagnostic& d) { return d.code == &code; });
+}
+
+std::string fixture_of(const Code& code, const std::string& ending) {
+  return fixtures + std::string(code.name) + ending;
+}
+
+// Those of JSON have a test of their own.
+std::vector<const Code*> xml_codes() {
+  std::vector<const Code*> codes(format_codes().begin(), format_codes().end());
+  std::erase_if(codes, [](const Code* code) { return code->name.starts_with("json."); });
+  return codes;
+}
+
+class FormatCode : public ::testing::TestWithParam<const Code*> {};
+
+TEST_P(FormatCode, IsGivenByItsFixture) {
+  const std::string path = fixture_of(*GetParam(), ".xml");
+  ASSERT_TRUE(std::filesystem::exists(path)) << path;
+  EXPECT_TRUE(gives(path, *GetParam()));
+}
+
+TEST_P(FormatCode, IsNotGivenByItsNearMiss) {
+  const std::string path = fixture_of(*GetParam(), ".ok.xml");
+  ASSERT_TRUE(std::filesystem::exists(path)) << path;
+  EXPECT_FALSE(gives(path, *GetParam()));
+}
+
+TEST_P(FormatCode, SaysWhatItIs) {
+  EXPECT_FALSE(GetParam()->summary.empty());
+  EXPECT_FALSE(GetParam()->help.empty());
+  EXPECT_EQ(GetParam()->name.find_first_not_of("abcdefghijklmnopqrstuvwxyz.-"),
+            std::string_view::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FormatCode, ::testing::ValuesIn(xml_codes()), [](const auto& code) {
+  std::string name(code.param->name);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+  return name;
+});
+
+TEST(FormatCodes, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const Code* code : format_codes()) {
+    EXPECT_TRUE(names.insert(code->name).second) << code->name;
+  }
+}
+
+// A near miss is a scene in good order, but for findings that it cannot do without.
+TEST(FormatCodes, NearMissesHaveNoErrors) {
+  for (const Code* code : xml_codes()) {
+    const Reading reading = read(file_text(fixture_of(*code, ".ok.xml")), options_for(*code));
+    EXPECT_FALSE(reading.diagnostics.has_errors()) << code->name;
+  }
+}
+
+}  // namespace
+}  // namespace scenefile::testing

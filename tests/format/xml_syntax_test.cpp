@@ -1,0 +1,284 @@
+// What is not well-formed, too large, or not to be trusted.
+
+#include "format/reading.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<std::string> said(std::string_view text) {
+  return messages(read(text).diagnostics);
+}
+
+std::vector<std::string> found(std::string_view text, const Limits& limits = {}) {
+  ReadOptions options;
+  options.limits = limits;
+  return findings(read(text, options).diagnostics);
+}
+
+TEST(XmlSyntax, CrossedTagsNameBoth) {
+  EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n</scenefile>"),
+              ElementsAre("3:1 </scenefile> cannot close <object>, opened at line 2; </object> is "
+                          "missing before it"));
+}
+
+TEST(XmlSyntax, AFileThatEndsInAnElement) {
+  EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n"),
+              ElementsAre(HasSubstr("the file ends inside <object>, opened at line 2")));
+}
+
+TEST(XmlSyntax, AFileThatEndsInATag) {
+  EXPECT_THAT(said("<scenefile>\n<object type=\"tr"),
+              ElementsAre("2:1 the file ends inside a tag of <scenefile>, opened at line 1"));
+  EXPECT_THAT(said("<scenefi"), ElementsAre("1:1 the file ends inside a tag"));
+}
+
+TEST(XmlSyntax, AFileThatEndsInAComment) {
+  EXPECT_THAT(said("<scenefile>\n <!-- and so on"),
+              ElementsAre("2:2 the file ends inside a comment; --> is missing"));
+}
+
+TEST(XmlSyntax, OtherFaultsAreNamed) {
+  const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
+  EXPECT_EQ(one("<scale x=\"1\" x=\"2\"/>"), "4:14 attribute \"x\" is given twice");
+  EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" is not expected here");
+  EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
+            "4:10 a typographic quotation mark, as word processors put it; use \" or '");
+  EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
+  EXPECT_EQ(one("<a b=\"x & y\"/>"), "4:9 a bare & is not allowed; write &amp;");
+  EXPECT_EQ(one("<a b=\"&nbsp;\"/>"),
+            "4:7 the entity \"nbsp\" is not defined; for a bare & write &amp;");
+  EXPECT_EQ(one("<a b=\"&#xD800;\"/>"), "4:7 \"&#xD800;\" names no character");
+  EXPECT_THAT(one("<!-- a -- b -->"), HasSubstr("-- is not allowed inside a comment"));
+  EXPECT_EQ(one("a\x01"), "4:2 the character \"\\u{1}\" is not allowed in XML");
+  EXPECT_THAT(one("a \xFF"), HasSubstr("is not valid UTF-8"));
+  EXPECT_THAT(one("< scale/>"), HasSubstr("4:"));
+}
+
+TEST(XmlSyntax, ADeclarationMustComeFirst) {
+  EXPECT_THAT(said("\n<?xml version=\"1.0\"?><scenefile/>"),
+              ElementsAre("2:1 <?xml ...?> must be the very first thing in the file"));
+}
+
+TEST(XmlSyntax, NothingFollowsTheScene) {
+  EXPECT_THAT(
+      said(in_root("") + "<transblock/>"),
+      ElementsAre("6:1 nothing may follow the closing tag of the scene; found \"<transblock/>\""));
+}
+
+TEST(XmlSyntax, ConflictMarkersAreNamedWhereverTheyStand) {
+  EXPECT_THAT(said(in_root("<<<<<<< HEAD\n<transblock/>\n=======\n>>>>>>> theirs")),
+              ElementsAre("3:1 an unresolved git conflict: \"<<<<<<< HEAD\""));
+  // Here the marker's < is what is left over from the tag before it.
+  EXPECT_THAT(said(in_root("<transblock>\n<<<<<<< HEAD\n</transblock>")),
+              ElementsAre("4:1 an unresolved git conflict: \"<<<<<<< HEAD\""));
+}
+
+TEST(XmlSyntax, MessagesCannotBeForged) {
+  const std::vector<std::string> lines = said(with_transforms("<\u202Efrob\u202C/>"));
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.find("\u202E"), std::string::npos) << line;
+  }
+  const std::vector<std::string> shape = said(
+      in_root("<transblock><object type=\"primitive\" name=\"a&#10;b\u202E\x1f\"/></transblock>"));
+  ASSERT_FALSE(shape.empty());
+  EXPECT_EQ(shape[0].find('\n'), std::string::npos);
+}
+
+TEST(XmlEntities, NothingIsDeclaredUsedOrOpened) {
+  const std::string scene =
+      in_root("<transblock><object type=\"primitive\" name=\"&e;\"/></transblock>");
+  EXPECT_THAT(found("<!DOCTYPE scenefile [<!ENTITY e \"cube\">]>" + scene),
+              ElementsAre("1:22 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile [<!ENTITY e SYSTEM \"/etc/hostname\">]>" + scene),
+              ElementsAre("1:22 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile [<!ENTITY % e \"x\"> %e;]>" + in_root("")),
+              ElementsAre("1:22 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile [<!ATTLIST translate x CDATA \"7\">]>" + in_root("")),
+              ElementsAre("1:22 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile SYSTEM \"x.dtd\">" + scene),
+              ElementsAre("1:1 warning xml.external-dtd", "3:44 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile SYSTEM \"x.dtd\">" + in_root("&e;")),
+              ElementsAre("1:1 warning xml.external-dtd", "3:1 error xml.entity"));
+  EXPECT_THAT(found("<!DOCTYPE scenefile SYSTEM \"x.dtd\">" +
+                    in_root("<!-- &e; --><transblock><object type=\"primitive\" "
+                            "name=\"c&#x75;be\"/></transblock>")),
+              ElementsAre("1:1 warning xml.external-dtd"));
+}
+
+TEST(XmlEntities, CharactersByNumberAreRead) {
+  const Reading reading = read(
+      in_root("<transblock><object type=\"&#116;ree\" name=\"a&lt;&quot;b\"><transblock><object "
+              "type=\"tree\"/></transblock></object></transblock>"));
+  EXPECT_FALSE(reading.diagnostics.has_errors());
+  EXPECT_EQ(reading.scene.nodes.at(1).name, "a<\"b");
+}
+
+std::string nested(int depth) {
+  std::string text = "<scenefile>";
+  for (int i = 1; i < depth; ++i) {
+    text += i % 2 == 1 ? "<object type=\"tree\" name=\"root\">" : "<transblock>";
+  }
+  for (int i = depth - 1; i >= 1; --i) {
+    text += i % 2 == 1 ? "</object>" : "</transblock>";
+  }
+  return text + "</scenefile>";
+}
+
+TEST(XmlLimits, NestingUpToTheLimit) {
+  const Limits limits;
+  EXPECT_FALSE(read(nested(static_cast<int>(limits.nesting))).diagnostics.has_errors());
+  const Reading reading = read(nested(static_cast<int>(limits.nesting) + 1));
+  EXPECT_THAT(messages(reading.diagnostics).back(), HasSubstr("deeper than the limit of 1024"));
+}
+
+TEST(XmlLimits, NestingOfElementsThatAreIgnoredCountsToo) {
+  std::string text = "<scenefile>";
+  for (int i = 0; i < 200'000; ++i) {
+    text += "<a>";
+  }
+  EXPECT_THAT(found(text).back(), HasSubstr("error xml.nesting-limit"));
+}
+
+TEST(XmlLimits, ALongTagIsRefusedBeforeItsEnd) {
+  Limits limits;
+  // None of these tags ends: only the limit can stop the reader early.
+  EXPECT_THAT(found("<scenefile><a b=\"" + std::string(2'000'000, 'x'), limits),
+              ElementsAre("1:12 error xml.length-limit"));
+  EXPECT_THAT(found("<scenefile><" + std::string(2'000'000, 'x'), limits),
+              ElementsAre("1:12 error xml.length-limit"));
+  std::string many = "<scenefile><a";
+  for (int i = 0; i < 100'000; ++i) {
+    many += fmt::format(" a{}=\"\"", i);
+  }
+  EXPECT_THAT(found(many, limits), ElementsAre("1:12 error xml.attribute-limit"));
+  EXPECT_THAT(found("<scenefile><!-- " + std::string(40'000'000, 'x'), limits),
+              ElementsAre("1:12 error xml.length-limit"));
+}
+
+TEST(XmlLimits, LongButAllowed) {
+  const std::string name(4096, 'n');
+  const Reading reading =
+      read(in_root("<transblock><object type=\"tree\" name=\"" + name +
+                   "\"><transblock><object type=\"tree\"/></transblock></object></transblock>"));
+  EXPECT_FALSE(reading.diagnostics.has_errors());
+  EXPECT_EQ(reading.scene.nodes.at(1).name, name);
+  EXPECT_THAT(
+      found(in_root("<transblock><object type=\"master\" name=\"" + name + "n\"/></transblock>")),
+      ElementsAre("3:35 error xml.length-limit"));
+  EXPECT_THAT(found(with_material("<texture file=\"" + name + "x\"/>")),
+              ElementsAre("5:10 error xml.length-limit"));
+  EXPECT_TRUE(found(in_root("<!--" + std::string(5'000'000, 'x') + "-->")).empty());
+}
+
+TEST(XmlLimits, MessagesNameLongThingsInShort) {
+  for (const std::string& message :
+       said("<scenefile><" + std::string(100'000, 'x') + "/></scenefile>")) {
+    EXPECT_LT(message.size(), 200u);
+  }
+  for (const std::string& message : said(with_transforms(
+           "<translate x=\"" + std::string(60'000, 'x') + "\" y=\"0\" z=\"0\"/>"))) {
+    EXPECT_LT(message.size(), 200u);
+  }
+}
+
+const char* const small_scene = R"(<?xml version="1.0" encoding="UTF-8"?>
+<!DOCTYPE scenefile [<!ELEMENT x ANY>]>
+<!-- small -->
+<scenefile>
+  <globaldata><ambientcoeff v="0.5"/></globaldata>
+  <cameradata><pos x="0" y="0" z="5"/><focus x="0" y="0" z="0"/><up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+  <lightdata><id v="0"/><type v="spot"/><color r="1" g="1" b="1"/><position x="1" y="2" z="3"/><direction x="0" y="-1" z="0"/><penumbra v="5"/><angle v="30"/></lightdata>
+  <object type="tree" name="a"><transblock><object type="primitive" name="cone"/></transblock></object>
+  <object type="tree" name="root">
+    <transblock>
+      <rotate x="0" y="1" z="0" angle="&#51;0"/>
+      <matrix><row a="1" b="0" c="0" d="0"/><row a="0" b="1" c="0" d="0"/><row a="0" b="0" c="1" d="0"/><row a="0" b="0" c="0" d="1"/></matrix>
+      <object type="primitive" name="mesh" filename="a.obj"><texture file="a.png" u="1" v="2"/></object>
+    </transblock>
+    <transblock><object type="master" name="a"/></transblock>
+    <![CDATA[]]><?pi x?>
+  </object>
+</scenefile>)";
+
+TEST(XmlDamage, TheSmallSceneIsFine) {
+  EXPECT_TRUE(found(small_scene).empty());
+}
+
+TEST(XmlDamage, EveryPrefixEndsWithAnError) {
+  const std::string_view text = small_scene;
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const Reading reading = read(text.substr(0, length));
+    EXPECT_TRUE(reading.diagnostics.has_errors()) << length;
+    EXPECT_TRUE(reading.diagnostics.list().back().location.known()) << length;
+  }
+}
+
+// The outcome does not matter, only that there is one, and that it says no less than "error" when
+// the text is not well-formed. Sanitizer builds see the rest.
+TEST(XmlDamage, EveryChangedByteIsSurvived) {
+  std::string text = small_scene;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char good = text[at];
+    for (const char bad : {'\0', '<', '>', '"', '&', '/', 'z', '\xFF', '\xC3', '\n'}) {
+      text[at] = bad;
+      const Reading reading = read(text);
+      EXPECT_FALSE(reading.scene.nodes.empty());
+    }
+    text[at] = good;
+  }
+}
+
+TEST(XmlEncoding, DamagedUtf16IsAnError) {
+  using namespace std::string_literals;
+  EXPECT_THAT(found("\xFF\xFE<"s + '\0' + '\x00' + '\xD8'),
+              ElementsAre("1:1 error format.encoding"));
+  EXPECT_THAT(found("\xFF\xFE<"s), ElementsAre("1:1 error format.encoding"));
+  EXPECT_THAT(found("<?xml version=\"1.0\" encoding=\"UTF-16\"?><scenefile/>"),
+              ElementsAre("1:1 error format.encoding"));
+}
+
+TEST(XmlEncoding, NamesInOtherEncodings) {
+  const auto name_in = [](std::string_view encoding, std::string_view e) {
+    const Reading reading = read(fmt::format(
+        "<?xml version=\"1.0\" encoding=\"{}\"?><scenefile><object type=\"tree\" name=\"caf{}\">"
+        "</object><object type=\"tree\" name=\"root\"/></scenefile>",
+        encoding, e));
+    return reading.scene.nodes.at(1).name;
+  };
+  EXPECT_EQ(name_in("utf-8", "\u00e9"), "caf\u00e9");
+  EXPECT_EQ(name_in("ISO-8859-1", "\xE9"), "caf\u00e9");
+  EXPECT_EQ(name_in("windows-1252", "\x80"), "caf\u20ac");
+  EXPECT_THAT(
+      found("<?xml version=\"1.0\" encoding=\"big5\"?><scenefile><!-- \xE9 --></scenefile>"),
+      ElementsAre("1:1 error format.encoding"));
+}
+
+TEST(XmlEncoding, Utf16OutsideTheBasicPlane) {
+  const std::u16string text =
+      u"<scenefile><object type='tree' name='\U0001F600'/><object type='tree' "
+      u"name='root'/></scenefile>";
+  std::string little;
+  std::string big;
+  for (const char16_t c : text) {
+    little += {static_cast<char>(c & 0xFF), static_cast<char>(c >> 8)};
+    big += {static_cast<char>(c >> 8), static_cast<char>(c & 0xFF)};
+  }
+  EXPECT_EQ(read(little).scene.nodes.at(1).name, "\U0001F600");
+  EXPECT_EQ(read(big).scene.nodes.at(1).name, "\U0001F600");
+}
+
+TEST(FormatDispatch, OtherTextIsNamed) {
+  EXPECT_THAT(found(""), ElementsAre("1:1 error format.empty"));
+  EXPECT_THAT(found("\xEF\xBB\xBF"), ElementsAre("1:1 error format.empty"));
+  EXPECT_THAT(found(" \r\n \t x"), ElementsAre("2:4 error format.unknown"));
+  EXPECT_THAT(found("\x89PNG\r\n"), ElementsAre("1:1 error format.unknown"));
+}
+
+}  // namespace
+}  // namespace scenefile::testing

@@ -1,0 +1,91 @@
+"""JSON Schema validation, and variants of JSON scenes."""
+
+import copy
+import json
+import pathlib
+
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+SUFFIX = ".json"
+SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "scenefile.schema.json"
+
+
+def missing_validator():
+    return None if jsonschema else "the Python package jsonschema is not installed"
+
+
+def no_constant(name):
+    raise ValueError(f"{name} is not JSON")
+
+
+def refusals(paths):
+    """The first complaint about each file that is refused."""
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    validator = jsonschema.Draft7Validator(schema)
+    result = {}
+    for path in paths:
+        try:
+            text = pathlib.Path(path).read_bytes().decode("utf-8-sig")
+            error = next(validator.iter_errors(json.loads(text, parse_constant=no_constant)), None)
+        except (ValueError, RecursionError) as problem:
+            result[path] = str(problem)
+            continue
+        if error is not None:
+            result[path] = f"{error.json_path}: {error.message[:80]}"
+    return result
+
+
+def variants(data):
+    """Scenes that differ from this one in one place."""
+    try:
+        scene = json.loads(data)
+    except ValueError:
+        return
+    for path in paths_of(scene):
+        for what, edit in edits(get(scene, path)):
+            changed = copy.deepcopy(scene)
+            if not path:
+                changed = edit(changed)
+            else:
+                parent = get(changed, path[:-1])
+                parent[path[-1]] = edit(parent[path[-1]])
+            yield f"{list(path)} {what}", json.dumps(changed).encode()
+        if path:
+            yield f"{list(path)} removed", json.dumps(without(scene, path)).encode()
+
+
+def paths_of(value, path=()):
+    yield path
+    items = value.items() if isinstance(value, dict) else \
+        enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield from paths_of(inner, (*path, key))
+
+
+def get(value, path):
+    for key in path:
+        value = value[key]
+    return value
+
+
+def without(scene, path):
+    changed = copy.deepcopy(scene)
+    del get(changed, path[:-1])[path[-1]]
+    return changed
+
+
+def edits(value):
+    for other in (None, True, "words", "", 0, -1, 0.5, 12, 300, 20000, 1e39, -1e39, [], {}, [[]],
+                  [1, 2, 3, 4], "cube", "mesh", "point", "directional", "spot", "area", "root"):
+        yield f"replaced by {other!r}", lambda _, o=other: copy.deepcopy(o)
+    if isinstance(value, dict):
+        yield "with an unknown key", lambda v: v | {"thingummy": 1}
+        for key in value:
+            yield f"with {key} renamed", lambda v, k=key: {("thingummy" if n == k else n): x
+                                                           for n, x in v.items()}
+    if isinstance(value, list):
+        yield "with one more", lambda v: v + v[-1:]

@@ -1,0 +1,169 @@
+"""RELAX NG validators, and variants of XML scenes."""
+
+import copy
+import pathlib
+import re
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+SUFFIX = ".xml"
+SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema"
+FILES_AT_ONCE = 500
+
+
+def missing_validator():
+    if shutil.which("jing") or shutil.which("xmllint"):
+        return None
+    return "neither jing nor xmllint is installed"
+
+
+def refusals(paths):
+    """The first complaint about each file that is refused."""
+    result = {}
+    together = []
+    for path in paths:
+        data = pathlib.Path(path).read_bytes()
+        if not is_well_formed(data):
+            result[path] = "not well-formed"
+        elif b"<!DOCTYPE" in data:
+            result |= validate([path])
+        else:
+            together.append(path)
+    for i in range(0, len(together), FILES_AT_ONCE):
+        result |= validate(together[i:i + FILES_AT_ONCE])
+    return result
+
+
+def is_well_formed(data):
+    try:
+        ElementTree.fromstring(data)
+    except (ElementTree.ParseError, LookupError, ValueError):
+        return False
+    return True
+
+
+def validate(paths):
+    return jing(paths) if shutil.which("jing") else xmllint(paths)
+
+
+def jing(paths):
+    """Jing ends at the first file that is not well-formed, or whose DTD is missing: to be given
+    alone."""
+    run = subprocess.run(["jing", SCHEMA / "scenefile.rng", *paths], text=True, errors="replace",
+                         capture_output=True)
+    given = {str(pathlib.Path(p).absolute()): p for p in paths}
+    result = {}
+    for line in run.stdout.splitlines():
+        match = re.fullmatch(r"(.+?):\d+:\d+: (?:error|warning): (.*)", line)
+        if match and match[1] in given:
+            result.setdefault(given[match[1]], match[2])
+        elif len(paths) == 1:
+            result[paths[0]] = line
+        else:
+            raise RuntimeError(f"jing says: {line}")
+    return result
+
+
+def xmllint(paths, *schema):
+    """Without libxml2's own limits, and without the network."""
+    schema = schema or ("--relaxng", SCHEMA / "scenefile.rng")
+    run = subprocess.run(["xmllint", "--noout", "--nonet", "--huge", *schema, *paths], text=True,
+                         errors="replace", capture_output=True)
+    lines = set(run.stderr.splitlines())
+    return {path: "xmllint refuses it" for path in paths if f"{path} validates" not in lines}
+
+
+def xsd_refusals(paths):
+    result = {}
+    for i in range(0, len(paths), FILES_AT_ONCE):
+        result |= xmllint(paths[i:i + FILES_AT_ONCE], "--schema", SCHEMA / "scenefile.xsd")
+    return result
+
+
+def variants(data):
+    """Scenes that differ from this one in one place; of each kind of place one."""
+    try:
+        root = ElementTree.fromstring(data)
+    except ElementTree.ParseError:
+        return
+    tried = set()
+    for i, (element, kind) in enumerate(with_kinds(root)):
+        if kind in tried:
+            continue
+        tried.add(kind)
+        where = f"<{element.tag}> number {i}"
+        for what, edit in edits(element):
+            scene = copy.deepcopy(root)
+            parents = {child: parent for parent in scene.iter() for child in parent}
+            target = list(scene.iter())[i]
+            if edit(target, parents.get(target)) is not False:
+                yield f"{where} {what}", ElementTree.tostring(scene)
+
+
+def with_kinds(root):
+    """Every element, in the order of the file, and which its parents are and what it has."""
+    found = []
+    todo = [(root, ())]
+    while todo:
+        element, parent = todo.pop()
+        kind = (element.tag, *element.attrib, element.get("type"), element.get("name") == "mesh")
+        light_type = element.find("type")
+        around = (element.tag, light_type.get("v") if light_type is not None else None)
+        found.append((element, (kind, around, parent)))
+        todo += [(child, (around, element.get("name") == "root")) for child in reversed(element)]
+    return found
+
+
+def edits(element):
+    yield "removed", remove
+    yield "doubled", double
+    yield "moved to the front of its parent", move_first
+    yield "renamed", lambda e, _: setattr(e, "tag", "thingummy")
+    yield "with an unknown attribute", lambda e, _: e.set("thingummy", "1")
+    yield "with text", lambda e, _: setattr(e, "text", "words")
+    yield "with an unknown child", lambda e, _: ElementTree.SubElement(e, "thingummy") and None
+    yield "with a known child", lambda e, _: ElementTree.SubElement(e, "diffuse", r="1", g="1", b="1") and None
+    for name, value in element.attrib.items():
+        yield f"without {name}", lambda e, _, n=name: e.attrib.pop(n) and None
+        yield f"with {name} renamed", rename(name)
+        for other in other_values(value):
+            yield f"with {name}={other!r}", lambda e, _, n=name, o=other: e.set(n, o)
+
+
+def other_values(value):
+    yield from ("", "words", value + "x", " " + value, value.upper())
+    if re.fullmatch(r"[-+.0-9eE]+", value):
+        yield from ("0", "-1", "0.5", "+2", "1e2", ".5", "5.", "1.2.3", "1e39", "-1e39", "NaN", "INF",
+                    "0x10", "1e", "20000", "300", "12", "7.0")
+    else:
+        yield from ("root", "tree", "master", "primitive", "cube", "mesh", "point", "directional",
+                    "spot", "area")
+
+
+def remove(element, parent):
+    if parent is None:
+        return False
+    parent.remove(element)
+    return True
+
+
+def double(element, parent):
+    if parent is None:
+        return False
+    parent.insert(list(parent).index(element), copy.deepcopy(element))
+    return True
+
+
+def move_first(element, parent):
+    if parent is None or parent[0] is element:
+        return False
+    parent.remove(element)
+    parent.insert(0, element)
+    return True
+
+
+def rename(name):
+    def edit(element, _):
+        element.attrib = {("thingummy" if n == name else n): v for n, v in element.attrib.items()}
+    return edit

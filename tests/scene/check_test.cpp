@@ -357,15 +357,15 @@ void add_cases_of_materials(std::vector<Case>& cases) {
   }
   cases.push_back({&scene_not_finite, texture([](TextureUse& t) { t.repeat_u = nan_value; }),
                    texture([](TextureUse& t) { t.repeat_u = 2; }), "along u"});
-  cases.push_back({&material_energy, material([](Material& m) {
-                     m.reflective = {1, 0, 0};
-                     m.transparent = {0.5f, 0, 0};
-                   }),
-                   material([](Material& m) {
-                     m.reflective = {0.5f, 1, 0};
-                     m.transparent = {0.5f, 0, 0};
-                   }),
-                   "reflective"});
+  const auto glass = [](float specular, float transparent) {
+    return [=](Scene& s) {
+      s.global.specular = specular;
+      s.global.transparent = transparent;
+      s.nodes[0].primitives[0].material.reflective = {1, 0, 0};
+      s.nodes[0].primitives[0].material.transparent = {1, 1, 1};
+    };
+  };
+  cases.push_back({&material_energy, glass(0.5f, 0.6f), glass(0.5f, 0.5f), "reflective 1 0 0"});
 }
 
 void add_cases_of_trees(std::vector<Case>& cases) {

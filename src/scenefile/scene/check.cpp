@@ -52,7 +52,7 @@ void check_contents(const Scene& scene, Reporter& reporter) {
         ids.check(light, id, reporter);
       }
       for (const Primitive& primitive : scene.nodes[id].primitives) {
-        check_primitive(primitive, id, reporter);
+        check_primitive(primitive, id, scene.global, reporter);
       }
       return 0;
     });

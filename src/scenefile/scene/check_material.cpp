@@ -79,12 +79,20 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
         material_ior_range, subject, Field::ior,
         fmt::format("ior {} of the {} is that of no material", number_text(ior), subject.what));
   }
-  if (largest(material.reflective + material.transparent) > 1.0001f &&
-      largest(material.transparent) > 0 && largest(material.reflective) > 0) {
-    reporter.report(material_energy, subject, Field::transparent,
-                    fmt::format("reflective {} and transparent {} of the {} add up to more than 1",
-                                vector_text(material.reflective), vector_text(material.transparent),
-                                subject.what));
+}
+
+// What a surface passes on of the light that reaches it, in the renderers' sum.
+void check_energy(const Material& material, const Global& global, const Subject& subject,
+                  Reporter& reporter) {
+  const glm::vec3 reflected = global.specular * material.reflective;
+  const glm::vec3 passed = global.transparent.value_or(0.5f) * material.transparent;
+  if (largest(reflected) > 0 && largest(passed) > 0 && largest(reflected + passed) > 1.0001f) {
+    reporter.report(
+        material_energy, subject, Field::transparent,
+        fmt::format("reflective {} and transparent {} of the {}, each times its coefficient, add "
+                    "up to more than 1",
+                    vector_text(material.reflective), vector_text(material.transparent),
+                    subject.what));
   }
 }
 
@@ -132,7 +140,8 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
 
 }  // namespace
 
-void check_primitive(const Primitive& primitive, NodeId node, Reporter& reporter) {
+void check_primitive(const Primitive& primitive, NodeId node, const Global& global,
+                     Reporter& reporter) {
   const Subject subject{shape_name(primitive.shape), primitive.location, node};
   const Material& m = primitive.material;
   if (primitive.shape == Shape::mesh && primitive.mesh_file.empty()) {
@@ -148,6 +157,7 @@ void check_primitive(const Primitive& primitive, NodeId node, Reporter& reporter
   }
   check_highlight(m, subject, reporter);
   check_refraction(m, subject, reporter);
+  check_energy(m, global, subject, reporter);
   check_blend(m, subject, reporter);
   if (m.texture) {
     check_texture(*m.texture, "texture", subject, reporter);

@@ -59,7 +59,8 @@ std::string_view light_type_name(LightType type);
 void check_global(const Global& global, Reporter& reporter);
 void check_camera(const Camera& camera, Reporter& reporter);
 void check_light(const Light& light, NodeId node, Reporter& reporter);
-void check_primitive(const Primitive& primitive, NodeId node, Reporter& reporter);
+void check_primitive(const Primitive& primitive, NodeId node, const Global& global,
+                     Reporter& reporter);
 
 /// Indices of nodes, which nothing else in the room trusts.
 void check_structure(const Scene& scene, Reporter& reporter);

@@ -208,8 +208,9 @@ inline constexpr Code material_repeat{
 inline constexpr Code material_energy{
     "material.reflective-and-transparent", Severity::warning,
     "reflective and transparent together above 1",
-    "What is reflected and what passes through are added. Together above 1 the surface gives off "
-    "more light than reaches it, and looks washed out."};
+    "What is reflected (reflective times specularcoeff) and what passes through (transparent times "
+    "transparentcoeff) are added. Together above 1 the surface gives off more light than reaches "
+    "it, and looks washed out."};
 
 inline constexpr Code tree_mesh_unnamed{"tree.mesh-without-file", Severity::error,
                                         "a mesh without a file",

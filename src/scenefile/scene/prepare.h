@@ -24,9 +24,17 @@ struct Prepared {
 };
 
 /// Multiplies transforms (in double precision), turns degrees to radians, numbers materials and
-/// files, makes one group of each template that is used. Groups that draw nothing are left out, as
-/// are primitives and instances whose transform is not invertible. Expects a scene in which
-/// check() found no error; for any other the result is unspecified but safe to use.
+/// files, makes one group of each template that is used; all other nodes are folded into the group
+/// that they stand in. Groups that draw nothing are left out, as are primitives and instances whose
+/// transform is not invertible. Values that check() warns of become what its message says, so that
+/// a renderer need not look: no negative shininess, blend in 0..1, no attenuation by zero.
+///
+/// Lights: those of each group in the order of the file before those of its instances; at most
+/// limits.lights. An area light lies across its direction with its width level (along x where the
+/// direction is vertical), as a picture hangs on a wall.
+///
+/// Expects a scene in which check() found no error; for any other the result is unspecified but
+/// safe to use. Takes time and memory proportional to the size of the scene.
 Prepared prepare(const Scene& scene, const Limits& limits);
 
 /// Names from the root (or template) down to the node, joined by '/'; nameless nodes appear as

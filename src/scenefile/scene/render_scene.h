@@ -76,7 +76,7 @@ struct RenderGroup {
   friend bool operator==(const RenderGroup&, const RenderGroup&) = default;
 };
 
-/// A light in world space.
+/// A light in world space. What its type does not use is as here.
 struct RenderLight {
   LightType type = LightType::point;
   glm::vec3 color{1};
@@ -86,7 +86,7 @@ struct RenderLight {
   float inner_angle = 0;           ///< spot: half-angle of full light, radians
   float outer_angle = 0;           ///< spot: half-angle where light ends, radians; >= inner_angle
   glm::vec3 half_u{0};             ///< area: from the center to the middle of a side, world units
-  glm::vec3 half_v{0};             ///< area: perpendicular to half_u and direction
+  glm::vec3 half_v{0};             ///< area: the same for the next side; both across `direction`
   std::uint32_t source = 0;
 
   friend bool operator==(const RenderLight& a, const RenderLight& b);

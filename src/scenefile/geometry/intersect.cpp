@@ -177,6 +177,11 @@ bool nearest(const Span& span, double shift, double t_min, double t_max, ShapeHi
 // For directions whose square neither overflows nor underflows.
 bool intersect_moderate(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
   const dvec3& d = ray.direction;
+  // Nothing cancels in slabs, and rays that were exactly on an edge stay there.
+  if (shape == Shape::cube) {
+    const double sum = glm::dot(ray.origin, d);
+    return std::isfinite(sum) && nearest(cube_span(ray.origin, d), 0, t_min, t_max, hit);
+  }
   const dvec3 center(0, shape == Shape::cone ? 0.5 : 0, 0);
   const dvec3 origin = ray.origin - center;
   const double shift = -glm::dot(origin, d) / glm::dot(d, d);

@@ -102,7 +102,7 @@ def knot(path, around=144, across=16, p=2, q=3, tube=0.13):
                 out.write('vt %.5f %.5f\n' % (i / around, j / across))
         for i in range(around):
             for j in range(across):
-                corners = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)]
+                corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
                 text = []
                 for a, b in corners:
                     vertex = (a % around) * across + b % across + 1

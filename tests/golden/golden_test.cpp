@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 #include <string>
 
 namespace scenefile {
@@ -21,6 +22,9 @@ struct Golden {
   Profile profile;
   Mode mode;
 };
+
+// Names the test's parameter in reports.
+void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
 
 // Other processors round and fuse differently, and a last bit can move an edge by a sample.
 constexpr double least_db = 45;

@@ -1,6 +1,7 @@
 #include "scenefile/format/codes.h"
 
 #include "scenefile/format/json_codes.h"
+#include "scenefile/format/write_codes.h"
 
 #include <iterator>
 #include <vector>
@@ -78,6 +79,7 @@ std::span<const Code* const> format_codes() {
   static const std::vector<const Code*> all = [] {
     std::vector<const Code*> codes(std::begin(xml_codes), std::end(xml_codes));
     codes.insert(codes.end(), json_codes().begin(), json_codes().end());
+    codes.insert(codes.end(), write_codes().begin(), write_codes().end());
     return codes;
   }();
   return all;

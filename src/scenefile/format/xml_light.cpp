@@ -224,6 +224,9 @@ void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
     report_unused(context, draft);
     report_defaults(context, draft);
   }
+  if (draft.light.type == LightType::directional && !draft.seen.has(l_position)) {
+    draft.light.position = glm::vec3(0);
+  }
   add_places(draft, scene);
   scene.nodes[scene.root].lights.push_back(std::move(draft.light));
 }

@@ -1,0 +1,340 @@
+#include "scenefile/format/write_json.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/write_codes.h"
+#include "scenefile/format/write_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view shape_names[] = {"cube", "cone", "cylinder", "sphere", "mesh"};
+constexpr std::string_view light_names[] = {"point", "directional", "spot", "area"};
+
+// Members and elements, one a line; vectors on one line. An empty key adds an element to an array.
+class JsonPrinter {
+ public:
+  explicit JsonPrinter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void open(std::string_view key, char bracket) {
+    begin(key);
+    out_ += bracket;
+    open_.push_back({bracket, true});
+    deepest_ = std::max(deepest_, open_.size());
+  }
+  void close() {
+    const Level level = open_.back();
+    open_.pop_back();
+    if (!level.empty) {
+      new_line();
+    }
+    out_ += level.bracket == '{' ? '}' : ']';
+  }
+
+  void number(std::string_view key, float value) {
+    begin(key);
+    out_ += number_text(value);
+  }
+  void numbers(std::string_view key, std::initializer_list<float> values) {
+    begin(key);
+    char separator = '[';
+    for (const float value : values) {
+      out_ += separator;
+      out_ += separator == ',' ? " " : "";
+      out_ += number_text(value);
+      separator = ',';
+    }
+    out_ += ']';
+    deepest_ = std::max(deepest_, open_.size() + 1);
+  }
+  void vector(std::string_view key, const glm::vec3& v) { numbers(key, {v.x, v.y, v.z}); }
+  void string(std::string_view key, std::string_view value, Location place) {
+    begin(key);
+    if (!append_json(out_, value)) {
+      diagnostics_.report(write_character, place,
+                          fmt::format("{} holds bytes that are not UTF-8", quoted(value)));
+    }
+  }
+
+  /// Arrays and objects inside each other, so far.
+  std::size_t deepest() const { return deepest_; }
+  std::string take() { return std::move(out_); }
+
+ private:
+  struct Level {
+    char bracket;
+    bool empty;
+  };
+
+  void new_line() {
+    out_ += '\n';
+    out_.append(2 * open_.size(), ' ');
+  }
+
+  void begin(std::string_view key) {
+    if (open_.empty()) {
+      return;
+    }
+    out_ += open_.back().empty ? "" : ",";
+    open_.back().empty = false;
+    new_line();
+    if (!key.empty()) {
+      out_ += fmt::format("\"{}\": ", key);
+    }
+  }
+
+  Diagnostics& diagnostics_;
+  std::string out_;
+  std::vector<Level> open_;
+  std::size_t deepest_ = 0;
+};
+
+void print_global(JsonPrinter& to, const Global& global) {
+  to.open("globalData", '{');
+  to.number("ambientCoeff", global.ambient);
+  to.number("diffuseCoeff", global.diffuse);
+  to.number("specularCoeff", global.specular);
+  if (global.transparent) {
+    to.number("transparentCoeff", *global.transparent);
+  }
+  to.close();
+}
+
+void print_camera(JsonPrinter& to, const Camera& camera) {
+  to.open("cameraData", '{');
+  to.vector("position", camera.position);
+  to.vector("up", camera.up);
+  to.vector("look", camera.look);
+  to.number("heightAngle", camera.height_angle_deg);
+  if (camera.aperture != 0 || camera.focal_length != 0) {
+    to.number("aperture", camera.aperture);
+    to.number("focalLength", camera.focal_length);
+  }
+  to.close();
+}
+
+void print_light(JsonPrinter& to, const Light& light) {
+  to.open("", '{');
+  to.string("type", light_names[static_cast<std::size_t>(light.type)], light.location);
+  if (!light.name.empty()) {
+    to.string("name", light.name, light.location);
+  }
+  to.vector("color", light.color);
+  if (light.type != LightType::directional) {
+    to.vector("attenuationCoeff", light.attenuation);
+  }
+  if (light.type != LightType::point) {
+    to.vector("direction", light.direction);
+  }
+  if (light.type == LightType::spot) {
+    to.number("penumbra", light.penumbra_deg);
+    if (light.angle_deg) {
+      to.number("angle", *light.angle_deg);
+    }
+  }
+  if (light.type == LightType::area) {
+    to.number("width", light.width);
+    to.number("height", light.height);
+  }
+  to.close();
+}
+
+void print_map(JsonPrinter& to, const Translate& translate) {
+  to.vector("translate", translate.by);
+}
+
+void print_map(JsonPrinter& to, const Scale& scale) {
+  to.vector("scale", scale.by);
+}
+
+void print_map(JsonPrinter& to, const Rotate& rotate) {
+  to.numbers("rotate", {rotate.axis.x, rotate.axis.y, rotate.axis.z, rotate.angle_deg});
+}
+
+void print_map(JsonPrinter& to, const Matrix& matrix) {
+  const glm::mat4 rows = glm::transpose(matrix.m);
+  to.open("matrix", '[');
+  for (int row = 0; row < 4; ++row) {
+    to.numbers("", {rows[row][0], rows[row][1], rows[row][2], rows[row][3]});
+  }
+  to.close();
+}
+
+struct TextureKeys {
+  std::string_view file, u, v;
+};
+
+void print_texture(JsonPrinter& to, const TextureKeys& keys, const TextureUse& texture) {
+  to.string(keys.file, texture.file, texture.location);
+  to.number(keys.u, texture.repeat_u);
+  to.number(keys.v, texture.repeat_v);
+}
+
+// What is not the default.
+void print_material(JsonPrinter& to, const Material& material) {
+  const Material defaults;
+  const auto color = [&](std::string_view key, glm::vec3 Material::*member) {
+    if (material.*member != defaults.*member) {
+      to.vector(key, material.*member);
+    }
+  };
+  const auto value = [&](std::string_view key, float Material::*member) {
+    if (material.*member != defaults.*member) {
+      to.number(key, material.*member);
+    }
+  };
+  color("diffuse", &Material::diffuse);
+  color("ambient", &Material::ambient);
+  color("specular", &Material::specular);
+  value("shininess", &Material::shininess);
+  color("reflective", &Material::reflective);
+  color("transparent", &Material::transparent);
+  value("ior", &Material::ior);
+  if (material.texture) {
+    print_texture(to, {"textureFile", "textureU", "textureV"}, *material.texture);
+  }
+  value("blend", &Material::blend);
+  if (material.bump_map) {
+    print_texture(to, {"bumpMapFile", "bumpMapU", "bumpMapV"}, *material.bump_map);
+  }
+}
+
+void print_primitive(JsonPrinter& to, const Primitive& primitive) {
+  to.open("", '{');
+  to.string("type", shape_names[static_cast<std::size_t>(primitive.shape)], primitive.location);
+  if (primitive.shape == Shape::mesh) {
+    to.string("meshFile", primitive.mesh_file, primitive.location);
+  }
+  print_material(to, primitive.material);
+  to.close();
+}
+
+// Groups in groups, on a stack of its own.
+class GroupPrinter {
+ public:
+  GroupPrinter(JsonPrinter& to, const Scene& scene) : to_(to), scene_(scene) {}
+
+  /// The root is no group, but holds some in a list of its own.
+  void print_root() {
+    to_.open("groups", '[');
+    frames_.push_back({scene_.root, 0});
+    run();
+  }
+  void print_template(NodeId head) {
+    if (open_group(head)) {
+      run();
+    }
+  }
+
+ private:
+  struct Frame {
+    NodeId node;
+    std::size_t next;
+  };
+
+  void run() {
+    while (!frames_.empty()) {
+      Frame& top = frames_.back();
+      const Node& node = scene_.nodes[top.node];
+      if (top.next < node.children.size()) {
+        open_group(node.children[top.next++]);
+        continue;
+      }
+      to_.close();
+      if (top.node != scene_.root) {
+        to_.close();
+      }
+      frames_.pop_back();
+    }
+  }
+
+  // Prints the group down to its groups, which are left open. False: there are none.
+  bool open_group(NodeId id) {
+    const Node& node = scene_.nodes[id];
+    to_.open("", '{');
+    if (!node.instance_of.empty()) {
+      to_.string("name", node.instance_of, node.location);
+      to_.close();
+      return false;
+    }
+    if (!node.name.empty()) {
+      to_.string("name", node.name, node.location);
+    }
+    for (const Transform& transform : node.transforms) {
+      std::visit([&](const auto& map) { print_map(to_, map); }, transform.map);
+    }
+    print_lights(node);
+    // A group with nothing but a name would be taken for an instance.
+    if (!node.primitives.empty() || (node.children.empty() && node.lights.empty())) {
+      print_primitives(node);
+    }
+    if (node.children.empty()) {
+      to_.close();
+      return false;
+    }
+    to_.open("groups", '[');
+    frames_.push_back({id, 0});
+    return true;
+  }
+
+  void print_lights(const Node& node) {
+    if (node.lights.empty()) {
+      return;
+    }
+    to_.open("lights", '[');
+    for (const Light& light : node.lights) {
+      print_light(to_, light);
+    }
+    to_.close();
+  }
+
+  void print_primitives(const Node& node) {
+    to_.open("primitives", '[');
+    for (const Primitive& primitive : node.primitives) {
+      print_primitive(to_, primitive);
+    }
+    to_.close();
+  }
+
+  JsonPrinter& to_;
+  const Scene& scene_;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace
+
+std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
+  JsonPrinter to(diagnostics);
+  to.open("", '{');
+  if (!scene.name.empty()) {
+    to.string("name", scene.name, {});
+  }
+  print_global(to, scene.global);
+  print_camera(to, scene.camera.value_or(Camera()));
+  if (!scene.templates.empty()) {
+    to.open("templateGroups", '[');
+    for (const NodeId head : scene.templates) {
+      GroupPrinter(to, scene).print_template(head);
+    }
+    to.close();
+  }
+  GroupPrinter(to, scene).print_root();
+  to.close();
+  if (to.deepest() > limits.nesting) {
+    diagnostics.report(write_nesting, {},
+                       fmt::format("the file nests {} levels deep, more than the limit of {}",
+                                   to.deepest(), limits.nesting));
+  }
+  return to.take() + "\n";
+}
+
+}  // namespace scenefile

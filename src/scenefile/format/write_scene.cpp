@@ -1,0 +1,20 @@
+#include "scenefile/format/write_scene.h"
+
+#include "scenefile/format/write_forms.h"
+#include "scenefile/format/write_json.h"
+#include "scenefile/format/write_xml.h"
+
+namespace scenefile {
+
+std::string write_scene(const Scene& scene, SceneFormat format, const Limits& limits,
+                        Diagnostics& diagnostics) {
+  switch (format) {
+    case SceneFormat::xml:
+      return print_xml(xml_form(scene, limits, diagnostics), limits, diagnostics);
+    case SceneFormat::json:
+      return print_json(json_form(scene, diagnostics), limits, diagnostics);
+  }
+  return {};
+}
+
+}  // namespace scenefile

@@ -1,0 +1,85 @@
+#include "scenefile/format/write_text.h"
+
+#include "scenefile/base/text.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view replacement = "\xef\xbf\xbd";
+
+// Adds the characters of `text` one by one; `append` gets each with its bytes and says whether it
+// could be said.
+template <typename Append>
+bool append_all(std::string& out, std::string_view text, Append append) {
+  bool all_said = true;
+  while (!text.empty()) {
+    const CodePoint c = first_code_point(text);
+    if (c.bytes == 0 || !append(c.value, text.substr(0, c.bytes))) {
+      out += replacement;
+      all_said = false;
+    }
+    text.remove_prefix(c.bytes == 0 ? 1 : c.bytes);
+  }
+  return all_said;
+}
+
+}  // namespace
+
+bool append_xml(std::string& out, std::string_view text) {
+  return append_all(out, text, [&](char32_t c, std::string_view bytes) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        return true;
+      case '<':
+        out += "&lt;";
+        return true;
+      case '>':
+        out += "&gt;";
+        return true;
+      case '"':
+        out += "&quot;";
+        return true;
+      case '\t':
+      case '\n':
+      case '\r':
+        fmt::format_to(std::back_inserter(out), "&#{};", static_cast<std::uint32_t>(c));
+        return true;
+      default:
+        break;
+    }
+    if (c < 0x20 || c == 0xfffe || c == 0xffff) {
+      return false;
+    }
+    out += bytes;
+    return true;
+  });
+}
+
+bool append_json(std::string& out, std::string_view text) {
+  out += '"';
+  const bool all_said = append_all(out, text, [&](char32_t c, std::string_view bytes) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += bytes;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else if (c < 0x20 || c == 0x7f) {
+      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<std::uint32_t>(c));
+    } else {
+      out += bytes;
+    }
+    return true;
+  });
+  out += '"';
+  return all_said;
+}
+
+}  // namespace scenefile

@@ -26,7 +26,8 @@ std::string wrapped(std::string_view text, std::size_t indent) {
     const std::size_t space = std::min(text.find(' '), text.size());
     const std::string_view word = text.substr(0, space);
     if (column > indent && column + 1 + word.size() > text_width) {
-      result += "\n" + std::string(indent, ' ');
+      result += '\n';
+      result.append(indent, ' ');
       column = indent;
     }
     if (column > indent) {
@@ -41,19 +42,12 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 }
 
 std::string option_text(const OptionRow& row) {
-  std::string head = "  ";
-  if (!row.letter.empty()) {
-    head += fmt::format("{}, ", row.letter);
-  }
-  head += row.name;
-  if (!row.value.empty()) {
-    head += fmt::format(" {}", row.value);
-  }
+  const std::string head = fmt::format("  {}{}{}{}{}", row.letter, row.letter.empty() ? "" : ", ",
+                                       row.name, row.value.empty() ? "" : " ", row.value);
   const bool fits = head.size() + 2 <= option_column;
-  return fmt::format(
-      "{}{}{}\n", head,
-      fits ? std::string(option_column - head.size(), ' ') : "\n" + std::string(option_column, ' '),
-      wrapped(row.help, option_column));
+  return fmt::format("{}{}{:{}}{}\n", head, fits ? "" : "\n", "",
+                     fits ? option_column - head.size() : option_column,
+                     wrapped(row.help, option_column));
 }
 
 std::string indented_lines(std::string_view lines) {

@@ -53,6 +53,19 @@ TEST(Faults, AnInterruptedRenderLeavesNothing) {
   }
 }
 
+TEST(Faults, MemoryThatRunsOutIsStatusThree) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need address space of their own";
+#endif
+  const TempFolder folder;
+  folder.write("s.xml", good_scene);
+  const ProgramRun run = run_program({"render", "s.xml", "-o", "out.png", "--size", "40000x40000"},
+                                     {.folder = folder.path(), .megabytes = 1000});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("out of memory while tracing"));
+  EXPECT_THAT(folder.list(), ElementsAre("s.xml"));
+}
+
 TEST(Faults, ThePictureDoesNotDependOnLocaleOrFolder) {
   const TempFolder folder;
   const std::string scene = folder.write("s.xml", good_scene);

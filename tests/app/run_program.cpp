@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,6 +28,10 @@ void redirect(const std::string& path, int to, int flags) {
   redirect(folder.path("err"), STDERR_FILENO, O_WRONLY);
   if (!settings.folder.empty() && ::chdir(settings.folder.c_str()) != 0) {
     ::_exit(127);
+  }
+  if (settings.megabytes != 0) {
+    const rlimit limit{settings.megabytes << 20, settings.megabytes << 20};
+    ::setrlimit(RLIMIT_AS, &limit);
   }
   for (const std::string& variable : settings.environment) {
     ::putenv(const_cast<char*>(variable.c_str()));

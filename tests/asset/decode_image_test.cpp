@@ -36,8 +36,8 @@ void expect_picture(const std::string& name, const std::function<Color(int, int)
 
 TEST(DecodeImage, FilesOfAnotherEncoder) {
   for (const char* name :
-       {"rgb.png", "rgba.png", "palette.png", "palette.gif", "interlaced.gif", "rgb.tga",
-        "rgb_rle.tga", "rgba.tga", "palette_rle.tga", "rgb.bmp", "palette.bmp"}) {
+       {"rgb.png", "rgba.png", "palette.png", "palette.gif", "rgb.tga", "rgb_rle.tga", "rgba.tga",
+        "palette_rle.tga", "rgb.bmp", "palette.bmp"}) {
     expect_picture(name, test::sharp, 0);
   }
   for (const char* name : {"gray.png", "gray16.png", "gray.tga"}) {
@@ -51,16 +51,24 @@ TEST(DecodeImage, FilesOfAnotherEncoder) {
   }
   expect_picture("cmyk.jpg", test::smooth, 6);
   expect_picture("gray.jpg", test::gray, 4);
+  const Decoded noise = decode(fixture("noise.gif"));
+  ASSERT_EQ(noise.error, "");
+  ASSERT_EQ(noise.texture.width, 72);
+  for (int y = 0; y < 72; ++y) {
+    for (int x = 0; x < 72; ++x) {
+      ASSERT_EQ(color_at(noise.texture, x, y)[0], (x * x * 7 + y * 131 + x * y * 29) % 251);
+    }
+  }
   EXPECT_EQ(test::image_fixtures().size(), 21u) << "name a new one above";
 }
 
 TEST(DecodeImage, PngWithSixteenBitsIsRounded) {
-  // 0x80ff is 128.99 of 255 and 0x7f80 127.49.
-  const std::string row("\x80\xff\x7f\x80\xff\xff\x00\x00\x01\x01\x00\x80", 12);
+  // 0x10f0 is 16.87 of 255, 0xf010 is 239.13.
+  const std::string row("\x10\xf0\xf0\x10\xff\xff\x00\x00\x01\x01\x00\x80", 12);
   for (const bool interlaced : {false, true}) {
     const Decoded d = decode(test::make_png(2, 1, 16, PNG_COLOR_TYPE_RGB, interlaced, {row}));
     ASSERT_EQ(d.error, "");
-    EXPECT_EQ(color_at(d.texture, 0, 0), (Color{128, 127, 255}));
+    EXPECT_EQ(color_at(d.texture, 0, 0), (Color{17, 239, 255}));
     EXPECT_EQ(color_at(d.texture, 1, 0), (Color{0, 1, 0}));
   }
 }

@@ -84,12 +84,14 @@ TEST(ReadObj, ErrorsNameTheirPlace) {
       {triangle + "f 0 1 2\n", "4:3 mesh.index there is no vertex 0: they count from 1"},
       {triangle + "f 1 2 3.5\n", "4:7 mesh.index \"3.5\" is not the number of a vertex"},
       {triangle + "f 1 two 3\n", "4:5 mesh.index \"two\" is not the number of a vertex"},
+      {triangle + "f 1 2 +-1\n", "4:7 mesh.index \"+-1\" is not the number of a vertex"},
+      {triangle + "f 1 2 -0\n", "4:7 mesh.index there is no vertex 0: they count from 1"},
       {triangle + "f 1 2 99999999999999999999\n", "4:7 mesh.index there is no vertex 9999999"},
       {triangle + "f 1 2 -9223372036854775808\n", "4:7 mesh.index there is no vertex -92233"},
       {triangle + "f 1 2 2147483648\n", "4:7 mesh.index there is no vertex 2147483648"},
       {triangle + "f 1 2 4294967299\n", "4:7 mesh.index there is no vertex 4294967299"},
       {triangle + "f / 2 3\n", "4:3 mesh.index in the corner \"/\": it names no vertex"},
-      {triangle + "f 1/1/1/1 2 3\n", "4:3 mesh.index in the corner \"1/1/1/1\": "},
+      {triangle + "f 1///1 2 3\n", "4:3 mesh.index \"1///1\" is no corner"},
       {triangle + "f 1/2 2 3\n", "4:3 mesh.index in the corner \"1/2\": there is no uv 2: "},
       {triangle + "f 1//1 2 3\n", "4:3 mesh.index in the corner \"1//1\": there is no normal 1"},
       {triangle + "f 1 \\\n 2 \\\n x\n", "6:2 mesh.index \"x\" is not"},
@@ -186,8 +188,19 @@ TEST(ReadObj, ManyErrorsEndTheReading) {
   for (int i = 0; i < 100000; ++i) {
     text += "f 1 2 9\n";
   }
-  const ReadObj r = read(text);
-  EXPECT_EQ(r.diagnostics.count(Severity::error), 100u);
+  EXPECT_EQ(read(text).diagnostics.count(Severity::error), 100u);
+  text = triangle;
+  for (int i = 0; i < 1000; ++i) {
+    text += "v x 0 0\n";
+  }
+  EXPECT_EQ(read(text).diagnostics.count(Severity::error), 100u);
+}
+
+TEST(ReadObj, UvsAndNormalsThatNoFaceUsesAreNoIndexLists) {
+  const ReadObj r = read(triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3\n");
+  EXPECT_TRUE(r.mesh.triangle_uvs.empty());
+  EXPECT_TRUE(r.mesh.triangle_normals.empty());
+  EXPECT_EQ(r.mesh.triangles.size(), 2u);
 }
 
 TEST(ReadObj, ManyDistinctUnknownKeywords) {
@@ -234,6 +247,18 @@ TEST(ReadObj, TimeIsLinear) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_EQ(read(errors).diagnostics.count(Severity::error), 100u);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+}
+
+// The column of a finding far to the right costs no walk along the line.
+TEST(ReadObj, FindingsInALongLine) {
+  std::string text = triangle + "f" + std::string(40'000'000, ' ');
+  for (int i = 0; i < 100; ++i) {
+    text += " 9";
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const ReadObj r = read(text);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+  EXPECT_EQ(r.diagnostics.list().front().location, (Location{4, 40'000'003}));
 }
 
 // Any mesh written out is read back as it was.

@@ -227,6 +227,20 @@ TEST(Intersect, NearTheApexOfTheCone) {
   }
 }
 
+// Steep rays through the apex enter there; rounding must not open a hole.
+TEST(Intersect, ThroughTheApexOfTheCone) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 20000; ++i) {
+    const double slope = uniform(random, 0, 0.49);
+    const double turn = uniform(random, 0, 6.3);
+    const dvec3 down(slope * std::cos(turn), -1, slope * std::sin(turn));
+    const Ray ray{dvec3(0, 0.5, 0) - uniform(random, 0.1, 9) * down, down};
+    ShapeHit hit;
+    ASSERT_TRUE(intersect(Shape::cone, ray, 0, infinity, hit)) << i;
+    ASSERT_NEAR(at(ray, hit.t).y, 0.5, 1e-6) << i;
+  }
+}
+
 // From inside there is always a way out: no gap at edges, rims, seams.
 TEST(Intersect, NoRayEscapesThroughAnEdge) {
   const dvec3 edges[] = {{0.5, 0.5, 0},  {0.5, 0.5, 0.5}, {0, -0.5, 0.5},   {-0.5, 0.3, -0.5},

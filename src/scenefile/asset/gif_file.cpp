@@ -208,7 +208,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
       continue;
     }
     const bool first = last == table.clear_code();
-    const bool newest = code == table.size() && !first && code < max_codes;
+    const bool newest = code == table.size() && !first;
     if (code >= table.size() && !newest) {
       return "it holds an impossible code";
     }

@@ -1,6 +1,7 @@
 #include "scenefile/asset/read_obj.h"
 
 #include "scenefile/asset/codes.h"
+#include "scenefile/asset/obj_corner.h"
 #include "scenefile/asset/obj_words.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -88,52 +88,6 @@ bool is_binary(std::string_view word) {
   }
   return false;
 }
-
-// One of the three lists a corner of a face points into.
-struct IndexList {
-  std::string_view name;
-  std::uint64_t in_file;  // in all
-  std::uint64_t so_far;
-};
-
-// A number of the file (from 1, or negative from the end) as an index, or why it is none.
-std::optional<std::uint32_t> parse_index(std::string_view word, const IndexList& list,
-                                         std::string& why) {
-  long long number = 0;
-  const char* end = word.data() + word.size();
-  const bool plus = !word.empty() && word[0] == '+';
-  const auto result = std::from_chars(word.data() + (plus ? 1 : 0), end, number);
-  if (word.empty()) {
-    why = fmt::format("it names no {}", list.name);
-    return std::nullopt;
-  }
-  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    why = fmt::format("{} is not the number of a {}", quoted(word), list.name);
-    return std::nullopt;
-  }
-  const bool overflow = result.ec == std::errc::result_out_of_range;
-  if (!overflow && number > 0 && static_cast<std::uint64_t>(number) <= list.in_file) {
-    return static_cast<std::uint32_t>(number - 1);
-  }
-  if (!overflow && number < 0 && static_cast<std::uint64_t>(-(number + 1)) < list.so_far) {
-    return static_cast<std::uint32_t>(list.so_far - 1 - static_cast<std::uint64_t>(-(number + 1)));
-  }
-  if (!overflow && number == 0) {
-    why = fmt::format("there is no {} 0: they count from 1, or from -1 backwards", list.name);
-  } else if (word[0] == '-') {
-    why = fmt::format("there is no {} {}: {} come before this face", list.name, escaped(word, 40),
-                      list.so_far);
-  } else {
-    why = fmt::format("there is no {} {}: the file has {}", list.name, escaped(word, 40),
-                      list.in_file);
-  }
-  return std::nullopt;
-}
-
-// A corner of a face; uv and normal may be mesh_no_index.
-struct Corner {
-  std::uint32_t position, uv, normal;
-};
 
 // Keeps the triangles of which `keep` is true.
 template <typename Keep>
@@ -301,37 +255,18 @@ class ObjReader {
     }
   }
 
-  // v, v/vt, v//vn or v/vt/vn.
   Corner read_corner(std::string_view word) {
-    const IndexList lists[] = {{"vertex", counts_.positions, mesh_.positions.size()},
-                               {"uv", counts_.uvs, mesh_.uvs.size()},
-                               {"normal", counts_.normals, mesh_.normals.size()}};
-    std::uint32_t indices[] = {mesh_no_index, mesh_no_index, mesh_no_index};
-    std::string_view rest = word;
-    for (std::size_t part = 0; part < 3; ++part) {
-      const std::size_t end = std::min(rest.find('/'), rest.size());
-      const std::string_view number = rest.substr(0, end);
-      if (part == 0 || !number.empty()) {
-        std::string why;
-        const std::optional<std::uint32_t> index = parse_index(number, lists[part], why);
-        if (!index) {
-          report(mesh_index, words_.location(word), number == word ? why : in_corner(word, why));
-          return {};
-        }
-        indices[part] = *index;
-      }
-      if (end == rest.size()) {
-        return {indices[0], indices[1], indices[2]};
-      }
-      rest.remove_prefix(end + 1);
+    const CornerLists lists = {
+        {"vertex", counts_.positions, mesh_.positions.size()},
+        {"uv", counts_.uvs, mesh_.uvs.size()},
+        {"normal", counts_.normals, mesh_.normals.size()},
+    };
+    std::string why;
+    const std::optional<Corner> corner = parse_corner(word, lists, why);
+    if (!corner) {
+      report(mesh_index, words_.location(word), why);
     }
-    report(mesh_index, words_.location(word),
-           in_corner(word, "a corner has at most three parts, v/vt/vn"));
-    return {};
-  }
-
-  static std::string in_corner(std::string_view word, std::string_view why) {
-    return fmt::format("in the corner {}: {}", quoted(word), why);
+    return corner.value_or(Corner{});
   }
 
   void add_triangle(const Corner& a, const Corner& b, const Corner& c) {

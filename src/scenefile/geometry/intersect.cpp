@@ -3,9 +3,9 @@
 // rather than testing hit points against edges leaves no gap where two faces meet.
 //
 // The roots are found from the point of the line nearest to the center (apex for the cone), so
-// that nothing cancels for far origins, and with the discriminants written by cross products, so
-// that nothing cancels for grazing rays. Compare Haines et al., "Precision Improvements for
-// Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7.
+// that nothing cancels for far origins, and the discriminants are written by cross products, from
+// which what the usual form cancels is already gone. Compare Haines et al., "Precision Improvements
+// for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7.
 
 #include "scenefile/geometry/shapes.h"
 

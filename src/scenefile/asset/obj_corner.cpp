@@ -1,0 +1,75 @@
+#include "scenefile/asset/obj_corner.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/geometry/mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace scenefile {
+
+namespace {
+
+// Why a number that is well formed points to nothing.
+std::string out_of_range(std::string_view word, const IndexList& list) {
+  if (word.find_first_of("123456789") == std::string_view::npos) {
+    return fmt::format("there is no {} 0: they count from 1, or from -1 backwards", list.name);
+  }
+  if (word[0] == '-') {
+    return fmt::format("there is no {} {}: {} come before this face", list.name, escaped(word, 40),
+                       list.so_far);
+  }
+  return fmt::format("there is no {} {}: the file has {}", list.name, escaped(word, 40),
+                     list.in_file);
+}
+
+// A number of the file (from 1, or negative from the end) as an index.
+std::optional<std::uint32_t> parse_index(std::string_view word, const IndexList& list,
+                                         std::string& why) {
+  const bool minus = !word.empty() && word[0] == '-';
+  const std::string_view digits = word.substr(minus || (!word.empty() && word[0] == '+') ? 1 : 0);
+  const char* end = digits.data() + digits.size();
+  std::uint64_t number = 0;
+  const auto result = std::from_chars(digits.data(), end, number);
+  if (result.ptr != end || result.ec == std::errc::invalid_argument) {
+    why = word.empty() ? fmt::format("it names no {}", list.name)
+                       : fmt::format("{} is not the number of a {}", quoted(word), list.name);
+    return std::nullopt;
+  }
+  const std::uint64_t most = minus ? list.so_far : list.in_file;
+  if (result.ec == std::errc::result_out_of_range || number == 0 || number > most) {
+    why = out_of_range(word, list);
+    return std::nullopt;
+  }
+  return static_cast<std::uint32_t>(minus ? list.so_far - number : number - 1);
+}
+
+}  // namespace
+
+std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lists,
+                                   std::string& why) {
+  const IndexList* const list[] = {&lists.positions, &lists.uvs, &lists.normals};
+  std::uint32_t indices[] = {mesh_no_index, mesh_no_index, mesh_no_index};
+  std::string_view rest = word;
+  for (std::size_t part = 0; part < 3; ++part) {
+    const std::size_t end = std::min(rest.find('/'), rest.size());
+    if (part == 0 || end > 0) {
+      const std::optional<std::uint32_t> index = parse_index(rest.substr(0, end), *list[part], why);
+      if (!index) {
+        why = end == word.size() ? why : fmt::format("in the corner {}: {}", quoted(word), why);
+        return std::nullopt;
+      }
+      indices[part] = *index;
+    }
+    if (end == rest.size()) {
+      return Corner{indices[0], indices[1], indices[2]};
+    }
+    rest.remove_prefix(end + 1);
+  }
+  why = fmt::format("{} is no corner: it has at most three parts, v/vt/vn", quoted(word));
+  return std::nullopt;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,31 @@
+#pragma once
+// The corners of OBJ faces. Private to the room.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// One of the lists that a corner points into.
+struct IndexList {
+  std::string_view name;  ///< of one element, for messages
+  std::uint64_t in_file = 0;
+  std::uint64_t so_far = 0;  ///< before the face: what negative numbers count back from
+};
+
+struct CornerLists {
+  IndexList positions, uvs, normals;
+};
+
+/// Indices from 0; uv and normal may be mesh_no_index.
+struct Corner {
+  std::uint32_t position, uv, normal;
+};
+
+/// Reads v, v/vt, v//vn or v/vt/vn, or says why it is none of them.
+std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lists,
+                                   std::string& why);
+
+}  // namespace scenefile

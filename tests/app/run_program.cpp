@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <thread>
@@ -20,12 +22,44 @@ void redirect(const std::string& path, int to, int flags) {
   ::close(fd);
 }
 
+// A pseudo-terminal: what programs write to `name` can be read here.
+class Terminal {
+ public:
+  Terminal() : fd_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    ::grantpt(fd_);
+    ::unlockpt(fd_);
+  }
+  ~Terminal() { ::close(fd_); }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  std::string name() const { return ::ptsname(fd_); }
+
+  // Until the last program has closed it.
+  std::string read_all() const {
+    std::string text;
+    std::array<char, 4096> part{};
+    for (ssize_t n = 0; (n = ::read(fd_, part.data(), part.size())) > 0;) {
+      text.append(part.data(), static_cast<std::size_t>(n));
+    }
+    return text;
+  }
+
+ private:
+  int fd_;
+};
+
 [[noreturn]] void become_program(const std::vector<std::string>& arguments,
-                                 const RunSettings& settings, const TempFolder& folder) {
+                                 const RunSettings& settings, const TempFolder& folder,
+                                 const Terminal& terminal) {
   redirect(folder.path("in"), STDIN_FILENO, O_RDONLY);
   redirect(settings.out_file.empty() ? folder.path("out") : settings.out_file, STDOUT_FILENO,
            O_WRONLY);
   redirect(folder.path("err"), STDERR_FILENO, O_WRONLY);
+  if (settings.terminal) {
+    redirect(terminal.name(), STDOUT_FILENO, O_RDWR | O_NOCTTY);
+    redirect(terminal.name(), STDERR_FILENO, O_RDWR | O_NOCTTY);
+  }
   if (!settings.folder.empty() && ::chdir(settings.folder.c_str()) != 0) {
     ::_exit(127);
   }
@@ -80,19 +114,23 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const RunSetti
   folder.write("in", settings.input);
   folder.write("out", "");
   folder.write("err", "");
+  const Terminal terminal;
   const pid_t child = ::fork();
   if (child == 0) {
-    become_program(arguments, settings, folder);
+    become_program(arguments, settings, folder, terminal);
   }
   if (settings.signal != 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(settings.delay_ms));
     ::kill(child, settings.signal);
   }
+  ProgramRun run;
+  if (settings.terminal) {
+    run.out = terminal.read_all();
+  }
   int status = 0;
   ::waitpid(child, &status, 0);
-  ProgramRun run;
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  run.out = folder.read("out");
+  run.out += folder.read("out");
   run.err = folder.read("err");
   return run;
 }

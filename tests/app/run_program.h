@@ -23,6 +23,7 @@ struct RunSettings {
   std::string folder{};                    ///< working directory
   int signal = 0;                          ///< sent after `delay_ms`
   int delay_ms = 0;
+  bool terminal = false;        ///< standard output and error are a terminal; read as `out`
   unsigned long megabytes = 0;  ///< of address space; 0: no limit
 };
 

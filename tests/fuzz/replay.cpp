@@ -2,8 +2,10 @@
 //
 //     scenefile_replay_obj tests/fuzz/seeds/obj tests/fuzz/findings/obj
 //
-// Each file also cut short and damaged in single bytes, at up to `max_places` places each.
+// Each file also cut short and damaged in single bytes, at up to `max_places` places each, and
+// scenes with as many changes of structure.
 
+#include "structure.h"
 #include "target.h"
 
 #include <algorithm>
@@ -32,6 +34,21 @@ void run_damaged(const std::string& bytes) {
     damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
     run(damaged);
   }
+}
+
+// The same changes in every build and on every run.
+void run_restructured(const std::string& bytes) {
+  scenefile::fuzz::Random random(1);
+  std::string changed = bytes;
+  for (std::size_t i = 0; i < max_places; ++i) {
+    changed = scenefile::fuzz::restructured(i % 4 == 0 ? bytes : changed, random);
+    run(changed);
+  }
+}
+
+bool is_scene(const std::string& bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != bytes.npos && (bytes[first] == '<' || bytes[first] == '{');
 }
 
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder) {
@@ -63,6 +80,9 @@ int main(int argc, char** argv) {
       const std::string bytes = contents(file);
       run(bytes);
       run_damaged(bytes);
+      if (is_scene(bytes)) {
+        run_restructured(bytes);
+      }
       ++count;
     }
   }

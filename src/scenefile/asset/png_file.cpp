@@ -81,8 +81,8 @@ bool read_header(std::string_view bytes, ImageHeader& header, std::string& error
   return true;
 }
 
-// Chunks that change nothing here are not even parsed: compressed texts and profiles have been
-// ways to exhaust memory, and gamma is not part of the format.
+// Chunks that change nothing here are not even parsed: 8 kB of compressed text would unpack to 8
+// MB, a thousand times in a file of 8 MB, and gamma is not part of the format.
 void skip_ancillary_chunks(png_structp png) {
   static const png_byte names[] =
       "bKGD\0cHRM\0eXIf\0gAMA\0hIST\0iCCP\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0sRGB\0sTER\0"

@@ -201,9 +201,6 @@ inline constexpr Code xml_master_after_root{
     "The root says that all masters have been declared. Programs that read in one pass refuse the "
     "file.",
     true};
-inline constexpr Code xml_forward_reference{
-    "xml.forward-reference", Severity::warning, "a master is used before it is declared",
-    "Programs that read in one pass refuse the file. Move the declaration to the front.", true};
 inline constexpr Code xml_nested_master{"xml.nested-master", Severity::warning,
                                         "an instance names a tree inside another tree",
                                         "The format text lets every name be used again, but most "

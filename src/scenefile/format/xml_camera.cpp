@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <optional>
 
 namespace scenefile {
@@ -69,6 +70,14 @@ void report_defaults(const XmlContext& context, const CameraDraft& draft) {
   }
 }
 
+// Between points that are far apart the difference may be too large for a float; its direction is
+// not.
+glm::vec3 direction_to(const glm::vec3& to, const glm::vec3& from) {
+  const glm::vec3 direction = to - from;
+  const bool finite = glm::length(glm::dvec3(direction)) < std::numeric_limits<float>::max();
+  return finite ? direction : to * 0.25f - from * 0.25f;
+}
+
 // A focus is a point to look at; behind the reader there are directions only.
 void resolve_focus(const XmlContext& context, CameraDraft& draft) {
   const Location look = draft.seen.place(c_look);
@@ -85,7 +94,7 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
                     (focus_last ? look : focus).line));
     return;
   }
-  const glm::vec3 direction = draft.focus - draft.camera.position;
+  const glm::vec3 direction = direction_to(draft.focus, draft.camera.position);
   if (direction == glm::vec3(0)) {
     context.diagnostics.report(
         xml_focus_at_position, focus,

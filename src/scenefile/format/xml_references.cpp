@@ -72,13 +72,10 @@ void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location sc
   }
 }
 
-// A name that nothing bears is left as it is: check() reports it.
+// A name that nothing bears is left as it is: check() reports it, and names used too early.
 void XmlReferences::resolve_use(const XmlContext& context, Scene& scene, const Use& use) {
   const std::string name = scene.nodes[use.node].instance_of;
   if (declared_.contains(name)) {
-    context.diagnostics.report(xml_forward_reference, use.place,
-                               fmt::format("{} is used before it is declared, at line {}",
-                                           quoted(name), declared_.at(name).line));
     return;
   }
   if (use.is_tree) {

@@ -21,7 +21,8 @@ class XmlReferences {
   void use(Scene& scene, NodeId node, std::string_view name, Location place, bool is_tree);
   /// What was used last by `from` is used by `to` instead.
   void move_last_use(NodeId from, NodeId to);
-  /// At the end of the file: judges names that were used before they were declared, and the root.
+  /// At the end of the file: finds what names mean that were not declared when they were used, and
+  /// the root.
   void resolve(const XmlContext& context, Scene& scene, Location scenefile);
 
  private:

@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace scenefile {
 
 namespace {
@@ -14,6 +17,11 @@ constexpr Signature rotate_signature{rotate_forms, 4, true};
 
 float read_part(const XmlContext& context, const XmlTag& tag, const XmlAttribute* part) {
   return part == nullptr ? 0 : read_number(context, tag, *part);
+}
+
+bool is_finite(const glm::mat4& m) {
+  const float* const first = &m[0][0];
+  return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
 }
 
 // Makes the last row 0 0 0 1.
@@ -29,7 +37,7 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
                                            last.y, last.z, last.w, what));
   };
   const bool no_translation = rows[0].w == 0 && rows[1].w == 0 && rows[2].w == 0;
-  if (only_w && last.w == 0) {
+  if (only_w && !is_finite(rows / last.w)) {
     report(Severity::error, "it must be 0 0 0 1");
   } else if (only_w) {
     report(Severity::warning, "the matrix was divided by its last number to make it 0 0 0 1");

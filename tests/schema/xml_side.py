@@ -70,8 +70,13 @@ def xmllint(paths, *schema):
     schema = schema or ("--relaxng", SCHEMA / "scenefile.rng")
     run = subprocess.run(["xmllint", "--noout", "--nonet", "--huge", *schema, *paths], text=True,
                          errors="replace", capture_output=True)
-    lines = set(run.stderr.splitlines())
-    return {path: "xmllint refuses it" for path in paths if f"{path} validates" not in lines}
+    result = {path: "" for path in paths}
+    for line in run.stderr.splitlines():
+        if line.endswith(" validates"):
+            result.pop(line.removesuffix(" validates"), None)
+        elif (path := line.split(":", 1)[0]) in result:
+            result[path] += line.removeprefix(path) + "; "
+    return {path: complaint or "xmllint refuses it" for path, complaint in result.items()}
 
 
 def xsd_refusals(paths):

@@ -72,6 +72,24 @@ Scene tidy_copy(const Scene& scene) {
   return copy;
 }
 
+void clear_unused(Light& light) {
+  const Light defaults;
+  if (light.type == LightType::directional) {
+    light.position = defaults.position;
+  }
+  if (light.type == LightType::point) {
+    light.direction = defaults.direction;
+  }
+  if (light.type != LightType::spot) {
+    light.angle_deg = defaults.angle_deg;
+    light.penumbra_deg = defaults.penumbra_deg;
+  }
+  if (light.type != LightType::area) {
+    light.width = defaults.width;
+    light.height = defaults.height;
+  }
+}
+
 NodeId push_down(Scene& scene, NodeId node, bool with_transforms) {
   const auto child = static_cast<NodeId>(scene.nodes.size());
   scene.nodes.emplace_back();

@@ -23,7 +23,8 @@ constexpr std::string_view light_names[] = {"point", "directional", "spot", "are
 // Members and elements, one a line; vectors on one line. An empty key adds an element to an array.
 class JsonPrinter {
  public:
-  explicit JsonPrinter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  JsonPrinter(const Limits& limits, Diagnostics& diagnostics)
+      : limits_(limits), diagnostics_(diagnostics) {}
 
   void open(std::string_view key, char bracket) {
     begin(key);
@@ -65,8 +66,8 @@ class JsonPrinter {
     }
   }
 
-  /// Arrays and objects inside each other, so far.
-  std::size_t deepest() const { return deepest_; }
+  /// Whether values were nested deeper than readers allow; there is no use in going on then.
+  bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
  private:
@@ -92,6 +93,7 @@ class JsonPrinter {
     }
   }
 
+  const Limits& limits_;
   Diagnostics& diagnostics_;
   std::string out_;
   std::vector<Level> open_;
@@ -242,7 +244,7 @@ class GroupPrinter {
   };
 
   void run() {
-    while (!frames_.empty()) {
+    while (!frames_.empty() && !to_.too_deep()) {
       Frame& top = frames_.back();
       const Node& node = scene_.nodes[top.node];
       if (top.next < node.children.size()) {
@@ -313,7 +315,7 @@ class GroupPrinter {
 }  // namespace
 
 std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
-  JsonPrinter to(diagnostics);
+  JsonPrinter to(limits, diagnostics);
   to.open("", '{');
   if (!scene.name.empty()) {
     to.string("name", scene.name, {});
@@ -329,10 +331,11 @@ std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& di
   }
   GroupPrinter(to, scene).print_root();
   to.close();
-  if (to.deepest() > limits.nesting) {
-    diagnostics.report(write_nesting, {},
-                       fmt::format("the file nests {} levels deep, more than the limit of {}",
-                                   to.deepest(), limits.nesting));
+  if (to.too_deep()) {
+    diagnostics.report(
+        write_nesting, {},
+        fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
+    return {};
   }
   return to.take() + "\n";
 }

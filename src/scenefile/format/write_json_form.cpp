@@ -12,9 +12,8 @@ namespace scenefile {
 
 namespace {
 
-// Where a light's position does not count, or is none.
 bool stands_at_origin(const Light& light) {
-  return light.type == LightType::directional || light.position == glm::vec3(0);
+  return light.position == glm::vec3(0);
 }
 
 // How many of the first transforms one group can say: each kind once, in the fixed order.
@@ -67,6 +66,10 @@ class JsonForm {
       for (Light& light : scene_.nodes[id].lights) {
         ids += light.id ? 1 : 0;
         light.id.reset();
+        clear_unused(light);
+        if (light.type == LightType::directional) {
+          light.attenuation = Light().attenuation;
+        }
         if (light.type == LightType::area) {
           diagnostics_.report(write_area_light, light.location,
                               "the course's JSON reader knows no area lights");
@@ -77,9 +80,6 @@ class JsonForm {
       if (!std::all_of(lights.begin(), lights.end(), stands_at_origin) ||
           (is_root && !lights.empty())) {
         give_lights_groups(id);
-      }
-      for (Light& light : scene_.nodes[id].lights) {
-        light.position = glm::vec3(0);
       }
     }
     if (ids != 0) {
@@ -93,9 +93,6 @@ class JsonForm {
   void give_lights_groups(NodeId id) {
     std::vector<std::vector<Light>> runs;
     for (Light& light : std::exchange(scene_.nodes[id].lights, {})) {
-      if (light.type == LightType::directional) {
-        light.position = glm::vec3(0);
-      }
       if (runs.empty() || runs.back().back().position != light.position) {
         runs.emplace_back();
       }

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace scenefile {
@@ -35,8 +35,10 @@ glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
   if (comes_out(light.direction)) {
     return light.direction;
   }
-  for (int i = 0; i < 64; ++i) {
-    const glm::vec3 longer = wanted.direction * (1.0f + static_cast<float>(i) / 64.0f);
+  // Nearly always one of the first few lengths does it.
+  constexpr int lengths = 4096;
+  for (int i = 0; i < lengths; ++i) {
+    const glm::vec3 longer = wanted.direction * (1.0f + static_cast<float>(i) / lengths);
     if (comes_out(longer)) {
       return longer;
     }
@@ -46,6 +48,11 @@ glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
 
 bool close(const glm::vec3& a, const glm::vec3& b) {
   return glm::length(glm::dvec3(a) - glm::dvec3(b)) <= 1e-5 * glm::length(glm::dvec3(a));
+}
+
+bool is_finite(const RenderLight& light) {
+  const glm::vec3 sum = glm::abs(light.position) + glm::abs(light.half_u) + glm::abs(light.half_v);
+  return std::isfinite(2 * (sum.x + sum.y + sum.z));
 }
 
 class WorldLights {
@@ -156,7 +163,7 @@ class WorldLights {
       return;
     }
     const std::optional<RenderLight> ready = ready_light(light, world_from_node);
-    if (!ready) {
+    if (!ready || !is_finite(*ready)) {
       diagnostics_.report(
           write_light_dark, light.location,
           fmt::format("the {} light lights nothing and is left out", name_of(light.type)));
@@ -171,9 +178,7 @@ class WorldLights {
 
   Light placed(const Light& light, const RenderLight& ready) {
     Light result = light;
-    if (light.type == LightType::directional) {
-      result.position = glm::vec3(0);
-    } else {
+    if (light.type != LightType::directional) {
       result.position = ready.position;
     }
     if (light.type != LightType::point) {

@@ -22,7 +22,8 @@ constexpr std::string_view light_names[] = {"point", "directional", "spot", "are
 // Elements and attributes, one element a line.
 class XmlPrinter {
  public:
-  explicit XmlPrinter(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  XmlPrinter(const Limits& limits, Diagnostics& diagnostics)
+      : limits_(limits), diagnostics_(diagnostics) {}
 
   /// Starts a tag; attributes may follow, then children() or leaf().
   XmlPrinter& begin(std::string_view element) {
@@ -66,11 +67,12 @@ class XmlPrinter {
     begin(element).attribute("r", c.r).attribute("g", c.g).attribute("b", c.b).leaf();
   }
 
-  /// Elements inside each other, so far.
-  std::size_t deepest() const { return deepest_; }
+  /// Whether elements were nested deeper than readers allow; there is no use in going on then.
+  bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
  private:
+  const Limits& limits_;
   Diagnostics& diagnostics_;
   std::string out_;
   std::vector<std::string_view> open_;
@@ -213,7 +215,7 @@ class TreePrinter {
 
   void print(NodeId head) {
     open_tree(head);
-    while (!frames_.empty()) {
+    while (!frames_.empty() && !to_.too_deep()) {
       Frame& top = frames_.back();
       const Node& node = scene_.nodes[top.node];
       if (top.next == node.children.size()) {
@@ -270,7 +272,7 @@ class TreePrinter {
 }  // namespace
 
 std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
-  XmlPrinter to(diagnostics);
+  XmlPrinter to(limits, diagnostics);
   to.begin("scenefile").children();
   print_global(to, scene.global);
   if (scene.camera) {
@@ -284,10 +286,11 @@ std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& dia
   }
   TreePrinter(to, scene).print(scene.root);
   to.end();
-  if (to.deepest() > limits.nesting) {
-    diagnostics.report(write_nesting, {},
-                       fmt::format("the file nests {} levels deep, more than the limit of {}",
-                                   to.deepest(), limits.nesting));
+  if (to.too_deep()) {
+    diagnostics.report(
+        write_nesting, {},
+        fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
+    return {};
   }
   return to.take();
 }

@@ -26,8 +26,8 @@ class XmlForm {
       diagnostics_.report(
           write_scene_name, {},
           fmt::format("the name of the scene, {}, is left out", quoted(scene_.name)));
-      scene_.name.clear();
     }
+    scene_.name.clear();
     const std::size_t written = scene_.nodes.size();
     is_head_.assign(written, false);
     for (const NodeId head : tree_heads(scene_)) {
@@ -51,6 +51,7 @@ class XmlForm {
     }
     add_ids(lights);
     for (Light& light : lights) {
+      clear_unused(light);
       if (!light.name.empty()) {
         diagnostics_.report(
             write_light_name, light.location,

@@ -1,0 +1,117 @@
+// Laws of the writers: what is written reads back without a word as the same meaning, and what the
+// format can say as it stands, as the same scene.
+
+#include "format/write_random_scene.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/format/write_codes.h"
+#include "scenefile/format/write_forms.h"
+#include "scenefile/format/write_scene.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/diff.h"
+#include "scenefile/scene/prepare.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+
+namespace scenefile::testing {
+namespace {
+
+constexpr SceneFormat formats[] = {SceneFormat::xml, SceneFormat::json};
+
+Scene any_scene(bool moved_area_lights = true) {
+  const auto seed = *rc::gen::arbitrary<unsigned>();
+  const int size = *rc::gen::inRange(1, 8);
+  Scene scene = RandomScene(seed, size, moved_area_lights).make();
+  Diagnostics diagnostics;
+  check(scene, {}, diagnostics);
+  for (const Diagnostic& d : diagnostics.list()) {
+    RC_LOG() << d.message << "\n";
+  }
+  RC_PRE(!diagnostics.has_errors());  // more lights than the limit, once in a while
+  return scene;
+}
+
+Scene form_of(const Scene& scene, SceneFormat format) {
+  Diagnostics ignored;
+  return format == SceneFormat::xml ? xml_form(scene, {}, ignored) : json_form(scene, ignored);
+}
+
+std::string written(const Scene& scene, SceneFormat format) {
+  Diagnostics diagnostics;
+  std::string text = write_scene(scene, format, {}, diagnostics);
+  RC_ASSERT(!diagnostics.has_errors());
+  for (const Diagnostic& d : diagnostics.list()) {
+    RC_ASSERT(d.severity == Severity::note || d.code == &write_light_turned);
+  }
+  return text;
+}
+
+Scene read_silently(const std::string& text) {
+  Diagnostics diagnostics;
+  Scene scene = read_scene(text, {}, diagnostics);
+  for (const Diagnostic& d : diagnostics.list()) {
+    RC_LOG() << d.location.line << ": " << d.message << "\n";
+  }
+  RC_ASSERT(diagnostics.count(Severity::error) + diagnostics.count(Severity::warning) == 0);
+  return scene;
+}
+
+void assert_equal(const Scene& a, const Scene& b) {
+  for (const SceneDifference& difference : diff(a, b, 5)) {
+    RC_LOG() << difference_text(difference) << "\n";
+  }
+  RC_ASSERT(a == b);
+}
+
+RC_GTEST_PROP(WriteLaws, WhatIsWrittenReadsBackAsItsForm, ()) {
+  const Scene scene = any_scene();
+  for (const SceneFormat format : formats) {
+    assert_equal(read_silently(written(scene, format)), form_of(scene, format));
+  }
+}
+
+RC_GTEST_PROP(WriteLaws, AFormIsItsOwnForm, ()) {
+  const Scene scene = any_scene();
+  for (const SceneFormat format : formats) {
+    const Scene form = form_of(scene, format);
+    assert_equal(form_of(form, format), form);
+  }
+}
+
+RC_GTEST_PROP(WriteLaws, WhatAFormatCanSayReadsBackEqual, ()) {
+  const Scene scene = any_scene();
+  for (const SceneFormat format : formats) {
+    const Scene sayable = form_of(scene, format);
+    assert_equal(read_silently(written(sayable, format)), sayable);
+  }
+}
+
+RC_GTEST_PROP(WriteLaws, MeaningIsKept, ()) {
+  const Scene scene = any_scene(false);
+  for (const SceneFormat format : formats) {
+    RC_ASSERT(same_meaning(scene, read_silently(written(scene, format))));
+  }
+}
+
+RC_GTEST_PROP(WriteLaws, MeaningIsKeptThereAndBack, ()) {
+  const Scene scene = any_scene(false);
+  for (const SceneFormat format : formats) {
+    const SceneFormat other = format == SceneFormat::xml ? SceneFormat::json : SceneFormat::xml;
+    const Scene there = read_silently(written(scene, format));
+    RC_ASSERT(same_meaning(scene, read_silently(written(there, other))));
+  }
+}
+
+RC_GTEST_PROP(WriteLaws, WritingTwiceIsWritingOnce, ()) {
+  const Scene scene = any_scene();
+  for (const SceneFormat format : formats) {
+    const std::string text = written(scene, format);
+    RC_ASSERT(written(read_silently(text), format) == text);
+  }
+}
+
+}  // namespace
+}  // namespace scenefile::testing

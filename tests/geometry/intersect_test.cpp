@@ -149,6 +149,21 @@ TEST(Intersect, NamesTheFace) {
   }
 }
 
+// Faces of neighboring cubes that lie in one plane must tie to the last bit.
+TEST(Intersect, DistanceToACubeIsOneDivision) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 origin(uniform(random, -9, 9), uniform(random, -9, 9), uniform(random, 1, 9));
+    const dvec3 target(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4), 0.5);
+    const Ray ray{origin, target - origin};
+    ShapeHit hit;
+    ASSERT_TRUE(intersect(Shape::cube, ray, 0, 10, hit));
+    if (hit.face == Face::pos_z) {
+      EXPECT_EQ(hit.t, (0.5 - origin.z) / ray.direction.z);
+    }
+  }
+}
+
 TEST(Intersect, TheMirrorHalfOfTheConeIsNotThere) {
   ShapeHit hit;
   // Flat, through the mirror half alone; steep, through it on the way to the cone; along the axis.

@@ -65,7 +65,7 @@ inline constexpr std::uint32_t max_instance_nesting = 64;
 /// exactly one distance the last in the file is hit, however the structure was built.
 class Accelerator {
  public:
-  Accelerator(const RenderScene& scene, const Assets& assets, int threads);
+  Accelerator(const RenderScene& scene, const Assets& assets);
   ~Accelerator();
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;

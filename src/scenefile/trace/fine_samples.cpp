@@ -63,7 +63,9 @@ Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) 
 void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,
                        RayCounts& counts) const {
   for (; samples.count < count; ++samples.count) {
+    const std::uint64_t penumbras = counts.penumbras;
     const Color color = sample(x, y, samples.count, counts);
+    samples.penumbra = samples.penumbra || counts.penumbras != penumbras;
     const Color clamped = glm::clamp(color, Color(0), Color(1));
     samples.sum += color;
     samples.clamped_sum += clamped;
@@ -76,11 +78,11 @@ void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts)
   do {
     const std::uint32_t next = samples.count > most / 2 ? most : samples.count * 2;
     take(x, y, next, samples, counts);
-  } while (samples.count < most && samples.error() > settled_error);
+  } while (samples.count < most && !settled(samples));
 }
 
-bool uneven(const PixelSamples& samples) {
-  return samples.error() > settled_error;
+bool settled(const PixelSamples& samples) {
+  return !samples.penumbra && samples.error() <= settled_error;
 }
 
 bool differ(const Color& a, const Color& b) {

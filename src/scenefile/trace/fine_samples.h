@@ -12,6 +12,7 @@ struct PixelSamples {
   Color sum_of_squares{0};  ///< of colors clamped to [0, 1]
   Color clamped_sum{0};
   std::uint32_t count = 0;
+  bool penumbra = false;  ///< a sample saw part of an area light: how much, few samples cannot tell
 
   Color mean() const { return count == 0 ? Color(0) : sum / double(count); }
   /// Standard error of the clamped mean, largest of the channels.
@@ -38,8 +39,8 @@ class FineSampler {
   std::uint32_t seed_;
 };
 
-/// Whether a pixel needs more than its first samples: they disagree with each other.
-bool uneven(const PixelSamples& samples);
+/// Whether the pixel's samples tell its color well enough.
+bool settled(const PixelSamples& samples);
 
 /// Whether two neighboring pixels differ enough for both to need more samples.
 bool differ(const Color& a, const Color& b);

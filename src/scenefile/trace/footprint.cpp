@@ -54,7 +54,7 @@ UvFootprint uv_footprint(const SurfacePoint& point, const glm::dvec3& direction,
           uv_step(tangent_u, tangent_v, width * across)};
 }
 
-RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t) {
+RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t, double turning) {
   RayCone bent{cone.width_at(t), cone.spread};
   if (point.hit.shape == Shape::mesh || point.hit.shape == Shape::cube ||
       point.hit.face != Face::side) {
@@ -74,7 +74,7 @@ RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t) {
     const double turn =
         glm::length(world_normal(point.hit.object_from_world, beside.normal) - point.geometric);
     const double way = glm::length(world_from_object * aside);
-    bent.spread = std::max(bent.spread, cone.spread + 2 * bent.width * turn / way);
+    bent.spread = std::max(bent.spread, cone.spread + turning * bent.width * turn / way);
   }
   return bent;
 }

@@ -17,7 +17,8 @@ struct RayCone {
 /// What a cone of that width along `direction` (unit length) covers in (u, v) around the point.
 UvFootprint uv_footprint(const SurfacePoint& point, const glm::dvec3& direction, double width);
 
-/// The cone after a mirror or refraction at the point: curved surfaces spread it.
-RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t);
+/// The cone after a mirror or refraction at the point, which curved surfaces spread. `turning`: by
+/// how much the ray turns when the normal does; 2 for mirrors.
+RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t, double turning);
 
 }  // namespace scenefile

@@ -4,6 +4,7 @@
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace scenefile {
@@ -81,16 +82,17 @@ class Integrator {
   void pass_wall(Path& path, const Hit& hit) {
     const SurfacePoint wall =
         surface_point(tracer_.scene, tracer_.assets, path.ray, hit, !tracer_.course());
-    glm::dvec3 normal = inner_normal(wall, path.ray.direction);
-    glm::dvec3 direction;
-    if (refract_direction(path.ray.direction, normal, wall.material->ior, direction)) {
-      path.inside = path.inside->around;
-    } else {
-      direction = reflect_direction(path.ray.direction, normal);
-      ++path.depth;
-    }
+    const glm::dvec3 normal = inner_normal(wall, path.ray.direction);
+    const double ior = wall.material->ior;
     ++counts_.secondary;
-    redirect(path, wall, direction);
+    glm::dvec3 direction;
+    if (refract_direction(path.ray.direction, normal, ior, direction)) {
+      path.inside = path.inside->around;
+      redirect(path, wall, direction, std::abs(ior - 1));
+    } else {
+      ++path.depth;
+      redirect(path, wall, reflect_direction(path.ray.direction, normal), 2);
+    }
   }
 
   // The shading normal on the side that the ray comes from; the geometric one where interpolation
@@ -102,8 +104,11 @@ class Integrator {
     return glm::dot(normal, direction) < 0 ? normal : geometric;
   }
 
-  void redirect(Path& path, const SurfacePoint& point, const glm::dvec3& direction) const {
-    path.cone = tracer_.course() ? path.cone : bent_cone(point, path.cone, point.hit.t);
+  void redirect(Path& path, const SurfacePoint& point, const glm::dvec3& direction,
+                double turning) const {
+    if (!tracer_.course()) {
+      path.cone = bent_cone(point, path.cone, point.hit.t, turning);
+    }
     path.ray = {point.position, direction};
     path.start = tracer_.start_offset(point.position, point.hit.t);
   }
@@ -122,7 +127,9 @@ class Integrator {
     Color sum(0);
     if (reflects) {
       const glm::dvec3 direction = reflect_direction(path.ray.direction, point.normal);
-      sum += mirror * trace(child(path, point, direction, mirror, budget));
+      Path next = child(path, mirror, budget, 1);
+      redirect(next, point, direction, 2);
+      sum += mirror * trace(next);
     }
     if (refracts) {
       const Inside inside{&point.hit, path.inside};
@@ -138,35 +145,35 @@ class Integrator {
     return path.weight * largest(factor) >= min_weight;
   }
 
-  Path child(const Path& path, const SurfacePoint& point, const glm::dvec3& direction,
-             const Color& factor, std::uint32_t budget) {
+  Path child(const Path& path, const Color& factor, std::uint32_t budget, std::uint32_t kind) {
     ++counts_.secondary;
     Path next = path;
-    redirect(next, point, direction);
     next.depth = path.depth + 1;
     next.weight = path.weight * largest(factor);
     next.budget = budget;
     next.key.light_samples = 1;
-    next.key.pattern = mixed_bits(path.key.pattern, 1);
+    next.key.pattern = mixed_bits(path.key.pattern, kind);
     return next;
   }
 
+  // At total internal reflection the light that would have left is mirrored.
   Path refracted(const Path& path, const SurfacePoint& point, const Color& factor,
                  std::uint32_t budget, const Inside& inside) {
     const bool entering = glm::dot(point.geometric, path.ray.direction) < 0;
     const glm::dvec3 normal = inner_normal(point, path.ray.direction);
     const double ior = point.material->ior;
+    const double eta = entering ? 1 / ior : ior;
+    Path next = child(path, factor, budget, 2);
     glm::dvec3 direction;
-    const bool through =
-        refract_direction(path.ray.direction, normal, entering ? 1 / ior : ior, direction);
-    if (!through) {
-      direction = reflect_direction(path.ray.direction, normal);
+    const bool through = refract_direction(path.ray.direction, normal, eta, direction);
+    if (through) {
+      redirect(next, point, direction, std::abs(eta - 1));
+    } else {
+      redirect(next, point, reflect_direction(path.ray.direction, normal), 2);
     }
-    Path next = child(path, point, direction, factor, budget);
     if (through == entering) {
       next.inside = &inside;
     }
-    next.key.pattern = mixed_bits(path.key.pattern, 2);
     return next;
   }
 

@@ -23,6 +23,7 @@ RenderOptions in_range(RenderOptions options) {
   options.width = std::max(1, options.width);
   options.height = std::max(1, options.height);
   options.samples = std::clamp(options.samples, 1, 1 << 20);
+  options.threads = std::clamp(options.threads, 0, 1024);
   options.max_depth = std::clamp(options.max_depth, 0, 64);
   return options;
 }
@@ -77,16 +78,15 @@ class Renderer {
   template <typename F>
   void for_each_pixel(PassShare share, const F& pixel) {
     const RenderOptions& options = tracer_.options;
-    for_each_row(options.width, options.height, options.threads, share, watch_,
-                 [&](const Tile& tile) {
-                   RayCounts counts;
-                   for (int y = tile.y0; y < tile.y1; ++y) {
-                     for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {
-                       pixel(x, y, counts);
-                     }
-                   }
-                   counts_.add(counts);
-                 });
+    for_each_row(options.width, options.height, share, watch_, [&](const Tile& tile) {
+      RayCounts counts;
+      for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {
+          pixel(x, y, counts);
+        }
+      }
+      counts_.add(counts);
+    });
   }
 
   bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
@@ -139,7 +139,7 @@ class Renderer {
       PixelSamples samples;
       sampler.take(x, y, first, samples, counts);
       put(x, y, samples.mean());
-      coarse[index(x, y)] = uneven(samples);
+      coarse[index(x, y)] = !settled(samples);
     });
     if (!more || given_up()) {
       return;
@@ -198,6 +198,7 @@ RenderStatus status_of(AcceleratorStatus status) {
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress) {
   RenderResult result;
+  const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
   const Tracer tracer(scene, assets, in_range(options));
   result.stats.build_seconds = seconds_since(start);

@@ -89,15 +89,19 @@ struct Reflector {
     const std::uint32_t side = course_light_side;
     const std::uint32_t samples = grid ? side * side : key.light_samples;
     Color sum(0);
+    std::uint32_t lit = 0;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const glm::dvec2 on_light =
           grid ? glm::dvec2(i % side + 0.5, i / side + 0.5) / double(side)
                : stratified_2d(key.sample * samples + i, mixed_bits(key.pattern, 16 + index));
       Illumination arriving;
       if (illuminate(light, point.position, on_light, arriving)) {
-        sum += lit_by(arriving, counts);
+        const Color color = lit_by(arriving, counts);
+        lit += color == Color(0) ? 0 : 1;
+        sum += color;
       }
     }
+    counts.penumbras += lit != 0 && lit != samples ? 1 : 0;
     return sum / double(samples);
   }
 };

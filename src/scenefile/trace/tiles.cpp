@@ -3,6 +3,7 @@
 #include "scenefile/trace/tiles.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -46,6 +47,19 @@ class NoDenormals {
 
 }  // namespace
 
+struct ThreadLimit::State {
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads > 0) {
+    state_.reset(new State{
+        {tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}});
+  }
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
 struct Watch::State {
   const Progress& progress;
   std::mutex mutex;
@@ -83,7 +97,7 @@ bool Watch::advance(double share) {
   return !stopped();
 }
 
-void for_each_row(int width, int height, int threads, PassShare share, Watch& watch,
+void for_each_row(int width, int height, PassShare share, Watch& watch,
                   const std::function<void(const Tile&)>& work) {
   const int columns = (width + tile_side - 1) / tile_side;
   const int rows = (height + tile_side - 1) / tile_side;
@@ -100,7 +114,9 @@ void for_each_row(int width, int height, int threads, PassShare share, Watch& wa
       watch.advance(pixel_share * (x1 - x0));
     }
   };
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles, 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {

@@ -8,6 +8,20 @@
 
 namespace scenefile {
 
+/// Allows so many threads to all parallel work of the process while it lives, that of the ray
+/// library included; 0: one a processor. The smallest of several counts.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1.
 struct Tile {
   int x0 = 0;
@@ -40,9 +54,9 @@ class Watch {
   std::unique_ptr<State> state_;
 };
 
-/// Calls `work` for rows of small tiles until all are done or the watch says stop. `threads` 0: one
-/// a processor. Each thread computes with denormal numbers taken as zero.
-void for_each_row(int width, int height, int threads, PassShare share, Watch& watch,
+/// Calls `work` for rows of small tiles until all are done or the watch says stop. Each thread
+/// computes with denormal numbers taken as zero.
+void for_each_row(int width, int height, PassShare share, Watch& watch,
                   const std::function<void(const Tile&)>& work);
 
 }  // namespace scenefile

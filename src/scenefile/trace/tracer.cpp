@@ -41,7 +41,7 @@ Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o)
       assets(a),
       options(o),
       transparent(transparent_coefficient(s, o.profile)),
-      accelerator(s, a, o.threads),
+      accelerator(s, a),
       transmission(shadow_factors(s, o, transparent)),
       pyramids(make_pyramids(a, o)) {}
 

@@ -15,11 +15,12 @@ namespace scenefile {
 /// Linear red, green, blue.
 using Color = glm::dvec3;
 
-/// Rays that were traced.
+/// What was traced.
 struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t shadow = 0;
   std::uint64_t secondary = 0;
+  std::uint64_t penumbras = 0;  ///< area lights that were seen in part
 };
 
 struct Tracer {

@@ -1,0 +1,46 @@
+#include "scenefile/trace/features.h"
+
+#include <gtest/gtest.h>
+
+namespace scenefile {
+namespace {
+
+constexpr Features none{false, false, false, false, false, false, false};
+
+TEST(Features, WordsSwitchTheirField) {
+  Features f;
+  EXPECT_EQ(parse_features("shadows,texture-filter", f), "");
+  Features expected = none;
+  expected.shadows = expected.texture_filter = true;
+  EXPECT_EQ(f, expected);
+}
+
+TEST(Features, AllAndNone) {
+  Features f = none;
+  EXPECT_EQ(parse_features("all", f), "");
+  EXPECT_EQ(f, Features{});
+  EXPECT_EQ(parse_features("none", f), "");
+  EXPECT_EQ(f, none);
+  f = {};
+  EXPECT_EQ(parse_features("", f), "");
+  EXPECT_EQ(f, none);
+}
+
+TEST(Features, UnknownWordsAreNamed) {
+  Features f;
+  EXPECT_EQ(parse_features("shadows,reflects", f), "reflects");
+  EXPECT_EQ(parse_features("shadows,", f), ",");
+}
+
+TEST(Features, SevenWords) {
+  Features f = none;
+  ASSERT_EQ(feature_words().size(), 7u);
+  for (const std::string_view word : feature_words()) {
+    ASSERT_NE(find_feature(f, word), nullptr);
+    *find_feature(f, word) = true;
+  }
+  EXPECT_EQ(f, Features{});
+}
+
+}  // namespace
+}  // namespace scenefile

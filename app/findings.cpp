@@ -11,7 +11,7 @@ namespace {
 
 // Limits have codes of their own, in every room.
 bool is_limit(const Diagnostic& d) {
-  return d.severity == Severity::error && d.code->name.ends_with("-limit");
+  return d.severity == Severity::error && d.code->name.ends_with("limit");
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {

@@ -35,16 +35,33 @@ ExitCode check_target(const Options& options) {
   return ExitCode::fine;
 }
 
-void warn_of_darkness(const RenderOptions& options, LoadedScene& scene) {
-  const std::vector<RenderLight>& lights = scene.ready.scene.lights;
-  const bool course_caster = options.profile == Profile::course && options.mode == Mode::intersect;
-  const bool directional = std::any_of(lights.begin(), lights.end(), [](const RenderLight& l) {
-    return l.type == LightType::directional;
-  });
-  if (course_caster && !lights.empty() && !directional) {
+// Whether the course's ray caster would see no light at all.
+bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
+  return options.profile == Profile::course && options.mode == Mode::intersect &&
+         !scene.lights.empty() &&
+         std::none_of(scene.lights.begin(), scene.lights.end(),
+                      [](const RenderLight& l) { return l.type == LightType::directional; });
+}
+
+// Whether the picture depends on what an absent transparentcoeff means.
+bool guesses_transparency(const RenderOptions& options, const RenderScene& scene) {
+  return options.profile == Profile::fine && options.mode == Mode::ray &&
+         options.features.refract && !scene.global.transparent.has_value() &&
+         std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); });
+}
+
+// What only the way of rendering makes doubtful.
+void add_warnings(const RenderOptions& options, LoadedScene& scene) {
+  if (dark_in_caster(options, scene.ready.scene)) {
     scene.diagnostics.report(render_no_directional_light, {},
                              "the scene has no directional light, and the course's ray caster "
                              "knows no other");
+  }
+  if (guesses_transparency(options, scene.ready.scene)) {
+    scene.diagnostics.report(render_transparent_default, {},
+                             "the scene has transparent materials, but no transparentcoeff; 0.5 "
+                             "is used");
   }
 }
 
@@ -54,7 +71,7 @@ LoadedScene load(const Options& options, const RenderOptions& render, Context& c
                                  textures ? LoadDepth::with_all_assets : LoadDepth::with_meshes,
                                  options.allow_missing, context);
   if (status_of(scene) == ExitCode::fine) {
-    warn_of_darkness(render, scene);
+    add_warnings(render, scene);
   }
   return scene;
 }

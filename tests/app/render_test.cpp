@@ -153,6 +153,18 @@ TEST_F(Render, WarnsOfDarkness) {
   EXPECT_THAT(render({}).err, HasSubstr("[scene.no-light]"));
 }
 
+TEST_F(Render, WarnsOfAGuessedCoefficient) {
+  folder.write("scene.xml", scene_with(R"(<transparent r="1" g="1" b="1"/>)"));
+  const std::string code = "[render.transparent-default]";
+  EXPECT_THAT(render({}).err, HasSubstr(code));
+  EXPECT_THAT(render({"--profile", "course"}).err, Not(HasSubstr(code)));
+  EXPECT_THAT(render({"--features", "shadows"}).err, Not(HasSubstr(code)));
+  std::string given = scene_with(R"(<transparent r="1" g="1" b="1"/>)");
+  given.replace(given.find("<specularcoeff"), 0, R"(<transparentcoeff v="0.3"/>)");
+  folder.write("scene.xml", given);
+  EXPECT_THAT(render({}).err, Not(HasSubstr(code)));
+}
+
 TEST_F(Render, AMissingMeshIsAnErrorUnlessAllowed) {
   std::string mesh = good_scene;
   mesh.replace(mesh.find("name=\"sphere\""), 13, "name=\"mesh\" filename=\"no.obj\"");

@@ -11,6 +11,9 @@ except ImportError:
 
 SUFFIX = ".json"
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "scenefile.schema.json"
+# Values at the ends of ranges, and just beyond.
+LIMITS = (-1, 0, 0.0009, 0.001, 1, 1.001, 5, 5.001, 16, 16.01, 100, 100.1, 179.9, 180, 180.1, 10000,
+          10001)
 
 
 def missing_validator():
@@ -79,8 +82,8 @@ def without(scene, path):
 
 
 def edits(value):
-    for other in (None, True, "words", "", 0, -1, 0.5, 12, 300, 20000, 1e39, -1e39, [], {}, [[]],
-                  [1, 2, 3, 4], "cube", "mesh", "point", "directional", "spot", "area", "root"):
+    for other in (None, True, "words", "", 0.5, 1e39, -1e39, [], {}, [[]], [1, 2, 3, 4], "cube",
+                  "mesh", "point", "directional", "spot", "area", "root", *LIMITS):
         yield f"replaced by {other!r}", lambda _, o=other: copy.deepcopy(o)
     if isinstance(value, dict):
         yield "with an unknown key", lambda v: v | {"thingummy": 1}

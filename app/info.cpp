@@ -99,16 +99,25 @@ std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   return text;
 }
 
+std::string file_text(const AssetFile& file) {
+  const ResolvedAsset& resolved = file.resolved;
+  const std::string head =
+      fmt::format("{} {} (line {}): ", file.kind == AssetKind::texture ? "texture" : "mesh",
+                  quoted(file.reference.name, 400), file.reference.location.line);
+  if (resolved.error.empty()) {
+    return fmt::format("{}{}: {}\n", head, rule_text(resolved.rule), escaped(resolved.path, 4096));
+  }
+  std::string text = head + resolved.error.text + "\n";
+  for (const std::string& place : resolved.tried) {
+    text += fmt::format("    looked for {}\n", escaped(place, 4096));
+  }
+  return text;
+}
+
 std::string list_files(const std::vector<AssetFile>& files) {
   std::string text;
   for (const AssetFile& file : files) {
-    const ResolvedAsset& resolved = file.resolved;
-    const std::string_view kind = file.kind == AssetKind::texture ? "texture" : "mesh";
-    text += fmt::format("{} {} (line {}): ", kind, quoted(file.reference.name, 400),
-                        file.reference.location.line);
-    text += resolved.error.empty()
-                ? fmt::format("{}: {}\n", rule_text(resolved.rule), escaped(resolved.path, 4096))
-                : resolved.error.text + "\n";
+    text += file_text(file);
   }
   return text;
 }

@@ -255,6 +255,17 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                            l.attenuation = {0, 0, 1};
                          }),
                    "color"});
+  cases.push_back({&light_color_huge,
+                   light(directional,
+                         [](Light& l) {
+                           l.color = {200, 200, 200};
+                           l.attenuation = {0, 0, 1};
+                         }),
+                   light(directional,
+                         [](Light& l) {
+                           l.color = {10, 10, 10};
+                         }),
+                   "color"});
   cases.push_back({&light_spot_angle, light(spot, [](Light& l) { l.angle_deg.reset(); }),
                    light(point, [](Light& l) { l.angle_deg.reset(); }), "penumbra 5"});
   cases.push_back({&light_spot_angle,
@@ -553,9 +564,12 @@ TEST(Check, UnusedTemplatesAddNeitherLightsNorObjects) {
   const NodeId unused = add_template(scene, "t");
   add_primitive(scene, unused);
   scene.nodes[unused].lights.assign(20, Light{});
+  scene.nodes[unused].primitives = {primitive()};
+  scene.nodes[unused].primitives[0].material.transparent = {1, 1, 1};
   const Diagnostics found = checked(scene);
   EXPECT_NE(find(found, scene_empty), nullptr);
   EXPECT_EQ(find(found, light_many), nullptr);
+  EXPECT_EQ(find(found, global_transparent_default), nullptr);
 }
 
 TEST(Check, BombsAreCounted) {

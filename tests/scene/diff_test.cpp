@@ -47,6 +47,16 @@ TEST(Diff, EqualScenesHaveNone) {
               IsEmpty());
 }
 
+TEST(Diff, BothZerosAreOneValue) {
+  EXPECT_THAT(texts([](Scene& s) {
+                s.nodes[0].primitives[0].material.specular = {1, -0.0f, 0};
+                s.nodes[1].transforms = {translate(1, -0.0f, 0), rotate({0, 1, 0}, -0.0f)};
+              }),
+              ElementsAre("root: cube 1: specular: default -> 1 0 0",
+                          "root/arm: transforms: translate 1 0 0 -> translate 1 0 0, rotate 0 "
+                          "about 0 1 0"));
+}
+
 TEST(Diff, NamesValues) {
   EXPECT_THAT(texts([](Scene& s) {
                 s.nodes[0].primitives[2].material.diffuse = {1, 0, 0};

@@ -42,10 +42,15 @@ TEST(Summary, BombsAreCountedNotWalked) {
   EXPECT_EQ(summary.instances, 401u);
 }
 
-TEST(Summary, LoopsEnd) {
+TEST(Summary, LoopsCountNothing) {
   Scene scene;
   const NodeId a = add_template(scene, "a");
+  const NodeId b = add_template(scene, "b");
+  scene.nodes[a].primitives = {primitive()};
   add_instance(scene, a, "a");
+  add_instance(scene, a, "b");
+  add_instance(scene, b, "a");
   add_instance(scene, 0, "a");
-  EXPECT_EQ(summarize(scene).virtual_primitives, 0);
+  EXPECT_EQ(summarize(scene).virtual_primitives, 1);
+  EXPECT_EQ(summarize(scene).instance_nesting, 2u);
 }

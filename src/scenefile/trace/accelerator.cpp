@@ -152,6 +152,12 @@ void obstruct(Query& q, std::uint32_t material) {
   q.blocked = Transmission::blocks(q.density);
 }
 
+// Embree takes coordinates beyond this for infinite, and ends the process.
+bool in_embree_range(const glm::vec3& v) {
+  constexpr float largest = 1.8e18f;
+  return std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest;
+}
+
 // Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
 // single precision good however far away the origin is. False: the ray misses the box.
 bool start_in_box(const Query& q, const Ray& ray, const Bounds& box, double diagonal, double& shift,
@@ -168,6 +174,9 @@ bool start_in_box(const Query& q, const Ray& ray, const Bounds& box, double diag
   shift = enter - 1e-6 * diagonal / length;
   const glm::vec3 origin(ray.origin + shift * ray.direction);
   const glm::vec3 direction(ray.direction);
+  if (!in_embree_range(origin) || !in_embree_range(direction)) {
+    return false;
+  }
   out = {origin.x,    origin.y,    origin.z,
          0.0f,        direction.x, direction.y,
          direction.z, 0.0f,        next_up(q.best - shift),

@@ -12,7 +12,7 @@ namespace {
 
 // The library's own allocators do not look whether there is memory.
 struct ThrowingAllocator {
-  static constexpr bool kNeedFree = true;
+  [[maybe_unused]] static constexpr bool kNeedFree = true;
 
   static void* Malloc(std::size_t size) { return Realloc(nullptr, 0, size); }
   static void* Realloc(void* old, std::size_t, std::size_t size) {

@@ -34,7 +34,7 @@ TEST(XmlSyntax, AFileThatEndsInAnElement) {
 
 TEST(XmlSyntax, AFileThatEndsInATag) {
   EXPECT_THAT(said("<scenefile>\n<object type=\"tr"),
-              ElementsAre("2:1 the file ends inside a tag of <scenefile>, opened at line 1"));
+              ElementsAre("2:1 the file ends inside a tag inside <scenefile>, opened at line 1"));
   EXPECT_THAT(said("<scenefi"), ElementsAre("1:1 the file ends inside a tag"));
 }
 
@@ -46,7 +46,7 @@ TEST(XmlSyntax, AFileThatEndsInAComment) {
 TEST(XmlSyntax, OtherFaultsAreNamed) {
   const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
   EXPECT_EQ(one("<scale x=\"1\" x=\"2\"/>"), "4:14 attribute \"x\" is given twice");
-  EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" is not expected here");
+  EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" must stand in quotation marks");
   EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
             "4:10 a typographic quotation mark, as word processors put it; use \" or '");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
@@ -57,7 +57,10 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_THAT(one("<!-- a -- b -->"), HasSubstr("-- is not allowed inside a comment"));
   EXPECT_EQ(one("a\x01"), "4:2 the character \"\\u{1}\" is not allowed in XML");
   EXPECT_THAT(one("a \xFF"), HasSubstr("is not valid UTF-8"));
-  EXPECT_THAT(one("< scale/>"), HasSubstr("4:"));
+  EXPECT_EQ(one("< scale/>"), "4:2 a name must follow < at once");
+  EXPECT_EQ(one("<--> note -->"), "4:2 a comment starts with <!--");
+  EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
+  EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
 }
 
 TEST(XmlSyntax, ADeclarationMustComeFirst) {

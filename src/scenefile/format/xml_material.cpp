@@ -52,11 +52,12 @@ bool is_usual(const glm::vec3& color) {
 struct Writer {
   const XmlContext& context;
   const XmlTag& tag;
-  PrimitiveDraft& draft;
+  const SeenFields& seen;
+  Primitive& primitive;
   Scene& scene;
 
   void place(Field field) const {
-    scene.field_places.push_back({draft.primitive.location, field, tag.location});
+    scene.field_places.push_back({primitive.location, field, tag.location});
   }
   void color(glm::vec3& member, Field field) const {
     if (const std::optional<glm::vec3> value = read_color(context, tag)) {
@@ -91,8 +92,8 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   to.context.report(xml_texture_blend, attribute,
                     fmt::format("attribute {} of <texture> was read as <blend>", name));
   const float blend = read_number(to.context, to.tag, attribute);
-  if (!to.draft.seen.has(m_blend)) {
-    to.draft.primitive.material.blend = blend;
+  if (!to.seen.has(m_blend)) {
+    to.primitive.material.blend = blend;
   }
 }
 
@@ -161,8 +162,9 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
     return false;
   }
   draft.seen.note(context, tag, *field);
-  const Writer to{context, tag, draft, scene};
-  Material& material = draft.primitive.material;
+  Primitive& primitive = scene.nodes[draft.node].primitives.back();
+  const Writer to{context, tag, draft.seen, primitive, scene};
+  Material& material = primitive.material;
   switch (static_cast<MaterialField>(*field)) {
     case m_diffuse:
       to.color(material.diffuse, Field::diffuse);

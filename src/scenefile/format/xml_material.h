@@ -6,9 +6,9 @@
 
 namespace scenefile {
 
-/// A primitive that is being read.
+/// A primitive that is being read; it has its place in the scene already.
 struct PrimitiveDraft {
-  Primitive primitive;
+  NodeId node = 0;  ///< whose last primitive it is
   SeenFields seen;
 };
 

@@ -6,26 +6,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <limits>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-// The only tree of that name inside another tree.
-std::optional<NodeId> find_nested(const Scene& scene, std::string_view name) {
-  std::optional<NodeId> found;
+// The trees inside other trees by their names; `ambiguous` for names that several of them bear.
+constexpr NodeId ambiguous = std::numeric_limits<NodeId>::max();
+using NestedTrees = std::unordered_map<std::string, NodeId>;
+
+NestedTrees find_nested_trees(const Scene& scene) {
+  NestedTrees trees;
   for (NodeId i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
-    if (node.name == name && !node.children.empty() && node.primitives.empty()) {
-      if (found) {
-        return std::nullopt;
-      }
-      found = i;
+    if (!node.name.empty() && !node.children.empty() && node.primitives.empty()) {
+      const auto [entry, added] = trees.emplace(node.name, i);
+      entry->second = added ? i : ambiguous;
     }
   }
-  return found;
+  return trees;
 }
 
 // Turns the contents of a node into a template of its name, and the node into an instance of it.
@@ -64,36 +65,50 @@ void XmlReferences::move_last_use(NodeId from, NodeId to) {
 }
 
 void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location scenefile) {
+  std::vector<Use> unresolved;
   for (const Use& use : early_uses_) {
-    resolve_use(context, scene, use);
+    const std::string& name = scene.nodes[use.node].instance_of;
+    if (declared_.contains(name)) {
+      continue;
+    }
+    if (!use.is_tree) {
+      unresolved.push_back(use);
+      continue;
+    }
+    context.diagnostics.report(
+        xml_empty_tree, use.place,
+        fmt::format("the tree {} is empty, and no master has that name", quoted(name)));
+    scene.nodes[use.node].instance_of.clear();
+  }
+  if (!unresolved.empty()) {
+    resolve_nested(context, scene, unresolved);
   }
   if (!declared_.contains("root")) {
     resolve_root(context, scene, scenefile);
   }
 }
 
-// A name that nothing bears is left as it is: check() reports it, and names used too early.
-void XmlReferences::resolve_use(const XmlContext& context, Scene& scene, const Use& use) {
-  const std::string name = scene.nodes[use.node].instance_of;
-  if (declared_.contains(name)) {
-    return;
-  }
-  if (use.is_tree) {
-    context.diagnostics.report(
-        xml_empty_tree, use.place,
-        fmt::format("the tree {} is empty, and no master has that name", quoted(name)));
-    scene.nodes[use.node].instance_of.clear();
-    return;
-  }
-  if (const std::optional<NodeId> nested = find_nested(scene, name)) {
+// Masters that are declared nowhere at the top of the file. A name that nothing bears is left as it
+// is: check() reports it.
+void XmlReferences::resolve_nested(const XmlContext& context, Scene& scene,
+                                   const std::vector<Use>& uses) {
+  const NestedTrees nested = find_nested_trees(scene);
+  for (const Use& use : uses) {
+    const std::string name = scene.nodes[use.node].instance_of;
+    const auto found = nested.find(name);
+    if (found == nested.end() || found->second == ambiguous) {
+      continue;
+    }
+    const Location place = scene.nodes[found->second].location;
     context.diagnostics.report(
         xml_nested_master, use.place,
         fmt::format(
             "{} is a tree inside another tree, at line {}; most programs know only those at "
             "the top of the file",
-            quoted(name), scene.nodes[*nested].location.line));
-    declared_.emplace(name, scene.nodes[*nested].location);
-    make_template(scene, *nested);
+            quoted(name), place.line));
+    if (declared_.emplace(name, place).second) {
+      make_template(scene, found->second);
+    }
   }
 }
 

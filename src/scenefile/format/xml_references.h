@@ -31,7 +31,7 @@ class XmlReferences {
     Location place;
     bool is_tree;
   };
-  void resolve_use(const XmlContext& context, Scene& scene, const Use& use);
+  void resolve_nested(const XmlContext& context, Scene& scene, const std::vector<Use>& uses);
   void resolve_root(const XmlContext& context, Scene& scene, Location scenefile) const;
 
   std::unordered_map<std::string, Location> declared_;

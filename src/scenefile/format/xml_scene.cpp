@@ -42,9 +42,6 @@ void SceneBuilder::end() {
     case Block::light:
       finish_light(context_, light_, scene_);
       break;
-    case Block::primitive:
-      scene_.nodes[ended.node].primitives.push_back(std::move(primitive_.primitive));
-      break;
     case Block::matrix:
       if (std::optional<Transform> matrix = finish_matrix(context_, matrix_)) {
         transforms_.push_back(*matrix);
@@ -59,6 +56,7 @@ void SceneBuilder::end() {
     case Block::document:
     case Block::scenefile:
     case Block::globals:
+    case Block::primitive:
     case Block::instance:
     case Block::leaf:
       break;

@@ -43,7 +43,7 @@ std::string cut_off_message(std::string_view text, std::size_t at,
   if (open.empty()) {
     return in_markup ? "the file ends inside a tag" : "the file ends before its first element";
   }
-  return fmt::format("the file ends inside {}{}", in_markup ? "a tag of " : "",
+  return fmt::format("the file ends inside {}{}", in_markup ? "a tag inside " : "",
                      opened_at(open.back()));
 }
 
@@ -75,6 +75,32 @@ std::string quote_hint(std::string_view rest) {
   return {};
 }
 
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+// What the characters in front of the offset tell about the mistake; empty: nothing.
+std::string hint_before(std::string_view text, std::size_t at) {
+  const std::string found = quoted(name_at(text.substr(at)), 20);
+  const char before = at == 0 ? ' ' : text[at - 1];
+  if (before == '<') {
+    return text.substr(at).starts_with("--") ? "a comment starts with <!--"
+                                             : "a name must follow < at once";
+  }
+  if (before == '"' || before == '\'') {
+    return fmt::format(
+        "{} right behind a quotation mark: a blank is missing, or an earlier value "
+        "lacks its closing quotation mark",
+        found);
+  }
+  std::size_t sign = at;
+  while (sign > 0 && is_blank(text[sign - 1])) {
+    --sign;
+  }
+  return sign > 0 && text[sign - 1] == '=' ? fmt::format("{} must stand in quotation marks", found)
+                                           : std::string();
+}
+
 // Why the characters at the offset cannot stand there.
 std::string token_message(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
@@ -101,6 +127,9 @@ std::string token_message(std::string_view text, std::size_t at) {
   }
   if (rest[0] == '<') {
     return "< is not allowed here; inside a value write &lt;";
+  }
+  if (const std::string hint = hint_before(text, at); !hint.empty()) {
+    return hint;
   }
   const std::string_view found =
       rest.substr(0, std::max<std::size_t>(name_at(rest).size(), c.bytes));
@@ -135,6 +164,20 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
   return fmt::format("{} ({})", token_message(text, at), detail);
 }
 
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+// The & of a reference that lacks its semicolon in front of the offset, else the offset.
+std::size_t bare_ampersand(std::string_view text, std::size_t at) {
+  constexpr std::size_t longest_name = 40;
+  std::size_t start = at;
+  while (start > 0 && at - start < longest_name && is_word(text[start - 1])) {
+    --start;
+  }
+  return start > 0 && text[start - 1] == '&' ? start - 1 : at;
+}
+
 // Where the author has to look; Expat may point to the tag around it or the character behind it.
 std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at) {
   switch (fault) {
@@ -145,7 +188,7 @@ std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at
       return use == std::string_view::npos ? at : at + use;
     }
     case SyntaxFault::invalid_token:
-      return at >= 1 && text[at - 1] == '&' ? at - 1 : at;
+      return bare_ampersand(text, at);
     case SyntaxFault::cut_off:
     case SyntaxFault::duplicate_attribute:
     case SyntaxFault::bad_character_reference:

@@ -157,11 +157,12 @@ bool SceneBuilder::open_primitive(const XmlTag& tag, const ObjectTag& object) {
   if (!shape) {
     return false;
   }
-  primitive_ = {};
-  primitive_.primitive.shape = *shape;
-  primitive_.primitive.location = tag.location;
+  primitive_ = {top().node, {}};
+  Primitive& primitive = scene_.nodes[top().node].primitives.emplace_back();
+  primitive.shape = *shape;
+  primitive.location = tag.location;
   if (*shape == Shape::mesh) {
-    primitive_.primitive.mesh_file = object.filename;
+    primitive.mesh_file = object.filename;
     scene_.field_places.push_back({tag.location, Field::mesh_file, object.filename_place});
   }
   return push(Block::primitive, top().node, tag.name);

@@ -318,6 +318,39 @@ TEST(JsonReader, EscapesInKeysAndStrings) {
   EXPECT_EQ(r.child(0).name, "a\xc3\xa9\n\xf0\x9f\x98\x80/");
 }
 
+TEST(JsonReader, CompatCourseReadsNumbersWithoutADigit) {
+  const std::string text =
+      std::string(head) + R"("groups": [{"name": "1. \".5", "translate": [.5, -.25, 2.],
+    "scale": [1.,1.,.5], "rotate": [0, 1, 0, 1.5], "lights": 7}]})";
+  EXPECT_EQ(read(text).count(json_number), 1u);
+  ReadOptions options;
+  options.compat_course = true;
+  const Reading r = read(text, options);
+  EXPECT_EQ(r.count(json_number), 6u) << r.all_messages();
+  EXPECT_EQ(r.diagnostics.count(Severity::warning), 6u);
+  EXPECT_NE(r.all_messages().find("4:46 a number with \".5\" is no JSON"), std::string::npos)
+      << r.all_messages();
+  EXPECT_NE(r.all_messages().find("5:52 \"lights\" must be an array of lights, found the number 7"),
+            std::string::npos)
+      << r.all_messages();
+  const Node& node = r.child(0);
+  EXPECT_EQ(node.name, "1. \".5");
+  EXPECT_EQ(std::get<Translate>(node.transforms.at(0).map).by, glm::vec3(0.5f, -0.25f, 2));
+  EXPECT_EQ(std::get<Scale>(node.transforms.at(2).map).by, glm::vec3(1, 1, 0.5f));
+}
+
+TEST(JsonReader, CompatCourseExcusesNothingElse) {
+  ReadOptions options;
+  options.compat_course = true;
+  for (const char* number : {"+1", "01", "NaN", "0x1", ".", "-.", "1e"}) {
+    EXPECT_TRUE(read(fmt::format("{{\"a\": {}}}", number), options).diagnostics.has_errors())
+        << number;
+  }
+  const Reading r = read("{\"a\": .5, \"b\": 1.,}", options);
+  EXPECT_NE(r.all_messages().find("1:18 comma before the closing }"), std::string::npos)
+      << r.all_messages();
+}
+
 TEST(JsonReader, RequiredKeys) {
   EXPECT_EQ(read("{}").count(json_missing_key), 2u);
   EXPECT_EQ(read(R"({"globalData": {}, "cameraData": {}, "groups": []})").count(json_missing_key),

@@ -26,7 +26,9 @@ inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
 inline constexpr Code json_number{
     "json.number", Severity::error, "a number that JSON cannot say",
     "JSON numbers have digits on both sides of the point and no leading zero or plus: 0.6 instead "
-    "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal."};
+    "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal. "
+    "With --compat "
+    "course, a digit that is missing beside the point counts as 0, with a warning."};
 inline constexpr Code json_number_range{
     "json.number-range", Severity::error, "a number that is too large",
     "Values are kept in single precision, which ends at about 3.4e38."};

@@ -6,6 +6,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_places.h"
+#include "scenefile/format/json_repair.h"
 #include "scenefile/scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -20,15 +21,20 @@ namespace scenefile {
 
 /// A text while it is read.
 struct JsonContext {
-  JsonContext(const JsonTape& t, const Limits& l, Diagnostics& d)
-      : tape(t), limits(l), diagnostics(d), places(t.text) {}
+  /// `text` is as the author wrote it, `repaired` how that differs from the text of the tape.
+  JsonContext(const JsonTape& t, std::string_view text, const RepairedJson& r, const Limits& l,
+              Diagnostics& d)
+      : tape(t), repaired(r), limits(l), diagnostics(d), places(text) {}
 
-  Location place(JsonIndex item) { return places.at(tape.items[item].offset); }
+  Location place(JsonIndex item) {
+    return places.at(repaired.original_offset(tape.items[item].offset));
+  }
   void report(const Code& code, JsonIndex item, std::string message) {
     diagnostics.report(code, place(item), std::move(message));
   }
 
   const JsonTape& tape;
+  const RepairedJson& repaired;
   const Limits& limits;
   Diagnostics& diagnostics;
   JsonPlaces places;

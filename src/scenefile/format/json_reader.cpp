@@ -6,6 +6,7 @@
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_parts.h"
+#include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
 
 #include <fmt/format.h>
@@ -36,8 +37,9 @@ constexpr JsonVocabulary template_vocabulary{"a template group", names};
 
 class SceneReader {
  public:
-  SceneReader(const JsonTape& tape, const Limits& limits, Diagnostics& diagnostics)
-      : context_(tape, limits, diagnostics) {}
+  SceneReader(const JsonTape& tape, std::string_view text, const RepairedJson& repaired,
+              const Limits& limits, Diagnostics& diagnostics)
+      : context_(tape, text, repaired, limits, diagnostics) {}
 
   Scene read() {
     if (!tape().is_object(0)) {
@@ -312,6 +314,13 @@ bool fits(std::string_view text, const Limits& limits, Diagnostics& diagnostics)
   return false;
 }
 
+void to_original(JsonError& error, const RepairedJson& repaired) {
+  error.offset = repaired.original_offset(error.offset);
+  for (std::size_t& open : error.open) {
+    open = repaired.original_offset(open);
+  }
+}
+
 }  // namespace
 
 Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -319,12 +328,18 @@ Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& 
     return {};
   }
   JsonTape tape;
-  const JsonError error = parse_json(text, options.limits.nesting, tape);
+  RepairedJson repaired;
+  JsonError error = parse_json(text, options.limits.nesting, tape);
+  if (error.fault != JsonFault::none && options.compat_course) {
+    repaired = repair_json_numbers(text, diagnostics);
+    error = parse_json(repaired.text, options.limits.nesting, tape);
+  }
   if (error.fault != JsonFault::none) {
+    to_original(error, repaired);
     report_json_error(error, text, options.limits, diagnostics);
     return {};
   }
-  return SceneReader(tape, options.limits, diagnostics).read();
+  return SceneReader(tape, text, repaired, options.limits, diagnostics).read();
 }
 
 }  // namespace scenefile

@@ -8,6 +8,7 @@
 #include "scenefile/scene/codes.h"
 #include "scenefile/scene/diff.h"
 #include "scenefile/scene/summary.h"
+#include "write_laws.h"
 
 namespace scenefile::fuzz {
 
@@ -52,6 +53,7 @@ void judge(std::string_view text, const ReadOptions& options) {
     require_safe(prepare(scene, options.limits), options.limits);
   } else {
     require_ready(scene, options.limits);
+    require_rereadable(scene);
   }
 }
 

@@ -15,9 +15,9 @@ constexpr std::uint32_t first_round = 4;
 constexpr std::uint32_t light_samples = 4;
 
 // A pixel is settled when its mean is uncertain by less than this.
-constexpr double settled_error = 1.0 / 512;
+constexpr double settled_error = 1.0 / 256;
 
-constexpr double visible_difference = 1.0 / 48;
+constexpr double visible_difference = 1.0 / 16;
 
 double largest(const Color& c) {
   return std::max({c.x, c.y, c.z});

@@ -1,0 +1,145 @@
+#include "scenefile/export/pov_material.h"
+
+#include "scenefile/export/codes.h"
+#include "scenefile/export/pov_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace scenefile {
+
+namespace {
+
+float largest(const glm::vec3& c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+float mean(const glm::vec3& c) {
+  return (c.x + c.y + c.z) / 3;
+}
+
+// POV-Ray takes light away from the surface of glass; what the format adds without taking must
+// leave some of the surface.
+constexpr float most_transmit = 0.95f;
+
+float transmit(const PovMaterial& m) {
+  if (!m.transparent()) {
+    return 0;
+  }
+  const float kt = m.global.transparent.value_or(m.options.transparent);
+  return std::min(most_transmit, kt * mean(m.material->transparent));
+}
+
+// The pigment multiplies the ambient term too, so that a black one would lose it.
+glm::vec3 pigment_color(const PovMaterial& m) {
+  constexpr float darkest = 1.0f / 1024;
+  const glm::vec3 diffuse = m.global.diffuse * m.material->diffuse / (1 - transmit(m));
+  return glm::max(diffuse, glm::vec3(darkest));
+}
+
+glm::vec3 ambient_of_pigment(const PovMaterial& m) {
+  const glm::vec3 ambient = m.global.ambient * m.material->ambient / (1 - transmit(m));
+  const float shown = m.textured() ? m.material->blend : 0;
+  return ambient / glm::mix(pigment_color(m), glm::vec3(1), shown);
+}
+
+std::string_view image_kind(std::string_view path) {
+  std::string extension(path.substr(std::min(path.size(), path.rfind('.') + 1)));
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == "jpg" || extension == "jpeg") {
+    return "jpeg";
+  }
+  for (const std::string_view kind : {"gif", "tga", "bmp"}) {
+    if (extension == kind) {
+      return kind;
+    }
+  }
+  return "png";
+}
+
+std::string image(const PovMaterial& m, std::string_view mapping) {
+  const RenderTexture& t = m.material->texture;
+  return fmt::format("image_map {{ {} {} gamma 1.0{} }} scale <{}, {}, 1> {}",
+                     image_kind(m.texture_path), pov_string(m.texture_path),
+                     m.options.texture_filter ? " interpolate 2" : "", 1 / t.repeat_u,
+                     1 / t.repeat_v, mapping);
+}
+
+std::string pigment(const PovMaterial& m, std::string_view mapping) {
+  const std::string color = fmt::format("color rgbt <{0}, {1}, {2}, {3}>", pigment_color(m).x,
+                                        pigment_color(m).y, pigment_color(m).z, transmit(m));
+  const float blend = m.material->blend;
+  if (!m.textured()) {
+    return color;
+  }
+  if (blend >= 1) {
+    return image(m, mapping);
+  }
+  return fmt::format("average pigment_map {{ [{} {}] [{} {}] }}", 1 - blend, color, blend,
+                     image(m, mapping));
+}
+
+std::string finish(const PovMaterial& m) {
+  const RenderMaterial& material = *m.material;
+  std::string text =
+      fmt::format("finish {{ ambient {} diffuse 1", pov_color(ambient_of_pigment(m)));
+  const float highlight = m.global.specular * largest(material.specular);
+  if (highlight > 0 && material.shininess > 0) {
+    text += fmt::format(" phong {} phong_size {}", highlight, material.shininess);
+  }
+  if (m.options.reflect && largest(material.reflective) > 0) {
+    text += fmt::format(" reflection {{ {} }}", pov_color(m.global.specular * material.reflective));
+  }
+  return text + " }";
+}
+
+bool gray(const glm::vec3& c) {
+  return c.x == c.y && c.y == c.z;
+}
+
+}  // namespace
+
+bool PovMaterial::transparent() const {
+  return options.refract && global.transparent.value_or(options.transparent) > 0 &&
+         largest(material->transparent) > 0;
+}
+
+PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
+                         std::span<const std::string> texture_paths, const PovOptions& options) {
+  PovMaterial m{&scene.materials[index], scene.global, options, {}};
+  const RenderTexture& texture = m.material->texture;
+  if (options.texture && texture.used() && m.material->blend > 0) {
+    m.texture_path = texture_paths[texture.file];
+  }
+  return m;
+}
+
+void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
+  const RenderMaterial& material = *m.material;
+  const auto note = [&](const char* text) { diagnostics.report(pov_approximate, {}, text); };
+  if (!gray(material.specular) && material.shininess > 0) {
+    note("highlights take the strongest channel of a specular color in all channels");
+  }
+  if (m.textured() && largest(m.global.ambient * material.ambient) > 0) {
+    note("the ambient light of a textured object takes the color of the texture");
+  }
+  if (m.transparent()) {
+    note("glass dims its surface and lets light through to what lies behind it");
+  }
+  if (m.options.texture && material.bump_map.used()) {
+    diagnostics.report(pov_lost, {}, "a bump map is left out");
+  }
+}
+
+std::string pov_texture(const PovMaterial& m, std::string_view mapping) {
+  return fmt::format("texture {{ pigment {{ {} }} {} }}", pigment(m, mapping), finish(m));
+}
+
+std::string pov_interior(const PovMaterial& m) {
+  return m.transparent() ? fmt::format(" interior {{ ior {} }}", m.material->ior) : std::string();
+}
+
+}  // namespace scenefile

@@ -1,0 +1,20 @@
+#pragma once
+// Shapes in POV-Ray's language. Private to the room.
+
+#include "scenefile/export/pov_material.h"
+#include "scenefile/geometry/mesh.h"
+
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// One primitive in the space of its object, then moved by `placing`. `mesh_name` is the
+/// `#declare`d mesh of a mesh.
+std::string pov_primitive(Shape shape, const PovMaterial& m, std::string_view mesh_name,
+                          std::string_view placing);
+
+/// `mesh2 { ... }` with the uvs and normals that the mesh has.
+std::string pov_mesh(const Mesh& mesh);
+
+}  // namespace scenefile

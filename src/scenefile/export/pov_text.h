@@ -1,0 +1,26 @@
+#pragma once
+// Values in POV-Ray's language. Private to the room.
+
+#include "scenefile/base/affine.h"
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// `<x, y, z>`, each the shortest text of its value.
+std::string pov_vector(const glm::dvec3& v);
+std::string pov_vector(const glm::vec3& v);
+
+/// `rgb <r, g, b>`.
+std::string pov_color(const glm::vec3& color);
+
+/// `matrix <...>`, or nothing for the identity.
+std::string pov_matrix(const Affine& map);
+
+/// In quotes, with what the language would read otherwise escaped.
+std::string pov_string(std::string_view text);
+
+}  // namespace scenefile

@@ -1,0 +1,99 @@
+#include "scenefile/export/write_pov.h"
+
+#include "scenefile/export/codes.h"
+#include "trace/build_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using trace_test::SceneBuilder;
+
+struct Written {
+  std::string text;
+  Diagnostics diagnostics;
+};
+
+Written write(const SceneBuilder& scene, const PovOptions& options = {}) {
+  Written w;
+  const std::vector<std::string> paths(scene.scene.texture_files.size(), "image.png");
+  w.text = write_pov(scene.scene, scene.assets.meshes, paths, options, w.diagnostics);
+  return w;
+}
+
+bool says(const Written& w, const Code& code) {
+  for (const Diagnostic& d : w.diagnostics.list()) {
+    if (d.code == &code) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(WritePov, SaysNothingOfWhatItSaysExactly) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.specular = glm::vec3(.5f);
+  m.shininess = 10;
+  scene.add(Shape::cube, {}, scene.material(m));
+  scene.light(LightType::point, {1, 2, 3}, glm::vec3(1));
+  const Written w = write(scene);
+  EXPECT_TRUE(w.diagnostics.list().empty());
+  EXPECT_THAT(w.text, HasSubstr("light_source { <1, 2, 3> rgb <1, 1, 1> }"));
+}
+
+TEST(WritePov, ReportsWhatItOnlyApproaches) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.specular = {1, 0, 0};
+  m.shininess = 10;
+  scene.add(Shape::cube, {}, scene.material(m));
+  EXPECT_TRUE(says(write(scene), pov_approximate));
+}
+
+TEST(WritePov, ReportsWhatIsLost) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.bump_map.file = scene.texture(1, 1, {0});
+  scene.add(Shape::cube, {}, scene.material(m));
+  EXPECT_TRUE(says(write(scene), pov_lost));
+}
+
+TEST(WritePov, WritesAGroupOnceHoweverOftenItIsUsed) {
+  SceneBuilder scene;
+  RenderScene& s = scene.scene;
+  s.groups[0].primitives = {scene.primitive(Shape::sphere, {}, scene.material({}))};
+  for (std::uint32_t level = 1; level <= 30; ++level) {
+    s.groups.emplace_back();
+    s.groups.back().instances.assign(10, scene.instance(level - 1, {}));
+  }
+  s.root = 30;
+  EXPECT_LT(write(scene).text.size(), 20000u);
+}
+
+TEST(WritePov, LeavesOutGroupsWithNothingInThem) {
+  SceneBuilder scene;
+  scene.scene.groups.emplace_back();
+  scene.scene.groups[1].instances = {scene.instance(0, {})};
+  scene.scene.root = 1;
+  EXPECT_THAT(write(scene).text, Not(HasSubstr("union")));
+}
+
+TEST(WritePov, EscapesPaths) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.texture.file = scene.texture(1, 1, {0});
+  m.blend = 1;
+  scene.add(Shape::cube, {}, scene.material(m));
+  Diagnostics diagnostics;
+  const std::vector<std::string> paths = {"a\"b\\c.jpg"};
+  EXPECT_THAT(write_pov(scene.scene, {}, paths, {}, diagnostics),
+              HasSubstr("jpeg \"a\\\"b\\\\c.jpg\""));
+}
+
+}  // namespace
+}  // namespace scenefile

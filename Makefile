@@ -52,6 +52,14 @@ conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
 	@cmake --build $(PRESET) --target scenefile_conformance
 	@$(BUILD)/tests/conformance/scenefile_conformance "$(CORPUS)" out/conformance
 
+.PHONY: driver
+driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
+	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET) --target scenefile_app_tests
+	@SCENEFILE_CORPUS="$(CORPUS)" $(BUILD)/tests/app/scenefile_app_tests --gtest_filter='Driver.*'
+
 .PHONY: asan tsan
 asan tsan: ## all tests under a sanitizer
 	@scripts/install-deps core tests

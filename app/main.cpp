@@ -4,6 +4,7 @@
 #include "app/help.h"
 #include "app/option_table.h"
 #include "app/output.h"
+#include "app/projects_ray.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/interrupt.h"
 
@@ -108,8 +109,10 @@ int main(int argc, char** argv) {
   Context context;
   // Nothing here may need memory.
   try {
-    return static_cast<int>(
-        run({argv + std::min(argc, 1), static_cast<std::size_t>(std::max(argc - 1, 0))}, context));
+    const std::span<const char* const> words{argv + std::min(argc, 1),
+                                             static_cast<std::size_t>(std::max(argc - 1, 0))};
+    const bool driven = argc > 0 && is_projects_ray(argv[0]);
+    return static_cast<int>(driven ? run_projects_ray(words, context) : run(words, context));
   } catch (const std::bad_alloc&) {
     say("scenefile: out of memory while ");
   } catch (const std::exception& error) {

@@ -70,12 +70,14 @@ class Terminal {
   for (const std::string& variable : settings.environment) {
     ::putenv(const_cast<char*>(variable.c_str()));
   }
-  std::vector<char*> words{const_cast<char*>(SCENEFILE_PROGRAM)};
+  const char* const program =
+      settings.program.empty() ? SCENEFILE_PROGRAM : settings.program.c_str();
+  std::vector<char*> words{const_cast<char*>(program)};
   for (const std::string& argument : arguments) {
     words.push_back(const_cast<char*>(argument.c_str()));
   }
   words.push_back(nullptr);
-  ::execv(SCENEFILE_PROGRAM, words.data());
+  ::execv(program, words.data());
   ::_exit(127);
 }
 

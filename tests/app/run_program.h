@@ -21,6 +21,7 @@ struct RunSettings {
   std::vector<std::string> environment{};  ///< "NAME=value", added
   std::string out_file{};                  ///< standard output goes there instead
   std::string folder{};                    ///< working directory
+  std::string program{};                   ///< a link to the program to start instead of it
   int signal = 0;                          ///< sent after `delay_ms`
   int delay_ms = 0;
   bool terminal = false;        ///< standard output and error are a terminal; read as `out`

@@ -1,5 +1,6 @@
 #include "scenefile/format/codes.h"
 
+#include "scenefile/format/config_codes.h"
 #include "scenefile/format/json_codes.h"
 #include "scenefile/format/write_codes.h"
 
@@ -79,6 +80,7 @@ std::span<const Code* const> format_codes() {
     std::vector<const Code*> codes(std::begin(xml_codes), std::end(xml_codes));
     codes.insert(codes.end(), json_codes().begin(), json_codes().end());
     codes.insert(codes.end(), write_codes().begin(), write_codes().end());
+    codes.insert(codes.end(), config_codes().begin(), config_codes().end());
     return codes;
   }();
   return all;

@@ -1,0 +1,107 @@
+#include "app/projects_ray.h"
+
+#include "app/findings.h"
+#include "app/output.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/report.h"
+#include "scenefile/format/config_codes.h"
+#include "scenefile/format/read_config.h"
+#include "scenefile/io/file.h"
+
+#include <string>
+
+namespace scenefile::app {
+
+namespace {
+
+constexpr std::string_view help_text =
+    "projects_ray CONFIG.ini\n"
+    "\n"
+    "Draws a scene as the course's own program does. The configuration says what:\n"
+    "\n"
+    "  [IO]\n"
+    "  scene = test_unit/unit_cone.xml      ; relative to the working directory\n"
+    "  output = unit_cone.png\n"
+    "  [Canvas]\n"
+    "  width = 1024\n"
+    "  height = 768\n"
+    "  [Feature]                            ; true or false; false when not given\n"
+    "  shadows = true                       ; reflect, refract, texture, texture-filter,\n"
+    "                                       ; super-sample, depthoffield\n"
+    "  parallel = true                      ; no effect on the picture: it is always parallel\n"
+    "  acceleration = true                  ; no effect on the picture: it is always accelerated\n"
+    "  [Settings]                           ; may be left out\n"
+    "  maximum-recursive-depth = 4\n"
+    "  only-render-normals = false\n"
+    "\n"
+    "It is \"scenefile render\" with --profile course; \"scenefile help\" says what else there "
+    "is.\n";
+
+Features features_of(const CourseConfig& config) {
+  return {.shadows = config.shadows,
+          .reflect = config.reflect,
+          .refract = config.refract,
+          .texture = config.texture,
+          .texture_filter = config.texture_filter,
+          .super_sample = config.super_sample,
+          .depthoffield = config.depthoffield};
+}
+
+Options options_of(const CourseConfig& config) {
+  Options options;
+  options.arguments = {config.scene};
+  options.output = config.output;
+  options.width = config.width;
+  options.height = config.height;
+  options.profile = Profile::course;
+  options.mode = config.only_render_normals ? Mode::normals : Mode::ray;
+  options.features = features_of(config);
+  options.max_depth = config.maximum_recursive_depth;
+  options.compat_course = true;
+  return options;
+}
+
+void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) {
+  ImageFormat format{};
+  if (!diagnostics.has_errors() && !image_format_of(config.output, format)) {
+    diagnostics.report(config_picture_format, config.output_place,
+                       "output does not end in .png, .exr or .pfm; it will be a PNG");
+  }
+}
+
+}  // namespace
+
+bool is_projects_ray(std::string_view program) {
+  return program.substr(program.rfind('/') + 1) == "projects_ray";
+}
+
+ExitCode run_projects_ray(std::span<const char* const> words, Context& context) {
+  const std::string_view path = words.empty() ? std::string_view() : words.front();
+  if (path == "--help" || path == "-h") {
+    return answer(std::string(help_text));
+  }
+  if (words.size() != 1) {
+    say_error("expected one argument, a configuration: projects_ray CONFIG.ini");
+    return ExitCode::usage;
+  }
+  context.phase = "reading the configuration";
+  LoadedScene config;
+  config.path = path;
+  config.unreadable = read_file(config.path, Limits{}.value_bytes, config.text);
+  CourseConfig read;
+  if (config.unreadable.empty()) {
+    read = read_config(config.text, Limits{}, config.diagnostics);
+    check_picture_format(read, config.diagnostics);
+  }
+  say(findings_text(config, Verbosity::warnings, wants_color(Stream::chatter)));
+  if (const ExitCode status = status_of(config); status != ExitCode::fine) {
+    return status;
+  }
+  const ExitCode status = run_render(options_of(read), context);
+  if (status == ExitCode::environment && !read.scene.starts_with('/')) {
+    say("Relative paths of a configuration start at the working directory.\n");
+  }
+  return status;
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,43 @@
+#pragma once
+// Configurations of the course's ray tracer: the .ini file that its program gets as the only
+// argument.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/base/limits.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// What a configuration says. Features that it does not mention are off.
+struct CourseConfig {
+  std::string scene;   ///< [IO] path, as written: relative to the working directory
+  std::string output;  ///< [IO] path of the picture
+  Location scene_place;
+  Location output_place;
+  int width = 0;   ///< [Canvas] pixels, 1 to limits.image_side
+  int height = 0;  ///< [Canvas]
+  bool shadows = false;
+  bool reflect = false;
+  bool refract = false;
+  bool texture = false;
+  bool texture_filter = false;
+  bool super_sample = false;
+  bool depthoffield = false;
+  bool parallel = false;                       ///< no pixel depends on it
+  bool acceleration = false;                   ///< no pixel depends on it
+  std::optional<int> maximum_recursive_depth;  ///< [Settings] bounces, 0 to 64
+  bool only_render_normals = false;            ///< [Settings]
+
+  friend bool operator==(const CourseConfig&, const CourseConfig&) = default;
+};
+
+/// Reads a configuration in the dialect of QSettings (sections, key = value, semicolon comments,
+/// quotes, backslash escapes). Sections and keys are known in any case, with a warning; true is
+/// `true` or `1`, false is `false`, `0` or nothing. Codes: config_codes.h. With errors the result
+/// must not be used.
+CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
+
+}  // namespace scenefile

@@ -1,0 +1,169 @@
+#include "scenefile/format/config_codes.h"
+#include "scenefile/format/read_config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+namespace {
+
+using ::testing::HasSubstr;
+
+// As the public driver writes them.
+const std::string good =
+    "[IO]\n"
+    "\tscene = /scenes/test_unit/unit cone.xml\n"
+    "\toutput = /out/test_unit_cone.png\n"
+    "\n"
+    "[Canvas]\n"
+    "\twidth = 1024\n"
+    "\theight = 768\n"
+    "\n"
+    "[Feature]\n"
+    "\tshadows = true\n"
+    "\treflect = false\n"
+    "\tparallel = true\n"
+    "\tsuper-sample = true\n"
+    "\tacceleration = true\n"
+    "\tdepthoffield = false\n"
+    "\ttexture-filter = true\n";
+
+struct Reading {
+  Diagnostics diagnostics;
+  CourseConfig config;
+
+  explicit Reading(const std::string& text) : config(read_config(text, {}, diagnostics)) {}
+  bool gives(const Code& code) const {
+    for (const Diagnostic& d : diagnostics.list()) {
+      if (d.code == &code) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+std::string replaced(const std::string& from, const std::string& to) {
+  std::string text = good;
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(Config, IsReadAsTheDriverWritesIt) {
+  const Reading read(good);
+  EXPECT_TRUE(read.diagnostics.list().empty());
+  CourseConfig expected;
+  expected.scene = "/scenes/test_unit/unit cone.xml";
+  expected.output = "/out/test_unit_cone.png";
+  expected.scene_place = {2, 10};
+  expected.output_place = {3, 11};
+  expected.width = 1024;
+  expected.height = 768;
+  expected.shadows = expected.parallel = expected.super_sample = true;
+  expected.acceleration = expected.texture_filter = true;
+  EXPECT_EQ(read.config, expected);
+}
+
+TEST(Config, ReadsTheSpellingsOfQSettings) {
+  const Reading read(
+      "\xef\xbb\xbf; comment\r\n# comment\r\n  [ IO ] ; comment\r\n"
+      "scene=\"a; \\\"b\\\" \"  c \\\\ \\x20ac\\xe9 ; comment\r\n"
+      "output = x.png;y\r\n\r\n[Canvas]\rwidth=1\rheight =65536\n"
+      "[Feature]\nshadows=TRUE\nreflect=1\nrefract=0\ntexture=\ntexture-filter = \"true\"\n"
+      "[Settings]\nmaximum-recursive-depth=0\nonly-render-normals=true");
+  EXPECT_TRUE(read.diagnostics.list().empty());
+  EXPECT_EQ(read.config.scene, "a; \"b\"   c \\ \xe2\x82\xac\xc3\xa9");
+  EXPECT_EQ(read.config.output, "x.png");
+  EXPECT_EQ(read.config.height, 65536);
+  EXPECT_TRUE(read.config.shadows && read.config.reflect && read.config.texture_filter);
+  EXPECT_FALSE(read.config.refract || read.config.texture);
+  EXPECT_EQ(read.config.maximum_recursive_depth, 0);
+  EXPECT_TRUE(read.config.only_render_normals);
+}
+
+TEST(Config, TheLastOfTwoCounts) {
+  const Reading read(replaced("width = 1024", "width = 4\nwidth = 5"));
+  EXPECT_EQ(read.config.width, 5);
+}
+
+struct Case {
+  const Code* code;
+  std::string gives;
+  std::string near_miss;
+  Location place;
+};
+
+class ConfigCode : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ConfigCode, IsGivenAtItsPlace) {
+  const Reading read(GetParam().gives);
+  ASSERT_TRUE(read.gives(*GetParam().code));
+  for (const Diagnostic& d : read.diagnostics.list()) {
+    if (d.code == GetParam().code) {
+      EXPECT_EQ(d.location, GetParam().place) << d.message;
+      break;
+    }
+  }
+}
+
+TEST_P(ConfigCode, IsNotGivenByANearMiss) {
+  EXPECT_TRUE(Reading(GetParam().near_miss).diagnostics.list().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ConfigCode,
+    ::testing::Values(
+        Case{&config_syntax,
+             replaced("[Canvas]", "[Canvas"),
+             replaced("[Canvas]", "[ Canvas ]"),
+             {5, 1}},
+        Case{&config_syntax,
+             replaced("[Canvas]", "[Canvas] x"),
+             replaced("[Canvas]", "[Canvas];x"),
+             {5, 9}},
+        Case{&config_syntax,
+             replaced("width = 1024", "width 1024\nwidth = 1024"),
+             replaced("width = 1024", "; width 1024\nwidth = 1024"),
+             {6, 2}},
+        Case{&config_syntax, replaced("width = ", "= "), good, {6, 2}},
+        Case{&config_syntax,
+             replaced("width = 1024", "width = \"1024"),
+             replaced("width = 1024", "width = \"1024\""),
+             {6, 10}},
+        Case{&config_backslash,
+             replaced("/out/", "C:\\out\\"),
+             replaced("/out/", "C:\\\\out\\\\"),
+             {3, 13}},
+        Case{
+            &config_backslash, replaced("/out/", "\\xd800"), replaced("/out/", "\\xd7ff"), {3, 11}},
+        Case{&config_unknown_key, replaced("shadows =", "shadow ="), good, {10, 2}},
+        Case{&config_unknown_key, replaced("[Feature]", "[Features]"), good, {10, 2}},
+        Case{&config_key_case, replaced("[Canvas]", "[canvas]"), good, {6, 2}},
+        Case{
+            &config_duplicate_key, good + "shadows = false\n", good + "texture = false\n", {17, 1}},
+        Case{&config_missing_key, replaced("\twidth = 1024\n", ""), good, {0, 0}},
+        Case{&config_value,
+             replaced("width = 1024", "width = 0"),
+             replaced("width = 1024", "width = 1"),
+             {6, 10}},
+        Case{&config_value, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
+        Case{&config_value,
+             replaced("shadows = true", "shadows = yes"),
+             replaced("shadows = true", "shadows = 1"),
+             {10, 12}},
+        Case{&config_value, replaced("/out/test_unit_cone.png", ""), good, {3, 11}},
+        Case{&config_value,
+             good + "[Settings]\nmaximum-recursive-depth = 65\n",
+             good + "[Settings]\nmaximum-recursive-depth = 64\n",
+             {18, 27}}));
+
+TEST(Config, SaysWhatWasMeant) {
+  const Reading read(replaced("shadows =", "shadow ="));
+  ASSERT_EQ(read.diagnostics.list().size(), 1U);
+  EXPECT_THAT(read.diagnostics.list().front().message,
+              HasSubstr("unknown key [Feature] shadow has no effect; did you mean [Feature] "
+                        "shadows?"));
+}
+
+}  // namespace
+}  // namespace scenefile

@@ -10,7 +10,6 @@
 #include "scenefile/trace/accelerator.h"
 
 #include "scenefile/trace/group_bounds.h"
-#include "scenefile/trace/merge_groups.h"
 #include "scenefile/trace/ray_box.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
@@ -56,7 +55,8 @@ struct FloatBox {
 
 struct Group {
   std::vector<Part> parts;
-  std::vector<FloatBox> boxes;  // of the parts, while the structure is built
+  std::vector<FloatBox> boxes;                        // of the parts, while the structure is built
+  std::vector<std::vector<std::uint32_t>> instances;  // by part, where they have names
   Bounds bounds;
   double diagonal = 0;
   RTCScene scene = nullptr;  // none for a few parts
@@ -427,6 +427,7 @@ struct Accelerator::Impl {
   std::vector<Group> groups;
   std::vector<MeshScene> meshes;
   std::uint32_t root = 0;
+  Instances instances = Instances::unnamed;
   AcceleratorStatus status = AcceleratorStatus::ready;
   mutable std::atomic<bool> overwhelmed{false};
 
@@ -494,7 +495,7 @@ void Accelerator::Impl::build(const RenderScene& scene, const Assets& assets) {
 void Accelerator::Impl::build_group(const RenderScene& scene, const MergePlan& plan,
                                     std::uint32_t index) {
   Group& group = groups[index];
-  const std::vector<MergedPart> merged = merged_parts(scene, plan, index);
+  const std::vector<MergedPart> merged = merged_parts(scene, plan, index, instances);
   group.parts.reserve(merged.size());
   std::vector<Bounds> boxes;
   boxes.reserve(merged.size());
@@ -540,6 +541,9 @@ void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
   if (!box.empty() && invertible(DAffine(part.part_from_group))) {
     group.parts.push_back(part);
     boxes.push_back(box);
+    if (instances == Instances::named) {
+      group.instances.push_back(merged.instances);
+    }
   }
 }
 
@@ -635,8 +639,9 @@ void Accelerator::Impl::fill(const Query& q, const Ray& ray, Hit& hit) const {
   hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
 }
 
-Accelerator::Accelerator(const RenderScene& scene, const Assets& assets)
+Accelerator::Accelerator(const RenderScene& scene, const Assets& assets, Instances instances)
     : impl_(std::make_unique<Impl>()) {
+  impl_->instances = instances;
   impl_->build(scene, assets);
 }
 
@@ -655,6 +660,25 @@ bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) 
   }
   impl_->fill(q, ray, hit);
   return true;
+}
+
+std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
+                                                             double t_max) const {
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  std::vector<std::uint32_t> names;
+  if (impl_->instances == Instances::unnamed || !impl_->search(q, ray)) {
+    return names;
+  }
+  std::uint32_t index = impl_->root;
+  for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
+    const Group& group = impl_->groups[index];
+    const std::vector<std::uint32_t>& step = group.instances[q.found_path[i]];
+    names.insert(names.end(), step.begin(), step.end());
+    index = group.parts[q.found_path[i]].target;
+  }
+  return names;
 }
 
 bool Accelerator::occluded(const Ray& ray, double t_min, double t_max) const {

@@ -4,6 +4,7 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/scene/render_scene.h"
+#include "scenefile/trace/merge_groups.h"
 
 #include <glm/glm.hpp>
 
@@ -65,7 +66,8 @@ inline constexpr std::uint32_t max_instance_nesting = 64;
 /// exactly one distance the last in the file is hit, however the structure was built.
 class Accelerator {
  public:
-  Accelerator(const RenderScene& scene, const Assets& assets);
+  Accelerator(const RenderScene& scene, const Assets& assets,
+              Instances instances = Instances::unnamed);
   ~Accelerator();
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
@@ -75,6 +77,10 @@ class Accelerator {
 
   /// The nearest surface at t_min < t < t_max. A ray that is not finite hits nothing.
   bool closest(const Ray& ray, double t_min, double t_max, Hit& hit) const;
+
+  /// The instances that the nearest surface lies in, as their `source`, the outermost first; empty
+  /// where they are unnamed or nothing is hit. Searches again.
+  std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;
 
   /// Whether any surface lies at t_min < t < t_max.
   bool occluded(const Ray& ray, double t_min, double t_max) const;

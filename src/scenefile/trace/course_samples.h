@@ -1,6 +1,7 @@
 #pragma once
 // The two sampling patterns of the course's reference pictures.
 
+#include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/tracer.h"
 
 #include <array>
@@ -47,5 +48,8 @@ inline constexpr std::array<std::array<double, 2>, 8> lens_points{
     {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
 
 }  // namespace course
+
+/// A pixel of the course profile: one sample in its middle, the adaptive cell, or the lens.
+Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts);
 
 }  // namespace scenefile

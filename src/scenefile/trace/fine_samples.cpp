@@ -53,11 +53,10 @@ Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) 
   const glm::dvec2 on_lens = camera_.has_lens()
                                  ? disk_of_square(stratified_2d(index, mixed_bits(pixel, 2)))
                                  : glm::dvec2(0);
-  const Ray ray = camera_.ray(glm::dvec2(x, y) + in_pixel, on_lens);
   // The first samples share the pixel between them, so each filters textures over its share.
   const RayCone cone{0, camera_.pixel_spread() / std::sqrt(double(first_samples()))};
   const SampleKey key{index, mixed_bits(pixel, 3), light_samples};
-  return trace_camera_ray(tracer_, ray, cone, key, counts);
+  return trace_sample(tracer_, camera_, glm::dvec2(x, y) + in_pixel, on_lens, cone, key, counts);
 }
 
 void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,

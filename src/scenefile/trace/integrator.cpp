@@ -1,6 +1,7 @@
 #include "scenefile/trace/integrator.h"
 
 #include "scenefile/trace/optics.h"
+#include "scenefile/trace/recorder.h"
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ struct Path {
   Ray ray;
   RayCone cone;
   SampleKey key;
-  double start = 0;                         // smallest t of a hit
+  double start = 0;  // smallest t of a hit
+  RayKind kind = RayKind::camera;
   int depth = 0;                            // reflections and refractions so far
   double weight = 1;                        // share of the pixel that the ray can still change
   std::uint32_t budget = rays_of_a_sample;  // rays that it may still become, itself included
@@ -47,22 +49,42 @@ class Integrator {
   Integrator(const Tracer& tracer, RayCounts& counts) : tracer_(tracer), counts_(counts) {}
 
   // Recursion ends at max_depth, which is at most 64.
-  Color trace(Path path) {
+  Color trace(const Path& path) {
+    Recorder* const recorder = counts_.recorder;
+    if (recorder == nullptr) {
+      return seen_by(path);
+    }
+    recorder->begin_ray(path.kind, path.depth, path.ray, path.start);
+    const Color color = seen_by(path);
+    recorder->end_ray(color);
+    return color;
+  }
+
+ private:
+  Color seen_by(Path path) {
     Hit hit;
     if (!find_surface(path, hit)) {
       return Color(0);
     }
     SurfacePoint point =
         surface_point(tracer_.scene, tracer_.assets, path.ray, hit, !tracer_.course());
+    if (counts_.recorder != nullptr) {
+      counts_.recorder->met(path.ray, path.start, point);
+    }
     const double width = path.cone.width_at(hit.t);
     Color color = shade(tracer_, point, path.ray.direction, width, path.key, counts_);
-    if (tracer_.options.mode == Mode::ray && path.depth < tracer_.options.max_depth) {
+    if (counts_.recorder != nullptr) {
+      counts_.recorder->shaded(color);
+    }
+    if (tracer_.options.mode == Mode::ray) {
       color += follow(path, point);
+    }
+    if (counts_.recorder != nullptr) {
+      counts_.recorder->summed(color);
     }
     return tracer_.course() ? glm::clamp(color, Color(0), Color(1)) : color;
   }
 
- private:
   // The surface that the ray lights up on. A ray inside a transparent object leaves it on the way,
   // bent or mirrored at its walls: those have no light of their own, and the whole passage counts
   // as one refraction.
@@ -73,6 +95,9 @@ class Integrator {
       }
       pass_wall(path, hit);
       if (path.depth > tracer_.options.max_depth) {
+        if (counts_.recorder != nullptr) {
+          counts_.recorder->trapped();
+        }
         return false;
       }
     }
@@ -85,13 +110,19 @@ class Integrator {
     const glm::dvec3 normal = inner_normal(wall, path.ray.direction);
     const double ior = wall.material->ior;
     ++counts_.secondary;
+    const Ray arriving = path.ray;
+    const double start = path.start;
     glm::dvec3 direction;
-    if (refract_direction(path.ray.direction, normal, ior, direction)) {
+    const bool through = refract_direction(path.ray.direction, normal, ior, direction);
+    if (through) {
       path.inside = path.inside->around;
       redirect(path, wall, direction, std::abs(ior - 1));
     } else {
       ++path.depth;
       redirect(path, wall, reflect_direction(path.ray.direction, normal), 2);
+    }
+    if (counts_.recorder != nullptr) {
+      counts_.recorder->wall(arriving, start, wall, normal, path.ray.direction, !through);
     }
   }
 
@@ -117,17 +148,24 @@ class Integrator {
     const Features& features = tracer_.options.features;
     const Color mirror = double(tracer_.scene.global.specular) * Color(point.material->reflective);
     const Color glass = tracer_.transparency(*point.material);
-    const bool reflects = features.reflect && worth(path, mirror);
-    const bool refracts = features.refract && worth(path, glass);
+    const Fate of_mirror = fate(path, features.reflect, mirror);
+    const Fate of_glass = fate(path, features.refract, glass);
+    const bool reflects = of_mirror == Fate::followed;
+    const bool refracts = of_glass == Fate::followed;
     const std::uint32_t children = std::uint32_t(reflects) + std::uint32_t(refracts);
-    if (children == 0 || path.budget <= children) {
+    const bool too_many = path.budget <= children;
+    if (counts_.recorder != nullptr) {
+      counts_.recorder->branches({reflects && too_many ? Fate::too_many : of_mirror, mirror},
+                                 {refracts && too_many ? Fate::too_many : of_glass, glass});
+    }
+    if (children == 0 || too_many) {
       return Color(0);
     }
     const std::uint32_t budget = (path.budget - 1) / children;
     Color sum(0);
     if (reflects) {
       const glm::dvec3 direction = reflect_direction(path.ray.direction, point.normal);
-      Path next = child(path, mirror, budget, 1);
+      Path next = child(path, mirror, budget, RayKind::reflected);
       redirect(next, point, direction, 2);
       sum += mirror * trace(next);
     }
@@ -138,21 +176,26 @@ class Integrator {
     return sum;
   }
 
-  bool worth(const Path& path, const Color& factor) const {
-    if (tracer_.course()) {
-      return factor != Color(0);
+  Fate fate(const Path& path, bool feature, const Color& factor) const {
+    if (!feature || factor == Color(0)) {
+      return Fate::absent;
     }
-    return path.weight * largest(factor) >= min_weight;
+    if (path.depth >= tracer_.options.max_depth) {
+      return Fate::too_deep;
+    }
+    const bool worth = tracer_.course() || path.weight * largest(factor) >= min_weight;
+    return worth ? Fate::followed : Fate::too_faint;
   }
 
-  Path child(const Path& path, const Color& factor, std::uint32_t budget, std::uint32_t kind) {
+  Path child(const Path& path, const Color& factor, std::uint32_t budget, RayKind kind) {
     ++counts_.secondary;
     Path next = path;
+    next.kind = kind;
     next.depth = path.depth + 1;
     next.weight = path.weight * largest(factor);
     next.budget = budget;
     next.key.light_samples = 1;
-    next.key.pattern = mixed_bits(path.key.pattern, kind);
+    next.key.pattern = mixed_bits(path.key.pattern, static_cast<std::uint32_t>(kind));
     return next;
   }
 
@@ -163,13 +206,16 @@ class Integrator {
     const glm::dvec3 normal = inner_normal(point, path.ray.direction);
     const double ior = point.material->ior;
     const double eta = entering ? 1 / ior : ior;
-    Path next = child(path, factor, budget, 2);
+    Path next = child(path, factor, budget, RayKind::refracted);
     glm::dvec3 direction;
     const bool through = refract_direction(path.ray.direction, normal, eta, direction);
     if (through) {
       redirect(next, point, direction, std::abs(eta - 1));
     } else {
       redirect(next, point, reflect_direction(path.ray.direction, normal), 2);
+      if (counts_.recorder != nullptr) {
+        counts_.recorder->total_reflection();
+      }
     }
     if (through == entering) {
       next.inside = &inside;
@@ -181,22 +227,50 @@ class Integrator {
   RayCounts& counts_;
 };
 
-Color normal_color(const Tracer& tracer, const Ray& ray) {
+Color normal_color(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
   Hit hit;
   if (!tracer.accelerator.closest(ray, 0, infinity, hit)) {
     return Color(0);
   }
   const SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !tracer.course());
+  if (recorder != nullptr) {
+    recorder->met(ray, 0, point);
+  }
   return 0.5 * (point.normal + 1.0);
 }
 
+// The mode that colors by normals: a ray like any other, but that it asks for no light.
+Color trace_normal(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
+  if (recorder == nullptr) {
+    return normal_color(tracer, ray, nullptr);
+  }
+  recorder->begin_ray(RayKind::camera, 0, ray, 0);
+  const Color color = normal_color(tracer, ray, recorder);
+  recorder->summed(color);
+  recorder->end_ray(color);
+  return color;
+}
+
 }  // namespace
+
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const glm::dvec2& point,
+                   const glm::dvec2& lens, const RayCone& cone, const SampleKey& key,
+                   RayCounts& counts) {
+  const Ray ray = camera.ray(point, lens);
+  if (counts.recorder == nullptr) {
+    return trace_camera_ray(tracer, ray, cone, key, counts);
+  }
+  counts.recorder->begin_sample(point, lens);
+  const Color color = trace_camera_ray(tracer, ray, cone, key, counts);
+  counts.recorder->end_sample(color);
+  return color;
+}
 
 Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone,
                        const SampleKey& key, RayCounts& counts) {
   ++counts.primary;
   if (tracer.options.mode == Mode::normals) {
-    return normal_color(tracer, ray);
+    return trace_normal(tracer, ray, counts.recorder);
   }
   Path path;
   path.ray = ray;

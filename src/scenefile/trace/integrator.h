@@ -1,9 +1,16 @@
 #pragma once
 // Rays followed through mirrors and glass: the color that one camera ray sees.
 
+#include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/shade.h"
 
 namespace scenefile {
+
+/// What the camera sees at a point of the picture through a point of its lens, in the units of
+/// CameraRays::ray(). Of every sample of every picture.
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const glm::dvec2& point,
+                   const glm::dvec2& lens, const RayCone& cone, const SampleKey& key,
+                   RayCounts& counts);
 
 /// What a camera ray sees, in the mode and profile of the tracer. `direction` of unit length.
 Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone,

@@ -45,12 +45,12 @@ bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dv
   }
   result.to_light = path / result.distance;
   const double cosine = -glm::dot(result.to_light, direction);
-  double share = attenuation(light.attenuation, result.distance);
-  if (light.type == LightType::spot) {
-    share *= spot_factor(light, cosine);
-  } else if (light.type == LightType::area && cosine <= 0) {
-    share = 0;
+  if (light.type == LightType::area && cosine <= 0) {
+    return false;
   }
+  result.attenuation = attenuation(light.attenuation, result.distance);
+  result.spot_factor = light.type == LightType::spot ? spot_factor(light, cosine) : 1;
+  const double share = result.attenuation * result.spot_factor;
   result.color *= share;
   return share > 0;
 }

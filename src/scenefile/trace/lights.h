@@ -10,7 +10,9 @@ namespace scenefile {
 struct Illumination {
   glm::dvec3 to_light{0};  ///< unit length
   double distance = 0;     ///< infinite for directional lights
-  glm::dvec3 color{0};     ///< attenuation and spot factor included
+  double attenuation = 1;
+  double spot_factor = 1;
+  glm::dvec3 color{0};  ///< attenuation and spot factor included
 };
 
 /// Share of full light at `distance` world units: 1 / (c1 + c2 d + c3 d^2), at most 1.

@@ -142,15 +142,23 @@ MergePlan plan_merge(const RenderScene& scene, const MergeLimits& limits) {
 }
 
 std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& plan,
-                                     std::uint32_t group) {
+                                     std::uint32_t group, Instances instances) {
   struct Frame {
     std::uint32_t group;
     DAffine top_from_group;
+    std::uint32_t source = 0;  // of the instance that led here
     std::size_t next_primitive = 0;
     std::size_t next_edge = 0;
   };
   std::vector<MergedPart> parts;
   std::vector<Frame> stack{{group, {}}};
+  const auto name_last_part = [&] {
+    if (instances == Instances::named) {
+      for (std::size_t i = 1; i < stack.size(); ++i) {
+        parts.back().instances.push_back(stack[i].source);
+      }
+    }
+  };
   while (!stack.empty()) {
     Frame& frame = stack.back();
     const std::vector<RenderPrimitive>& primitives = scene.groups[frame.group].primitives;
@@ -163,14 +171,19 @@ std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& 
                                                       edges[frame.next_edge].source)) {
       const RenderPrimitive& primitive = primitives[frame.next_primitive++];
       parts.push_back(
-          {frame.top_from_group * DAffine(primitive.group_from_object), &primitive, no_index});
+          {frame.top_from_group * DAffine(primitive.group_from_object), &primitive, no_index, {}});
+      name_last_part();
     } else {
       const MergeEdge& edge = edges[frame.next_edge++];
       const DAffine top_from_instance = frame.top_from_group * DAffine(edge.group_from_instance);
       if (edge.merged) {
-        stack.push_back({edge.group, top_from_instance});
+        stack.push_back({edge.group, top_from_instance, edge.source});
       } else {
-        parts.push_back({top_from_instance, nullptr, edge.group});
+        parts.push_back({top_from_instance, nullptr, edge.group, {}});
+        name_last_part();
+        if (instances == Instances::named) {
+          parts.back().instances.push_back(edge.source);
+        }
       }
     }
   }

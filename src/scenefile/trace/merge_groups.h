@@ -13,6 +13,9 @@
 
 namespace scenefile {
 
+/// Whether parts name the instances that they come from. Names cost memory for each part.
+enum class Instances : std::uint8_t { unnamed, named };
+
 /// Bounds of the copying.
 struct MergeLimits {
   std::size_t group_parts = 4096;     ///< a group with copies of shared ones has at most so many
@@ -41,10 +44,13 @@ struct MergedPart {
   DAffine group_from_part;
   const RenderPrimitive* primitive = nullptr;  ///< null: an instance
   std::uint32_t group = no_index;              ///< of an instance
+  /// Where they have names: `source` of the merged instances on the way to the part, the outermost
+  /// first, and of the instance that it is.
+  std::vector<std::uint32_t> instances;
 };
 
 /// All parts of a kept group, those of merged groups included, in the order of the file.
 std::vector<MergedPart> merged_parts(const RenderScene& scene, const MergePlan& plan,
-                                     std::uint32_t group);
+                                     std::uint32_t group, Instances instances = Instances::unnamed);
 
 }  // namespace scenefile

@@ -18,24 +18,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Values out of range become the nearest that the app may get, as its own checks have it.
-RenderOptions in_range(RenderOptions options) {
-  options.width = std::max(1, options.width);
-  options.height = std::max(1, options.height);
-  options.samples = std::clamp(options.samples, 1, 1 << 20);
-  options.threads = std::clamp(options.threads, 0, 1024);
-  options.max_depth = std::clamp(options.max_depth, 0, 64);
-  return options;
-}
-
-RenderCamera lens_by_feature(const Tracer& tracer) {
-  RenderCamera camera = tracer.scene.camera;
-  if (!tracer.options.features.depthoffield) {
-    camera.aperture = 0;
-  }
-  return camera;
-}
-
 // Rays of all threads.
 struct SharedCounts {
   std::atomic<std::uint64_t> primary{0};
@@ -52,10 +34,7 @@ struct SharedCounts {
 class Renderer {
  public:
   Renderer(const Tracer& tracer, const Progress& progress, RenderResult& result)
-      : tracer_(tracer),
-        camera_(lens_by_feature(tracer), tracer.options.width, tracer.options.height),
-        watch_(progress),
-        result_(result) {}
+      : tracer_(tracer), camera_(tracer.camera()), watch_(progress), result_(result) {}
 
   void run() {
     if (tracer_.course()) {
@@ -104,28 +83,9 @@ class Renderer {
   }
 
   void run_course() {
-    for_each_pixel({0, 1},
-                   [&](int x, int y, RayCounts& counts) { put(x, y, course_pixel(x, y, counts)); });
-  }
-
-  Color course_pixel(int x, int y, RayCounts& counts) const {
-    const Features& features = tracer_.options.features;
-    const glm::dvec2 corner(x, y);
-    const auto color_at = [&](const glm::dvec2& point) {
-      return trace_camera_ray(tracer_, camera_.ray(point, {0, 0}), {}, {}, counts);
-    };
-    if (camera_.has_lens()) {
-      return course_lens_pixel(corner + 0.5, counts);
-    }
-    return features.super_sample ? course::cell(color_at, corner, 1, 1) : color_at(corner + 0.5);
-  }
-
-  Color course_lens_pixel(const glm::dvec2& center, RayCounts& counts) const {
-    Color sum(0);
-    for (const auto& [u, v] : course::lens_points) {
-      sum += trace_camera_ray(tracer_, camera_.ray(center, {u, v}), {}, {}, counts);
-    }
-    return sum / double(course::lens_points.size());
+    for_each_pixel({0, 1}, [&](int x, int y, RayCounts& counts) {
+      put(x, y, course_pixel(tracer_, camera_, x, y, counts));
+    });
   }
 
   void run_fine() {
@@ -181,18 +141,6 @@ class Renderer {
   SharedCounts counts_;
 };
 
-RenderStatus status_of(AcceleratorStatus status) {
-  switch (status) {
-    case AcceleratorStatus::ready:
-      break;
-    case AcceleratorStatus::too_deep:
-      return RenderStatus::limit_reached;
-    case AcceleratorStatus::out_of_memory:
-      return RenderStatus::failed;
-  }
-  return RenderStatus::complete;
-}
-
 }  // namespace
 
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
@@ -200,9 +148,9 @@ RenderResult render(const RenderScene& scene, const Assets& assets, const Render
   RenderResult result;
   const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
-  const Tracer tracer(scene, assets, in_range(options));
+  const Tracer tracer(scene, assets, options);
   result.stats.build_seconds = seconds_since(start);
-  result.status = status_of(tracer.accelerator.status());
+  result.status = tracer.status();
   result.image = Image(tracer.options.width, tracer.options.height);
   if (result.status != RenderStatus::complete) {
     return result;

@@ -2,6 +2,7 @@
 
 #include "scenefile/trace/bump.h"
 #include "scenefile/trace/lights.h"
+#include "scenefile/trace/recorder.h"
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::uint32_t course_light_side = 4;
 
 // The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
-                    double width) {
+                    double width, const RayCounts& counts) {
   const RenderMaterial& material = *point.material;
   const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
   const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
@@ -34,6 +35,9 @@ Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::
   } else {
     color = lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
                             uv_footprint(point, direction, width));
+  }
+  if (counts.recorder != nullptr) {
+    counts.recorder->textured(texture, material, uv, color);
   }
   return glm::mix(plain, color, double(material.blend));
 }
@@ -59,7 +63,11 @@ Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumina
   const Ray ray{point.position, light.to_light};
   const double start = tracer.start_offset(point.position, point.hit.t);
   const double end = tracer.course() ? light.distance : light.distance * (1 - 1e-9);
-  return tracer.accelerator.transmittance(ray, start, end, tracer.transmission);
+  const Color left = tracer.accelerator.transmittance(ray, start, end, tracer.transmission);
+  if (counts.recorder != nullptr) {
+    counts.recorder->shadow(ray, start, end, left);
+  }
+  return left;
 }
 
 // What the light sends to the eye by way of the point.
@@ -72,15 +80,19 @@ struct Reflector {
 
   Color lit_by(const Illumination& light, RayCounts& counts) const {
     const double cosine = glm::dot(point.normal, light.to_light);
-    Color share = diffuse * std::max(0.0, cosine);
+    const Color diffused = diffuse * std::max(0.0, cosine);
     const double mirrored = glm::dot(2 * cosine * point.normal - light.to_light, to_eye);
+    Color shining(0);
     if (mirrored > 0 && point.material->shininess > 0) {
-      share += specular * std::pow(mirrored, double(point.material->shininess));
+      shining = specular * std::pow(mirrored, double(point.material->shininess));
     }
-    if (share == Color(0)) {
-      return share;
+    const Color share = diffused + shining;
+    const Color color =
+        share == Color(0) ? share : share * light.color * visibility(tracer, point, light, counts);
+    if (counts.recorder != nullptr) {
+      counts.recorder->lit(light, cosine, mirrored, diffused, shining, color);
     }
-    return share * light.color * visibility(tracer, point, light, counts);
+    return color;
   }
 
   Color lit_by_area(const RenderLight& light, std::uint32_t index, const SampleKey& key,
@@ -102,7 +114,25 @@ struct Reflector {
       }
     }
     counts.penumbras += lit != 0 && lit != samples ? 1 : 0;
-    return sum / double(samples);
+    const Color color = sum / double(samples);
+    if (counts.recorder != nullptr) {
+      counts.recorder->light(index, samples, color);
+    }
+    return color;
+  }
+
+  Color lit_by_light(const RenderLight& light, std::uint32_t index, const SampleKey& key,
+                     RayCounts& counts) const {
+    if (light.type == LightType::area) {
+      return lit_by_area(light, index, key, counts);
+    }
+    Illumination arriving;
+    const bool arrives = illuminate(light, point.position, {0.5, 0.5}, arriving);
+    const Color color = arrives ? lit_by(arriving, counts) : Color(0);
+    if (counts.recorder != nullptr) {
+      counts.recorder->light(index, 1, color);
+    }
+    return color;
   }
 };
 
@@ -120,19 +150,18 @@ Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& directi
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
   const Reflector reflector{tracer, point, -direction,
-                            diffuse_color(tracer, point, direction, width),
+                            diffuse_color(tracer, point, direction, width, counts),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
+  if (counts.recorder != nullptr) {
+    counts.recorder->surface(point, color, reflector.diffuse, reflector.specular);
+  }
   for (std::uint32_t i = 0; i < tracer.scene.lights.size(); ++i) {
     const RenderLight& light = tracer.scene.lights[i];
-    Illumination arriving;
-    if (!shines(tracer, light)) {
-      continue;
-    }
-    if (light.type == LightType::area) {
-      color += reflector.lit_by_area(light, i, key, counts);
-    } else if (illuminate(light, point.position, {0.5, 0.5}, arriving)) {
-      color += reflector.lit_by(arriving, counts);
+    if (shines(tracer, light)) {
+      color += reflector.lit_by_light(light, i, key, counts);
+    } else if (counts.recorder != nullptr) {
+      counts.recorder->light_of_other_mode(i);
     }
   }
   return color;

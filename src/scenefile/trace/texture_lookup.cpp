@@ -104,9 +104,14 @@ glm::dvec3 between_levels(const Pyramid& pyramid, double level, const glm::dvec2
 
 }  // namespace
 
-glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
+glm::ivec2 texel_at(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
   const glm::dvec2 p = glm::floor(texel_position(texture, use, uv));
-  return texel(texture, wrap(p.x, texture.width), wrap(p.y, texture.height));
+  return {wrap(p.x, texture.width), wrap(p.y, texture.height)};
+}
+
+glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
+  const glm::ivec2 p = texel_at(texture, use, uv);
+  return texel(texture, p.x, p.y);
 }
 
 glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use,

@@ -11,7 +11,10 @@
 
 namespace scenefile {
 
-/// The texel that holds the point (course and fine without filter).
+/// Column and row of the texel that holds the point.
+glm::ivec2 texel_at(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
+
+/// That texel (course and fine without filter).
 glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
 
 /// The course's filter: weights are taken from the corner of the texel instead of its middle, so

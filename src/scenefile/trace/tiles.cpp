@@ -2,6 +2,8 @@
 
 #include "scenefile/trace/tiles.h"
 
+#include "scenefile/trace/no_denormals.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
@@ -12,38 +14,12 @@
 #include <chrono>
 #include <mutex>
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 namespace scenefile {
 
 namespace {
 
 constexpr int tile_side = 16;
 constexpr auto between_calls = std::chrono::milliseconds(20);
-
-// Denormal numbers are slow, and the ray library wants them off.
-class NoDenormals {
- public:
-#if defined(__SSE2__)
-  NoDenormals() : saved_(_mm_getcsr()) {
-    _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | 0x0040u);  // 0x0040: denormal operands are zero
-  }
-  ~NoDenormals() {
-    _mm_setcsr(saved_);
-  }
-#else
-  NoDenormals() = default;
-#endif
-  NoDenormals(const NoDenormals&) = delete;
-  NoDenormals& operator=(const NoDenormals&) = delete;
-
-#if defined(__SSE2__)
- private:
-  unsigned saved_;
-#endif
-};
 
 }  // namespace
 

@@ -7,6 +7,16 @@ namespace scenefile {
 
 namespace {
 
+// Values out of range become the nearest that the app may get, as its own checks have it.
+RenderOptions in_range(RenderOptions options) {
+  options.width = std::max(1, options.width);
+  options.height = std::max(1, options.height);
+  options.samples = std::clamp(options.samples, 1, 1 << 20);
+  options.threads = std::clamp(options.threads, 0, 1024);
+  options.max_depth = std::clamp(options.max_depth, 0, 64);
+  return options;
+}
+
 double transparent_coefficient(const RenderScene& scene, Profile profile) {
   return scene.global.transparent.value_or(profile == Profile::course ? 0.0f : 0.5f);
 }
@@ -36,14 +46,34 @@ std::vector<Pyramid> make_pyramids(const Assets& assets, const RenderOptions& op
 
 }  // namespace
 
-Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o)
+Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o, Instances instances)
     : scene(s),
       assets(a),
-      options(o),
+      options(in_range(o)),
       transparent(transparent_coefficient(s, o.profile)),
-      accelerator(s, a),
+      accelerator(s, a, instances),
       transmission(shadow_factors(s, o, transparent)),
       pyramids(make_pyramids(a, o)) {}
+
+RenderStatus Tracer::status() const {
+  switch (accelerator.status()) {
+    case AcceleratorStatus::ready:
+      break;
+    case AcceleratorStatus::too_deep:
+      return RenderStatus::limit_reached;
+    case AcceleratorStatus::out_of_memory:
+      return RenderStatus::failed;
+  }
+  return accelerator.overwhelmed() ? RenderStatus::limit_reached : RenderStatus::complete;
+}
+
+CameraRays Tracer::camera() const {
+  RenderCamera lens = scene.camera;
+  if (!options.features.depthoffield) {
+    lens.aperture = 0;
+  }
+  return {lens, options.width, options.height};
+}
 
 double Tracer::start_offset(const glm::dvec3& point, double distance) const {
   if (course()) {

@@ -2,6 +2,8 @@
 // What every ray of one picture shares, made once before the first ray.
 
 #include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/color.h"
 #include "scenefile/trace/render.h"
 #include "scenefile/trace/texture_lookup.h"
 
@@ -12,20 +14,26 @@
 
 namespace scenefile {
 
-/// Linear red, green, blue.
-using Color = glm::dvec3;
+class Recorder;
 
 /// What was traced.
 struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t shadow = 0;
   std::uint64_t secondary = 0;
-  std::uint64_t penumbras = 0;  ///< area lights that were seen in part
+  std::uint64_t penumbras = 0;   ///< area lights that were seen in part
+  Recorder* recorder = nullptr;  ///< is told everything (recorder.h); null: nobody asks
 };
 
 struct Tracer {
-  Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options);
+  /// `instances`: see Accelerator.
+  Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
+         Instances instances = Instances::unnamed);
 
+  /// Rays may be traced only when `complete`; later `limit_reached` where one had to be given up.
+  RenderStatus status() const;
+  /// With the lens, where that is switched on.
+  CameraRays camera() const;
   bool course() const { return options.profile == Profile::course; }
   /// Smallest t of a ray that starts on a surface at `point` and has a direction of unit length.
   double start_offset(const glm::dvec3& point, double distance) const;
@@ -34,7 +42,7 @@ struct Tracer {
 
   const RenderScene& scene;
   const Assets& assets;
-  RenderOptions options;
+  RenderOptions options;   ///< in range
   double transparent = 0;  ///< kt, by the file or the profile
   Accelerator accelerator;
   Transmission transmission;      ///< by material, for shadow rays

@@ -1,0 +1,149 @@
+#include "scenefile/trace/explain.h"
+
+#include "scenefile/trace/course_samples.h"
+#include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/no_denormals.h"
+#include "scenefile/trace/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// What is read back from an image.
+Color stored(const Color& color) {
+  return Color(glm::vec3(color));
+}
+
+Color first_mean(const FineSampler& sampler, int x, int y) {
+  PixelSamples samples;
+  RayCounts counts;
+  sampler.take(x, y, sampler.first_samples(), samples, counts);
+  return stored(samples.mean());
+}
+
+bool differs_from_neighbors(const Tracer& tracer, const FineSampler& sampler, int x, int y,
+                            const Color& color) {
+  for (int y1 = std::max(0, y - 1); y1 <= std::min(tracer.options.height - 1, y + 1); ++y1) {
+    for (int x1 = std::max(0, x - 1); x1 <= std::min(tracer.options.width - 1, x + 1); ++x1) {
+      const bool itself = x1 == x && y1 == y;
+      if (!itself && differ(stored(color), first_mean(sampler, x1, y1))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// As render() does it in two passes over the picture.
+Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts,
+                 MoreSamples& more) {
+  const FineSampler sampler(tracer, camera);
+  const std::uint32_t first = sampler.first_samples();
+  PixelSamples samples;
+  sampler.take(x, y, first, samples, counts);
+  if (static_cast<std::uint32_t>(tracer.options.samples) <= first) {
+    return samples.mean();
+  }
+  more.penumbra = std::exchange(samples.penumbra, false);
+  more.noisy = !settled(samples);
+  samples.penumbra = more.penumbra;
+  more.neighbors = differs_from_neighbors(tracer, sampler, x, y, samples.mean());
+  if (more.penumbra || more.noisy || more.neighbors) {
+    sampler.refine(x, y, samples, counts);
+  }
+  return samples.mean();
+}
+
+// Finds the quadrants that were sampled anew: their samples follow those of the cell, and lie in
+// the quadrant. Takes the cell whose samples begin at `first` with quadrants of `half` pixels;
+// returns the index behind its last.
+std::size_t link_cell(std::vector<SampleRecord>& samples, std::size_t first, double half) {
+  std::size_t next = first + 4;
+  for (std::size_t i = first; i < first + 4; ++i) {
+    const auto in_quadrant = [&] {
+      const glm::dvec2 d = glm::abs(samples[next].point - samples[i].point);
+      return std::max(d.x, d.y) < half / 2;
+    };
+    if (next < samples.size() && in_quadrant()) {
+      samples[i].refined = true;
+      for (std::size_t k = next; k < next + 4; ++k) {
+        samples[k].refines = static_cast<std::uint32_t>(i);
+      }
+      next = link_cell(samples, next, half / 2);
+    }
+  }
+  return next;
+}
+
+std::uint32_t nearest_to_middle(const std::vector<SampleRecord>& samples, int x, int y) {
+  std::uint32_t best = 0;
+  double least = 2;
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    const double distance = glm::length(samples[i].point - glm::dvec2(x + 0.5, y + 0.5));
+    if (!samples[i].refined && distance < least) {
+      least = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+struct Explainer::Impl {
+  Impl(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
+      : tracer(scene, assets, options, Instances::named), camera(tracer.camera()) {}
+
+  Color trace(int x, int y, Recorder& recorder, MoreSamples& more) const {
+    const NoDenormals no_denormals;
+    RayCounts counts;
+    counts.recorder = &recorder;
+    const Color color = tracer.course() ? course_pixel(tracer, camera, x, y, counts)
+                                        : fine_pixel(tracer, camera, x, y, counts, more);
+    if (tracer.course() && !camera.has_lens() && tracer.options.features.super_sample) {
+      link_cell(recorder.samples, 0, 0.5);
+    }
+    return color;
+  }
+
+  Tracer tracer;
+  CameraRays camera;
+};
+
+Explainer::Explainer(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
+    : impl_(std::make_unique<Impl>(scene, assets, options)) {}
+
+Explainer::~Explainer() = default;
+
+RenderStatus Explainer::status() const {
+  return impl_->tracer.status();
+}
+
+PixelRecord Explainer::explain(int x, int y, std::optional<std::uint32_t> sample) const {
+  PixelRecord pixel;
+  pixel.x = x;
+  pixel.y = y;
+  pixel.options = impl_->tracer.options;
+  Recorder recorder(impl_->tracer, sample);
+  pixel.color = impl_->trace(x, y, recorder, pixel.more);
+  pixel.shown = sample.value_or(0);
+  if (recorder.rays.empty()) {
+    pixel.shown = nearest_to_middle(recorder.samples, x, y);
+    Recorder again(impl_->tracer, pixel.shown);
+    impl_->trace(x, y, again, pixel.more);
+    recorder.rays = std::move(again.rays);
+  }
+  pixel.samples = std::move(recorder.samples);
+  pixel.rays = std::move(recorder.rays);
+  for (int c = 0; c < 3; ++c) {
+    pixel.picture[c] = static_cast<float>(pixel.color[c]);
+    pixel.value[c] = quantize(pixel.picture[c], rounding_of(pixel.options.profile));
+  }
+  return pixel;
+}
+
+}  // namespace scenefile

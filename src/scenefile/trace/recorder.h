@@ -1,0 +1,74 @@
+#pragma once
+// What the tracer tells about a pixel while it computes it. Internal to the room; explain.h is for
+// others.
+//
+// The tracer holds a pointer to it, null in every render, and looks at that pointer once for each
+// thing there is to tell: a ray costs a thousand times more.
+
+#include "scenefile/trace/explain.h"
+#include "scenefile/trace/lights.h"
+#include "scenefile/trace/surface_point.h"
+#include "scenefile/trace/tracer.h"
+
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+class Recorder {
+ public:
+  /// Keeps the rays of the sample `shown` alone; of the others what SampleRecord holds.
+  Recorder(const Tracer& tracer, std::optional<std::uint32_t> shown);
+
+  void begin_sample(const glm::dvec2& point, const glm::dvec2& lens);
+  void end_sample(const Color& color);
+
+  /// A ray and, until its end, everything that it comes to. Rays nest.
+  void begin_ray(RayKind kind, int depth, const Ray& ray, double start);
+  void end_ray(const Color& color);
+
+  /// The next refracted ray is a mirrored one: total internal reflection.
+  void total_reflection() { total_reflection_ = true; }
+  /// The current ray passed a wall, or was mirrored there; `normal` against the ray.
+  void wall(const Ray& ray, double start, const SurfacePoint& point, const glm::dvec3& normal,
+            const glm::dvec3& direction, bool mirrored);
+  /// The current ray was mirrored inside an object more often than max_depth allows.
+  void trapped();
+  /// The current ray lights up here; the bump map has not been asked yet.
+  void met(const Ray& ray, double start, const SurfacePoint& point);
+  /// A texture's color at that point.
+  void textured(const Texture& texture, const RenderMaterial& material, const glm::dvec2& uv,
+                const Color& color);
+  /// The terms of the lighting equation that are no light's.
+  void surface(const SurfacePoint& bumped, const Color& ambient, const Color& diffuse,
+               const Color& specular);
+  /// A shadow ray, and the light that it left. Before the sample of the light that it is for.
+  void shadow(const Ray& ray, double start, double end, const Color& left);
+  /// A sample of a light. Before the light that it is of.
+  void lit(const Illumination& light, double n_dot_l, double r_dot_v, const Color& diffuse,
+           const Color& specular, const Color& contribution);
+  void light(std::uint32_t index, std::uint32_t taken, const Color& contribution);
+  void light_of_other_mode(std::uint32_t index);
+  void shaded(const Color& local);
+  void branches(const BranchRecord& mirror, const BranchRecord& glass);
+  void summed(const Color& sum);
+
+  std::vector<SampleRecord> samples;
+  std::vector<RayRecord> rays;  ///< of the sample shown
+
+ private:
+  RayRecord* current();
+  ObjectRef object_at(const Ray& ray, double start, const Hit& hit) const;
+  std::vector<Blocker> blockers(const Ray& ray, double start, double end) const;
+
+  const Tracer& tracer_;
+  std::optional<std::uint32_t> shown_;
+  bool in_full_ = false;              // the current sample is the one shown
+  std::vector<std::uint32_t> stack_;  // the current ray and those that it comes from
+  bool total_reflection_ = false;
+  std::optional<Hit> met_;  // of the current ray, for blockers that are the object itself
+  LightSample pending_shadow_;
+  std::vector<LightSample> pending_samples_;
+};
+
+}  // namespace scenefile

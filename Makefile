@@ -85,6 +85,10 @@ tidy: ## clang-tidy all sources
 	@$(MAKE) $(QUIET) configure
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
+.PHONY: docs
+docs: build ## write docs/diagnostics.md anew, from the codes of the program
+	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
+
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)
 	@cmake --build $(PRESET)

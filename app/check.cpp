@@ -3,34 +3,77 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/sarif.h"
 
 #include <string>
 #include <vector>
 
 namespace scenefile::app {
 
+namespace {
+
+// Where the findings of one scene after the other go.
+class Report {
+ public:
+  explicit Report(const Options& options) : options_(options) {}
+
+  // Not fine when nothing more can be said.
+  ExitCode add(const LoadedScene& scene) {
+    tally_.add(scene);
+    if (options_.json) {
+      json_.push_back(scene_json(scene));
+    } else if (options_.sarif) {
+      sarif_.add(scene);
+    } else {
+      return print(scene);
+    }
+    return ExitCode::fine;
+  }
+
+  ExitCode finish() const {
+    if (options_.json) {
+      return answer(check_json(json_));
+    }
+    if (options_.sarif) {
+      return answer(sarif_.text());
+    }
+    const bool wanted = options_.arguments.size() > 1 && !options_.quiet;
+    return wanted ? answer(tally_.text()) : ExitCode::fine;
+  }
+
+ private:
+  ExitCode print(const LoadedScene& scene) const {
+    const std::string text = findings_text(
+        scene, options_.quiet ? Verbosity::errors : Verbosity::all, wants_color(Stream::answer));
+    if (scene.unreadable.empty()) {
+      return answer(text);
+    }
+    say(text);
+    return ExitCode::fine;
+  }
+
+  const Options& options_;
+  Tally tally_;
+  std::vector<std::string> json_;
+  SarifLog sarif_;
+};
+
+}  // namespace
+
 ExitCode run_check(const Options& options, Context& context) {
   const LoadDepth depth = options.assets ? LoadDepth::with_all_assets : LoadDepth::checked;
   ExitCode status = ExitCode::fine;
-  std::vector<std::string> report;
+  Report report(options);
   for (const std::string& path : options.arguments) {
     LoadedScene scene = load_scene(path, options, depth, options.allow_missing, context);
     apply_policy(options, scene.diagnostics);
     status = worse(status, status_of(scene));
     context.phase = "writing the report";
-    if (options.json) {
-      report.push_back(scene_json(scene));
-      continue;
-    }
-    const std::string text = findings_text(
-        scene, options.quiet ? Verbosity::errors : Verbosity::all, wants_color(Stream::answer));
-    if (!scene.unreadable.empty()) {
-      say(text);
-    } else if (answer(text) != ExitCode::fine) {
+    if (report.add(scene) != ExitCode::fine) {
       return ExitCode::environment;
     }
   }
-  return options.json ? worse(status, answer(check_json(report))) : status;
+  return worse(status, report.finish());
 }
 
 }  // namespace scenefile::app

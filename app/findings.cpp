@@ -3,15 +3,18 @@
 #include "app/output.h"
 #include "scenefile/base/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace scenefile::app {
 
 namespace {
 
-// Limits have codes of their own, in every room.
+// Limits have codes of their own, in every room. A denied warning is none.
 bool is_limit(const Diagnostic& d) {
-  return d.severity == Severity::error && d.code->name.ends_with("limit");
+  return d.code->severity == Severity::error && d.severity == Severity::error &&
+         d.code->name.ends_with("limit");
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -28,8 +31,9 @@ void apply_policy(const Options& options, Diagnostics& diagnostics) {
     if (contains(options.allowed_codes, code.name)) {
       return std::nullopt;
     }
-    const bool raised = severity == Severity::warning &&
-                        (options.deny_warnings || (options.strict && code.dialect));
+    const bool strict = options.deny_warnings || (options.strict && code.dialect);
+    const bool raised =
+        (severity == Severity::warning && strict) || contains(options.denied_codes, code.name);
     return raised ? Severity::error : severity;
   });
 }
@@ -43,6 +47,34 @@ ExitCode status_of(const LoadedScene& scene) {
     return ExitCode::limit;
   }
   return scene.diagnostics.has_errors() ? ExitCode::findings : ExitCode::fine;
+}
+
+Verdict verdict_of(const LoadedScene& scene) {
+  if (!scene.unreadable.empty()) {
+    return Verdict::unreadable;
+  }
+  if (scene.diagnostics.has_errors()) {
+    return Verdict::errors;
+  }
+  return scene.diagnostics.count(Severity::warning) != 0 ? Verdict::warnings : Verdict::fine;
+}
+
+void Tally::add(const LoadedScene& scene) {
+  ++counts_[static_cast<std::size_t>(verdict_of(scene))];
+}
+
+std::string Tally::text() const {
+  static constexpr std::array<std::string_view, 4> words{"fine", "with warnings", "with errors",
+                                                         "unreadable"};
+  std::size_t total = 0;
+  std::string parts;
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    total += counts_[i];
+    if (counts_[i] != 0) {
+      parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", counts_[i], words[i]);
+    }
+  }
+  return fmt::format("{} scenes: {}\n", total, parts);
 }
 
 std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool color) {

@@ -1,6 +1,7 @@
 #include "app/help.h"
 
 #include "app/codes.h"
+#include "app/codes_page.h"
 #include "app/json.h"
 #include "app/option_table.h"
 #include "app/output.h"
@@ -95,7 +96,8 @@ std::string overview_text() {
     text += fmt::format("{:<38}{}\n", head, command.summary);
   }
   return text +
-         "\n\"scenefile help COMMAND\" explains a command, \"scenefile help CODE\" a finding.\n"
+         "\n\"scenefile help COMMAND\" explains a command, \"scenefile help CODE\" a finding,\n"
+         "\"scenefile help codes\" lists the codes of all findings.\n"
          "- in place of a file is standard input or output.\n\n"
          "Exit status: 0 fine (warnings included), 1 errors in the input, 2 wrong usage,\n"
          "3 something cannot be read or written, 4 a limit was reached, 130 interrupted.\n";
@@ -118,6 +120,9 @@ std::string code_text(const Code& code) {
 }
 
 ExitCode run_help(const Options& options, Context& /*context*/) {
+  if (options.markdown) {
+    return answer(codes_markdown());
+  }
   if (options.arguments.empty()) {
     return answer(options.json ? help_json() : overview_text());
   }
@@ -127,6 +132,9 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const Code* const code = find_code(topic); code != nullptr) {
     return answer(options.json ? code_json(*code) : code_text(*code));
+  }
+  if (topic == "codes") {
+    return answer(options.json ? help_json() : codes_text());
   }
   say_error(no_such_topic(topic));
   return ExitCode::usage;

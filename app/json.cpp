@@ -1,90 +1,15 @@
 #include "app/json.h"
 
 #include "app/codes.h"
+#include "app/findings.h"
+#include "app/json_writer.h"
 #include "app/names.h"
-#include "scenefile/base/text.h"
+#include "scenefile/base/report.h"
 #include "scenefile/trace/features.h"
-
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
-
-#include <cmath>
-#include <concepts>
 
 namespace scenefile::app {
 
 namespace {
-
-using Buffer = rapidjson::StringBuffer;
-
-// Replaces what is not UTF-8, which the writer would pass on or stop at.
-std::string valid_utf8(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t bytes = first_code_point(text).bytes;
-    result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
-    text.remove_prefix(bytes == 0 ? 1 : bytes);
-  }
-  return result;
-}
-
-/// A thin shell around the library's writer: key and value in one call.
-class Json {
- public:
-  Json() : writer_(buffer_) { writer_.SetIndent(' ', 2); }
-
-  void value(std::string_view text) {
-    const std::string safe = valid_utf8(text);
-    writer_.String(safe.data(), static_cast<rapidjson::SizeType>(safe.size()));
-  }
-  void value(bool b) { writer_.Bool(b); }
-  void value(std::unsigned_integral auto n) { writer_.Uint64(n); }
-  void value(std::signed_integral auto n) { writer_.Int64(n); }
-  // What JSON has no number for is null.
-  void value(std::floating_point auto d) {
-    if (std::isfinite(d)) {
-      writer_.Double(d);
-    } else {
-      writer_.Null();
-    }
-  }
-  template <typename T, glm::qualifier Q>
-  void value(const glm::vec<3, T, Q>& v) {
-    writer_.StartArray();
-    for (int i = 0; i < 3; ++i) {
-      value(v[i]);
-    }
-    writer_.EndArray();
-  }
-
-  void key(std::string_view name) {
-    writer_.Key(name.data(), static_cast<rapidjson::SizeType>(name.size()));
-  }
-  template <typename T>
-  void add(std::string_view name, const T& v) {
-    key(name);
-    value(v);
-  }
-  void add(std::string_view name, const char* v) { add(name, std::string_view(v)); }
-  void raw(const std::string& json) {
-    writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType);
-  }
-
-  void begin_object() { writer_.StartObject(); }
-  void end_object() { writer_.EndObject(); }
-  void begin_array(std::string_view name) {
-    key(name);
-    writer_.StartArray();
-  }
-  void end_array() { writer_.EndArray(); }
-
-  std::string text() const { return std::string(buffer_.GetString(), buffer_.GetSize()) + "\n"; }
-
- private:
-  Buffer buffer_;
-  rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer_;
-};
 
 // Begins a document.
 void begin_document(Json& json, std::string_view command) {
@@ -108,19 +33,23 @@ void add_finding(Json& json, const Diagnostic& d) {
   json.end_object();
 }
 
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 4> verdict_words{"fine", "warnings", "errors", "unreadable"};
+
 void add_scene(Json& json, const LoadedScene& scene) {
   json.begin_object();
   json.add("file", scene.path);
   if (!scene.unreadable.empty()) {
     json.add("error", scene.unreadable.text);
   }
+  json.add("verdict", verdict_words[static_cast<std::size_t>(verdict_of(scene))]);
   json.add("errors", scene.diagnostics.count(Severity::error));
   json.add("warnings", scene.diagnostics.count(Severity::warning));
   json.add("notes", scene.diagnostics.count(Severity::note));
   json.add("not_listed", scene.diagnostics.dropped());
   json.begin_array("findings");
-  for (const Diagnostic& d : scene.diagnostics.list()) {
-    add_finding(json, d);
+  for (const Diagnostic* d : by_place(scene.diagnostics)) {
+    add_finding(json, *d);
   }
   json.end_array();
   json.end_object();
@@ -138,8 +67,7 @@ void add_features(Json& json, Features features) {
 
 void add_camera(Json& json, const Scene& scene) {
   const Camera camera = scene.camera.value_or(Camera{});
-  json.key("camera");
-  json.begin_object();
+  json.begin_object("camera");
   json.add("default", !scene.camera.has_value());
   json.add("position", camera.position);
   json.add("look", camera.look);
@@ -153,8 +81,7 @@ void add_camera(Json& json, const Scene& scene) {
 template <std::size_t n>
 void add_counts(Json& json, std::string_view name, const std::array<std::size_t, n>& counts,
                 const std::array<std::string_view, n>& names) {
-  json.key(name);
-  json.begin_object();
+  json.begin_object(name);
   for (std::size_t i = 0; i < n; ++i) {
     json.add(names[i], counts[i]);
   }
@@ -162,8 +89,7 @@ void add_counts(Json& json, std::string_view name, const std::array<std::size_t,
 }
 
 void add_summary(Json& json, const SceneSummary& s) {
-  json.key("summary");
-  json.begin_object();
+  json.begin_object("summary");
   json.add("nodes", s.nodes);
   json.add("depth", s.depth);
   json.add("transforms", s.transforms);
@@ -202,8 +128,7 @@ void add_file(Json& json, const AssetFile& file) {
 
 void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
   if (bounds.has_value()) {
-    json.key("bounds");
-    json.begin_object();
+    json.begin_object("bounds");
     json.add("min", bounds->min);
     json.add("max", bounds->max);
     json.end_object();

@@ -1,6 +1,5 @@
 #pragma once
-// The answers of the commands as JSON documents. All characters outside ASCII are escaped, so that
-// no input can play with a terminal; bytes that are not UTF-8 become U+FFFD.
+// The answers of the commands as JSON documents.
 
 #include "app/load.h"
 #include "app/option_table.h"

@@ -35,7 +35,8 @@ constexpr std::array table{
             "scenefile check *.xml\n"
             "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"
             "scenefile check --compat course old.xml\n"
-            "scenefile check --no-assets --json - < scene.json",
+            "scenefile check --no-assets --json - < scene.json\n"
+            "scenefile check --sarif *.xml > findings.sarif",
             run_check},
     Command{"info", for_info, "SCENE", "say what is in a scene",
             "Counts what the scene holds, before and after templates are copied, and says where "
@@ -44,9 +45,12 @@ constexpr std::array table{
             "scenefile info --files --tree chess.xml\n"
             "scenefile info --json chess.xml",
             run_info},
-    Command{"help", for_help, "[COMMAND|CODE]", "explain a command or the code of a finding",
-            "Explains a command, or the code that stands in brackets behind a finding.",
+    Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
+            "Explains a command, or the code that stands in brackets behind a finding; codes lists "
+            "all of "
+            "them.",
             "scenefile help render\n"
+            "scenefile help codes\n"
             "scenefile help camera.up-parallel-to-look",
             run_help},
     Command{"version", for_version, "", "say which version this is", "Prints the version.",

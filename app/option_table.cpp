@@ -99,11 +99,15 @@ std::string set_compat(Options& options, const std::string& value) {
 }
 
 std::string set_deny(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 1> words{"warnings"};
-  std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
-  options.deny_warnings = wrong.empty();
-  return wrong;
+  if (value == "warnings") {
+    options.deny_warnings = true;
+  } else if (find_code(value) != nullptr) {
+    options.denied_codes.push_back(value);
+  } else {
+    return fmt::format("{} is neither warnings nor a code{}", quoted(value),
+                       did_you_mean(value, code_names()));
+  }
+  return {};
 }
 
 std::string set_allow(Options& options, const std::string& value) {
@@ -179,16 +183,24 @@ constexpr std::array table{
               set_flag<&Options::assets, false>},
     OptionRow{"--strict", "", "", "Spellings that only some programs read are errors.", for_check,
               set_flag<&Options::strict>},
-    OptionRow{"--deny", "", "WHAT", "warnings: every warning is an error.", for_check, set_deny},
+    OptionRow{
+        "--deny", "", "WHAT",
+        "warnings: every warning is an error. A code: findings of this code are errors. May be "
+        "given several times.",
+        for_check, set_deny},
     OptionRow{"--allow", "", "CODE",
-              "Do not report findings of this code. May be given several times.", for_check,
-              set_allow},
+              "Do not report findings of this code, denied or not. May be given several times.",
+              for_check, set_allow},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",
               for_info, set_flag<&Options::files>},
     OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
     OptionRow{"--json", "", "", "Answer in JSON, for programs.",
               for_all_readers | for_help | for_version, set_flag<&Options::json>},
+    OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
+              set_flag<&Options::sarif>},
+    OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
+              set_flag<&Options::markdown>},
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.", for_render | for_check,
               set_flag<&Options::quiet>},
     OptionRow{"--help", "-h", "", "This text.", for_all_readers | for_help | for_version,

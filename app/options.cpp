@@ -100,6 +100,9 @@ std::string check_together(const Command& command, const Options& options) {
         "--profile course has samples of its own: leave {} out, or use --profile fine",
         options.samples.has_value() ? "--samples" : "--seed");
   }
+  if (options.json && options.sarif) {
+    return "--json and --sarif are two answers: choose one";
+  }
   return command.bit == for_render ? check_output(options.output) : std::string();
 }
 

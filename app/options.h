@@ -35,11 +35,14 @@ struct Options {
 
   bool strict = false;
   bool deny_warnings = false;
+  std::vector<std::string> denied_codes;
   std::vector<std::string> allowed_codes;
 
   bool files = false;
   bool tree = false;
   bool json = false;
+  bool sarif = false;
+  bool markdown = false;
   bool quiet = false;
   bool help = false;
 };

@@ -101,6 +101,63 @@ TEST_F(Check, PolicyRaisesAndRemoves) {
   EXPECT_EQ(allowed.out, scene + ": fine\n");
 }
 
+TEST_F(Check, SingleCodesAreDenied) {
+  const std::string scene =
+      folder.write("s.xml", scene_with(R"(<diffuse r="1" g="1" b="1"/><blend v="0.5"/>)"));
+  const std::string code = "material.blend-without-texture";
+  EXPECT_EQ(run_program({"check", scene}).status, 0);
+  EXPECT_EQ(run_program({"check", "--deny", "xml.text", scene}).status, 0);
+  const ProgramRun denied = run_program({"check", "--deny", "xml.text", "--deny", code, scene});
+  EXPECT_EQ(denied.status, 1);
+  EXPECT_THAT(denied.out, HasSubstr("error: "));
+  EXPECT_EQ(run_program({"check", "--deny", code, "--allow", code, scene}).status, 0);
+}
+
+TEST_F(Check, ADeniedLimitOfATextureIsAnError) {
+  const std::string scene = folder.write("s.xml", scene_with(textured));
+  std::string huge = "BM";
+  huge.resize(54);
+  const auto put = [&](std::size_t at, unsigned value) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      huge[at + i] = static_cast<char>(value >> 8 * i);
+    }
+  };
+  put(10, 54);
+  put(14, 40);
+  put(18, 100'000);
+  put(22, 100'000);
+  put(26, 1 + (24 << 16));
+  folder.write("image/no.png", huge);
+  const ProgramRun run = run_program({"check", "--deny", "warnings", scene});
+  EXPECT_THAT(run.out, HasSubstr("[texture.limit]"));
+  EXPECT_EQ(run.status, 1);
+}
+
+TEST_F(Check, SeveralScenesEndWithACount) {
+  const std::string good = folder.write("good.xml", good_scene);
+  const std::string warned = folder.write("warned.xml", scene_with(textured));
+  const std::string bad = folder.write("bad.xml", "<scenefile>");
+  EXPECT_THAT(
+      run_program({"check", good, warned, bad, folder.path("none.xml"), good}).out,
+      ::testing::EndsWith("\n5 scenes: 2 fine, 1 with warnings, 1 with errors, 1 unreadable\n"));
+  EXPECT_EQ(run_program({"check", "--quiet", good, good}).out, "");
+}
+
+TEST_F(Check, FindingsAreSortedByPlace) {
+  // The reader sees line 15 first, check() line 4 after it.
+  std::string text = scene_with("<frobnicate/>");
+  text.replace(text.find("<up "), 3, "<up a=\"1\"");
+  const std::string scene = folder.write("s.xml", text);
+  const rapidjson::Document report = parse_json(run_program({"check", "--json", scene}).out);
+  int last = 0;
+  for (const auto& finding : report["scenes"][0]["findings"].GetArray()) {
+    EXPECT_LE(last, finding["line"].GetInt());
+    last = finding["line"].GetInt();
+  }
+  EXPECT_EQ(last, 15);
+  EXPECT_STREQ(report["scenes"][0]["verdict"].GetString(), "warnings");
+}
+
 TEST_F(Check, StrictRefusesDialects) {
   const std::string scene = folder.write("s.xml", scene_with(R"(<shininess value="3"/>)"));
   EXPECT_EQ(run_program({"check", scene}).status, 0);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace scenefile {
@@ -53,7 +55,9 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--threads", "-1"), "--threads");
   is_misuse(render("--seed", "1.5"), "--seed");
   is_misuse(render("--compat", "modern"), "course");
-  is_misuse({"check", "a.xml", "--deny", "all"}, "warnings");
+  is_misuse({"check", "a.xml", "--deny", "all"}, R"("all" is neither warnings nor a code)");
+  is_misuse({"check", "a.xml", "--deny", "xml.numbre"}, "did you mean xml.number?");
+  is_misuse({"check", "a.xml", "--json", "--sarif"}, "choose one");
   is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(there is no code "xml.nosuch")");
 }
 
@@ -96,6 +100,7 @@ TEST(Usage, HelpCoversCommandsAndCodes) {
   EXPECT_EQ(run_program({"render", "--help"}).out, render.out);
   EXPECT_THAT(run_program({"help", "camera.up-parallel-to-look"}).out,
               HasSubstr("the camera looks along its up direction (error)"));
+  EXPECT_THAT(run_program({"help", "codes"}).out, HasSubstr("\nxml.number "));
   is_misuse({"help", "chek"}, "did you mean check?");
   is_misuse({"help", "camera.up-paralel-to-look"}, "did you mean camera.up-parallel-to-look?");
 }
@@ -107,6 +112,13 @@ TEST(Usage, HelpFitsATerminal) {
       EXPECT_LE(line.size(), 90U) << line;
     }
   }
+}
+
+TEST(Usage, ThePageOfCodesIsUpToDate) {
+  std::ifstream file(SCENEFILE_SOURCE "/docs/diagnostics.md", std::ios::binary);
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(run_program({"help", "--markdown"}).out, page)
+      << "make docs writes docs/diagnostics.md anew";
 }
 
 TEST(Usage, EveryCodeHasAPage) {

@@ -109,7 +109,7 @@ TEST(IncludeLaw, HeadersShowNoLibraryButGlm) {
 
 TEST(IncludeLaw, TheProgramKeepsItsLibrariesInOneFileEach) {
   const std::map<std::string, std::string> homes = {
-      {"CLI/", "options.cpp"}, {"rapidjson/", "json.cpp"}, {"expat.h", ""}, {"png.h", ""}};
+      {"CLI/", "options.cpp"}, {"rapidjson/", "json_writer.cpp"}, {"expat.h", ""}, {"png.h", ""}};
   for (const Include& i : includes_below(root / "app")) {
     for (const auto& [library, home] : homes) {
       EXPECT_TRUE(!i.name.starts_with(library) || i.file == home) << i.file << ": " << i.name;

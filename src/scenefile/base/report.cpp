@@ -139,24 +139,6 @@ void append_heading(std::string& out, const Diagnostic& d, std::string_view file
                  d.code->name);
 }
 
-// Findings about the scene by place, then those about other files and those without a place.
-std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics, bool notes) {
-  std::vector<const Diagnostic*> order;
-  for (const Diagnostic& d : diagnostics.list()) {
-    if (notes || d.severity != Severity::note) {
-      order.push_back(&d);
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
-    const auto key = [](const Diagnostic& d) {
-      const bool here = d.file.empty() && d.location.known();
-      return std::tuple(!here, here ? d.location.line : 0, here ? d.location.column : 0);
-    };
-    return key(*a) < key(*b);
-  });
-  return order;
-}
-
 void append_dropped(std::string& out, const Diagnostics& diagnostics) {
   std::set<std::string_view> seen;
   for (const Diagnostic& d : diagnostics.list()) {
@@ -174,11 +156,29 @@ std::string counted(std::size_t count, std::string_view what) {
 
 }  // namespace
 
+std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics) {
+  std::vector<const Diagnostic*> order;
+  for (const Diagnostic& d : diagnostics.list()) {
+    order.push_back(&d);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
+    const auto key = [](const Diagnostic& d) {
+      const bool here = d.file.empty() && d.location.known();
+      return std::tuple(!here, here ? d.location.line : 0, here ? d.location.column : 0);
+    };
+    return key(*a) < key(*b);
+  });
+  return order;
+}
+
 std::string report_text(const Diagnostics& diagnostics, std::string_view file,
                         std::string_view text, const ReportStyle& style) {
   std::string out;
   LineFinder lines(text);
-  for (const Diagnostic* d : by_place(diagnostics, style.notes)) {
+  for (const Diagnostic* d : by_place(diagnostics)) {
+    if (d->severity == Severity::note && !style.notes) {
+      continue;
+    }
     append_heading(out, *d, file, style);
     if (style.excerpt && d->file.empty() && d->location.known() && !text.empty()) {
       append_excerpt(out, lines.line(d->location.line), d->location, style);

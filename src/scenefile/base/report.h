@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile {
 
@@ -14,7 +15,11 @@ struct ReportStyle {
   bool notes = true;    ///< show notes too
 };
 
-/// All findings in the order of their places (those without one last), each as
+/// All findings in the order of their places: those about the scene itself by line and column, then
+/// those about other files and those without a place, as they were reported.
+std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics);
+
+/// All findings by_place(), each as
 ///
 ///     chess.xml:41:9: error: unknown element <difuse> in primitive; did you mean <diffuse>?
 ///     [xml.unknown-element]

@@ -1,0 +1,74 @@
+#include "app/codes_page.h"
+
+#include "app/codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace scenefile::app {
+
+namespace {
+
+constexpr std::string_view introduction =
+    "# Diagnostics\n\n"
+    "<!-- Made by `scenefile help --markdown`; a test holds it up to date. -->\n\n"
+    "Everything that scenefile reports about a scene and its files, by code. `scenefile help CODE` "
+    "prints\n"
+    "the same text.\n\n"
+    "- **error**: the scene cannot be used. Exit status 1, or 4 for codes that end in `limit`.\n"
+    "- **warning**: the scene is used, as the text says. `--deny warnings` or `--deny CODE` makes "
+    "it an error.\n"
+    "- **note**: worth knowing; does not count.\n"
+    "- **dialect**: a spelling that only some programs read: an error with `--strict`.\n\n"
+    "`--allow CODE` silences a warning or a note.\n";
+
+// "camera" of "camera.look-zero".
+std::string_view family_of(const Code& code) {
+  return code.name.substr(0, code.name.find('.'));
+}
+
+// As text: what Markdown would take for its own is escaped.
+std::string markdown(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '<' || c == '*' || c == '_' || c == '\\' || c == '[') {
+      result += '\\';
+    }
+    result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string codes_text() {
+  std::string text;
+  std::size_t width = 0;
+  for (const std::string_view name : code_names()) {
+    width = std::max(width, name.size());
+  }
+  for (const Code* code : all_codes()) {
+    text += fmt::format("{:<{}}  {:<7}  {}\n", code->name, width, severity_name(code->severity),
+                        code->summary);
+  }
+  return text + "\n\"scenefile help CODE\" says more.\n";
+}
+
+std::string codes_markdown() {
+  std::string text(introduction);
+  std::string_view family;
+  for (const Code* code : all_codes()) {
+    if (family_of(*code) != family) {
+      family = family_of(*code);
+      text += fmt::format("\n## {}\n", family);
+    }
+    text += fmt::format("\n### {}\n\n**{}{}**: {}. {}\n", code->name, severity_name(code->severity),
+                        code->dialect ? ", dialect" : "", markdown(code->summary),
+                        markdown(code->help));
+  }
+  return text;
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,93 @@
+#include "app/json_writer.h"
+
+#include "scenefile/base/text.h"
+
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <cmath>
+
+namespace scenefile::app {
+
+namespace {
+
+// Replaces what is not UTF-8, which the writer would pass on or stop at.
+std::string valid_utf8(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t bytes = first_code_point(text).bytes;
+    result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
+    text.remove_prefix(bytes == 0 ? 1 : bytes);
+  }
+  return result;
+}
+
+rapidjson::SizeType length(std::string_view text) {
+  return static_cast<rapidjson::SizeType>(text.size());
+}
+
+}  // namespace
+
+struct Json::Library {
+  using Buffer = rapidjson::StringBuffer;
+  Buffer buffer;
+  rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer{buffer};
+};
+
+Json::Json() : library_(std::make_unique<Library>()) {
+  library_->writer.SetIndent(' ', 2);
+}
+Json::~Json() = default;
+
+void Json::value(std::string_view text) {
+  const std::string safe = valid_utf8(text);
+  library_->writer.String(safe.data(), length(safe));
+}
+void Json::value(bool b) {
+  library_->writer.Bool(b);
+}
+void Json::write_unsigned(std::uint64_t n) {
+  library_->writer.Uint64(n);
+}
+void Json::write_signed(std::int64_t n) {
+  library_->writer.Int64(n);
+}
+void Json::write_number(double d) {
+  if (std::isfinite(d)) {
+    library_->writer.Double(d);
+  } else {
+    library_->writer.Null();
+  }
+}
+void Json::key(std::string_view name) {
+  library_->writer.Key(name.data(), length(name));
+}
+void Json::raw(const std::string& json) {
+  library_->writer.RawValue(json.data(), json.size(), rapidjson::kObjectType);
+}
+void Json::begin_object() {
+  library_->writer.StartObject();
+}
+void Json::begin_object(std::string_view name) {
+  key(name);
+  begin_object();
+}
+void Json::end_object() {
+  library_->writer.EndObject();
+}
+void Json::begin_array() {
+  library_->writer.StartArray();
+}
+void Json::begin_array(std::string_view name) {
+  key(name);
+  begin_array();
+}
+void Json::end_array() {
+  library_->writer.EndArray();
+}
+
+std::string Json::text() const {
+  return std::string(library_->buffer.GetString(), library_->buffer.GetSize()) + "\n";
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,150 @@
+#include "app/sarif.h"
+
+#include "app/codes.h"
+#include "app/json_writer.h"
+#include "scenefile/base/report.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace scenefile::app {
+
+namespace {
+
+// A path as a URI reference (RFC 3986): what is not unreserved is percent-encoded.
+std::string uri_of(std::string_view path) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string uri = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    if (plain.find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      fmt::format_to(std::back_inserter(uri), "%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return uri;
+}
+
+std::string_view level_of(Severity severity) {
+  return severity_name(severity);  // SARIF has the same three words
+}
+
+void add_text(Json& json, std::string_view name, std::string_view text) {
+  json.begin_object(name);
+  json.add("text", text);
+  json.end_object();
+}
+
+void add_rule(Json& json, const Code& code) {
+  json.begin_object();
+  json.add("id", code.name);
+  add_text(json, "shortDescription", code.summary);
+  add_text(json, "help", code.help);
+  json.begin_object("defaultConfiguration");
+  json.add("level", level_of(code.severity));
+  json.end_object();
+  json.end_object();
+}
+
+// Code hosts show nothing without a line, so a finding without a place stands at the first.
+void add_location(Json& json, const std::string& scene, const Diagnostic& d) {
+  const bool here = d.file.empty() && d.location.known();
+  json.begin_array("locations");
+  json.begin_object();
+  json.begin_object("physicalLocation");
+  json.begin_object("artifactLocation");
+  json.add("uri", scene == "-" ? "stdin" : uri_of(scene));
+  json.end_object();
+  json.begin_object("region");
+  json.add("startLine", here ? d.location.line : 1u);
+  if (here && d.location.column != 0) {
+    json.add("startColumn", d.location.column);
+  }
+  json.end_object();
+  json.end_object();
+  json.end_object();
+  json.end_array();
+}
+
+// Findings inside a mesh: the log names the scene that uses it, the message the mesh.
+std::string message_of(const Diagnostic& d) {
+  if (d.file.empty()) {
+    return d.message;
+  }
+  return d.location.known() ? fmt::format("{}:{}: {}", d.file, d.location.line, d.message)
+                            : fmt::format("{}: {}", d.file, d.message);
+}
+
+void add_driver(Json& json, const std::map<std::string_view, const Code*>& rules) {
+  json.begin_object("tool");
+  json.begin_object("driver");
+  json.add("name", "scenefile");
+  json.add("version", SCENEFILE_VERSION);
+  json.begin_array("rules");
+  for (const auto& [name, code] : rules) {
+    add_rule(json, *code);
+  }
+  json.end_array();
+  json.end_object();
+  json.end_object();
+}
+
+void add_invocation(Json& json, const std::vector<std::string>& unreadable) {
+  json.begin_array("invocations");
+  json.begin_object();
+  json.add("executionSuccessful", unreadable.empty());
+  json.begin_array("toolExecutionNotifications");
+  for (const std::string& text : unreadable) {
+    json.begin_object();
+    json.add("level", "error");
+    add_text(json, "message", text);
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  json.end_array();
+}
+
+}  // namespace
+
+void SarifLog::add(const LoadedScene& scene) {
+  if (!scene.unreadable.empty()) {
+    unreadable_.push_back(scene.unreadable.text);
+  }
+  for (const Diagnostic* d : by_place(scene.diagnostics)) {
+    results_.push_back({scene.path, *d});
+    rules_.emplace(d->code->name, d->code);
+  }
+}
+
+std::string SarifLog::text() const {
+  Json json;
+  json.begin_object();
+  json.add("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
+  json.add("version", "2.1.0");
+  json.begin_array("runs");
+  json.begin_object();
+  add_driver(json, rules_);
+  add_invocation(json, unreadable_);
+  json.add("columnKind", "unicodeCodePoints");
+  json.begin_array("results");
+  for (const Result& result : results_) {
+    const std::string_view name = result.finding.code->name;
+    json.begin_object();
+    json.add("ruleId", name);
+    json.add("ruleIndex", std::distance(rules_.begin(), rules_.find(name)));
+    json.add("level", level_of(result.finding.severity));
+    add_text(json, "message", message_of(result.finding));
+    add_location(json, result.scene, result.finding);
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace scenefile::app

@@ -20,6 +20,18 @@ inline constexpr Code render_transparent_default{
     "transparentCoeff), which scales them. Programs take 0 or 0.5 for it; --profile fine takes "
     "0.5, --profile course 0. Write it into the global data to be safe."};
 
+inline constexpr Code convert_file_left_behind{
+    "convert.file-left-behind", Severity::warning, "a texture or mesh stays in another folder",
+    "Files are looked for in the folder of the scene and in a few folders beside it. The converted "
+    "scene lies in another folder, from which this file is not found. Copy the file to the same "
+    "place there, write the output beside the input, or name the old folder with --asset-root "
+    "whenever the new scene is used."};
+
+inline constexpr Code convert_file_renamed{
+    "convert.file-renamed", Severity::note, "a texture or mesh has another path in the output",
+    "File names are relative to the folder of the scene. The output lies in another folder, so the "
+    "path is written anew, to lead to the same file from there."};
+
 /// Sorted by name.
 std::span<const Code* const> all_codes();
 /// Their names, in the same order.

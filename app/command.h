@@ -3,6 +3,7 @@
 
 #include "app/options.h"
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -25,6 +26,15 @@ struct Context {
   std::string_view phase = "starting";
 };
 
+/// How many arguments a command takes.
+struct ArgumentCount {
+  std::size_t fewest = 1;
+  std::size_t most = 1;
+};
+inline constexpr ArgumentCount at_most_one{0, 1};
+inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
+inline constexpr ArgumentCount two{2, 2};
+
 struct Command {
   std::string_view name;
   unsigned bit;                ///< in OptionRow::commands
@@ -33,12 +43,15 @@ struct Command {
   std::string_view description;
   std::string_view examples;  ///< lines
   ExitCode (*run)(const Options&, Context&);
+  ArgumentCount count = {};
 };
 
 /// All commands, in the order of the help.
 std::span<const Command> commands();
 
 ExitCode run_check(const Options& options, Context& context);
+ExitCode run_convert(const Options& options, Context& context);
+ExitCode run_diff(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);
 ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);

@@ -135,6 +135,20 @@ void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
   }
 }
 
+// One scene's part of a difference; left out where the scene has no such thing.
+void add_side(Json& json, std::string_view name, const std::string& text, Location location) {
+  if (text.empty()) {
+    return;
+  }
+  json.begin_object(name);
+  json.add("text", text);
+  if (location.known()) {
+    json.add("line", location.line);
+    json.add("column", location.column);
+  }
+  json.end_object();
+}
+
 void add_code(Json& json, const Code& code) {
   json.begin_object();
   json.add("name", code.name);
@@ -233,6 +247,45 @@ std::string info_json(const LoadedScene& scene, const InfoReport* report) {
     if (!report->tree.empty()) {
       json.add("tree", report->tree);
     }
+  }
+  json.end_object();
+  return json.text();
+}
+
+std::string convert_json(const LoadedScene& scene, const ConvertReport& report) {
+  Json json;
+  begin_document(json, "convert");
+  json.key("scene");
+  add_scene(json, scene);
+  json.add("output", report.output);
+  json.add("format", report.format == SceneFormat::xml ? "xml" : "json");
+  json.add("written", report.error.empty());
+  if (!report.error.empty()) {
+    json.add("error", report.error);
+  }
+  json.end_object();
+  return json.text();
+}
+
+std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff) {
+  Json json;
+  begin_document(json, "diff");
+  json.key("a");
+  add_scene(json, a);
+  json.key("b");
+  add_scene(json, b);
+  if (diff != nullptr) {
+    json.add("equal", diff->equal);
+    json.add("same_meaning", diff->same_meaning);
+    json.begin_array("differences");
+    for (const SceneDifference& difference : diff->differences) {
+      json.begin_object();
+      json.add("where", difference.where);
+      add_side(json, "a", difference.a, difference.in_a);
+      add_side(json, "b", difference.b, difference.in_b);
+      json.end_object();
+    }
+    json.end_array();
   }
   json.end_object();
   return json.text();

@@ -5,6 +5,7 @@
 #include "app/option_table.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"
+#include "scenefile/scene/diff.h"
 #include "scenefile/scene/summary.h"
 
 #include <optional>
@@ -37,6 +38,18 @@ struct InfoReport {
   std::string tree;  ///< empty: not asked for
 };
 std::string info_json(const LoadedScene& scene, const InfoReport* report);
+
+/// What a conversion came to.
+struct ConvertReport {
+  std::string output;
+  SceneFormat format = SceneFormat::xml;
+  std::string error = {};  ///< empty: the scene was written
+  std::size_t bytes = 0;
+};
+std::string convert_json(const LoadedScene& scene, const ConvertReport& report);
+
+/// `diff`: null when one of the scenes cannot be used.
+std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
 
 std::string version_json(const std::string& version);
 std::string command_json(const Command& command);

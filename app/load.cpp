@@ -8,9 +8,7 @@
 
 namespace scenefile::app {
 
-namespace {
-
-AssetRootsOptions roots_of(const std::string& path, const Options& options) {
+AssetRootsOptions asset_roots_options(const std::string& path, const Options& options) {
   AssetRootsOptions roots{.scene_path = path,
                           .asset_roots = options.asset_roots,
                           .allow_outside = options.allow_outside,
@@ -22,8 +20,10 @@ AssetRootsOptions roots_of(const std::string& path, const Options& options) {
   return roots;
 }
 
+namespace {
+
 void load_files(LoadedScene& scene, const Options& options, bool textures, bool allow_missing) {
-  AssetRoots roots(roots_of(scene.path, options));
+  AssetRoots roots(asset_roots_options(scene.path, options));
   const FetchFile fetch = [&](const std::string& name) {
     FileContents contents;
     contents.error = roots.read(name, contents.bytes).text;
@@ -75,7 +75,7 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options) {
-  AssetRoots roots(roots_of(scene.path, options));
+  AssetRoots roots(asset_roots_options(scene.path, options));
   std::vector<AssetFile> files;
   locate(roots, AssetKind::texture, scene.ready.scene.texture_files, files);
   locate(roots, AssetKind::mesh, scene.ready.scene.mesh_files, files);

@@ -36,6 +36,9 @@ struct LoadedScene {
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
+/// Where the files may be that a scene at `path` names.
+AssetRootsOptions asset_roots_options(const std::string& path, const Options& options);
+
 /// Where each file of the scene is.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
 

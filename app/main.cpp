@@ -37,7 +37,7 @@ constexpr std::array table{
             "scenefile check --compat course old.xml\n"
             "scenefile check --no-assets --json - < scene.json\n"
             "scenefile check --sarif *.xml > findings.sarif",
-            run_check},
+            run_check, one_or_more},
     Command{"info", for_info, "SCENE", "say what is in a scene",
             "Counts what the scene holds, before and after templates are copied, and says where "
             "its textures and meshes were found.",
@@ -45,6 +45,22 @@ constexpr std::array table{
             "scenefile info --files --tree chess.xml\n"
             "scenefile info --json chess.xml",
             run_info},
+    Command{"convert", for_convert, "IN OUT", "write a scene in the other format, or cleanly",
+            "Reads a scene in any dialect and writes it as clean XML or JSON that means the same. "
+            "What the format cannot say as it stands is listed. Comments are not carried over. "
+            "Texture and mesh names are written anew when OUT lies in another folder.",
+            "scenefile convert chess.xml chess.json\n"
+            "scenefile convert old.xml new.xml\n"
+            "scenefile convert --compat course old.xml new.xml\n"
+            "scenefile convert - - --to json < chess.xml > chess.json",
+            run_convert, two},
+    Command{"diff", for_diff, "A B", "say in what two scenes differ",
+            "Compares two scenes by what they mean, node by node, whichever format each is "
+            "written in. The exit status is 0 when they mean the same and 1 when they do not.",
+            "scenefile diff old.xml new.xml\n"
+            "scenefile diff chess.xml chess.json\n"
+            "scenefile diff --json a.json b.json",
+            run_diff, two},
     Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
             "Explains a command, or the code that stands in brackets behind a finding; codes lists "
             "all of "
@@ -52,9 +68,9 @@ constexpr std::array table{
             "scenefile help render\n"
             "scenefile help codes\n"
             "scenefile help camera.up-parallel-to-look",
-            run_help},
+            run_help, at_most_one},
     Command{"version", for_version, "", "say which version this is", "Prints the version.",
-            "scenefile version\nscenefile --version", run_version},
+            "scenefile version\nscenefile --version", run_version, at_most_one},
 };
 
 // The order in which statuses go before each other.

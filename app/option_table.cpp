@@ -90,6 +90,14 @@ std::string set_features(Options& options, const std::string& value) {
                      did_you_mean(unknown, words));
 }
 
+std::string set_to(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 2> words{"xml", "json"};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.to = index == 0 ? SceneFormat::xml : SceneFormat::json;
+  return wrong;
+}
+
 std::string set_compat(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 1> words{"course"};
   std::size_t index = 0;
@@ -161,11 +169,14 @@ constexpr std::array table{
               [](Options& o, const std::string& v) {
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
               }},
+    OptionRow{"--to", "", "FORMAT",
+              "xml or json, where the name of the output does not say it, or says something else.",
+              for_convert, set_to},
     OptionRow{"--compat", "", "NAME",
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "
               "number.",
-              for_all_readers, set_compat},
+              for_all_readers | for_diff, set_compat},
     OptionRow{"--asset-root", "", "DIR",
               "Look for textures and meshes there too. May be given several times.",
               for_all_readers,
@@ -196,14 +207,14 @@ constexpr std::array table{
               for_info, set_flag<&Options::files>},
     OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
     OptionRow{"--json", "", "", "Answer in JSON, for programs.",
-              for_all_readers | for_help | for_version, set_flag<&Options::json>},
+              for_all_readers | for_diff | for_help | for_version, set_flag<&Options::json>},
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
     OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
               set_flag<&Options::markdown>},
-    OptionRow{"--quiet", "-q", "", "Say nothing but errors.", for_render | for_check,
-              set_flag<&Options::quiet>},
-    OptionRow{"--help", "-h", "", "This text.", for_all_readers | for_help | for_version,
+    OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
+              for_render | for_check | for_convert | for_diff, set_flag<&Options::quiet>},
+    OptionRow{"--help", "-h", "", "This text.", for_all_readers | for_diff | for_help | for_version,
               set_flag<&Options::help>},
 };
 

@@ -14,7 +14,9 @@ inline constexpr unsigned for_check = 2;
 inline constexpr unsigned for_info = 4;
 inline constexpr unsigned for_help = 8;
 inline constexpr unsigned for_version = 16;
-inline constexpr unsigned for_all_readers = for_render | for_check | for_info;
+inline constexpr unsigned for_convert = 32;
+inline constexpr unsigned for_diff = 64;
+inline constexpr unsigned for_all_readers = for_render | for_check | for_info | for_convert;
 
 struct OptionRow {
   std::string_view name;    ///< "--size"

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace scenefile::app {
@@ -70,6 +71,15 @@ std::string missing_value(std::string_view words) {
   return std::string(words);
 }
 
+// ".xml" for "a/B.XML"; empty without one.
+std::string lower_case_extension(std::string_view path) {
+  const std::size_t dot = path.find_last_of("./");
+  std::string extension(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
 std::string check_output(const std::string& output) {
   ImageFormat format{};
   const bool named = output.find('.', output.rfind('/') + 1) != std::string::npos;
@@ -84,15 +94,46 @@ std::string check_output(const std::string& output) {
                            : "without .png, .exr or .pfm at its end it does not say what to write");
 }
 
-// What no option can see alone.
-std::string check_together(const Command& command, const Options& options) {
-  if (command.bit != for_help && command.bit != for_version && options.arguments.empty()) {
-    return fmt::format("{} needs a scene: scenefile {} {}", command.name, command.name,
+std::string check_count(const Command& command, const std::vector<std::string>& arguments) {
+  const auto [fewest, most] = command.count;
+  if (arguments.size() < fewest) {
+    return fmt::format("{} needs {}: scenefile {} {}", command.name,
+                       fewest == 1 ? "a scene" : fmt::format("{} names", fewest), command.name,
                        command.arguments);
   }
-  if (command.bit != for_check && options.arguments.size() > 1) {
-    return fmt::format("{} takes one argument; what is {}?", command.name,
-                       quoted(options.arguments[1], 400));
+  if (arguments.size() > most) {
+    return fmt::format("{} takes {}; what is {}?", command.name,
+                       most == 1 ? "one argument" : fmt::format("{} arguments", most),
+                       quoted(arguments[most], 400));
+  }
+  if (std::count(arguments.begin(), arguments.end(), "-") > (command.bit == for_convert ? 2 : 1)) {
+    return "standard input can be read only once";
+  }
+  return {};
+}
+
+// The format that --to or the name of the output says.
+std::string choose_format(Options& options) {
+  const std::string& output = options.arguments[1];
+  if (options.to.has_value()) {
+    return {};
+  }
+  const std::string extension = lower_case_extension(output);
+  if (extension != ".xml" && extension != ".json") {
+    return fmt::format("the name {} does not say the format; end it in .xml or .json, or give --to",
+                       quoted(output, 400));
+  }
+  options.to = extension == ".xml" ? SceneFormat::xml : SceneFormat::json;
+  return {};
+}
+
+// What no option can see alone.
+std::string check_together(const Command& command, Options& options) {
+  if (std::string wrong = check_count(command, options.arguments); !wrong.empty()) {
+    return wrong;
+  }
+  if (command.bit == for_convert) {
+    return choose_format(options);
   }
   if (command.bit == for_render && options.profile == Profile::course &&
       (options.samples.has_value() || options.seed.has_value())) {

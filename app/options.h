@@ -1,6 +1,7 @@
 #pragma once
 // The command line as data.
 
+#include "scenefile/format/write_scene.h"
 #include "scenefile/trace/render.h"
 
 #include <cstdint>
@@ -26,6 +27,8 @@ struct Options {
   std::optional<int> max_depth;
   std::optional<std::uint64_t> seed;
   int threads = 0;
+
+  std::optional<SceneFormat> to;
 
   bool compat_course = false;
   std::vector<std::string> asset_roots;

@@ -5,6 +5,7 @@
 #include "scenefile/scene/diff_align.h"
 #include "scenefile/scene/diff_values.h"
 #include "scenefile/scene/node_path.h"
+#include "scenefile/scene/prepare.h"
 
 #include <fmt/format.h>
 
@@ -307,6 +308,16 @@ std::vector<SceneDifference> diff(const Scene& a, const Scene& b, std::size_t mo
     return {};
   }
   return Comparison(a, b, most).run();
+}
+
+SceneDiff diff_meaning(const Scene& a, const Scene& b, std::size_t most) {
+  SceneDiff result;
+  result.equal = a == b;
+  result.same_meaning = result.equal || same_meaning(a, b);
+  if (!result.same_meaning) {
+    result.differences = diff(a, b, most);
+  }
+  return result;
 }
 
 std::string difference_text(const SceneDifference& difference) {

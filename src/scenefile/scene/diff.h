@@ -25,6 +25,16 @@ struct SceneDifference {
 /// differences. Empty exactly when `a == b`, for scenes in which check() finds no error.
 std::vector<SceneDifference> diff(const Scene& a, const Scene& b, std::size_t most = 10'000);
 
+/// What two scenes say differently, as far as it matters.
+struct SceneDiff {
+  bool equal = false;                        ///< a == b
+  bool same_meaning = false;                 ///< drawn alike, however they are written
+  std::vector<SceneDifference> differences;  ///< empty when they have the same meaning
+};
+
+/// Compares two scenes by their meaning. At most `most` differences.
+SceneDiff diff_meaning(const Scene& a, const Scene& b, std::size_t most = 10'000);
+
 /// "root/arm: sphere 1: diffuse: 1 0 0 -> 0 1 0".
 std::string difference_text(const SceneDifference& difference);
 

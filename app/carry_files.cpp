@@ -1,0 +1,103 @@
+#include "app/carry_files.h"
+
+#include "app/codes.h"
+#include "scenefile/base/text.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <unordered_map>
+
+namespace scenefile::app {
+
+namespace {
+
+std::filesystem::path folder_of(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored)
+      .parent_path();
+}
+
+bool has_folder(const std::string& output) {
+  return output != "-" && !output.starts_with("/dev/");
+}
+
+// Decides for each name once.
+class Carrier {
+ public:
+  Carrier(LoadedScene& scene, const std::string& output, const Options& options)
+      : scene_(scene),
+        folder_(folder_of(output)),
+        here_(asset_roots_options(scene.path, options)),
+        there_(asset_roots_options(output, options)) {}
+
+  void carry(std::string& name, Location location) {
+    const auto [entry, is_new] = names_.try_emplace(name, name);
+    if (is_new) {
+      entry->second = name_there(name, location);
+    }
+    name = entry->second;
+  }
+
+ private:
+  std::string name_there(const std::string& name, Location location) {
+    const ResolvedAsset here = here_.resolve(name);
+    if (!here.error.empty()) {
+      return name;
+    }
+    const ResolvedAsset there = there_.resolve(name);
+    const bool same = there.error.empty() && there.path == here.path;
+    // A search finds what other programs would not.
+    if (same && (there.rule < AssetRule::path_suffix || there.rule <= here.rule)) {
+      return name;
+    }
+    std::string relative = std::filesystem::path(here.path).lexically_relative(folder_).string();
+    if (there_.resolve(relative).path == here.path) {
+      scene_.diagnostics.report(
+          convert_file_renamed, location,
+          fmt::format("{} is written as {}, where the output's folder finds it", quoted(name, 400),
+                      quoted(relative, 400)));
+      return relative;
+    }
+    if (same) {
+      return name;
+    }
+    scene_.diagnostics.report(
+        convert_file_left_behind, location,
+        fmt::format("{} {} from the folder of the output; it is {}: copy it there, or give "
+                    "--asset-root whenever the output is used",
+                    quoted(name, 400), there.error.empty() ? "is another file" : "is not found",
+                    escaped(here.path, 400)));
+    return name;
+  }
+
+  LoadedScene& scene_;
+  std::filesystem::path folder_;
+  AssetRoots here_;
+  AssetRoots there_;
+  std::unordered_map<std::string, std::string> names_;
+};
+
+}  // namespace
+
+void carry_files(LoadedScene& scene, const std::string& output, const Options& options) {
+  if (!has_folder(output) || folder_of(scene.path) == folder_of(output)) {
+    return;
+  }
+  Carrier carrier(scene, output, options);
+  for (Node& node : scene.written.nodes) {
+    for (Primitive& primitive : node.primitives) {
+      if (primitive.shape == Shape::mesh) {
+        carrier.carry(primitive.mesh_file, primitive.location);
+      }
+      for (auto* use : {&primitive.material.texture, &primitive.material.bump_map}) {
+        if (use->has_value()) {
+          carrier.carry((*use)->file, (*use)->location);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,123 @@
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string textured =
+    R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/map.png" u="1" v="1"/>)";
+
+struct Convert : ::testing::Test {
+  TempFolder folder;
+
+  // The files are only looked for, not opened.
+  void make_folder(const std::string& name) {
+    std::filesystem::create_directory(folder.path(name));
+  }
+};
+
+TEST_F(Convert, ThereAndBackMeansTheSame) {
+  const std::string xml = folder.write("a.xml", good_scene);
+  const std::string json = folder.path("a.json");
+  const std::string back = folder.path("back.xml");
+  const ProgramRun there = run_program({"convert", xml, json});
+  EXPECT_EQ(there.status, 0);
+  EXPECT_THAT(there.err, AllOf(HasSubstr("[write.light-id]"), HasSubstr(json + ": JSON, ")));
+  EXPECT_THAT(there.err, Not(HasSubstr("warning")));
+  EXPECT_EQ(run_program({"convert", json, back}).status, 0);
+  for (const std::string& other : {json, back}) {
+    const ProgramRun diff = run_program({"diff", xml, other});
+    EXPECT_EQ(diff.status, 0) << diff.out;
+    EXPECT_THAT(diff.out, HasSubstr(other == json ? "same meaning" : "no difference"));
+  }
+}
+
+TEST_F(Convert, StandardStreamsNeedAFormat) {
+  const ProgramRun json = run_program({"convert", "-", "-", "--to", "json"}, {.input = good_scene});
+  EXPECT_EQ(json.status, 0);
+  EXPECT_EQ(parse_json(json.out)["groups"].Size(), 2U);
+  const ProgramRun none = run_program({"convert", "-", "-"}, {.input = good_scene});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.err, HasSubstr("does not say the format"));
+}
+
+TEST_F(Convert, BrokenScenesWriteNothing) {
+  const std::string bad = folder.write("bad.xml", scene_with(R"(<diffuse r="red" g="0" b="0"/>)"));
+  const std::string out = folder.write("out.json", "as it was");
+  const ProgramRun run = run_program({"convert", bad, out});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("[xml.number]"), Not(HasSubstr("out.json"))));
+  EXPECT_EQ(folder.read("out.json"), "as it was");
+}
+
+TEST_F(Convert, TheSceneIsNotReplaced) {
+  const std::string xml = folder.write("a.xml", good_scene);
+  EXPECT_EQ(run_program({"convert", xml, xml}).status, 2);
+  EXPECT_EQ(folder.read("a.xml"), good_scene);
+  EXPECT_EQ(run_program({"convert", xml, folder.path("none/a.json")}).status, 3);
+}
+
+TEST_F(Convert, TheCoursesReadingIsWrittenApart) {
+  std::string twice = good_scene;
+  const std::string end = "</object>\n    </transblock>";
+  ASSERT_NE(twice.find(end), std::string::npos);
+  twice.insert(twice.find(end) + 9, R"(<object type="primitive" name="cube"/>)");
+  const std::string xml = folder.write("two.xml", twice);
+  const std::string plain = run_program({"convert", xml, "-", "--to", "xml"}).out;
+  const std::string course =
+      run_program({"convert", "--compat", "course", xml, "-", "--to", "xml"}).out;
+  EXPECT_THAT(plain, Not(HasSubstr("cube")));
+  EXPECT_THAT(course, HasSubstr("cube"));
+  EXPECT_EQ(run_program({"check", "-"}, {.input = course}).out, "<stdin>: fine\n");
+}
+
+TEST_F(Convert, FilesAreFoundFromTheOutputsFolder) {
+  make_folder("in");
+  make_folder("in/image");
+  folder.write("in/image/map.png", "");
+  const std::string xml = folder.write("in/a.xml", scene_with(textured));
+  const ProgramRun beside = run_program({"convert", xml, folder.path("in/b.xml")});
+  EXPECT_THAT(beside.err, Not(HasSubstr("map.png")));
+  const ProgramRun above = run_program({"convert", xml, folder.path("b.xml")});
+  EXPECT_THAT(above.err, HasSubstr(R"("image/map.png" is written as "in/image/map.png")"));
+  EXPECT_THAT(folder.read("b.xml"), HasSubstr(R"(file="in/image/map.png")"));
+}
+
+TEST_F(Convert, FilesThatStayBehindAreNamed) {
+  make_folder("in");
+  make_folder("in/image");
+  make_folder("out");
+  folder.write("in/image/map.png", "");
+  const std::string xml = folder.write("in/a.xml", scene_with(textured));
+  const std::string out = folder.path("out/a.json");
+  const ProgramRun lost = run_program({"convert", xml, out});
+  EXPECT_EQ(lost.status, 0);
+  EXPECT_THAT(lost.err, AllOf(HasSubstr("[convert.file-left-behind]"), HasSubstr("a.xml:15:")));
+  EXPECT_THAT(folder.read("out/a.json"), HasSubstr(R"("image/map.png")"));
+  const ProgramRun root = run_program({"convert", "--asset-root", folder.path("in"), xml, out});
+  EXPECT_THAT(root.err, Not(HasSubstr("left-behind")));
+}
+
+TEST_F(Convert, AnswersPrograms) {
+  const std::string xml = folder.write("a.xml", good_scene);
+  const ProgramRun run = run_program({"convert", "--json", xml, folder.path("b.json")});
+  const rapidjson::Document document = parse_json(run.out);
+  EXPECT_TRUE(document["written"].GetBool());
+  EXPECT_STREQ(document["format"].GetString(), "json");
+  EXPECT_STREQ(document["scene"]["findings"][0]["code"].GetString(), "write.light-id");
+  EXPECT_EQ(run.err, "");
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -1,0 +1,68 @@
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct DiffScenes : ::testing::Test {
+  TempFolder folder;
+};
+
+TEST_F(DiffScenes, EqualScenesHaveNoDifference) {
+  const std::string a = folder.write("a.xml", good_scene);
+  const ProgramRun run = run_program({"diff", a, "-"}, {.input = good_scene});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, a + " and <stdin>: no difference\n");
+  EXPECT_EQ(run_program({"diff", "--quiet", a, a}).out, "");
+}
+
+TEST_F(DiffScenes, ADifferenceHasAPlaceInBoth) {
+  folder.write("a.xml", scene_with(R"(<diffuse r="1" g="0.5" b="0"/>)"));
+  std::string b = scene_with(R"(<diffuse r="1" g="0.25" b="0"/>)");
+  b.insert(0, 1, '\n');
+  folder.write("b.xml", b);
+  const ProgramRun run = run_program({"diff", "a.xml", "b.xml"}, {.folder = folder.path()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("a.xml:14:7: b.xml:15:7: root/#1: sphere 1: diffuse: "
+                                       "1 0.5 0 -> 1 0.25 0\n"),
+                             HasSubstr("a.xml and b.xml: 1 difference\n")));
+}
+
+TEST_F(DiffScenes, WhatCannotBeReadIsNoDifference) {
+  const std::string a = folder.write("a.xml", good_scene);
+  EXPECT_EQ(run_program({"diff", a, folder.path("none.xml")}).status, 3);
+  const ProgramRun bad = run_program({"diff", folder.write("bad.xml", "<scenefile>"), a});
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_EQ(bad.out, "");
+  EXPECT_THAT(bad.err, HasSubstr("bad.xml:1:12: error: "));
+  EXPECT_EQ(run_program({"diff", "-", "-"}).status, 2);
+  EXPECT_EQ(run_program({"diff", a}).status, 2);
+}
+
+TEST_F(DiffScenes, AnswersPrograms) {
+  const std::string a = folder.write("a.xml", good_scene);
+  const std::string b = folder.write("b.xml", scene_with(R"(<ior v="2"/>)"));
+  const rapidjson::Document document = parse_json(run_program({"diff", "--json", a, b}).out);
+  EXPECT_FALSE(document["same_meaning"].GetBool());
+  bool found = false;
+  for (const auto& difference : document["differences"].GetArray()) {
+    if (difference["where"].GetString() == std::string("root/#1: sphere 1: ior")) {
+      found = true;
+      EXPECT_STREQ(difference["a"]["text"].GetString(), "default");
+      EXPECT_STREQ(difference["b"]["text"].GetString(), "2");
+      EXPECT_GT(difference["b"]["line"].GetInt(), 0);
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+
+}  // namespace scenefile

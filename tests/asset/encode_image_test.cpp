@@ -85,6 +85,66 @@ TEST(EncodeImage, ExrKeepsEveryFloat) {
   std::free(rgba);
 }
 
+// All channels of an EXR file, by name.
+struct ExrFile {
+  EXRVersion version{};
+  EXRHeader header{};
+  EXRImage image{};
+
+  explicit ExrFile(const std::string& bytes) {
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
+    InitEXRHeader(&header);
+    InitEXRImage(&image);
+    EXPECT_EQ(ParseEXRVersionFromMemory(&version, data, bytes.size()), TINYEXR_SUCCESS);
+    EXPECT_EQ(ParseEXRHeaderFromMemory(&header, &version, data, bytes.size(), nullptr),
+              TINYEXR_SUCCESS);
+    EXPECT_EQ(LoadEXRImageFromMemory(&image, &header, data, bytes.size(), nullptr),
+              TINYEXR_SUCCESS);
+  }
+  ~ExrFile() {
+    FreeEXRImage(&image);
+    FreeEXRHeader(&header);
+  }
+  ExrFile(const ExrFile&) = delete;
+  ExrFile& operator=(const ExrFile&) = delete;
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (int i = 0; i < header.num_channels; ++i) {
+      names.emplace_back(header.channels[i].name);
+    }
+    return names;
+  }
+};
+
+TEST(EncodeLayers, ChannelsAreNamedByTheirLayerAndSorted) {
+  const std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, {1, 2, 3, 4, 5, 6}},
+                                       {"normal", {"X", "Y", "Z"}, false, {7, 8, 9, 10, 11, -12}},
+                                       {"object-id", {"ID"}, true, {0, 16777215}}};
+  std::string error;
+  const std::string bytes = encode_layers(2, 1, layers, error);
+  ASSERT_EQ(error, "");
+  EXPECT_EQ(encode_layers(2, 1, layers, error), bytes);
+  const ExrFile file(bytes);
+  EXPECT_EQ(file.names(), (std::vector<std::string>{"B", "G", "R", "normal.X", "normal.Y",
+                                                    "normal.Z", "object-id.ID"}));
+  const auto floats = [&](int channel) {
+    return reinterpret_cast<const float*>(file.image.images[channel]);
+  };
+  EXPECT_EQ(floats(0)[1], 6);
+  EXPECT_EQ(floats(2)[0], 1);
+  EXPECT_EQ(floats(5)[1], -12);
+  EXPECT_EQ(file.header.pixel_types[6], TINYEXR_PIXELTYPE_UINT);
+  EXPECT_EQ(reinterpret_cast<const unsigned*>(file.image.images[6])[1], 16777215u);
+}
+
+TEST(EncodeLayers, NamesHaveALimit) {
+  std::string error;
+  const ImageLayer layer{std::string(300, 'n'), {"Y"}, false, {0}};
+  EXPECT_EQ(encode_layers(1, 1, {&layer, 1}, error), "");
+  EXPECT_NE(error, "");
+}
+
 TEST(EncodeImage, PfmByHand) {
   Image image(1, 2);
   image.rgb = {1, 2, 3, -0.5f, 0, 1e10f};

@@ -35,9 +35,8 @@ extern const Codec gif_codec;
 extern const Codec bmp_codec;
 extern const Codec tga_codec;
 
-/// The encoders behind encode_image(); the image is not empty.
+/// The encoder of PNG behind encode_image(); the image is not empty.
 std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error);
-std::string encode_exr(const Image& image, std::string& error);
 
 inline constexpr std::string_view ends_early = "the file ends early";
 

@@ -31,6 +31,11 @@ std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
+std::string encode_picture_exr(const Image& image, std::string& error) {
+  const ImageLayer picture{"", {"R", "G", "B"}, false, image.rgb};
+  return encode_layers(image.width, image.height, {&picture, 1}, error);
+}
+
 bool ends_with(std::string_view text, std::string_view end) {
   const auto same = [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
@@ -68,7 +73,7 @@ std::string encode_image(const Image& image, ImageFormat format, Rounding roundi
     case ImageFormat::png16:
       return encode_png(image, 16, rounding, error);
     case ImageFormat::exr:
-      return encode_exr(image, error);
+      return encode_picture_exr(image, error);
     case ImageFormat::pfm:
       break;
   }

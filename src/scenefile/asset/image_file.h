@@ -5,8 +5,10 @@
 #include "scenefile/base/limits.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenefile {
 
@@ -32,5 +34,20 @@ bool image_format_of(std::string_view file_name, ImageFormat& format);
 /// image gives the same bytes. On failure the result is empty and `error` says why.
 std::string encode_image(const Image& image, ImageFormat format, Rounding rounding,
                          std::string& error);
+
+/// Part of a picture that has several: its own, its normals, ...
+struct ImageLayer {
+  std::string name;                   ///< empty: the picture itself
+  std::vector<std::string> channels;  ///< names in the order of the values, such as R G B
+  bool whole = false;                 ///< whole numbers from 0 to 2^24
+  std::vector<float> values;  ///< channels * width * height, pixel after pixel, row 0 on top
+};
+
+/// Encodes all layers as one OpenEXR file. By its convention the channel X of the layer normal is
+/// called normal.X, those of a layer without name have no dot; channels are sorted by these names.
+/// Values are 32-bit floats, whole ones 32-bit unsigned integers. Same layers, same bytes. On
+/// failure the result is empty and `error` says why.
+std::string encode_layers(int width, int height, std::span<const ImageLayer> layers,
+                          std::string& error);
 
 }  // namespace scenefile

@@ -74,6 +74,12 @@ void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,
 
 void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts) const {
   const auto most = static_cast<std::uint32_t>(tracer_.options.samples);
+  // Few samples of a wide blur agree by chance, mostly on what is behind it: to end then would
+  // darken small bright things.
+  if (camera_.has_lens()) {
+    take(x, y, most, samples, counts);
+    return;
+  }
   do {
     const std::uint32_t next = samples.count > most / 2 ? most : samples.count * 2;
     take(x, y, next, samples, counts);

@@ -116,6 +116,36 @@ void for_each_object(const SceneBuilder& b, std::uint32_t group, const DAffine& 
   }
 }
 
+// The nearest meeting where meshes count as met at t times the length of the ray's direction in
+// their space.
+Found nearest_by_mesh_distance(const SceneBuilder& b, std::uint32_t group,
+                               const DAffine& world_from_group, const Ray& ray, double t_min) {
+  Found found;
+  const auto offer = [&](double t, std::uint32_t material) {
+    if (t > t_min && t < found.t) {
+      found = {t, material};
+    }
+  };
+  for (const RenderPrimitive& p : b.scene.groups[group].primitives) {
+    const DAffine object = inverse(world_from_group * DAffine(p.group_from_object));
+    const Ray local{object.point(ray.origin), object.vector(ray.direction)};
+    const double length = glm::length(local.direction);
+    ShapeHit hit;
+    if (p.shape != Shape::mesh && intersect(p.shape, local, t_min, infinity, hit)) {
+      offer(hit.t, p.material);
+    } else if (p.shape == Shape::mesh &&
+               meet_mesh(b.assets.meshes[p.mesh], local, t_min / length, infinity, hit.t)) {
+      offer(hit.t * length, p.material);
+    }
+  }
+  for (const RenderInstance& i : b.scene.groups[group].instances) {
+    const Found inner = nearest_by_mesh_distance(
+        b, i.group, world_from_group * DAffine(i.group_from_instance), ray, t_min);
+    offer(inner.t, inner.material);
+  }
+  return found;
+}
+
 Found nearest(const SceneBuilder& b, const Ray& ray, double t_min, double t_max) {
   Found found;
   for_each_object(b, b.scene.root, DAffine(), ray, t_min, t_max,
@@ -169,6 +199,27 @@ RC_GTEST_PROP(Accelerator, FindsWhatLookingAtEveryObjectFinds, ()) {
     compare_closest(b, accelerator, ray, std::max(0.0, t_min), t_max, tally);
   }
   RC_ASSERT(tally.differ <= 1);
+}
+
+RC_GTEST_PROP(Accelerator, MeshesMayCountByTheirOwnDistance, ()) {
+  Random random(*rc::gen::arbitrary<unsigned>());
+  const SceneBuilder b = random_scene(random);
+  const Accelerator accelerator(b.scene, b.assets, {Instances::unnamed, MeshDistance::of_mesh});
+  int differ = 0;
+  for (int i = 0; i < 200; ++i) {
+    Ray ray = random_ray(random, between(random, 0, 8));
+    ray.direction = glm::normalize(ray.direction);
+    const double t_min = i % 2 == 0 ? 0 : 2;
+    const Found expected = nearest_by_mesh_distance(b, b.scene.root, DAffine(), ray, t_min);
+    Hit hit;
+    const bool found = accelerator.closest(ray, t_min, infinity, hit);
+    const bool same =
+        found == (expected.material != no_index) &&
+        (!found || (std::abs(hit.t - expected.t) < 1e-5 && hit.material == expected.material)) &&
+        accelerator.occluded(ray, t_min, infinity) == found;
+    differ += same ? 0 : 1;
+  }
+  RC_ASSERT(differ <= 1);
 }
 
 RC_GTEST_PROP(Accelerator, LightPassesEachTransparentObjectOnce, ()) {

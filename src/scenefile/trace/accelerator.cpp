@@ -99,6 +99,12 @@ struct Query {
   const Part* mesh_part = nullptr;
   bool mesh_crossed = false;
 
+  // MeshDistance::of_mesh: a mesh that is met at t counts as met at t * mesh_scale, and one that
+  // counts as nearer than `best` is met before best * reach.
+  bool mesh_distances = false;
+  double mesh_scale = 1;
+  double reach = 1;
+
   // The nearest hit.
   bool found = false;
   std::uint32_t found_depth = 0;
@@ -160,10 +166,10 @@ bool in_embree_range(const glm::vec3& v) {
 
 // Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
 // single precision good however far away the origin is. False: the ray misses the box.
-bool start_in_box(const Query& q, const Ray& ray, const Bounds& box, double diagonal, double& shift,
-                  RTCRay& out) {
-  double enter = q.t_min;
-  double leave = q.best;
+bool start_in_box(double t_min, double t_max, const Ray& ray, const Bounds& box, double diagonal,
+                  double& shift, RTCRay& out) {
+  double enter = t_min;
+  double leave = t_max;
   if (!clip_to_box(ray, box, enter, leave)) {
     return false;
   }
@@ -179,7 +185,7 @@ bool start_in_box(const Query& q, const Ray& ray, const Bounds& box, double diag
   }
   out = {origin.x,    origin.y,    origin.z,
          0.0f,        direction.x, direction.y,
-         direction.z, 0.0f,        next_up(q.best - shift),
+         direction.z, 0.0f,        next_up(t_max - shift),
          0xffffffffu, 0,           0};
   return true;
 }
@@ -230,7 +236,8 @@ void search_group(Query& q, const Group& group, const Ray& ray) {
   }
   double shift = 0;
   RTCRay start;
-  if (!start_in_box(q, ray, group.bounds, group.diagonal, shift, start)) {
+  const double t_min = q.mesh_distances ? 0 : q.t_min;
+  if (!start_in_box(t_min, q.best * q.reach, ray, group.bounds, group.diagonal, shift, start)) {
     return;
   }
   const Ray* const outer_ray = q.ray;
@@ -246,7 +253,9 @@ void search_mesh(Query& q, const Part& part, const Ray& ray) {
   const MeshScene& mesh = (*q.meshes)[part.target];
   double shift = 0;
   RTCRay start;
-  if (!start_in_box(q, ray, mesh.bounds, mesh.diagonal, shift, start)) {
+  q.mesh_scale = q.mesh_distances ? glm::length(ray.direction) : 1;
+  if (!start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.bounds, mesh.diagonal,
+                    shift, start)) {
     return;
   }
   const Ray* const outer_ray = q.ray;
@@ -320,7 +329,7 @@ void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   test_part(q, group, arguments->primID, *q.ray);
   auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
-  const float end = q.overwhelmed ? -1.0f : next_up(q.best - q.shift);
+  const float end = q.overwhelmed ? -1.0f : next_up(q.best * q.reach - q.shift);
   if (end < ray.ray.tfar) {
     ray.ray.tfar = end;
     ray.hit.geomID = arguments->geomID;
@@ -370,17 +379,18 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
   TriangleHit hit;
-  if (!meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit) || !(hit.t > q.t_min) ||
-      !improves(q, hit.t, candidate.primID)) {
+  const bool met = meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit);
+  const double t = hit.t * q.mesh_scale;
+  if (!met || !(t > q.t_min) || !improves(q, t, candidate.primID)) {
     arguments->valid[0] = 0;
     return;
   }
-  accept(q, *q.mesh_part, hit.t);
+  accept(q, *q.mesh_part, t);
   q.triangle = candidate.primID;
   q.b1 = hit.b1;
   q.b2 = hit.b2;
   // A little beyond the hit, so that triangles at the same distance are offered too.
-  const double reach = q.best - q.shift;
+  const double reach = hit.t - q.shift;
   reinterpret_cast<RTCRay*>(arguments->ray)->tfar = next_up(reach + 1e-6 * std::abs(reach));
 }
 
@@ -389,8 +399,9 @@ void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
   TriangleHit hit;
-  if (meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit) && hit.t > q.t_min &&
-      hit.t < q.best) {
+  const bool met = meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit);
+  const double t = hit.t * q.mesh_scale;
+  if (met && t > q.t_min && t < q.best) {
     q.mesh_crossed = true;
   } else {
     arguments->valid[0] = 0;
@@ -420,6 +431,30 @@ Bounds widened(const Bounds& box) {
   return {box.min - pad, box.max + pad};
 }
 
+// No vector becomes longer than this many times itself (the Frobenius norm).
+double largest_stretch(const DAffine& map) {
+  const glm::dmat3& m = map.linear;
+  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
+
+// How much longer than in its mesh a vector may be in the world; 1 at least. A group stands behind
+// all that it contains.
+double mesh_reach(const std::vector<Group>& groups, std::uint32_t root) {
+  std::vector<double> longest(groups.size(), 0);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (const Part& part : groups[g].parts) {
+      const double within = part.kind == PartKind::mesh    ? 1
+                            : part.kind == PartKind::group ? longest[part.target]
+                                                           : 0;
+      if (within > 0) {
+        const double stretch = largest_stretch(inverse(DAffine(part.part_from_group)));
+        longest[g] = std::max(longest[g], within * stretch);
+      }
+    }
+  }
+  return groups.empty() ? 1 : std::max(1.0, longest[root]);
+}
+
 }  // namespace
 
 struct Accelerator::Impl {
@@ -427,7 +462,8 @@ struct Accelerator::Impl {
   std::vector<Group> groups;
   std::vector<MeshScene> meshes;
   std::uint32_t root = 0;
-  Instances instances = Instances::unnamed;
+  AcceleratorOptions options;
+  double reach = 1;  // of queries, for MeshDistance::of_mesh
   AcceleratorStatus status = AcceleratorStatus::ready;
   mutable std::atomic<bool> overwhelmed{false};
 
@@ -487,6 +523,9 @@ void Accelerator::Impl::build(const RenderScene& scene, const Assets& assets) {
       build_group(scene, plan, g);
     }
   }
+  if (options.mesh_distance == MeshDistance::of_mesh) {
+    reach = mesh_reach(groups, root);
+  }
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) {
     status = AcceleratorStatus::out_of_memory;
   }
@@ -495,7 +534,7 @@ void Accelerator::Impl::build(const RenderScene& scene, const Assets& assets) {
 void Accelerator::Impl::build_group(const RenderScene& scene, const MergePlan& plan,
                                     std::uint32_t index) {
   Group& group = groups[index];
-  const std::vector<MergedPart> merged = merged_parts(scene, plan, index, instances);
+  const std::vector<MergedPart> merged = merged_parts(scene, plan, index, options.instances);
   group.parts.reserve(merged.size());
   std::vector<Bounds> boxes;
   boxes.reserve(merged.size());
@@ -541,7 +580,7 @@ void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
   if (!box.empty() && invertible(DAffine(part.part_from_group))) {
     group.parts.push_back(part);
     boxes.push_back(box);
-    if (instances == Instances::named) {
+    if (options.instances == Instances::named) {
       group.instances.push_back(merged.instances);
     }
   }
@@ -608,6 +647,8 @@ bool Accelerator::Impl::search(Query& q, const Ray& ray) const {
 #else
   rtcInitIntersectContext(&q.context);
 #endif
+  q.mesh_distances = options.mesh_distance == MeshDistance::of_mesh;
+  q.reach = reach;
   q.groups = &groups;
   q.meshes = &meshes;
   search_group(q, groups[root], ray);
@@ -639,9 +680,10 @@ void Accelerator::Impl::fill(const Query& q, const Ray& ray, Hit& hit) const {
   hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
 }
 
-Accelerator::Accelerator(const RenderScene& scene, const Assets& assets, Instances instances)
+Accelerator::Accelerator(const RenderScene& scene, const Assets& assets,
+                         const AcceleratorOptions& options)
     : impl_(std::make_unique<Impl>()) {
-  impl_->instances = instances;
+  impl_->options = options;
   impl_->build(scene, assets);
 }
 
@@ -668,7 +710,7 @@ std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, dou
   q.t_min = t_min;
   q.best = t_max;
   std::vector<std::uint32_t> names;
-  if (impl_->instances == Instances::unnamed || !impl_->search(q, ray)) {
+  if (impl_->options.instances == Instances::unnamed || !impl_->search(q, ray)) {
     return names;
   }
   std::uint32_t index = impl_->root;

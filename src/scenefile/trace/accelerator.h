@@ -58,6 +58,19 @@ enum class AcceleratorStatus : std::uint8_t {
   out_of_memory,  ///< or any other failure of the ray library
 };
 
+/// At which t a ray meets a mesh.
+enum class MeshDistance : std::uint8_t {
+  of_world,  ///< where it does
+  /// At t times the length of the ray's direction in the space of the mesh: nearer by the factor of
+  /// the mesh's scale. The course's references have it so. For rays of unit length.
+  of_mesh,
+};
+
+struct AcceleratorOptions {
+  Instances instances = Instances::unnamed;
+  MeshDistance mesh_distance = MeshDistance::of_world;
+};
+
 /// Instances inside each other that a ray can follow.
 inline constexpr std::uint32_t max_instance_nesting = 64;
 
@@ -67,7 +80,7 @@ inline constexpr std::uint32_t max_instance_nesting = 64;
 class Accelerator {
  public:
   Accelerator(const RenderScene& scene, const Assets& assets,
-              Instances instances = Instances::unnamed);
+              const AcceleratorOptions& options = {});
   ~Accelerator();
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;

@@ -17,6 +17,10 @@ RenderOptions in_range(RenderOptions options) {
   return options;
 }
 
+MeshDistance mesh_distance(Profile profile) {
+  return profile == Profile::course ? MeshDistance::of_mesh : MeshDistance::of_world;
+}
+
 double transparent_coefficient(const RenderScene& scene, Profile profile) {
   return scene.global.transparent.value_or(profile == Profile::course ? 0.0f : 0.5f);
 }
@@ -51,7 +55,7 @@ Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o, In
       assets(a),
       options(in_range(o)),
       transparent(transparent_coefficient(s, o.profile)),
-      accelerator(s, a, instances),
+      accelerator(s, a, {instances, mesh_distance(o.profile)}),
       transmission(shadow_factors(s, o, transparent)),
       pyramids(make_pyramids(a, o)) {}
 

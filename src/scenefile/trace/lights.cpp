@@ -12,7 +12,7 @@ double attenuation(const glm::vec3& coefficients, double distance) {
   return denominator > 1 ? 1 / denominator : 1;
 }
 
-double spot_factor(const RenderLight& light, double cosine) {
+double spot_factor(const RenderLight& light, double cosine, bool linear) {
   const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   if (angle <= light.inner_angle) {
     return 1;
@@ -21,11 +21,11 @@ double spot_factor(const RenderLight& light, double cosine) {
     return 0;
   }
   const double t = (angle - light.inner_angle) / (double(light.outer_angle) - light.inner_angle);
-  return 1 - t * t * (3 - 2 * t);
+  return linear ? 1 - t : 1 - t * t * (3 - 2 * t);
 }
 
 bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
-                Illumination& result) {
+                Illumination& result, const Mistakes& mistakes) {
   const glm::dvec3 direction(light.direction);
   result.color = glm::dvec3(light.color);
   if (light.type == LightType::directional) {
@@ -49,7 +49,8 @@ bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dv
     return false;
   }
   result.attenuation = attenuation(light.attenuation, result.distance);
-  result.spot_factor = light.type == LightType::spot ? spot_factor(light, cosine) : 1;
+  result.spot_factor =
+      light.type == LightType::spot ? spot_factor(light, cosine, mistakes.linear_spots) : 1;
   const double share = result.attenuation * result.spot_factor;
   result.color *= share;
   return share > 0;

@@ -5,6 +5,7 @@
 #include "scenefile/asset/image.h"
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/scene/render_scene.h"
+#include "scenefile/trace/mistakes.h"
 
 #include <cstdint>
 #include <functional>
@@ -43,6 +44,7 @@ struct RenderOptions {
   int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
   std::uint64_t seed = 0;  ///< fine: another noise pattern
   int threads = 0;         ///< 0: one a processor
+  Mistakes mistakes;       ///< made on purpose
 };
 
 /// The defaults of a profile: course has no super_sample and 4 bounces.

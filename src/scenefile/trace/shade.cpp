@@ -78,10 +78,15 @@ struct Reflector {
   Color diffuse;
   Color specular;
 
+  double highlight_cosine(const glm::dvec3& to_light, double cosine) const {
+    return tracer.options.mistakes.blinn ? glm::dot(point.normal, glm::normalize(to_light + to_eye))
+                                         : glm::dot(2 * cosine * point.normal - to_light, to_eye);
+  }
+
   Color lit_by(const Illumination& light, RayCounts& counts) const {
     const double cosine = glm::dot(point.normal, light.to_light);
     const Color diffused = diffuse * std::max(0.0, cosine);
-    const double mirrored = glm::dot(2 * cosine * point.normal - light.to_light, to_eye);
+    const double mirrored = highlight_cosine(light.to_light, cosine);
     Color shining(0);
     if (mirrored > 0 && point.material->shininess > 0) {
       shining = specular * std::pow(mirrored, double(point.material->shininess));
@@ -107,7 +112,7 @@ struct Reflector {
           grid ? glm::dvec2(i % side + 0.5, i / side + 0.5) / double(side)
                : stratified_2d(key.sample * samples + i, mixed_bits(key.pattern, 16 + index));
       Illumination arriving;
-      if (illuminate(light, point.position, on_light, arriving)) {
+      if (illuminate(light, point.position, on_light, arriving, tracer.options.mistakes)) {
         const Color color = lit_by(arriving, counts);
         lit += color == Color(0) ? 0 : 1;
         sum += color;
@@ -127,7 +132,8 @@ struct Reflector {
       return lit_by_area(light, index, key, counts);
     }
     Illumination arriving;
-    const bool arrives = illuminate(light, point.position, {0.5, 0.5}, arriving);
+    const bool arrives =
+        illuminate(light, point.position, {0.5, 0.5}, arriving, tracer.options.mistakes);
     const Color color = arrives ? lit_by(arriving, counts) : Color(0);
     if (counts.recorder != nullptr) {
       counts.recorder->light(index, 1, color);
@@ -146,11 +152,16 @@ bool shines(const Tracer& tracer, const RenderLight& light) {
 
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
             const SampleKey& key, RayCounts& counts) {
+  if (tracer.options.mistakes.untransposed_normals) {
+    point.normal =
+        glm::normalize(glm::inverse(point.hit.object_from_world.linear) * point.object.normal);
+  }
   apply_bump(tracer, point, direction, width);
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
   const Reflector reflector{tracer, point, -direction,
-                            diffuse_color(tracer, point, direction, width, counts),
+                            double(tracer.options.mistakes.diffuse) *
+                                diffuse_color(tracer, point, direction, width, counts),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
   if (counts.recorder != nullptr) {

@@ -10,9 +10,14 @@ define quietly
 	@mkdir -p build && { $(1) > build/log.txt 2>&1 || { cat build/log.txt; exit 1; }; }
 endef
 
+# Builds the target $(1); says nothing when it is up to date.
+define compile
+	@ninja -C $(BUILD) -n $(1) | grep -q 'no work to do' || cmake --build $(PRESET) --target $(1)
+endef
+
 .PHONY: help
 help: ## this list
-	@grep -hE '^[a-z-]+:.*## ' Makefile | sed -E 's/^([a-z-]+):.*## (.*)/  make \1\t\2/' | expand -t 22
+	@grep -hE '^[a-z -]+:.*## ' Makefile | sed -E 's/^([a-z -]+):.*## (.*)/  make \1\t\2/' | expand -t 22
 
 .PHONY: deps
 deps: ## install the packages that are missing
@@ -22,34 +27,41 @@ deps: ## install the packages that are missing
 build: ## build the program: build/release/scenefile
 	@scripts/install-deps core
 	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET) --target scenefile
+	$(call compile,scenefile)
 
-.PHONY: configure
-configure: build/release/build.ninja
+# Without the tests until someone asks for them: the program needs none of their packages.
+.PHONY: configure configure-tests
+configure: $(BUILD)/build.ninja
+	@:
+configure-tests:
+	@grep -qs SCENEFILE_TESTS:BOOL=ON $(BUILD)/CMakeCache.txt || $(MAKE) $(QUIET) -B $(BUILD)/build.ninja TESTS=ON
 
-build/release/build.ninja: CMakePresets.json
-	$(call quietly,cmake $(PRESET))
+TESTS := $(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF)
+$(BUILD)/build.ninja: CMakePresets.json
+	$(call quietly,cmake $(PRESET) $(addprefix -DSCENEFILE_TESTS=,$(TESTS)))
 
 .PHONY: demo
 demo: ## install what is missing, build, render scenes/showcase.xml to out/showcase.png
-	@scripts/install-deps core
 	@$(MAKE) $(QUIET) build
+	@$(MAKE) $(QUIET) out/showcase.png
+
+out/showcase.png: $(BUILD)/scenefile scenes/showcase.xml $(wildcard scenes/image/* scenes/mesh/*)
 	@mkdir -p out
-	@$(BUILD)/scenefile render scenes/showcase.xml -o out/showcase.png
+	@$(BUILD)/scenefile render scenes/showcase.xml -o $@
 
 .PHONY: test
 test: ## build and pass all tests
 	@scripts/install-deps core tests
-	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET)
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,all)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
 
 .PHONY: conformance
 conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make conformance CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
-	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET) --target scenefile_conformance
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_conformance)
 	@$(BUILD)/tests/conformance/scenefile_conformance "$(CORPUS)" out/conformance
 
 .PHONY: driver
@@ -80,9 +92,11 @@ SOURCES = $(shell git ls-files 'src/*.h' 'src/*.cpp' 'app/*.h' 'app/*.cpp' 'test
 
 .PHONY: format tidy
 format: ## clang-format all sources
+	@scripts/install-deps format
 	@clang-format-14 -i $(SOURCES)
 tidy: ## clang-tidy all sources
-	@$(MAKE) $(QUIET) configure
+	@scripts/install-deps core tests format
+	@$(MAKE) $(QUIET) configure-tests
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
 .PHONY: docs
@@ -91,7 +105,7 @@ docs: build ## write docs/diagnostics.md anew, from the codes of the program
 
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)
-	@cmake --build $(PRESET)
+	$(call compile,all)
 	@cmake --install $(BUILD) --prefix "$(or $(PREFIX),/usr/local)"
 
 .PHONY: clean

@@ -84,6 +84,9 @@ std::string set_features(Options& options, const std::string& value) {
   if (unknown.empty()) {
     return {};
   }
+  if (unknown == "all" || unknown == "none") {
+    return fmt::format("{} stands alone, without other words", unknown);
+  }
   std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
   words.insert(words.end(), {"all", "none"});
   return fmt::format("{} is none of {}{}", quoted(unknown), fmt::join(words, ", "),

@@ -169,8 +169,11 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   } catch (const CLI::ParseError& error) {
     return escaped(error.what());
   }
-  if (const std::vector<std::string> unknown = parser.remaining(); !unknown.empty()) {
-    return unknown_option(command, unknown.front());
+  // CLI11 leaves the "--" that ends the options among what it does not know.
+  for (const std::string& unknown : parser.remaining()) {
+    if (unknown != "--") {
+      return unknown_option(command, unknown);
+    }
   }
   if (options.help) {
     return {};

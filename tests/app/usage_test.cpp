@@ -37,6 +37,14 @@ TEST(Usage, SuggestsTheOptionThatWasMeant) {
   is_misuse({"check", "a.xml", "--size", "3x4"}, "check has no option --size");
 }
 
+TEST(Usage, TakesFilesWithADashInFrontAfterTwoDashes) {
+  const ProgramRun run = run_program({"check", "--quiet", "--", "-no-such-file.xml"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("-no-such-file.xml: cannot open"));
+  is_misuse({"check", "-no-such-file.xml"}, "check has no option -no-such-file.xml");
+  is_misuse({"check", "--nosuch", "--", "a.xml"}, "check has no option --nosuch");
+}
+
 TEST(Usage, JudgesValues) {
   const auto render = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};
@@ -50,6 +58,7 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--mode", "rays"), "did you mean ray?");
   is_misuse(render("--features", "shadows,reflection"), R"("reflection" is none of shadows)");
   is_misuse(render("--features", "shadow"), "did you mean shadows?");
+  is_misuse(render("--features", "shadows,none"), "--features: none stands alone");
   is_misuse(render("--samples", "0"), R"(--samples: "0" is not a whole number from 1)");
   is_misuse(render("--max-depth", "65"), "from 0 to 64");
   is_misuse(render("--threads", "-1"), "--threads");

@@ -305,6 +305,28 @@ TEST(XmlScene, ATreeInsideATreeMayBeUsedAgain) {
   EXPECT_EQ(scene.nodes[scene.nodes[scene.root].children[0]].transforms.size(), 1u);
 }
 
+TEST(XmlScene, AnEmptyTreeIsAnInstanceOfATreeInsideATree) {
+  const Reading reading = read(in_root(fmt::format(
+      "<transblock>{}</transblock>\n<transblock><object type=\"tree\" name=\"part\"/></transblock>",
+      part)));
+  EXPECT_THAT(found(reading), ElementsAre("4:33 warning xml.nested-master"));
+  for (const NodeId child : reading.scene.nodes[reading.scene.root].children) {
+    EXPECT_EQ(reading.scene.nodes[child].instance_of, "part");
+  }
+}
+
+TEST(XmlScene, AnEmptyTreeWithoutAMasterSuggestsOne) {
+  const Reading reading =
+      read(fmt::format("<scenefile>\n{}<object type=\"tree\" name=\"root\"><transblock>\n"
+                       "<object type=\"tree\" name=\"prat\"/></transblock></object></scenefile>",
+                       part));
+  EXPECT_THAT(found(reading), ElementsAre("3:21 warning xml.empty-tree"));
+  EXPECT_THAT(reading.diagnostics.list().front().message,
+              ::testing::HasSubstr("did you mean \"part\"?"));
+  const Scene& scene = reading.scene;
+  EXPECT_EQ(scene.nodes[scene.nodes[scene.root].children.at(0)].name, "prat");
+}
+
 TEST(XmlScene, OfTwoTreesOfANameNoneIsMeant) {
   const Reading reading =
       read(in_root(fmt::format("<transblock>{0}</transblock><transblock>{0}</transblock>"

@@ -27,7 +27,8 @@ class Writer {
   explicit Writer(std::vector<int> dice) : dice_(std::move(dice)) {}
 
   std::string write(const Element& element) {
-    std::string text = "<" + element.name;
+    std::string text = "<";
+    text += element.name;
     std::vector<Attribute> attributes = element.attributes;
     for (std::size_t i = attributes.size(); i > 1; --i) {
       std::swap(attributes[i - 1], attributes[static_cast<std::size_t>(roll(static_cast<int>(i)))]);

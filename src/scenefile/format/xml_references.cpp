@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_references.h"
 
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 
@@ -27,6 +28,19 @@ NestedTrees find_nested_trees(const Scene& scene) {
     }
   }
   return trees;
+}
+
+// Enough for every scene that a person wrote; comparing many names with many takes long.
+constexpr std::size_t most_suggestions = 100;
+
+std::vector<std::string_view> some_masters(const Scene& scene) {
+  std::vector<std::string_view> names;
+  for (const NodeId master : scene.templates) {
+    if (names.size() < most_suggestions) {
+      names.push_back(scene.nodes[master].name);
+    }
+  }
+  return names;
 }
 
 // Turns the contents of a node into a template of its name, and the node into an instance of it.
@@ -65,26 +79,37 @@ void XmlReferences::move_last_use(NodeId from, NodeId to) {
 }
 
 void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location scenefile) {
-  std::vector<Use> unresolved;
-  for (const Use& use : early_uses_) {
-    const std::string& name = scene.nodes[use.node].instance_of;
-    if (declared_.contains(name)) {
-      continue;
-    }
-    if (!use.is_tree) {
-      unresolved.push_back(use);
-      continue;
-    }
-    context.diagnostics.report(
-        xml_empty_tree, use.place,
-        fmt::format("the tree {} is empty, and no master has that name", quoted(name)));
-    scene.nodes[use.node].instance_of.clear();
-  }
-  if (!unresolved.empty()) {
-    resolve_nested(context, scene, unresolved);
+  const auto is_declared = [&](const Use& use) {
+    return declared_.contains(scene.nodes[use.node].instance_of);
+  };
+  std::erase_if(early_uses_, is_declared);
+  if (!early_uses_.empty()) {
+    resolve_nested(context, scene, early_uses_);
+    std::erase_if(early_uses_, is_declared);
+    resolve_empty(context, scene, early_uses_);
   }
   if (!declared_.contains("root")) {
     resolve_root(context, scene, scenefile);
+  }
+}
+
+// Trees whose names mean nothing else are just empty.
+void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
+                                  const std::vector<Use>& uses) {
+  const std::vector<std::string_view> masters = some_masters(scene);
+  std::size_t suggestions = 0;
+  for (const Use& use : uses) {
+    if (!use.is_tree) {
+      continue;
+    }
+    Node& node = scene.nodes[use.node];
+    node.name = std::exchange(node.instance_of, {});
+    const std::string_view near =
+        ++suggestions <= most_suggestions ? nearest_name(node.name, masters) : std::string_view();
+    context.diagnostics.report(
+        xml_empty_tree, use.place,
+        fmt::format("the tree {} is empty, and no master has that name{}", quoted(node.name),
+                    near.empty() ? "" : did_you_mean(quoted(near))));
   }
 }
 

@@ -31,6 +31,7 @@ class XmlReferences {
     Location place;
     bool is_tree;
   };
+  static void resolve_empty(const XmlContext& context, Scene& scene, const std::vector<Use>& uses);
   void resolve_nested(const XmlContext& context, Scene& scene, const std::vector<Use>& uses);
   void resolve_root(const XmlContext& context, Scene& scene, Location scenefile) const;
 

@@ -13,8 +13,9 @@ namespace scenefile::app {
 namespace {
 
 std::vector<const Code*> collect() {
-  std::vector<const Code*> codes{&convert_file_left_behind, &convert_file_renamed,
-                                 &render_no_directional_light, &render_transparent_default};
+  std::vector<const Code*> codes{&convert_comments, &convert_file_left_behind,
+                                 &convert_file_renamed, &render_no_directional_light,
+                                 &render_transparent_default};
   for (const auto& room : {format_codes(), scene_codes(), asset_codes()}) {
     codes.insert(codes.end(), room.begin(), room.end());
   }

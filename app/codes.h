@@ -20,6 +20,11 @@ inline constexpr Code render_transparent_default{
     "transparentCoeff), which scales them. Programs take 0 or 0.5 for it; --profile fine takes "
     "0.5, --profile course 0. Write it into the global data to be safe."};
 
+inline constexpr Code convert_comments{
+    "convert.comments", Severity::note, "comments are not carried over",
+    "A scene is written from what it means, and comments have no meaning; JSON has none at all. "
+    "scenefile format lays out a file with its comments."};
+
 inline constexpr Code convert_file_left_behind{
     "convert.file-left-behind", Severity::warning, "a texture or mesh stays in another folder",
     "Files are looked for in the folder of the scene and in a few folders beside it. The converted "

@@ -52,6 +52,7 @@ std::span<const Command> commands();
 ExitCode run_check(const Options& options, Context& context);
 ExitCode run_convert(const Options& options, Context& context);
 ExitCode run_diff(const Options& options, Context& context);
+ExitCode run_format(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);
 ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);

@@ -1,4 +1,5 @@
 #include "app/carry_files.h"
+#include "app/codes.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/json.h"
@@ -6,6 +7,7 @@
 #include "app/output.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/layout.h"
 #include "scenefile/io/file.h"
 
 #include <fmt/format.h>
@@ -41,6 +43,11 @@ void drop_notes(Diagnostics& diagnostics) {
 std::string convert(LoadedScene& scene, const Options& options, SceneFormat format,
                     Context& context) {
   drop_notes(scene.diagnostics);
+  if (const std::size_t comments = count_comments(scene.text); comments != 0) {
+    scene.diagnostics.report(
+        convert_comments, {},
+        fmt::format("{} comment{} not carried over", comments, comments == 1 ? " is" : "s are"));
+  }
   context.phase = "looking for textures and meshes";
   carry_files(scene, options.arguments[1], options);
   context.phase = "writing the scene";

@@ -267,6 +267,26 @@ std::string convert_json(const LoadedScene& scene, const ConvertReport& report) 
   return json.text();
 }
 
+std::string format_json(const std::vector<FormatReport>& files, bool check) {
+  Json json;
+  begin_document(json, "format");
+  json.add("check", check);
+  json.begin_array("files");
+  for (const FormatReport& file : files) {
+    json.begin_object();
+    json.key("scene");
+    json.raw(file.scene);
+    json.add("changed", file.changed);
+    if (!file.error.empty()) {
+      json.add("error", file.error);
+    }
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
 std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff) {
   Json json;
   begin_document(json, "diff");

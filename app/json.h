@@ -48,6 +48,14 @@ struct ConvertReport {
 };
 std::string convert_json(const LoadedScene& scene, const ConvertReport& report);
 
+/// What became of one file.
+struct FormatReport {
+  std::string scene;  ///< text of scene_json()
+  bool changed = false;
+  std::string error = {};  ///< empty: it was written, where it had to be
+};
+std::string format_json(const std::vector<FormatReport>& files, bool check);
+
 /// `diff`: null when one of the scenes cannot be used.
 std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
 

@@ -61,6 +61,15 @@ constexpr std::array table{
             "scenefile diff chess.xml chess.json\n"
             "scenefile diff --json a.json b.json",
             run_diff, two},
+    Command{"format", for_format, "FILE...", "lay out scene files, in place",
+            "Writes each file again with one element or member a line. Comments, values, their "
+            "order and spelling, and the encoding stay as they are; broken files are reported and "
+            "left alone. A file is replaced whole or not at all. With -, standard input is "
+            "written to standard output.",
+            "scenefile format chess.xml\n"
+            "scenefile format --check *.xml *.json\n"
+            "scenefile format - < chess.xml",
+            run_format, one_or_more},
     Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
             "Explains a command, or the code that stands in brackets behind a finding; codes lists "
             "all of "

@@ -16,6 +16,7 @@ inline constexpr unsigned for_help = 8;
 inline constexpr unsigned for_version = 16;
 inline constexpr unsigned for_convert = 32;
 inline constexpr unsigned for_diff = 64;
+inline constexpr unsigned for_format = 128;
 inline constexpr unsigned for_all_readers = for_render | for_check | for_info | for_convert;
 
 struct OptionRow {

@@ -135,6 +135,10 @@ std::string check_together(const Command& command, Options& options) {
   if (command.bit == for_convert) {
     return choose_format(options);
   }
+  if (command.bit == for_format && options.json && !options.check &&
+      std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
+    return "the file and --json cannot both go to standard output";
+  }
   if (command.bit == for_render && options.profile == Profile::course &&
       (options.samples.has_value() || options.seed.has_value())) {
     return fmt::format(

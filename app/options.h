@@ -41,6 +41,7 @@ struct Options {
   std::vector<std::string> denied_codes;
   std::vector<std::string> allowed_codes;
 
+  bool check = false;  ///< change nothing, say what would be changed
   bool files = false;
   bool tree = false;
   bool json = false;

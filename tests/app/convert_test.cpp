@@ -108,6 +108,12 @@ TEST_F(Convert, FilesThatStayBehindAreNamed) {
   EXPECT_THAT(root.err, Not(HasSubstr("left-behind")));
 }
 
+TEST_F(Convert, CommentsAreCounted) {
+  const std::string xml = folder.write("a.xml", "<!-- a -->" + std::string(good_scene));
+  EXPECT_THAT(run_program({"convert", xml, folder.path("b.xml")}).err,
+              HasSubstr("1 comment is not carried over [convert.comments]"));
+}
+
 TEST_F(Convert, AnswersPrograms) {
   const std::string xml = folder.write("a.xml", good_scene);
   const ProgramRun run = run_program({"convert", "--json", xml, folder.path("b.json")});

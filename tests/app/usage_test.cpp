@@ -116,7 +116,7 @@ TEST(Usage, HelpCoversCommandsAndCodes) {
 
 TEST(Usage, HelpFitsATerminal) {
   for (const std::string command :
-       {"render", "check", "info", "convert", "diff", "help", "version"}) {
+       {"render", "check", "info", "convert", "diff", "format", "help", "version"}) {
     std::istringstream lines(run_program({"help", command}).out);
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 90U) << line;
@@ -142,7 +142,7 @@ TEST(Usage, EveryCodeHasAPage) {
     EXPECT_GT(code["help"].GetStringLength(), 5U) << name;
     last = name;
   }
-  EXPECT_EQ(help["commands"].Size(), 7U);
+  EXPECT_EQ(help["commands"].Size(), 8U);
 }
 
 }  // namespace

@@ -242,6 +242,10 @@ class TreePrinter {
     if (!node.name.empty()) {
       to_.attribute("name", node.name, node.location);
     }
+    if (node.children.empty()) {
+      to_.leaf();
+      return;
+    }
     to_.children();
     frames_.push_back({id, 0});
   }

@@ -1,0 +1,89 @@
+#include "app/command.h"
+#include "app/findings.h"
+#include "app/json.h"
+#include "app/load.h"
+#include "app/output.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/layout.h"
+#include "scenefile/io/file.h"
+
+#include <fmt/format.h>
+
+namespace scenefile::app {
+
+namespace {
+
+struct Formatted {
+  LoadedScene file;  // nothing but its text and findings
+  std::optional<std::string> text;
+  bool changed = false;
+  IoError unwritable = {};
+};
+
+Formatted lay_out_file(const std::string& path, Context& context) {
+  Formatted result;
+  result.file.path = path;
+  context.phase = "reading the file";
+  result.file.unreadable = read_file(path, Limits{}.file_bytes, result.file.text);
+  if (result.file.unreadable.empty()) {
+    context.phase = "laying out the file";
+    result.text = lay_out(result.file.text, Limits{}, result.file.diagnostics);
+  }
+  result.changed = result.text.has_value() && *result.text != result.file.text;
+  return result;
+}
+
+ExitCode status_of(const Formatted& result, const Options& options) {
+  if (!result.text.has_value()) {
+    return status_of(result.file);
+  }
+  if (!result.unwritable.empty()) {
+    return ExitCode::environment;
+  }
+  return options.check && result.changed ? ExitCode::findings : ExitCode::fine;
+}
+
+// Standard input is written out again, even when nothing changed; a file only when something did.
+void write(Formatted& result, const Options& options, Context& context) {
+  if (options.check || !result.text.has_value() || (!result.changed && result.file.path != "-")) {
+    return;
+  }
+  context.phase = "writing the file";
+  result.unwritable = write_file(result.file.path, *result.text);
+}
+
+void report(const Formatted& result, const Options& options) {
+  if (!result.text.has_value()) {
+    say(findings_text(result.file, Verbosity::errors, wants_color(Stream::chatter)));
+  } else if (!result.unwritable.empty()) {
+    say_error(result.unwritable.text);
+  } else if (result.changed && !options.quiet && result.file.path != "-") {
+    say(fmt::format("{}: formatted\n", escaped(result.file.path, 4096)));
+  }
+}
+
+}  // namespace
+
+ExitCode run_format(const Options& options, Context& context) {
+  ExitCode status = ExitCode::fine;
+  std::vector<FormatReport> reports;
+  std::string would_change;
+  for (const std::string& path : options.arguments) {
+    Formatted result = lay_out_file(path, context);
+    write(result, options, context);
+    status = worse(status, status_of(result, options));
+    if (options.json) {
+      reports.push_back({scene_json(result.file), result.changed, result.unwritable.text});
+    } else if (!options.check || !result.text.has_value()) {
+      report(result, options);
+    } else if (result.changed) {
+      would_change += escaped(shown_name(path), 4096) + "\n";
+    }
+  }
+  if (options.json) {
+    return worse(status, answer(format_json(reports, options.check)));
+  }
+  return would_change.empty() ? status : worse(status, answer(would_change));
+}
+
+}  // namespace scenefile::app

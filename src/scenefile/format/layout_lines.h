@@ -1,0 +1,55 @@
+#pragma once
+// Lines of laid out text. Private to the room.
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace scenefile {
+
+/// How lines end in a text: as the first one does, LF in a text of one line.
+inline std::string_view line_end_of(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  if (end == std::string_view::npos || text[end] == '\n') {
+    return "\n";
+  }
+  return text.substr(end).starts_with("\r\n") ? "\r\n" : "\r";
+}
+
+/// How many lines end in blanks between two tokens.
+inline std::size_t count_line_ends(std::string_view blanks) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < blanks.size(); ++i) {
+    const bool half = blanks[i] == '\r' && i + 1 < blanks.size() && blanks[i + 1] == '\n';
+    count += (blanks[i] == '\n' || blanks[i] == '\r') && !half;
+  }
+  return count;
+}
+
+/// Text that grows by lines.
+class LinePrinter {
+ public:
+  explicit LinePrinter(std::string_view line_end) : line_end_(line_end) {}
+
+  /// Ends the line, if there is one, and indents the next. `blank`: with an empty line between.
+  void start_line(std::size_t depth, bool blank) {
+    if (!out_.empty()) {
+      out_ += line_end_;
+      out_ += blank ? line_end_ : std::string_view();
+    }
+    out_.append(2 * depth, ' ');
+  }
+  void add(std::string_view text) { out_ += text; }
+  std::string finish() {
+    out_ += line_end_;
+    return std::move(out_);
+  }
+
+ private:
+  std::string_view line_end_;
+  std::string out_;
+};
+
+}  // namespace scenefile

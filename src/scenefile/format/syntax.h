@@ -1,0 +1,16 @@
+#pragma once
+// Which syntax a text is in. Internal to the room.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/format/write_scene.h"
+
+#include <optional>
+#include <string_view>
+
+namespace scenefile {
+
+/// By the first character that is not white space: `<` XML, `{` or `[` JSON. Nothing, after an
+/// error, for others. `text` is UTF-8 without a byte order mark.
+std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics);
+
+}  // namespace scenefile

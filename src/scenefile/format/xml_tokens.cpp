@@ -1,0 +1,164 @@
+#include "scenefile/format/xml_tokens.h"
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+// One past the next `what`, or the end of the text.
+std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {
+  const std::size_t at = text.find(what, from);
+  return at == std::string_view::npos ? text.size() : at + what.size();
+}
+
+// One past the `>` outside of quotes.
+std::size_t tag_end(std::string_view text, std::size_t from) {
+  while (from < text.size() && text[from] != '>') {
+    const char c = text[from];
+    from = c == '"' || c == '\'' ? behind(text, {&c, 1}, from + 1) : from + 1;
+  }
+  return std::min(from + 1, text.size());
+}
+
+// A DOCTYPE may hold declarations in brackets.
+std::size_t doctype_end(std::string_view text, std::size_t from) {
+  bool inside = false;
+  while (from < text.size() && (inside || text[from] != '>')) {
+    const char c = text[from];
+    if (text.substr(from).starts_with("<!--")) {
+      from = behind(text, "-->", from);
+    } else if (text.substr(from).starts_with("<?")) {
+      from = behind(text, "?>", from);
+    } else if (c == '"' || c == '\'') {
+      from = behind(text, {&c, 1}, from + 1);
+    } else {
+      inside = c == '[' || (inside && c != ']');
+      ++from;
+    }
+  }
+  return std::min(from + 1, text.size());
+}
+
+XmlToken markup_at(std::string_view text, std::size_t begin) {
+  const std::string_view rest = text.substr(begin);
+  const auto token = [&](XmlTokenKind kind, std::size_t end) {
+    return XmlToken{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), kind};
+  };
+  if (rest.starts_with("<!--")) {
+    return token(XmlTokenKind::comment, behind(text, "-->", begin + 4));
+  }
+  if (rest.starts_with("<![CDATA[")) {
+    return token(XmlTokenKind::cdata, behind(text, "]]>", begin));
+  }
+  if (rest.starts_with("<?")) {
+    return token(XmlTokenKind::other, behind(text, "?>", begin));
+  }
+  if (rest.starts_with("<!")) {
+    return token(XmlTokenKind::other, doctype_end(text, begin + 2));
+  }
+  const std::size_t end = tag_end(text, begin);
+  if (rest.starts_with("</")) {
+    return token(XmlTokenKind::end, end);
+  }
+  return token(text[end - 2] == '/' ? XmlTokenKind::empty : XmlTokenKind::start, end);
+}
+
+bool preserves_space(std::string_view tag) {
+  const std::vector<std::string_view> parts = tag_parts(tag);
+  const auto space = std::find(parts.begin(), parts.end(), "xml:space");
+  return space != parts.end() && (space + 1)->find("preserve") != std::string_view::npos;
+}
+
+// Tells the elements that hold text and no element.
+class OpenElements {
+ public:
+  explicit OpenElements(std::vector<XmlToken>& tokens) : tokens_(tokens) {}
+
+  void add(XmlToken token) {
+    switch (token.kind) {
+      case XmlTokenKind::start:
+      case XmlTokenKind::empty:
+        mark(&Element::has_element);
+        if (token.kind == XmlTokenKind::start) {
+          open_.push_back({tokens_.size()});
+        }
+        break;
+      case XmlTokenKind::end:
+        tokens_[open_.back().start].verbatim |= open_.back().has_text && !open_.back().has_element;
+        open_.pop_back();
+        break;
+      case XmlTokenKind::text:
+      case XmlTokenKind::cdata:
+        mark(&Element::has_text);
+        break;
+      case XmlTokenKind::comment:
+      case XmlTokenKind::other:
+        break;
+    }
+    tokens_.push_back(token);
+  }
+
+ private:
+  struct Element {
+    std::size_t start = 0;
+    bool has_text = false;
+    bool has_element = false;
+  };
+
+  void mark(bool Element::*what) {
+    if (!open_.empty()) {
+      open_.back().*what = true;
+    }
+  }
+
+  std::vector<XmlToken>& tokens_;
+  std::vector<Element> open_;
+};
+
+}  // namespace
+
+std::vector<XmlToken> xml_tokens(std::string_view text) {
+  std::vector<XmlToken> tokens;
+  OpenElements elements(tokens);
+  std::size_t at = 0;
+  while ((at = text.find_first_not_of(blanks, at)) != std::string_view::npos) {
+    XmlToken token;
+    if (text[at] == '<') {
+      token = markup_at(text, at);
+    } else {
+      const std::size_t end = text.find_last_not_of(blanks, text.find('<', at) - 1) + 1;
+      token = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
+    }
+    token.verbatim = token.kind == XmlTokenKind::start && preserves_space(token.of(text));
+    elements.add(token);
+    at = token.end;
+  }
+  return tokens;
+}
+
+std::vector<std::string_view> tag_parts(std::string_view tag) {
+  std::vector<std::string_view> parts;
+  const std::size_t tail = tag.ends_with("/>") ? tag.size() - 2 : tag.size() - 1;
+  std::size_t at = 0;
+  while ((at = tag.find_first_not_of(blanks, at)) < tail) {
+    std::size_t end = at;
+    while (end < tail && blanks.find(tag[end]) == std::string_view::npos && tag[end] != '=') {
+      ++end;
+    }
+    parts.push_back(tag.substr(at, end - at));
+    at = end;
+    const std::size_t value = tag.find_first_not_of(blanks, at);
+    if (value < tail && tag[value] == '=') {
+      const std::size_t quote = tag.find_first_of("\"'", value);
+      at = behind(tag, tag.substr(quote, 1), quote + 1);
+      parts.push_back(tag.substr(quote, at - quote));
+    }
+  }
+  parts.push_back(tag.substr(tail));
+  return parts;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,96 @@
+// Laws of lay_out(): done twice it is done once; the scene and what is said of it stay; what is
+// written is laid out already; only white space changes.
+
+#include "format/reading.h"
+#include "format/write_random_scene.h"
+#include "scenefile/format/layout.h"
+#include "scenefile/format/write_scene.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace scenefile::testing {
+namespace {
+
+constexpr SceneFormat formats[] = {SceneFormat::xml, SceneFormat::json};
+
+std::string written_scene(SceneFormat format) {
+  const auto seed = *rc::gen::arbitrary<unsigned>();
+  Diagnostics diagnostics;
+  std::string text =
+      write_scene(RandomScene(seed, *rc::gen::inRange(1, 6), true).make(), format, {}, diagnostics);
+  RC_PRE(!diagnostics.has_errors());
+  return text;
+}
+
+std::string laid_out(const std::string& text) {
+  Diagnostics diagnostics;
+  const std::optional<std::string> result = lay_out(text, {}, diagnostics);
+  RC_ASSERT(result.has_value());
+  return *result;
+}
+
+// The same text as an author might have left it: other blanks, empty lines and comments between
+// the tokens of XML, other blanks between those of JSON.
+std::string disordered(const std::string& text, SceneFormat format) {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const std::vector<std::string> xml_gaps = {
+      "", " ", "\n", "\n\n\n\t", "\r\n", "<!--c-->", "\n<!-- \n -->", " <!-- a --> "};
+  const std::vector<std::string> json_gaps = {"", " ", "\n", "\n\n\t", "\r\n"};
+  const std::vector<std::string>& gaps = format == SceneFormat::xml ? xml_gaps : json_gaps;
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text[i] != '\n') {
+      result += text[i++];
+      continue;
+    }
+    result += gaps[random() % gaps.size()];
+    i = std::min(text.find_first_not_of(" \n", i), text.size());
+  }
+  return result;
+}
+
+std::string without_blanks(std::string text) {
+  text.erase(std::remove_if(text.begin(), text.end(),
+                            [](char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }),
+             text.end());
+  return text;
+}
+
+RC_GTEST_PROP(LayoutLaws, WhatIsWrittenIsLaidOut, ()) {
+  for (const SceneFormat format : formats) {
+    const std::string text = written_scene(format);
+    RC_ASSERT(laid_out(text) == text);
+  }
+}
+
+RC_GTEST_PROP(LayoutLaws, TwiceIsOnce, ()) {
+  for (const SceneFormat format : formats) {
+    const std::string once = laid_out(disordered(written_scene(format), format));
+    RC_ASSERT(laid_out(once) == once);
+  }
+}
+
+RC_GTEST_PROP(LayoutLaws, OnlyWhiteSpaceChanges, ()) {
+  for (const SceneFormat format : formats) {
+    const std::string text = disordered(written_scene(format), format);
+    RC_ASSERT(without_blanks(laid_out(text)) == without_blanks(text));
+  }
+}
+
+RC_GTEST_PROP(LayoutLaws, TheSceneStays, ()) {
+  for (const SceneFormat format : formats) {
+    const std::string text = disordered(written_scene(format), format);
+    const Reading before = read(text);
+    const Reading after = read(laid_out(text));
+    RC_ASSERT(before.scene == after.scene);
+    RC_ASSERT(before.diagnostics.list().size() == after.diagnostics.list().size());
+  }
+}
+
+}  // namespace
+}  // namespace scenefile::testing

@@ -53,6 +53,7 @@ ExitCode run_check(const Options& options, Context& context);
 ExitCode run_convert(const Options& options, Context& context);
 ExitCode run_diff(const Options& options, Context& context);
 ExitCode run_format(const Options& options, Context& context);
+ExitCode run_explain(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);
 ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);

@@ -11,13 +11,6 @@ namespace scenefile::app {
 
 namespace {
 
-// Begins a document.
-void begin_document(Json& json, std::string_view command) {
-  json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("command", command);
-}
-
 void add_finding(Json& json, const Diagnostic& d) {
   json.begin_object();
   json.add("code", d.code->name);
@@ -181,6 +174,12 @@ void add_command(Json& json, const Command& command) {
 
 }  // namespace
 
+void begin_document(Json& json, std::string_view command) {
+  json.begin_object();
+  json.add("scenefile", SCENEFILE_VERSION);
+  json.add("command", command);
+}
+
 std::string scene_json(const LoadedScene& scene) {
   Json json;
   add_scene(json, scene);
@@ -199,6 +198,19 @@ std::string check_json(const std::vector<std::string>& scenes) {
   return json.text();
 }
 
+void add_render_options(Json& json, const RenderOptions& options) {
+  json.add("width", options.width);
+  json.add("height", options.height);
+  json.add("profile", options.profile == Profile::course ? "course" : "fine");
+  json.add("mode", mode_names[static_cast<std::size_t>(options.mode)]);
+  add_features(json, options.features);
+  json.add("max_depth", options.max_depth);
+  if (options.profile == Profile::fine) {
+    json.add("samples", options.samples);
+    json.add("seed", options.seed);
+  }
+}
+
 std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   const RenderOptions& options = report.options;
   Json json;
@@ -210,16 +222,7 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   if (!report.error.empty()) {
     json.add("error", report.error);
   }
-  json.add("width", options.width);
-  json.add("height", options.height);
-  json.add("profile", options.profile == Profile::course ? "course" : "fine");
-  json.add("mode", mode_names[static_cast<std::size_t>(options.mode)]);
-  add_features(json, options.features);
-  json.add("max_depth", options.max_depth);
-  if (options.profile == Profile::fine) {
-    json.add("samples", options.samples);
-    json.add("seed", options.seed);
-  }
+  add_render_options(json, options);
   json.add("primary_rays", report.stats.primary_rays);
   json.add("shadow_rays", report.stats.shadow_rays);
   json.add("secondary_rays", report.stats.secondary_rays);

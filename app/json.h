@@ -14,6 +14,14 @@
 
 namespace scenefile::app {
 
+class Json;
+
+/// The version and the name of the command; the document's object stays open.
+void begin_document(Json& json, std::string_view command);
+
+/// Size, profile, features and so on, into the object that is open.
+void add_render_options(Json& json, const RenderOptions& options);
+
 /// A scene with its findings, as a part of a document.
 std::string scene_json(const LoadedScene& scene);
 

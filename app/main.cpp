@@ -70,6 +70,14 @@ constexpr std::array table{
             "scenefile format --check *.xml *.json\n"
             "scenefile format - < chess.xml",
             run_format, one_or_more},
+    Command{"explain", for_explain, "SCENE --pixel X,Y", "say how a pixel came to its color",
+            "Traces the samples of one pixel as render does with the same options, and shows "
+            "everything that one of them came to: the ray, the object, each light's terms, what "
+            "is in the way, mirrors and glass. The numbers add up to the pixel.",
+            "scenefile explain chess.xml --pixel 320,240 --size 640x480\n"
+            "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
+            "scenefile explain chess.xml --pixel 320,240 --json",
+            run_explain},
     Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
             "Explains a command, or the code that stands in brackets behind a finding; codes lists "
             "all of "

@@ -62,6 +62,17 @@ std::string set_size(Options& options, const std::string& value) {
   return wrong.empty() ? set_number(value.substr(cross + 1), 1, most, options.height) : wrong;
 }
 
+std::string set_pixel(Options& options, const std::string& value) {
+  const int most = static_cast<int>(Limits{}.image_side) - 1;
+  const std::size_t comma = value.find(',');
+  if (comma == std::string::npos) {
+    return fmt::format("{} is not a pixel such as 320,240", quoted(value));
+  }
+  PixelPlace& pixel = options.pixel.emplace();
+  std::string wrong = set_number(value.substr(0, comma), 0, most, pixel.x);
+  return wrong.empty() ? set_number(value.substr(comma + 1), 0, most, pixel.y) : wrong;
+}
+
 std::string set_profile(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 2> words{"course", "fine"};
   std::size_t index = 0;
@@ -143,32 +154,40 @@ constexpr std::array table{
     OptionRow{"--output", "-o", "OUT",
               "The picture to write: .png, .exr or .pfm; - for a PNG on standard output.",
               for_render, set_output},
-    OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_render, set_size},
+    OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size},
+    OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
+              for_explain, set_pixel},
+    OptionRow{
+        "--sample", "", "N",
+        "Show sample N of the pixel in full, counted from 0 (default: the one nearest to its "
+        "middle).",
+        for_explain,
+        [](Options& o, const std::string& v) { return set_number(v, 0U, 0x7fffffffU, o.sample); }},
     OptionRow{"--profile", "", "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's reference pictures; implies --compat course.",
-              for_render, set_profile},
+              for_tracing, set_profile},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
               "course without super-sample.",
-              for_render, set_features},
+              for_tracing, set_features},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
-              for_render, set_mode},
+              for_tracing, set_mode},
     OptionRow{"--samples", "", "N", "Most samples a pixel, for the profile fine (default 16).",
-              for_render,
+              for_tracing,
               [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
     OptionRow{"--max-depth", "", "N",
               "Most reflections and refractions behind each other (default: fine 16, course 4).",
-              for_render,
+              for_tracing,
               [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
     OptionRow{"--threads", "", "N",
-              "Threads (default: one a processor). The picture does not depend on it.", for_render,
+              "Threads (default: one a processor). The picture does not depend on it.", for_tracing,
               [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.threads); }},
     OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
-              for_render,
+              for_tracing,
               [](Options& o, const std::string& v) {
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
               }},
@@ -192,7 +211,7 @@ constexpr std::array table{
               "asset roots.",
               for_all_readers, set_flag<&Options::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
-              for_render | for_check, set_flag<&Options::allow_missing>},
+              for_tracing | for_check, set_flag<&Options::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
               set_flag<&Options::assets, false>},
     OptionRow{"--strict", "", "", "Spellings that only some programs read are errors.", for_check,
@@ -220,7 +239,7 @@ constexpr std::array table{
     OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
               set_flag<&Options::markdown>},
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
-              for_render | for_check | for_convert | for_diff | for_format,
+              for_tracing | for_check | for_convert | for_diff | for_format,
               set_flag<&Options::quiet>},
     OptionRow{"--help", "-h", "", "This text.",
               for_all_readers | for_diff | for_format | for_help | for_version,

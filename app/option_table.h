@@ -17,7 +17,10 @@ inline constexpr unsigned for_version = 16;
 inline constexpr unsigned for_convert = 32;
 inline constexpr unsigned for_diff = 64;
 inline constexpr unsigned for_format = 128;
-inline constexpr unsigned for_all_readers = for_render | for_check | for_info | for_convert;
+inline constexpr unsigned for_explain = 256;
+/// Options of the tracer.
+inline constexpr unsigned for_tracing = for_render | for_explain;
+inline constexpr unsigned for_all_readers = for_tracing | for_check | for_info | for_convert;
 
 struct OptionRow {
   std::string_view name;    ///< "--size"

@@ -94,6 +94,17 @@ std::string check_output(const std::string& output) {
                            : "without .png, .exr or .pfm at its end it does not say what to write");
 }
 
+std::string check_pixel(const Options& options) {
+  if (!options.pixel.has_value()) {
+    return "explain needs a pixel: --pixel X,Y";
+  }
+  const auto [x, y] = *options.pixel;
+  return x < options.width && y < options.height
+             ? std::string()
+             : fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", x, y,
+                           options.width - 1, options.height - 1);
+}
+
 std::string check_count(const Command& command, const std::vector<std::string>& arguments) {
   const auto [fewest, most] = command.count;
   if (arguments.size() < fewest) {
@@ -139,7 +150,12 @@ std::string check_together(const Command& command, Options& options) {
       std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
     return "the file and --json cannot both go to standard output";
   }
-  if (command.bit == for_render && options.profile == Profile::course &&
+  if (command.bit == for_explain) {
+    if (std::string wrong = check_pixel(options); !wrong.empty()) {
+      return wrong;
+    }
+  }
+  if ((command.bit & for_tracing) != 0 && options.profile == Profile::course &&
       (options.samples.has_value() || options.seed.has_value())) {
     return fmt::format(
         "--profile course has samples of its own: leave {} out, or use --profile fine",

@@ -14,6 +14,12 @@ namespace scenefile::app {
 
 struct Command;
 
+/// A pixel, from the top left, counted from 0.
+struct PixelPlace {
+  int x = 0;
+  int y = 0;
+};
+
 struct Options {
   std::vector<std::string> arguments;  ///< scenes, or what help is about
 
@@ -29,6 +35,8 @@ struct Options {
   int threads = 0;
 
   std::optional<SceneFormat> to;
+  std::optional<PixelPlace> pixel;
+  std::optional<std::uint32_t> sample;  ///< to show in full
 
   bool compat_course = false;
   std::vector<std::string> asset_roots;

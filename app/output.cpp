@@ -28,6 +28,12 @@ bool wants_color(Stream stream) {
   return is_smart_terminal(stream) && !is_set("NO_COLOR");
 }
 
+bool wants_swatches(Stream stream) {
+  const char* const depth = std::getenv("COLORTERM");
+  const std::string_view kind = depth == nullptr ? "" : depth;
+  return wants_color(stream) && (kind == "truecolor" || kind == "24bit");
+}
+
 bool wants_progress() {
   return is_smart_terminal(Stream::chatter) && !is_set("CI");
 }

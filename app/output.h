@@ -12,6 +12,8 @@ enum class Stream : int { answer = 1, chatter = 2 };
 
 /// Whether a person looks on: a terminal that understands colors, and NO_COLOR is not set.
 bool wants_color(Stream stream);
+/// Whether it shows colors of 24 bits as well: COLORTERM says so.
+bool wants_swatches(Stream stream);
 /// Whether a progress bar makes sense: standard error is a terminal, and no CI job's.
 bool wants_progress();
 

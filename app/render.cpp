@@ -1,12 +1,12 @@
 #include "scenefile/trace/render.h"
 
-#include "app/codes.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/tracing.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
@@ -33,68 +33,6 @@ ExitCode check_target(const Options& options) {
     return ExitCode::environment;
   }
   return ExitCode::fine;
-}
-
-// Whether the course's ray caster would see no light at all.
-bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
-  return options.profile == Profile::course && options.mode == Mode::intersect &&
-         !scene.lights.empty() &&
-         std::none_of(scene.lights.begin(), scene.lights.end(),
-                      [](const RenderLight& l) { return l.type == LightType::directional; });
-}
-
-// Whether the picture depends on what an absent transparentcoeff means.
-bool guesses_transparency(const RenderOptions& options, const RenderScene& scene) {
-  return options.profile == Profile::fine && options.mode == Mode::ray &&
-         options.features.refract && !scene.global.transparent.has_value() &&
-         std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); });
-}
-
-// What only the way of rendering makes doubtful.
-void add_warnings(const RenderOptions& options, LoadedScene& scene) {
-  if (dark_in_caster(options, scene.ready.scene)) {
-    scene.diagnostics.report(render_no_directional_light, {},
-                             "the scene has no directional light, and the course's ray caster "
-                             "knows no other");
-  }
-  if (guesses_transparency(options, scene.ready.scene)) {
-    scene.diagnostics.report(render_transparent_default, {},
-                             "the scene has transparent materials, but no transparentcoeff; 0.5 "
-                             "is used");
-  }
-}
-
-LoadedScene load(const Options& options, const RenderOptions& render, Context& context) {
-  const bool textures = render.mode == Mode::ray && render.features.texture;
-  LoadedScene scene = load_scene(options.arguments.front(), options,
-                                 textures ? LoadDepth::with_all_assets : LoadDepth::with_meshes,
-                                 options.allow_missing, context);
-  if (status_of(scene) == ExitCode::fine) {
-    add_warnings(render, scene);
-  }
-  return scene;
-}
-
-// Nothing went wrong where the error is empty.
-struct Outcome {
-  ExitCode status = ExitCode::fine;
-  std::string error;
-};
-
-Outcome judge(RenderStatus status) {
-  switch (status) {
-    case RenderStatus::complete:
-      return {};
-    case RenderStatus::cancelled:
-      return {ExitCode::environment, "the render was cancelled"};
-    case RenderStatus::limit_reached:
-      return {ExitCode::limit,
-              "copies of templates lie deeper inside each other than can be traced"};
-    case RenderStatus::failed:
-      return {ExitCode::environment, "out of memory while building the acceleration structure"};
-  }
-  return {};
 }
 
 Outcome write_picture(const Options& options, const Image& image, Context& context) {
@@ -146,7 +84,7 @@ ExitCode run_render(const Options& options, Context& context) {
   RenderReport report;
   report.options = render_options(options);
   report.output = options.output;
-  const LoadedScene scene = load(options, report.options, context);
+  const LoadedScene scene = load_for_tracing(options, report.options, context);
   Outcome outcome{status_of(scene), {}};
   if (!options.json) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,

@@ -27,6 +27,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
+    {"explain", {"base", "scene", "geometry", "trace"}},
 };
 
 // Every library but the standard one and glm lives in one .cpp of one room. fmt, which only makes

@@ -1,5 +1,5 @@
 #pragma once
-// Names of nodes for messages. Internal to the room; node_path() of prepare.h is for others.
+// Names of nodes for messages. For one name there is node_path() of prepare.h.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,0 +1,358 @@
+#include "app/explain_report.h"
+#include "app/names.h"
+#include "app/output.h"
+#include "scenefile/base/text.h"
+#include "scenefile/explain/object_names.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace scenefile::app {
+
+namespace {
+
+// More samples of a pixel, or of a light, are summed up.
+constexpr std::size_t max_listed = 16;
+
+// Rays that change the pixel by less than half a step of an 8-bit value are named alone.
+constexpr double half_step = 0.5 / 255;
+
+// A line of the tree with those below it.
+struct Item {
+  std::string text;
+  std::vector<Item> below;
+};
+
+// Depth is bounded by the depth of rays, which is at most 64.
+void print(const Item& item, const std::string& indent, std::string& text) {
+  for (std::size_t i = 0; i < item.below.size(); ++i) {
+    const bool last = i + 1 == item.below.size();
+    text += indent + (last ? "└ " : "├ ") + item.below[i].text + "\n";
+    print(item.below[i], indent + (last ? "  " : "│ "), text);
+  }
+}
+
+std::string vector_text(const glm::dvec3& v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
+
+std::string numbers(const Color& c) {
+  return fmt::format("{:.4f} {:.4f} {:.4f}", c.x, c.y, c.z);
+}
+
+class Explanation {
+ public:
+  Explanation(const LoadedScene& scene, const ExplainReport& report, const ExplainStyle& style)
+      : loaded_(scene),
+        scene_(scene.ready.scene),
+        pixel_(report.pixel),
+        remarks_(report.remarks),
+        style_(style),
+        names_(scene.written, scene.ready.sources) {}
+
+  std::string text() const {
+    const RenderOptions& options = pixel_.options;
+    std::string text =
+        fmt::format("{}, pixel {},{} of {}x{}, profile {}, mode {}\n",
+                    escaped(shown_name(loaded_.path)), pixel_.x, pixel_.y, options.width,
+                    options.height, options.profile == Profile::course ? "course" : "fine",
+                    mode_names[static_cast<std::size_t>(options.mode)]);
+    Item top;
+    top.below.push_back(result());
+    top.below.push_back(samples());
+    top.below.push_back(shown_sample());
+    print(top, "", text);
+    return text;
+  }
+
+ private:
+  std::string bold(std::string_view text) const {
+    return style_.color ? fmt::format("\033[1m{}\033[0m", text) : std::string(text);
+  }
+  std::string remark_text(const Remark& remark) const {
+    return style_.color ? fmt::format("\033[33m! {}\033[0m", remark.text) : "! " + remark.text;
+  }
+  // The numbers of a color, and a patch of it.
+  std::string color(const Color& c) const {
+    if (!style_.swatches) {
+      return numbers(c);
+    }
+    const auto part = [&](double v) { return quantize(static_cast<float>(v), Rounding::nearest); };
+    return fmt::format("{} \033[48;2;{};{};{}m  \033[0m", numbers(c), part(c.x), part(c.y),
+                       part(c.z));
+  }
+
+  bool course() const { return pixel_.options.profile == Profile::course; }
+
+  Item result() const {
+    const auto& v = pixel_.value;
+    return {fmt::format("{} {} = {} {} {} of 255, {}", bold("color"), color(pixel_.color), v[0],
+                        v[1], v[2], course() ? "truncated" : "rounded"),
+            {}};
+  }
+
+  std::string object(const ObjectRef& ref) const {
+    const std::vector<WayPoint> way = names_.way(ref);
+    std::string text;
+    for (const WayPoint& point : way) {
+      text += fmt::format("{}{}", text.empty() ? "" : " > ", escaped(point.path, 80));
+    }
+    return text + place(way.back().location);
+  }
+
+  static std::string place(const Location& location) {
+    return location.known() ? fmt::format(" (line {})", location.line) : "";
+  }
+
+  std::string why_more() const {
+    std::vector<std::string_view> reasons;
+    if (pixel_.more.noisy) {
+      reasons.push_back("the first ones do not agree");
+    }
+    if (pixel_.more.penumbra) {
+      reasons.push_back("one sees a penumbra");
+    }
+    if (pixel_.more.neighbors) {
+      reasons.push_back("a neighboring pixel differs");
+    }
+    return reasons.empty() ? "" : fmt::format(", more than at first: {}", fmt::join(reasons, ", "));
+  }
+
+  Item samples() const {
+    const std::size_t count = pixel_.samples.size();
+    Item item{fmt::format("{} {}{}", bold("samples"), count, why_more()), {}};
+    for (std::size_t i = 0; i < std::min(count, max_listed); ++i) {
+      item.below.push_back({sample_text(i), {}});
+    }
+    if (count > max_listed) {
+      item.below.push_back({fmt::format("and {} more", count - max_listed), {}});
+    }
+    return item;
+  }
+
+  std::string sample_text(std::size_t index) const {
+    const SampleRecord& s = pixel_.samples[index];
+    std::string text =
+        fmt::format("{:>2} at {:.4f},{:.4f}{}: {}, {} ray{}, {}", index, s.point.x, s.point.y,
+                    s.lens == glm::dvec2(0)
+                        ? ""
+                        : fmt::format(" through the lens at {:.3f},{:.3f}", s.lens.x, s.lens.y),
+                    color(s.color), s.rays, s.rays == 1 ? "" : "s",
+                    s.object.has_value() ? object(*s.object) : "background");
+    if (s.refines != no_index) {
+      text += fmt::format(", for a quarter of {}", s.refines);
+    }
+    if (s.refined) {
+      text += ", differs from a neighbor: sampled anew";
+    }
+    return text + (index == pixel_.shown ? "  <- shown" : "");
+  }
+
+  Item shown_sample() const {
+    const SampleRecord& s = pixel_.samples[pixel_.shown];
+    return {fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(s.color)), {ray_item(0)}};
+  }
+
+  Item ray_item(std::uint32_t index) const {
+    const RayRecord& ray = pixel_.rays[index];
+    Item item{ray_title(ray), {}};
+    if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
+      item.text += ", too little to show";
+      return item;
+    }
+    item.below.push_back(
+        {fmt::format("from {} along {}, hits count from t = {:.3g}", vector_text(ray.ray.origin),
+                     vector_text(ray.ray.direction), ray.start),
+         {}});
+    for (const WallRecord& wall : ray.walls) {
+      item.below.push_back(wall_item(wall));
+    }
+    if (!ray.surface.has_value()) {
+      item.below.push_back({"meets nothing: the background is black", {}});
+      add_remarks(item, index, no_index);
+      return item;
+    }
+    item.below.push_back(surface_item(*ray.surface));
+    if (pixel_.options.mode == Mode::normals) {
+      item.below.push_back({"color = (normal + 1) / 2 = " + color(ray.color), {}});
+      return item;
+    }
+    add_remarks(item, index, no_index);
+    add_terms(item, index);
+    return item;
+  }
+
+  static double largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
+
+  std::string ray_title(const RayRecord& ray) const {
+    switch (ray.kind) {
+      case RayKind::camera:
+        return fmt::format("{} {}", bold("camera ray"), color(ray.color));
+      case RayKind::reflected:
+        return branch_title("reflected ray", "ks Cr", pixel_.rays[ray.parent].mirror, ray);
+      case RayKind::refracted:
+        return branch_title("refracted ray", "kt Ct", pixel_.rays[ray.parent].glass, ray);
+    }
+    return {};
+  }
+
+  std::string branch_title(std::string_view name, std::string_view factor,
+                           const BranchRecord& branch, const RayRecord& ray) const {
+    return fmt::format("{} {} = {} times {} = {}", bold(name), factor, numbers(branch.factor),
+                       numbers(ray.color), color(branch.factor * ray.color));
+  }
+
+  Item wall_item(const WallRecord& wall) const {
+    return {fmt::format("at t = {:.6g} the wall of {}: {} along {}", wall.t, object(wall.object),
+                        wall.mirrored ? "mirrored" : "bent", vector_text(wall.direction)),
+            {}};
+  }
+
+  Item surface_item(const SurfaceRecord& s) const {
+    Item item{
+        fmt::format("meets {} {} at t = {:.6g}", shape_names[static_cast<std::size_t>(s.shape)],
+                    bold(object(s.object)), s.t),
+        {}};
+    const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
+    add(s.shape == Shape::mesh
+            ? fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name))
+            : fmt::format("face {}", face_names[static_cast<std::size_t>(s.face)]));
+    add("point  " + vector_text(s.position) + ", in object space " +
+        vector_text(s.object_position));
+    add(fmt::format("normal {}{}, in object space {}", vector_text(s.normal),
+                    s.bumped ? " (by the bump map)" : "", vector_text(s.object_normal)));
+    add(fmt::format("ray in object space from {} along {}", vector_text(s.object_ray.origin),
+                    vector_text(s.object_ray.direction)));
+    add(s.has_uv ? fmt::format("uv     {:.6g} {:.6g}", s.uv.x, s.uv.y)
+                 : std::string("uv     the mesh has none"));
+    if (s.texture.has_value()) {
+      const TextureRecord& t = *s.texture;
+      add(fmt::format("texture {}: texel {},{} = {}, looked up {}, blend {:.4g}",
+                      escaped(scene_.texture_files[t.file].name), t.texel.x, t.texel.y,
+                      numbers(t.texel_color), color(t.color), t.blend));
+    }
+    if (pixel_.options.mode != Mode::normals) {
+      add("D      " + color(s.diffuse_color) +
+          (s.texture.has_value() ? " = (1 - blend) kd Cd + blend texture" : " = kd Cd"));
+    }
+    return item;
+  }
+
+  void add_remarks(Item& item, std::uint32_t ray, std::uint32_t light) const {
+    for (const Remark& remark : remarks_) {
+      if (remark.ray == ray && remark.light == light) {
+        item.below.push_back({remark_text(remark), {}});
+      }
+    }
+  }
+
+  void add_terms(Item& item, std::uint32_t index) const {
+    const RayRecord& ray = pixel_.rays[index];
+    item.below.push_back({fmt::format("{} ka Ca = {}", bold("ambient"), color(ray.ambient)), {}});
+    for (const LightRecord& light : ray.lights) {
+      item.below.push_back(light_item(light, *ray.surface, index));
+    }
+    for (const BranchRecord* branch : {&ray.mirror, &ray.glass}) {
+      if (branch->fate == Fate::followed) {
+        item.below.push_back(ray_item(branch->ray));
+      }
+    }
+    item.below.push_back({fmt::format("{} {}{}", bold("sum"), color(ray.sum),
+                                      ray.sum == ray.color ? "" : ", clamped to 0..1"),
+                          {}});
+  }
+
+  Item light_item(const LightRecord& record, const SurfaceRecord& s, std::uint32_t ray) const {
+    const RenderLight& light = scene_.lights[record.light];
+    const WayPoint at = names_.at(light.source);
+    Item item{fmt::format(
+                  "{}{} {}",
+                  bold(fmt::format("{} light", light_names[static_cast<std::size_t>(light.type)])),
+                  place(at.location), color(record.contribution)),
+              {}};
+    add_remarks(item, ray, record.light);
+    if (record.taken == 1 && record.samples.size() == 1) {
+      add_light_terms(item, light, record.samples.front(), s);
+    } else if (!record.samples.empty()) {
+      add_light_samples(item, record);
+    }
+    return item;
+  }
+
+  void add_light_terms(Item& item, const RenderLight& light, const LightSample& l,
+                       const SurfaceRecord& s) const {
+    const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
+    const double n = scene_.materials[s.material].shininess;
+    add(fmt::format("L = {}, distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}", vector_text(l.to_light),
+                    l.distance, l.n_dot_l, l.r_dot_v));
+    if (l.diffuse != Color(0)) {
+      add("diffuse  D (N.L) = " + color(l.diffuse));
+    }
+    if (l.specular != Color(0)) {
+      add(fmt::format("specular ks Cs (R.V)^{:.6g} = {}", n, color(l.specular)));
+    }
+    add(fmt::format(
+        "light    {} times attenuation {:.6g}{} = {}", numbers(Color(light.color)), l.attenuation,
+        light.type == LightType::spot ? fmt::format(" times spot factor {:.6g}", l.spot_factor)
+                                      : "",
+        color(l.color)));
+    if (l.shadow_ray) {
+      item.below.push_back(shadow_item(l));
+    }
+  }
+
+  Item shadow_item(const LightSample& l) const {
+    if (l.blockers.empty()) {
+      return {"shadow   nothing is in the way", {}};
+    }
+    Item item{"shadow   leaves " + numbers(l.visibility), {}};
+    for (const Blocker& blocker : l.blockers) {
+      item.below.push_back({blocker_text(blocker), {}});
+    }
+    return item;
+  }
+
+  std::string blocker_text(const Blocker& blocker) const {
+    return fmt::format(
+        "{}{} at t = {:.6g}{}", object(blocker.object), blocker.itself ? " itself" : "", blocker.t,
+        blocker.passes == Color(0) ? std::string()
+                                   : fmt::format(" lets through {}", numbers(blocker.passes)));
+  }
+
+  // Of an area light.
+  void add_light_samples(Item& item, const LightRecord& record) const {
+    item.below.push_back({fmt::format("mean over {} points of the light, {} on its bright side",
+                                      record.taken, record.samples.size()),
+                          {}});
+    for (std::size_t i = 0; i < std::min(record.samples.size(), max_listed); ++i) {
+      const LightSample& l = record.samples[i];
+      Item point{
+          fmt::format("distance {:.6g}, N.L = {:.6g}, R.V = {:.6g}, attenuation {:.6g}: {}",
+                      l.distance, l.n_dot_l, l.r_dot_v, l.attenuation, color(l.contribution)),
+          {}};
+      for (const Blocker& blocker : l.blockers) {
+        point.below.push_back({"shadow of " + blocker_text(blocker), {}});
+      }
+      item.below.push_back(std::move(point));
+    }
+  }
+
+  const LoadedScene& loaded_;
+  const RenderScene& scene_;
+  const PixelRecord& pixel_;
+  const std::vector<Remark>& remarks_;
+  ExplainStyle style_;
+  ObjectNames names_;
+};
+
+}  // namespace
+
+std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
+                         const ExplainStyle& style) {
+  return Explanation(scene, report, style).text();
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,238 @@
+#include "scenefile/explain/remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile {
+
+namespace {
+
+// A shadow ray that meets its own mesh so near has not left the surface.
+constexpr double acne_distance = 1e-2;
+
+constexpr double half_step = 0.5 / 255;
+
+double largest(const Color& c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+class Remarks {
+ public:
+  Remarks(const RenderScene& scene, const PixelRecord& pixel) : scene_(scene), pixel_(pixel) {}
+
+  std::vector<Remark> all() {
+    if (pixel_.options.mode == Mode::normals) {
+      return {};
+    }
+    for (index_ = 0; index_ < pixel_.rays.size(); ++index_) {
+      const RayRecord& ray = pixel_.rays[index_];
+      about_way(ray);
+      if (ray.surface.has_value()) {
+        about_surface(*ray.surface);
+        about_branches(ray);
+        for (const LightRecord& light : ray.lights) {
+          about_light(*ray.surface, light);
+        }
+      }
+    }
+    return std::move(list_);
+  }
+
+ private:
+  void add(RemarkKind kind, std::string text, std::uint32_t light = no_index) {
+    list_.push_back({kind, index_, light, std::move(text)});
+  }
+
+  const RenderMaterial& material(const SurfaceRecord& s) const {
+    return scene_.materials[s.material];
+  }
+
+  void about_way(const RayRecord& ray) {
+    const bool mirrored = std::any_of(ray.walls.begin(), ray.walls.end(),
+                                      [](const WallRecord& w) { return w.mirrored; });
+    if (ray.total_reflection || mirrored) {
+      add(RemarkKind::total_reflection,
+          "total internal reflection: the angle is too flat for Snell's law, the ray is mirrored");
+    }
+    if (ray.trapped) {
+      add(RemarkKind::trapped, fmt::format("mirrored inside the object until --max-depth {}: black",
+                                           pixel_.options.max_depth));
+    }
+    const bool final_sum = pixel_.options.profile == Profile::course || index_ == 0;
+    if (final_sum && largest(ray.sum) > 1) {
+      add(RemarkKind::clamped,
+          pixel_.options.profile == Profile::course
+              ? "the sum exceeds 1 and is clamped before it is used"
+              : "the sum exceeds 1; it is clamped when the picture is written");
+    }
+  }
+
+  void about_surface(const SurfaceRecord& s) {
+    const double facing = -glm::dot(s.geometric, s.ray.direction);
+    const double shading = -glm::dot(s.normal, s.ray.direction);
+    if (facing < 0) {
+      add(RemarkKind::seen_from_behind,
+          fmt::format("the normal points away from the viewer (N.V = {:.4g}): the surface is seen "
+                      "from inside or behind; normals are never turned",
+                      facing));
+    }
+    if (facing * shading < 0) {
+      add(RemarkKind::normal_past_horizon,
+          "the interpolated or bumped normal faces another side than the surface itself");
+    }
+    const RenderMaterial& m = material(s);
+    if (s.specular_color != Color(0) && m.shininess <= 0) {
+      add(RemarkKind::no_shininess, "specular without shininess: no highlight");
+    }
+    about_texture(s, m);
+  }
+
+  void about_texture(const SurfaceRecord& s, const RenderMaterial& m) {
+    const bool textures = pixel_.options.mode == Mode::ray && pixel_.options.features.texture;
+    if (!textures || !m.texture.used()) {
+      return;
+    }
+    if (m.blend == 0) {
+      add(RemarkKind::texture_hidden, "the material has a texture, but blend is 0: it is not seen");
+    } else if (!s.texture.has_value()) {
+      add(RemarkKind::texture_missing,
+          "the texture could not be loaded: the diffuse color stands in");
+    }
+  }
+
+  void about_branches(const RayRecord& ray) {
+    const RenderMaterial& m = material(*ray.surface);
+    const bool glass = pixel_.options.mode == Mode::ray && pixel_.options.features.refract &&
+                       m.transparent != glm::vec3(0);
+    if (glass && ray.glass.factor == Color(0)) {
+      add(RemarkKind::no_transparent_share,
+          "the material is transparent, but transparentcoeff is 0 or missing: nothing is "
+          "refracted");
+    }
+    about_fate("reflected", ray.mirror.fate);
+    about_fate("refracted", ray.glass.fate);
+  }
+
+  void about_fate(std::string_view ray, Fate fate) {
+    switch (fate) {
+      case Fate::absent:
+      case Fate::followed:
+        break;
+      case Fate::too_deep:
+        add(RemarkKind::too_deep, fmt::format("the {} ray is not followed: --max-depth {}", ray,
+                                              pixel_.options.max_depth));
+        break;
+      case Fate::too_faint:
+        add(RemarkKind::too_faint,
+            fmt::format("the {} ray is not followed: it cannot change the pixel by 1/1024", ray));
+        break;
+      case Fate::too_many:
+        add(RemarkKind::too_many,
+            fmt::format("the {} ray is not followed: the sample has spent its rays", ray));
+        break;
+    }
+  }
+
+  void about_light(const SurfaceRecord& s, const LightRecord& record) {
+    const std::uint32_t light = record.light;
+    if (record.unlit == Unlit::in_this_mode) {
+      add(RemarkKind::light_of_another_mode,
+          "the course's ray caster knows directional lights alone", light);
+    } else if (record.unlit == Unlit::out_of_reach) {
+      add(RemarkKind::light_out_of_reach, reach_text(scene_.lights[light].type), light);
+    }
+    if (record.samples.empty()) {
+      return;
+    }
+    // One word for all samples of an area light, by the first.
+    const LightSample& sample = record.samples.front();
+    if (sample.n_dot_l <= 0) {
+      const bool highlight = sample.specular != Color(0);
+      add(highlight ? RemarkKind::highlight_from_behind : RemarkKind::light_behind,
+          highlight ? "the light is behind the surface, yet its highlight counts: the equation "
+                      "asks for R.V > 0 alone"
+                    : fmt::format("the surface faces away (N.L = {:.4g}): no diffuse light",
+                                  sample.n_dot_l),
+          light);
+    }
+    if (sample.attenuation * largest(Color(scene_.lights[light].color)) < half_step) {
+      add(RemarkKind::light_faded,
+          fmt::format("attenuation leaves {:.3g} of the light", sample.attenuation), light);
+    }
+    about_shadow(s, record);
+  }
+
+  static const char* reach_text(LightType type) {
+    switch (type) {
+      case LightType::spot:
+        return "outside the cone of the spot";
+      case LightType::area:
+        return "behind the area light: it shines on the side of its direction";
+      case LightType::point:
+      case LightType::directional:
+        break;
+    }
+    return "at the light itself, or too far to be lit";
+  }
+
+  void about_shadow(const SurfaceRecord& s, const LightRecord& record) {
+    for (const LightSample& sample : record.samples) {
+      const auto self = std::find_if(sample.blockers.begin(), sample.blockers.end(),
+                                     [](const Blocker& b) { return b.itself; });
+      if (self == sample.blockers.end()) {
+        continue;
+      }
+      // Solids cannot stand in their own light on the lit side; meshes can, but not at once.
+      const bool lit_side = glm::dot(s.geometric, sample.to_light) > 0;
+      const bool acne = lit_side && (s.shape != Shape::mesh || self->t < acne_distance);
+      if (acne) {
+        add(RemarkKind::shadow_acne,
+            fmt::format("shadow acne: the shadow ray meets the surface it starts on, at t = {:.4g}",
+                        self->t),
+            record.light);
+      } else {
+        add(RemarkKind::shadow_by_itself,
+            fmt::format("the object is in its own light, at t = {:.4g}", self->t), record.light);
+      }
+      return;
+    }
+  }
+
+  const RenderScene& scene_;
+  const PixelRecord& pixel_;
+  std::uint32_t index_ = 0;
+  std::vector<Remark> list_;
+};
+
+}  // namespace
+
+std::string_view remark_name(RemarkKind kind) {
+  static constexpr std::array<std::string_view, 19> names{"clamped",
+                                                          "seen-from-behind",
+                                                          "normal-past-horizon",
+                                                          "no-shininess",
+                                                          "texture-hidden",
+                                                          "texture-missing",
+                                                          "no-transparent-share",
+                                                          "total-reflection",
+                                                          "trapped",
+                                                          "too-deep",
+                                                          "too-faint",
+                                                          "too-many",
+                                                          "light-behind",
+                                                          "highlight-from-behind",
+                                                          "shadow-acne",
+                                                          "shadow-by-itself",
+                                                          "light-faded",
+                                                          "light-out-of-reach",
+                                                          "light-of-another-mode"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Remark> remarks(const RenderScene& scene, const PixelRecord& pixel) {
+  return Remarks(scene, pixel).all();
+}
+
+}  // namespace scenefile

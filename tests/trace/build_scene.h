@@ -88,7 +88,9 @@ struct SceneBuilder {
     t.width = width;
     t.height = height;
     for (const std::uint8_t g : gray) {
-      t.rgb.insert(t.rgb.end(), {g, g, g});
+      t.rgb.push_back(g);
+      t.rgb.push_back(g);
+      t.rgb.push_back(g);
     }
     assets.textures.push_back(std::move(t));
     scene.texture_files.push_back({"texture", {}});

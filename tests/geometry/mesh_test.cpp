@@ -24,6 +24,35 @@ TEST(MeshSurface, FlatNormalFollowsTheOrderOfTheCorners) {
   EXPECT_EQ(surface_at(mesh, 0, 0.2, 0.3, true).normal, dvec3(0, 0, -1));
 }
 
+TEST(DistinctTriangles, KeepTheLastOfEqualPlaces) {
+  Mesh mesh = right_triangle();
+  mesh.positions.insert(mesh.positions.end(), {{-0.0f, 0, 0}, {2, 0, 0}, {0, 3, 0}});
+  mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {4, 5, 6}, {0, 1, 3}, {0, 2, 1}};
+  EXPECT_EQ(distinct_triangles(mesh), (std::vector<std::uint32_t>{2, 3, 4}));
+}
+
+TEST(DistinctTriangles, DropThoseThatAreLines) {
+  Mesh mesh = right_triangle();
+  mesh.positions.push_back(mesh.positions[1]);
+  mesh.triangles = {{0, 1, 1}, {0, 1, 2}, {4, 1, 2}, {3, 0, 3}};
+  EXPECT_EQ(distinct_triangles(mesh), (std::vector<std::uint32_t>{1}));
+  mesh.triangles = {{0, 0, 0}};
+  EXPECT_TRUE(distinct_triangles(mesh).empty());
+  EXPECT_TRUE(distinct_triangles({}).empty());
+}
+
+TEST(DistinctTriangles, AllOfAnOrdinaryMesh) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    mesh.positions.emplace_back(i % 10, i / 10, 0);
+    if (i % 10 != 9 && i < 90) {
+      mesh.triangles.push_back({i, i + 1, i + 10});
+      mesh.triangles.push_back({i + 1, i + 11, i + 10});
+    }
+  }
+  EXPECT_EQ(distinct_triangles(mesh).size(), mesh.triangles.size());
+}
+
 TEST(MeshSurface, SmoothNormalIsInterpolatedByDirection) {
   Mesh mesh = right_triangle();
   mesh.normals = {{0, 0, 5}, {7, 0, 0}, {0, 2, 0}};

@@ -273,6 +273,34 @@ TEST(Accelerator, OfEqualDistancesTheLastInTheFileIsHit) {
   EXPECT_EQ(hit.material, last);
 }
 
+TEST(Accelerator, OfEqualTrianglesTheLastInTheFileIsHit) {
+  SceneBuilder b;
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -9, 0}};
+  mesh.triangles.assign(1000, {0, 1, 2});
+  mesh.triangles.push_back({0, 1, 3});
+  RenderPrimitive p = b.primitive(Shape::mesh, Affine(), b.material({}));
+  p.mesh = b.mesh(mesh);
+  b.scene.groups[0].primitives.push_back(p);
+  const Accelerator accelerator(b.scene, b.assets);
+  Hit hit;
+  ASSERT_TRUE(accelerator.closest({{0, 0, 5}, {0, 0, -1}}, 0, infinity, hit));
+  EXPECT_EQ(hit.triangle, 999u);
+}
+
+TEST(Accelerator, AMeshOfLinesIsNotThere) {
+  SceneBuilder b;
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, 1, 0}};
+  mesh.triangles.assign(1000, {0, 1, 1});
+  RenderPrimitive p = b.primitive(Shape::mesh, Affine(), b.material({}));
+  p.mesh = b.mesh(mesh);
+  b.scene.groups[0].primitives.assign(5, p);
+  const Accelerator accelerator(b.scene, b.assets);
+  Hit hit;
+  EXPECT_FALSE(accelerator.closest({{0, 0, 5}, {0, 0, -1}}, 0, infinity, hit));
+}
+
 TEST(Accelerator, FarAwayAndTinyIsExact) {
   SceneBuilder b;
   const glm::vec3 place(1000, 2000, 3000);

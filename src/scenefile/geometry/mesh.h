@@ -32,6 +32,10 @@ inline constexpr std::uint32_t mesh_no_index = 0xffffffffu;
 /// area.
 Surface surface_at(const Mesh& mesh, std::uint32_t index, double b1, double b2, bool smooth);
 
+/// The triangles that a ray can meet, by index in rising order: without those of which two corners
+/// are at one place, and of those with the same corners in the same order only the last.
+std::vector<std::uint32_t> distinct_triangles(const Mesh& mesh);
+
 /// The box around the triangles.
 Bounds bounds(const Mesh& mesh);
 

@@ -18,6 +18,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -64,6 +65,7 @@ struct Group {
 
 struct MeshScene {
   const Mesh* mesh = nullptr;
+  std::vector<std::uint32_t> triangles;  // in the mesh, by primitive of Embree; empty: all
   Bounds bounds;
   double diagonal = 0;
   RTCScene scene = nullptr;
@@ -349,6 +351,10 @@ void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
   }
 }
 
+std::uint32_t triangle_of(const MeshScene& mesh, std::uint32_t primitive) {
+  return mesh.triangles.empty() ? primitive : mesh.triangles[primitive];
+}
+
 struct TriangleHit {
   double t = 0;
   double b1 = 0;
@@ -378,15 +384,16 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   Query& q = *reinterpret_cast<Query*>(arguments->context);
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
   TriangleHit hit;
-  const bool met = meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit);
+  const bool met = meet_triangle(*mesh.mesh, triangle, *q.ray, hit);
   const double t = hit.t * q.mesh_scale;
-  if (!met || !(t > q.t_min) || !improves(q, t, candidate.primID)) {
+  if (!met || !(t > q.t_min) || !improves(q, t, triangle)) {
     arguments->valid[0] = 0;
     return;
   }
   accept(q, *q.mesh_part, t);
-  q.triangle = candidate.primID;
+  q.triangle = triangle;
   q.b1 = hit.b1;
   q.b2 = hit.b2;
   // A little beyond the hit, so that triangles at the same distance are offered too.
@@ -399,7 +406,8 @@ void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
   TriangleHit hit;
-  const bool met = meet_triangle(*mesh.mesh, candidate.primID, *q.ray, hit);
+  const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
+  const bool met = meet_triangle(*mesh.mesh, triangle, *q.ray, hit);
   const double t = hit.t * q.mesh_scale;
   if (met && t > q.t_min && t < q.best) {
     q.mesh_crossed = true;
@@ -493,6 +501,8 @@ struct Accelerator::Impl {
   void add_part(Group& group, const MergedPart& merged, std::vector<Bounds>& boxes);
   void commit_group(Group& group, const std::vector<Bounds>& boxes);
   void build_mesh(std::uint32_t index);
+  static void set_triangles(RTCGeometry geometry, MeshScene& mesh,
+                            std::vector<std::uint32_t> distinct);
   RTCScene commit(RTCGeometry geometry, RTCSceneFlags flags);
   bool search(Query& q, const Ray& ray) const;
   void fill(const Query& q, const Ray& ray, Hit& hit) const;
@@ -607,6 +617,12 @@ void Accelerator::Impl::build_mesh(std::uint32_t index) {
   if (mesh.mesh == nullptr || mesh.scene != nullptr) {
     return;
   }
+  // Each triangle once: a file can repeat one so often that every ray takes seconds.
+  std::vector<std::uint32_t> distinct = distinct_triangles(*mesh.mesh);
+  if (distinct.empty()) {
+    mesh = {};
+    return;
+  }
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::vector<glm::vec3>& positions = mesh.mesh->positions;
   // Copied, not shared: Embree reads a little past the last vertex.
@@ -615,9 +631,7 @@ void Accelerator::Impl::build_mesh(std::uint32_t index) {
   if (vertices != nullptr) {
     std::copy(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices));
   }
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                             mesh.mesh->triangles.data(), 0, sizeof(mesh.mesh->triangles[0]),
-                             mesh.mesh->triangles.size());
+  set_triangles(geometry, mesh, std::move(distinct));
   rtcSetGeometryUserData(geometry, &mesh);
   rtcSetGeometryIntersectFilterFunction(geometry, mesh_intersect_filter);
   rtcSetGeometryOccludedFilterFunction(geometry, mesh_occluded_filter);
@@ -625,6 +639,24 @@ void Accelerator::Impl::build_mesh(std::uint32_t index) {
   mesh.scene = commit(geometry, RTC_SCENE_FLAG_ROBUST);
   mesh.bounds = widened(mesh.bounds);
   mesh.diagonal = glm::length(mesh.bounds.max - mesh.bounds.min);
+}
+
+void Accelerator::Impl::set_triangles(RTCGeometry geometry, MeshScene& mesh,
+                                      std::vector<std::uint32_t> distinct) {
+  using Corners = std::array<std::uint32_t, 3>;
+  const std::vector<Corners>& all = mesh.mesh->triangles;
+  if (distinct.size() == all.size()) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, all.data(), 0,
+                               sizeof(Corners), all.size());
+    return;
+  }
+  void* const corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
+                                                RTC_FORMAT_UINT3, sizeof(Corners), distinct.size());
+  if (corners != nullptr) {
+    std::transform(distinct.begin(), distinct.end(), static_cast<Corners*>(corners),
+                   [&](std::uint32_t index) { return all[index]; });
+  }
+  mesh.triangles = std::move(distinct);
 }
 
 RTCScene Accelerator::Impl::commit(RTCGeometry geometry, RTCSceneFlags flags) {

@@ -72,6 +72,14 @@ driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, comp
 	@cmake --build $(PRESET) --target scenefile_app_tests
 	@SCENEFILE_CORPUS="$(CORPUS)" $(BUILD)/tests/app/scenefile_app_tests --gtest_filter='Driver.*'
 
+.PHONY: explained
+explained: ## CORPUS=DIR: explain random pixels of every scene below it, and hold them against the pictures
+	@test -n "$(CORPUS)" || { echo "say where the scenes are: make explained CORPUS=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET) --target scenefile_explained
+	@$(BUILD)/tests/conformance/scenefile_explained "$(CORPUS)" $(or $(PIXELS),100)
+
 .PHONY: asan tsan
 asan tsan: ## all tests under a sanitizer
 	@scripts/install-deps core tests

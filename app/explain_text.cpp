@@ -35,8 +35,10 @@ void print(const Item& item, const std::string& indent, std::string& text) {
   }
 }
 
+// Zeros lose their sign.
 std::string vector_text(const glm::dvec3& v) {
-  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+  const glm::dvec3 shown = v + 0.0;
+  return fmt::format("{:.6g} {:.6g} {:.6g}", shown.x, shown.y, shown.z);
 }
 
 std::string numbers(const Color& c) {
@@ -160,13 +162,12 @@ class Explanation {
     const RayRecord& ray = pixel_.rays[index];
     Item item{ray_title(ray), {}};
     if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
-      item.text += ", too little to show";
+      item.text += ray.surface.has_value()
+                       ? fmt::format(": meets {}, too little to show", object(ray.surface->object))
+                       : std::string(": meets nothing");
       return item;
     }
-    item.below.push_back(
-        {fmt::format("from {} along {}, hits count from t = {:.3g}", vector_text(ray.ray.origin),
-                     vector_text(ray.ray.direction), ray.start),
-         {}});
+    item.below.push_back({way_text(ray), {}});
     for (const WallRecord& wall : ray.walls) {
       item.below.push_back(wall_item(wall));
     }
@@ -186,6 +187,18 @@ class Explanation {
   }
 
   static double largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
+
+  static std::string way_text(const RayRecord& ray) {
+    std::string text = fmt::format("from {} along {}", vector_text(ray.ray.origin),
+                                   vector_text(ray.ray.direction));
+    if (ray.start > 0) {
+      text += fmt::format(", t > {:.3g}", ray.start);
+    }
+    if (ray.depth > 1) {
+      text += fmt::format(", weight in the sample {}", numbers(ray.weight));
+    }
+    return text;
+  }
 
   std::string ray_title(const RayRecord& ray) const {
     switch (ray.kind) {

@@ -1,5 +1,7 @@
 #include "trace/add_up.h"
 
+#include "scenefile/trace/no_denormals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -145,6 +147,7 @@ class Sums {
 }  // namespace
 
 std::string what_does_not_add_up(const RenderScene& scene, const PixelRecord& pixel) {
+  const NoDenormals no_denormals;  // as the tracer
   return Sums(scene, pixel).check();
 }
 

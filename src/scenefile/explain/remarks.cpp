@@ -149,7 +149,7 @@ class Remarks {
     // One word for all samples of an area light, by the first.
     const LightSample& sample = record.samples.front();
     if (sample.n_dot_l <= 0) {
-      const bool highlight = sample.specular != Color(0);
+      const bool highlight = largest(sample.specular * sample.color) >= half_step;
       add(highlight ? RemarkKind::highlight_from_behind : RemarkKind::light_behind,
           highlight ? "the light is behind the surface, yet its highlight counts: the equation "
                       "asks for R.V > 0 alone"

@@ -61,11 +61,15 @@ class Report {
 }  // namespace
 
 ExitCode run_check(const Options& options, Context& context) {
-  const LoadDepth depth = options.assets ? LoadDepth::with_all_assets : LoadDepth::checked;
+  const LoadDepth depth = options.assets ? LoadDepth::with_all_assets : LoadDepth::prepared;
   ExitCode status = ExitCode::fine;
   Report report(options);
   for (const std::string& path : options.arguments) {
     LoadedScene scene = load_scene(path, options, depth, options.allow_missing, context);
+    if (scene.unreadable.empty()) {
+      context.phase = "checking the picture";
+      check_picture(scene, {});
+    }
     apply_policy(options, scene.diagnostics);
     status = worse(status, status_of(scene));
     context.phase = "writing the report";

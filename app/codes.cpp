@@ -3,6 +3,7 @@
 #include "scenefile/asset/codes.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/scene/codes.h"
+#include "scenefile/trace/codes.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,14 @@ namespace scenefile::app {
 namespace {
 
 std::vector<const Code*> collect() {
-  std::vector<const Code*> codes{&convert_comments, &convert_file_left_behind,
-                                 &convert_file_renamed, &render_no_directional_light,
-                                 &render_transparent_default};
-  for (const auto& room : {format_codes(), scene_codes(), asset_codes()}) {
+  // One a line, so that additions do not meet.
+  std::vector<const Code*> codes{
+      &convert_comments,
+      &convert_file_left_behind,
+      &convert_file_renamed,
+      &render_no_directional_light,
+  };
+  for (const auto& room : {format_codes(), scene_codes(), asset_codes(), view_codes()}) {
     codes.insert(codes.end(), room.begin(), room.end());
   }
   std::sort(codes.begin(), codes.end(),

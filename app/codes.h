@@ -14,12 +14,6 @@ inline constexpr Code render_no_directional_light{
     "and the scene has none: the picture shows ambient light only. With --profile fine, or with "
     "--mode ray, the other lights count too."};
 
-inline constexpr Code render_transparent_default{
-    "render.transparent-default", Severity::warning, "transparentcoeff is missing and was guessed",
-    "The scene has transparent materials, but says nothing about transparentcoeff (JSON: "
-    "transparentCoeff), which scales them. Programs take 0 or 0.5 for it; --profile fine takes "
-    "0.5, --profile course 0. Write it into the global data to be safe."};
-
 inline constexpr Code convert_comments{
     "convert.comments", Severity::note, "comments are not carried over",
     "A scene is written from what it means, and comments have no meaning; JSON has none at all. "

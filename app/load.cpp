@@ -62,7 +62,7 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
     context.phase = "checking the scene";
     check(scene.written, limits, scene.diagnostics);
   }
-  if (scene.diagnostics.has_errors() || depth == LoadDepth::checked) {
+  if (scene.diagnostics.has_errors()) {
     return scene;
   }
   context.phase = "preparing the scene";
@@ -72,6 +72,17 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
     load_files(scene, options, depth == LoadDepth::with_all_assets, allow_missing);
   }
   return scene;
+}
+
+void check_picture(LoadedScene& scene, ViewQuestion question) {
+  if (scene.diagnostics.has_errors()) {
+    return;
+  }
+  if (scene.written.camera) {
+    question.camera = scene.written.camera->location;
+  }
+  question.place_of = [&](std::uint32_t source) { return scene.ready.sources[source].location; };
+  check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options) {

@@ -5,6 +5,7 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/io/asset_roots.h"
 #include "scenefile/scene/prepare.h"
+#include "scenefile/trace/check_view.h"
 
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace scenefile::app {
 
 /// How far to go.
-enum class LoadDepth { checked, prepared, with_meshes, with_all_assets };
+enum class LoadDepth { prepared, with_meshes, with_all_assets };
 
 /// What became of a file that the scene names.
 struct AssetFile {
@@ -38,6 +39,10 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
 
 /// Where the files may be that a scene at `path` names.
 AssetRootsOptions asset_roots_options(const std::string& path, const Options& options);
+
+/// Adds what check_view() finds about the picture, where there is one. `question` need not say
+/// where things are in the file.
+void check_picture(LoadedScene& scene, ViewQuestion question);
 
 /// Where each file of the scene is.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);

@@ -2,6 +2,7 @@
 
 #include "app/codes.h"
 #include "app/findings.h"
+#include "scenefile/scene/codes.h"
 
 #include <algorithm>
 
@@ -18,24 +19,25 @@ bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
 }
 
 // Whether the picture depends on what an absent transparentcoeff means.
-bool guesses_transparency(const RenderOptions& options, const RenderScene& scene) {
-  return options.profile == Profile::fine && options.mode == Mode::ray &&
-         options.features.refract && !scene.global.transparent.has_value() &&
-         std::any_of(scene.materials.begin(), scene.materials.end(),
-                     [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); });
+bool guesses_transparency(const RenderOptions& options) {
+  return options.profile == Profile::fine && options.mode == Mode::ray && options.features.refract;
 }
 
-// What only the way of rendering makes doubtful.
-void add_warnings(const RenderOptions& options, LoadedScene& scene) {
+// What the way of rendering makes doubtful, and what it makes sure.
+void judge_picture(const RenderOptions& options, LoadedScene& scene) {
+  ViewQuestion question;
+  question.aspect = static_cast<double>(options.width) / options.height;
+  question.shadows = options.mode == Mode::ray && options.features.shadows;
+  check_picture(scene, question);
   if (dark_in_caster(options, scene.ready.scene)) {
     scene.diagnostics.report(render_no_directional_light, {},
                              "the scene has no directional light, and the course's ray caster "
                              "knows no other");
   }
-  if (guesses_transparency(options, scene.ready.scene)) {
-    scene.diagnostics.report(render_transparent_default, {},
-                             "the scene has transparent materials, but no transparentcoeff; 0.5 "
-                             "is used");
+  if (!guesses_transparency(options)) {
+    scene.diagnostics.rewrite([](const Code& code, Severity severity) {
+      return &code == &global_transparent_default ? std::nullopt : std::optional(severity);
+    });
   }
 }
 
@@ -48,7 +50,7 @@ LoadedScene load_for_tracing(const Options& options, const RenderOptions& render
                                  textures ? LoadDepth::with_all_assets : LoadDepth::with_meshes,
                                  options.allow_missing, context);
   if (status_of(scene) == ExitCode::fine) {
-    add_warnings(render, scene);
+    judge_picture(render, scene);
   }
   return scene;
 }

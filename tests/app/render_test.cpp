@@ -155,7 +155,7 @@ TEST_F(Render, WarnsOfDarkness) {
 
 TEST_F(Render, WarnsOfAGuessedCoefficient) {
   folder.write("scene.xml", scene_with(R"(<transparent r="1" g="1" b="1"/>)"));
-  const std::string code = "[render.transparent-default]";
+  const std::string code = "[global.transparent-default]";
   EXPECT_THAT(render({}).err, HasSubstr(code));
   EXPECT_THAT(render({"--profile", "course"}).err, Not(HasSubstr(code)));
   EXPECT_THAT(render({"--features", "shadows"}).err, Not(HasSubstr(code)));

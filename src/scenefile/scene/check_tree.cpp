@@ -242,7 +242,7 @@ void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents
                     {"primitive", contents.transparent->location, contents.transparent_node},
                     Field::transparent,
                     fmt::format("the {} is transparent, but the file gives no transparentcoeff; "
-                                "programs differ in what that means",
+                                "0.5 is used (0 in the profile course)",
                                 shape_name(contents.transparent->shape)));
   }
 }

@@ -38,9 +38,11 @@ inline constexpr Code global_huge{
     "The coefficients scale the terms of the lighting equation and are usually between 0 and 1. "
     "With this one every lit pixel is as bright as can be. It is used as written."};
 inline constexpr Code global_transparent_default{
-    "global.transparent-default", Severity::note, "transparent material, but no transparentcoeff",
+    "global.transparent-default", Severity::warning,
+    "transparent material, but no transparentcoeff",
     "Programs differ in what they take for an absent transparentcoeff: 0 (then nothing is "
-    "transparent) or 0.5. Write it into the global data (JSON: transparentCoeff) to be safe."};
+    "transparent), as --profile course does, or 0.5, as --profile fine does. Write it into the "
+    "global data (JSON: transparentCoeff) to be safe."};
 
 inline constexpr Code camera_look_zero{
     "camera.look-zero", Severity::error, "a camera that looks nowhere",

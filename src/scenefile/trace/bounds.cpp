@@ -18,8 +18,7 @@ Bounds placed_bounds(const Bounds& box, const DAffine& to_from) {
   return box.empty() ? Bounds{} : transform(to_from, box);
 }
 
-Bounds scene_bounds(const RenderScene& scene, const Assets& assets) {
-  const std::vector<Bounds> meshes = mesh_bounds(scene, assets);
+std::vector<Bounds> group_bounds(const RenderScene& scene, const std::vector<Bounds>& meshes) {
   std::vector<Bounds> groups;
   groups.reserve(scene.groups.size());
   for (const RenderGroup& group : scene.groups) {
@@ -35,6 +34,11 @@ Bounds scene_bounds(const RenderScene& scene, const Assets& assets) {
     }
     groups.push_back(box);
   }
+  return groups;
+}
+
+Bounds scene_bounds(const RenderScene& scene, const Assets& assets) {
+  const std::vector<Bounds> groups = group_bounds(scene, mesh_bounds(scene, assets));
   return groups.empty() ? Bounds{} : groups[scene.root];
 }
 

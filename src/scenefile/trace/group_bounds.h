@@ -10,6 +10,9 @@ namespace scenefile {
 /// By mesh file; empty where there are no triangles.
 std::vector<Bounds> mesh_bounds(const RenderScene& scene, const Assets& assets);
 
+/// By group, in its own space, with all that stands in it; `meshes` as of mesh_bounds().
+std::vector<Bounds> group_bounds(const RenderScene& scene, const std::vector<Bounds>& meshes);
+
 /// The box around a transformed box; an empty one stays empty.
 Bounds placed_bounds(const Bounds& box, const DAffine& to_from);
 

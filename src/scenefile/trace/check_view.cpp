@@ -1,0 +1,140 @@
+#include "scenefile/trace/check_view.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/trace/codes.h"
+#include "scenefile/trace/scene_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace scenefile {
+
+namespace {
+
+constexpr glm::vec3 black(0);
+
+class ViewCheck {
+ public:
+  ViewCheck(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
+            Diagnostics& diagnostics)
+      : scene_(scene), question_(question), diagnostics_(diagnostics), search_(scene, assets) {}
+
+  void check_camera() {
+    search_.enclosing(scene_.camera.position, scene_.camera.position, [&](const Enclosure& e) {
+      diagnostics_.report(camera_inside_object, question_.camera,
+                          fmt::format("the camera is inside {}", text_of(*e.primitive)));
+      return false;
+    });
+    if (search_.misses(view_region(scene_.camera, question_.aspect))) {
+      diagnostics_.report(
+          camera_nothing_in_view, question_.camera,
+          fmt::format("no object is in view of the camera, in a picture up to {} times as wide as "
+                      "high",
+                      number_text(static_cast<float>(question_.aspect))));
+    }
+  }
+
+  void check_lights() {
+    bool any = false;
+    bool lit = false;
+    for (const RenderLight& light : scene_.lights) {
+      if (light.color != black) {
+        any = true;
+        lit = reaches(light) || lit;
+      }
+    }
+    if (any && (!lit || !answers_light())) {
+      diagnostics_.report(scene_unlit, {},
+                          lit ? "no material has a diffuse or specular part that light could show"
+                              : "none of the lights lights anything that can be seen");
+    }
+  }
+
+ private:
+  // "the sphere of line 12".
+  std::string text_of(const RenderPrimitive& primitive) const {
+    static constexpr std::array<std::string_view, 5> names{"cube", "cone", "cylinder", "sphere",
+                                                           "mesh"};
+    const std::string_view name = names[static_cast<std::size_t>(primitive.shape)];
+    const Location place = question_.place_of(primitive.source);
+    return place.known() ? fmt::format("the {} of line {}", name, place.line)
+                         : fmt::format("a {}", name);
+  }
+
+  // Whether the light may contribute; says so when it cannot.
+  bool reaches(const RenderLight& light) {
+    if (search_.misses(lit_region(light))) {
+      diagnostics_.report(light_misses, question_.place_of(light.source),
+                          light.type == LightType::spot
+                              ? "no object is in the cone of the spotlight"
+                              : "no object is on the side that the area light shines on");
+      return false;
+    }
+    return !is_shut_in(light);
+  }
+
+  // Whether an opaque object around the light, but not around the camera, keeps its light in. A
+  // highlight may still show on the object's outside: N.L < 0 does not cut it.
+  bool is_shut_in(const RenderLight& light) {
+    const bool has_a_place = light.type == LightType::point || light.type == LightType::spot;
+    bool shut_in = false;
+    if (has_a_place && question_.shadows) {
+      search_.enclosing(
+          glm::dvec3(light.position), scene_.camera.position, [&](const Enclosure& e) {
+            const RenderMaterial& m = scene_.materials[e.primitive->material];
+            if (e.holds_other || is_transparent(m)) {
+              return true;
+            }
+            diagnostics_.report(light_inside_object, question_.place_of(light.source),
+                                fmt::format("the light is inside {}", text_of(*e.primitive)));
+            shut_in = !has_highlight(m);
+            return false;
+          });
+    }
+    return shut_in;
+  }
+
+  bool is_transparent(const RenderMaterial& m) const {
+    return scene_.global.transparent.value_or(1) != 0 && m.transparent != black;
+  }
+  bool has_highlight(const RenderMaterial& m) const {
+    return scene_.global.specular != 0 && m.specular != black && m.shininess > 0;
+  }
+  bool answers_light() const {
+    return std::any_of(
+        scene_.materials.begin(), scene_.materials.end(), [&](const RenderMaterial& m) {
+          const bool textured = m.texture.used() && m.blend > 0;
+          return textured || has_highlight(m) || (scene_.global.diffuse != 0 && m.diffuse != black);
+        });
+  }
+
+  const RenderScene& scene_;
+  const ViewQuestion& question_;
+  Diagnostics& diagnostics_;
+  SceneSearch search_;
+};
+
+}  // namespace
+
+std::span<const Code* const> view_codes() {
+  static constexpr const Code* all[] = {&camera_inside_object, &camera_nothing_in_view,
+                                        &light_inside_object, &light_misses, &scene_unlit};
+  return all;
+}
+
+void check_view(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
+                Diagnostics& diagnostics) {
+  const bool empty = std::all_of(scene.groups.begin(), scene.groups.end(),
+                                 [](const RenderGroup& group) { return group.primitives.empty(); });
+  if (empty) {
+    return;  // check() has said so
+  }
+  ViewCheck check(scene, assets, question, diagnostics);
+  check.check_camera();
+  check.check_lights();
+}
+
+}  // namespace scenefile

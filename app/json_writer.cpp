@@ -11,6 +11,8 @@ namespace scenefile::app {
 
 namespace {
 
+constexpr std::size_t indent = 2;
+
 // Replaces what is not UTF-8, which the writer would pass on or stop at.
 std::string valid_utf8(std::string_view text) {
   std::string result;
@@ -32,10 +34,11 @@ struct Json::Library {
   using Buffer = rapidjson::StringBuffer;
   Buffer buffer;
   rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer{buffer};
+  std::size_t depth = 0;  // of objects and arrays that are open
 };
 
 Json::Json() : library_(std::make_unique<Library>()) {
-  library_->writer.SetIndent(' ', 2);
+  library_->writer.SetIndent(' ', indent);
 }
 Json::~Json() = default;
 
@@ -62,10 +65,18 @@ void Json::write_number(double d) {
 void Json::key(std::string_view name) {
   library_->writer.Key(name.data(), length(name));
 }
-void Json::raw(const std::string& json) {
-  library_->writer.RawValue(json.data(), json.size(), rapidjson::kObjectType);
+void Json::raw(std::string_view json) {
+  std::string shifted;
+  for (const char c : json.substr(0, json.find_last_not_of('\n') + 1)) {
+    shifted += c;
+    if (c == '\n') {
+      shifted.append(indent * library_->depth, ' ');
+    }
+  }
+  library_->writer.RawValue(shifted.data(), shifted.size(), rapidjson::kObjectType);
 }
 void Json::begin_object() {
+  ++library_->depth;
   library_->writer.StartObject();
 }
 void Json::begin_object(std::string_view name) {
@@ -73,9 +84,11 @@ void Json::begin_object(std::string_view name) {
   begin_object();
 }
 void Json::end_object() {
+  --library_->depth;
   library_->writer.EndObject();
 }
 void Json::begin_array() {
+  ++library_->depth;
   library_->writer.StartArray();
 }
 void Json::begin_array(std::string_view name) {
@@ -83,6 +96,7 @@ void Json::begin_array(std::string_view name) {
   begin_array();
 }
 void Json::end_array() {
+  --library_->depth;
   library_->writer.EndArray();
 }
 

@@ -41,7 +41,7 @@ class Json {
   }
   void add(std::string_view name, const char* v) { add(name, std::string_view(v)); }
   /// A value that is JSON already.
-  void raw(const std::string& json);
+  void raw(std::string_view json);
 
   void begin_object();
   void begin_object(std::string_view name);

@@ -183,6 +183,7 @@ TEST_F(Check, JsonIsOneDocumentAndAllThereIs) {
   const std::string bad = folder.write("bad.xml", scene_with("<difuse r=\"\xff\x1b[31m\"/>"));
   const std::string none = folder.path("no\nne.xml");
   const ProgramRun run = run_program({"check", "--json", good, bad, none});
+  EXPECT_THAT(run.out, HasSubstr("\n    {\n      \"file\": "));
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.err, "");
   const rapidjson::Document report = parse_json(run.out);

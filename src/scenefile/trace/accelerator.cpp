@@ -48,6 +48,7 @@ struct Part {
   std::uint32_t material = 0;
   std::uint32_t source = 0;
 };
+static_assert(sizeof(Part) == 64);
 
 struct FloatBox {
   float min[3];

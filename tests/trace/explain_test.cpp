@@ -177,6 +177,17 @@ TEST_P(ExplainedPixel, AddsUpWhereColorsAreNormals) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ExplainedPixel, testing::Range(1u, 9u));
 
+TEST(ExplainedPicture, HasNoDenormalNumbersEither) {
+  RenderMaterial faint;
+  faint.ambient = {1e-30f, 0.5f, 1e-25f};
+  SceneBuilder b;
+  b.scene.global.ambient = 1e-12f;
+  b.add(Shape::sphere, translate({0, 0, -2}), b.material(faint));
+  for (const Profile profile : {Profile::course, Profile::fine}) {
+    expect_sums(b, default_options(profile));
+  }
+}
+
 PixelRecord middle(const SceneBuilder& b, Profile profile = Profile::course) {
   RenderOptions options = default_options(profile);
   options.width = options.height = 1;

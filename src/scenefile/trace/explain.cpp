@@ -99,7 +99,6 @@ struct Explainer::Impl {
       : tracer(scene, assets, options, Instances::named), camera(tracer.camera()) {}
 
   Color trace(int x, int y, Recorder& recorder, MoreSamples& more) const {
-    const NoDenormals no_denormals;
     RayCounts counts;
     counts.recorder = &recorder;
     const Color color = tracer.course() ? course_pixel(tracer, camera, x, y, counts)
@@ -124,6 +123,7 @@ RenderStatus Explainer::status() const {
 }
 
 PixelRecord Explainer::explain(int x, int y, std::optional<std::uint32_t> sample) const {
+  const NoDenormals no_denormals;
   PixelRecord pixel;
   pixel.x = x;
   pixel.y = y;

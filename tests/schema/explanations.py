@@ -1,0 +1,74 @@
+"""What explain --json answers is what schema/explain.schema.json says.
+
+    explanations.py SCENEFILE SCENE...
+
+Exit code 77: skipped, for lack of the Python package jsonschema.
+"""
+
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+
+try:
+    import jsonschema
+except ImportError:
+    sys.exit(77)
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent.parent / "schema"
+WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"], ["--mode", "intersect"])
+PIXELS = ("0,0", "20,24", "32,20", "33,30", "45,28", "60,40")
+
+
+def answer(program, arguments):
+    run = subprocess.run([program, "explain", "--json", "--size", "64x48", *arguments],
+                         capture_output=True, check=False)
+    return json.loads(run.stdout)
+
+
+def answers(program, scenes):
+    yield answer(program, ["no such file.xml", "--pixel", "1,1"])
+    for scene in scenes:
+        for way in WAYS:
+            for pixel in PIXELS:
+                yield answer(program, [scene, "--pixel", pixel, *way])
+
+
+def broken(document):
+    """Changes that the schema must see."""
+    def change(edit):
+        other = copy.deepcopy(document)
+        edit(other)
+        return other
+    def lit(d):
+        return next(r for r in d["pixel"]["rays"] if r.get("lights"))
+    yield change(lambda d: d.pop("pixel"))
+    yield change(lambda d: d.update(error="none"))
+    yield change(lambda d: d["pixel"]["value"].append(0))
+    yield change(lambda d: d["pixel"].update(rays=[]))
+    yield change(lambda d: lit(d).pop("local"))
+    yield change(lambda d: lit(d)["surface"].update(shape="torus"))
+    yield change(lambda d: lit(d)["surface"].update(object=[]))
+    yield change(lambda d: lit(d)["lights"][0].update(contribution=0))
+    yield change(lambda d: lit(d)["reflected"].update(fate="lost"))
+
+
+def main(program, scenes):
+    schemas = {name: json.loads((FOLDER / name).read_text(encoding="utf-8"))
+               for name in ("explain.schema.json", "check.schema.json")}
+    schema = schemas["explain.schema.json"]
+    jsonschema.Draft7Validator.check_schema(schema)
+    resolver = jsonschema.RefResolver("", schema, store=schemas)
+    validator = jsonschema.Draft7Validator(schema, resolver=resolver)
+    documents = list(answers(program, scenes))
+    complaints = [f"{'/'.join(map(str, e.path))}: {e.message[:200]}"
+                  for d in documents for e in validator.iter_errors(d)]
+    lit = next(d for d in documents if d.get("pixel") and d["pixel"]["rays"][0].get("lights"))
+    complaints += [f"broken answer {i} is accepted" for i, d in enumerate(broken(lit))
+                   if validator.is_valid(d)]
+    print("\n".join(complaints) or f"{len(documents)} answers")
+    return 1 if complaints else 0
+
+
+sys.exit(main(sys.argv[1], sys.argv[2:]))

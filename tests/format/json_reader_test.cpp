@@ -176,7 +176,20 @@ TEST(JsonReader, LightsWithoutTheirKeys) {
   EXPECT_EQ(
       read_light(R"({"type": "point", "attenuationCoeff": [1, 0, 0]})").count(json_missing_key),
       1u);
-  EXPECT_EQ(read_light(R"({"color": [1, 1, 1]})").count(json_missing_key), 1u);
+}
+
+TEST(JsonReader, LightsWithoutATypeArePointLights) {
+  const Reading r = read_light(R"({"color": [1, 0, 1], "attenuationCoeff": [1, 0, 0]})");
+  EXPECT_EQ(r.diagnostics.list().size(), 1u);
+  EXPECT_EQ(r.count(json_light_default), 1u);
+  EXPECT_EQ(r.child(0).lights.at(0).type, LightType::point);
+  EXPECT_EQ(r.child(0).lights.at(0).color, glm::vec3(1, 0, 1));
+}
+
+TEST(JsonReader, WhatIsNoLightIsLeftOut) {
+  const Reading r = read_light(R"({"translate": [1, 2, 3], "lights": []})");
+  EXPECT_EQ(r.count(json_no_light), 1u);
+  EXPECT_TRUE(r.child(0).lights.empty());
 }
 
 TEST(JsonReader, KeysWithoutEffectOnLights) {

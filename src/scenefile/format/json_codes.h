@@ -88,6 +88,10 @@ inline constexpr Code json_light_default{
     "json.light-default", Severity::warning, "a light lacks a key",
     "The schema requires the key for this type of light, and the course's reader refuses the file. "
     "The default that the message names is used."};
+inline constexpr Code json_no_light{
+    "json.no-light", Severity::warning, "something else among the lights",
+    "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
+    "\"groups\"; a light stands at the origin of the group that holds its list."};
 inline constexpr Code json_primitive_type{
     "json.unknown-primitive-type", Severity::warning, "a primitive of unknown type",
     "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of somebody's "

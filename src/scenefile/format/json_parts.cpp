@@ -159,6 +159,22 @@ constexpr std::string_view names[] = {"type",      "color",    "name",  "attenua
 constexpr JsonVocabulary vocabulary{"a light", names};
 constexpr std::string_view types[] = {"point", "directional", "spot", "area"};
 
+// The format text: without a type a light is a point light. What has no color either is none.
+std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
+                                     JsonIndex item) {
+  if (fields.has(type)) {
+    return read_type(context, fields, "light", types, json_light_type);
+  }
+  if (fields.has(color)) {
+    context.report(json_light_default, item,
+                   "a light must have the key \"type\"; it counts as a point light");
+    return static_cast<std::size_t>(LightType::point);
+  }
+  context.report(json_no_light, item,
+                 "this is no light, it has neither \"type\" nor \"color\", and is left out");
+  return std::nullopt;
+}
+
 void report_unused_keys(JsonContext& context, const JsonFields& fields, LightType kind) {
   const std::string why = fmt::format("on a {} light", types[static_cast<std::size_t>(kind)]);
   if (kind == LightType::point) {
@@ -317,8 +333,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
     return std::nullopt;
   }
   const JsonFields fields(context, item, light::vocabulary);
-  const std::optional<std::size_t> type =
-      read_type(context, fields, "light", light::types, json_light_type);
+  const std::optional<std::size_t> type = light::read_kind(context, fields, item);
   if (!type) {
     return std::nullopt;
   }

@@ -32,6 +32,16 @@ class Folder {
 
 const std::string good_mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
+TEST(LoadAssets, WithoutAWayToOpenFilesAllAreMissing) {
+  Diagnostics diagnostics;
+  const std::vector<FileReference> textures = {{"a.png", {1, 2}}};
+  const std::vector<FileReference> meshes = {{"m.obj", {3, 4}}};
+  const Assets assets = load_assets(textures, meshes, {}, {}, diagnostics);
+  EXPECT_EQ(assets.textures.size(), 1U);
+  EXPECT_EQ(diagnostics.count(Severity::warning), 1U);
+  EXPECT_EQ(diagnostics.count(Severity::error), 1U);
+}
+
 TEST(LoadAssets, EachFileOnceAtItsIndex) {
   Folder folder;
   folder.files = {{"a.png", test::fixture("rgb.png")},

@@ -11,6 +11,10 @@ namespace scenefile {
 
 namespace {
 
+FileContents no_access(const std::string& /*name*/) {
+  return {"", "no files are opened here"};
+}
+
 Texture load_texture(const FileReference& file, const FetchFile& fetch, const Limits& limits,
                      std::uint64_t& budget, Diagnostics& diagnostics) {
   const auto warn = [&](const Code& code, const std::string& why) {
@@ -82,8 +86,9 @@ class MeshLoader {
 }  // namespace
 
 Assets load_assets(std::span<const FileReference> texture_files,
-                   std::span<const FileReference> mesh_files, const FetchFile& fetch,
+                   std::span<const FileReference> mesh_files, const FetchFile& fetch_file,
                    const LoadOptions& options, Diagnostics& diagnostics) {
+  const FetchFile fetch = fetch_file ? fetch_file : FetchFile(no_access);
   Assets assets;
   assets.textures.resize(texture_files.size());
   assets.meshes.resize(mesh_files.size());

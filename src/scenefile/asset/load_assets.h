@@ -27,7 +27,8 @@ struct FileContents {
 };
 
 /// Fetches a file by its name as written in the scene. How names are resolved, and what may be
-/// opened, is the caller's business (io/asset_roots.h has the rules of the format).
+/// opened, is the caller's business (io/asset_roots.h has the rules of the format). An empty
+/// function opens nothing: every file counts as missing.
 using FetchFile = std::function<FileContents(const std::string& name)>;
 
 enum class AssetKind : std::uint8_t { texture, mesh };

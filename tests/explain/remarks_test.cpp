@@ -205,6 +205,20 @@ TEST(Remarks, LightsThatGiveNothing) {
   EXPECT_THAT(said(b, caster), Contains("light-of-another-mode"));
 }
 
+TEST(Remarks, SayHowFarOutsideTheConeAPointIs) {
+  SceneBuilder b = ball(gray());
+  RenderLight& light = b.scene.lights[0];
+  light.type = LightType::spot;
+  light.position = {0, 0, 0};
+  light.direction = {1, 0, 0};
+  light.inner_angle = light.outer_angle = glm::radians(20.0f);
+  RenderOptions options = default_options(Profile::course);
+  options.width = options.height = 1;
+  const PixelRecord pixel = Explainer(b.scene, b.assets, options).explain(0, 0);
+  EXPECT_EQ(remarks(b.scene, pixel).at(0).text,
+            "outside the cone of the spot: 90 degrees from its axis, light ends at 20");
+}
+
 TEST(Remarks, NormalsHaveNone) {
   RenderOptions options = default_options(Profile::course);
   options.mode = Mode::normals;

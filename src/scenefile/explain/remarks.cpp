@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace scenefile {
 
@@ -141,7 +142,7 @@ class Remarks {
       add(RemarkKind::light_of_another_mode,
           "the course's ray caster knows directional lights alone", light);
     } else if (record.unlit == Unlit::out_of_reach) {
-      add(RemarkKind::light_out_of_reach, reach_text(scene_.lights[light].type), light);
+      add(RemarkKind::light_out_of_reach, reach_text(scene_.lights[light], s.position), light);
     }
     if (record.samples.empty()) {
       return;
@@ -164,10 +165,17 @@ class Remarks {
     about_shadow(s, record);
   }
 
-  static const char* reach_text(LightType type) {
-    switch (type) {
-      case LightType::spot:
-        return "outside the cone of the spot";
+  static std::string reach_text(const RenderLight& light, const glm::dvec3& point) {
+    switch (light.type) {
+      case LightType::spot: {
+        const glm::dvec3 way = glm::normalize(point - glm::dvec3(light.position));
+        const double cosine = glm::dot(way, glm::dvec3(light.direction));
+        return fmt::format(
+            "outside the cone of the spot: {:.4g} degrees from its axis, light ends "
+            "at {:.4g}",
+            glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))),
+            glm::degrees(double(light.outer_angle)));
+      }
       case LightType::area:
         return "behind the area light: it shines on the side of its direction";
       case LightType::point:

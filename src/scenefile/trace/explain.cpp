@@ -4,6 +4,7 @@
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/no_denormals.h"
 #include "scenefile/trace/recorder.h"
+#include "scenefile/trace/tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,9 @@ std::uint32_t nearest_to_middle(const std::vector<SampleRecord>& samples, int x,
 
 struct Explainer::Impl {
   Impl(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
-      : tracer(scene, assets, options, Instances::named), camera(tracer.camera()) {}
+      : limit(options.threads),
+        tracer(scene, assets, options, Instances::named),
+        camera(tracer.camera()) {}
 
   Color trace(int x, int y, Recorder& recorder, MoreSamples& more) const {
     RayCounts counts;
@@ -109,6 +112,7 @@ struct Explainer::Impl {
     return color;
   }
 
+  ThreadLimit limit;
   Tracer tracer;
   CameraRays camera;
 };

@@ -8,8 +8,6 @@
 
 namespace scenefile::testing_support {
 
-namespace {
-
 Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
   AssetRoots roots({.scene_path = path, .asset_roots = {}});
   const FetchFile fetch = [&](const std::string& name) {
@@ -19,8 +17,6 @@ Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics
   };
   return load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
 }
-
-}  // namespace
 
 LoadedScene load_scene(const std::string& path, bool compat_course) {
   LoadedScene loaded;

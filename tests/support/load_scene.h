@@ -21,4 +21,7 @@ struct LoadedScene {
 /// Reads, checks, prepares and loads the files of a scene, as the program does.
 LoadedScene load_scene(const std::string& path, bool compat_course);
 
+/// The files of a scene that stands at `path`.
+Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics);
+
 }  // namespace scenefile::testing_support

@@ -107,7 +107,7 @@ TEST(JsonReader, TransformsHaveAFixedOrder) {
   EXPECT_EQ(std::get<Translate>(t[0].map).by, glm::vec3(1, 2, 3));
   EXPECT_EQ(std::get<Rotate>(t[1].map), (Rotate{glm::vec3(0, 1, 0), 90}));
   EXPECT_EQ(std::get<Scale>(t[2].map).by, glm::vec3(2, 3, 4));
-  const glm::mat4 m = std::get<Matrix>(t[3].map).m;
+  const glm::mat4 m = std::get<Matrix>(t[3].map).m();
   EXPECT_EQ(m[3], glm::vec4(4, 8, 12, 1));
   EXPECT_EQ(m[0], glm::vec4(1, 5, 9, 0));
   EXPECT_EQ(t[0].location, (Location{9, 5}));

@@ -395,9 +395,9 @@ std::vector<CodeCase> code_cases() {
   };
   const auto matrix_with = [](float last) {
     return [last](Scene& s) {
-      Matrix matrix;
-      matrix.m[3][3] = last;
-      s.nodes[1].transforms.push_back({matrix, {}});
+      glm::mat4 m(1);
+      m[3][3] = last;
+      s.nodes[1].transforms.push_back({Matrix(m), {}});
     };
   };
   const auto nested = [](int depth) {

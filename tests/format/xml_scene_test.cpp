@@ -178,14 +178,14 @@ TEST(XmlScene, AMatrixIsReadByRows) {
   for (const std::string_view form : {"a b c d", "v1 v2 v3 v4"}) {
     const Reading reading = read(with_transforms(rows("0 0 0 1", form)));
     EXPECT_THAT(found(reading), IsEmpty());
-    const glm::mat4 m = std::get<Matrix>(only_child(reading.scene).transforms.at(0).map).m;
+    const glm::mat4 m = std::get<Matrix>(only_child(reading.scene).transforms.at(0).map).m();
     EXPECT_EQ(m, glm::mat4(1, 5, 9, 0, 2, 6, 10, 0, 3, 7, 11, 0, 4, 8, 12, 1));
   }
 }
 
 TEST(XmlScene, AMatrixWithAnotherLastRow) {
   const auto matrix = [](const Reading& reading) {
-    return std::get<Matrix>(only_child(reading.scene).transforms.at(0).map).m;
+    return std::get<Matrix>(only_child(reading.scene).transforms.at(0).map).m();
   };
   const Reading halved = read(with_transforms(rows("0 0 0 2")));
   EXPECT_EQ(matrix(halved)[3], glm::vec4(2, 4, 6, 1));

@@ -103,7 +103,7 @@ glm::dmat4 matrix_of(const Transform& t) {
   if (const auto* m = std::get_if<Rotate>(&t.map)) {
     return glm::rotate(one, glm::radians(double(m->angle_deg)), glm::dvec3(m->axis));
   }
-  return glm::dmat4(std::get<Matrix>(t.map).m);
+  return glm::dmat4(std::get<Matrix>(t.map).m());
 }
 
 void expand(const Scene& scene, NodeId id, glm::dmat4 world, Expansion& out) {

@@ -163,7 +163,7 @@ void print_map(JsonPrinter& to, const Rotate& rotate) {
 }
 
 void print_map(JsonPrinter& to, const Matrix& matrix) {
-  const glm::mat4 rows = glm::transpose(matrix.m);
+  const glm::mat4 rows = glm::transpose(matrix.m());
   to.open("matrix", '[');
   for (int row = 0; row < 4; ++row) {
     to.numbers("", {rows[row][0], rows[row][1], rows[row][2], rows[row][3]});

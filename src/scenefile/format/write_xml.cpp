@@ -153,8 +153,8 @@ void print_map(XmlPrinter& to, const Rotate& rotate) {
 void print_map(XmlPrinter& to, const Matrix& matrix) {
   to.begin("matrix").children();
   for (int row = 0; row < 4; ++row) {
-    to.begin("row").attribute("a", matrix.m[0][row]).attribute("b", matrix.m[1][row]);
-    to.attribute("c", matrix.m[2][row]).attribute("d", matrix.m[3][row]).leaf();
+    to.begin("row").attribute("a", matrix.m()[0][row]).attribute("b", matrix.m()[1][row]);
+    to.attribute("c", matrix.m()[2][row]).attribute("d", matrix.m()[3][row]).leaf();
   }
   to.end();
 }

@@ -122,17 +122,18 @@ class XmlForm {
 
   void make_affine(NodeId id) {
     for (Transform& transform : scene_.nodes[id].transforms) {
-      auto* matrix = std::get_if<Matrix>(&transform.map);
+      const auto* const matrix = std::get_if<Matrix>(&transform.map);
       if (matrix == nullptr) {
         continue;
       }
+      glm::mat4 affine = matrix->m();
       for (int column = 0; column < 4; ++column) {
-        const float wanted = column == 3 ? 1.0f : 0.0f;
-        if (matrix->m[column][3] != wanted) {
-          matrix->m[column][3] = wanted;
-          diagnostics_.report(write_matrix_row, transform.location,
-                              "the last row of the matrix is written as 0 0 0 1");
-        }
+        affine[column][3] = column == 3 ? 1.0f : 0.0f;
+      }
+      if (affine != matrix->m()) {
+        transform.map = Matrix(affine);
+        diagnostics_.report(write_matrix_row, transform.location,
+                            "the last row of the matrix is written as 0 0 0 1");
       }
     }
   }

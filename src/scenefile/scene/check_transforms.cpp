@@ -45,12 +45,12 @@ class TransformCheck {
 
   bool check(const Matrix& matrix) {
     for (int column = 0; column < 4; ++column) {
-      if (!finite("matrix", glm::vec3(matrix.m[column])) ||
-          !finite("matrix", glm::vec3(matrix.m[column].w))) {
+      if (!finite("matrix", glm::vec3(matrix.m()[column])) ||
+          !finite("matrix", glm::vec3(matrix.m()[column].w))) {
         return false;
       }
     }
-    check_last_row(matrix.m);
+    check_last_row(matrix.m());
     return has_inverse("matrix");
   }
 

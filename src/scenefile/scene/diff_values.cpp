@@ -48,7 +48,7 @@ std::string text_of(const Matrix& matrix) {
   std::string text = "matrix";
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
-      text += (column == 0 && row != 0 ? " / " : " ") + text_of(matrix.m[column][row]);
+      text += (column == 0 && row != 0 ? " / " : " ") + text_of(matrix.m()[column][row]);
     }
   }
   return text;

@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -57,10 +58,16 @@ struct Scale {
   glm::vec3 by{1};
   friend bool operator==(const Scale&, const Scale&) = default;
 };
-/// A 4x4 matrix as glm stores it: m[column][row]; files list rows.
-struct Matrix {
-  glm::mat4 m{1};
-  friend bool operator==(const Matrix&, const Matrix&) = default;
+/// A 4x4 matrix as glm stores it: m()[column][row]; files list rows. Matrices are rare and large,
+/// so each lies apart, never to change, and the other transforms stay small.
+class Matrix {
+ public:
+  explicit Matrix(const glm::mat4& m = glm::mat4(1)) : m_(std::make_shared<const glm::mat4>(m)) {}
+  const glm::mat4& m() const { return *m_; }
+  friend bool operator==(const Matrix& a, const Matrix& b) { return a.m() == b.m(); }
+
+ private:
+  std::shared_ptr<const glm::mat4> m_;
 };
 
 struct Transform {

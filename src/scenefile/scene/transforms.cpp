@@ -56,7 +56,7 @@ DAffine map_of(const Scale& s) {
   return {glm::dmat3(by.x, 0, 0, 0, by.y, 0, 0, 0, by.z), glm::dvec3(0)};
 }
 DAffine map_of(const Matrix& matrix) {
-  return {glm::dmat3(glm::mat3(matrix.m)), glm::dvec3(matrix.m[3])};
+  return {glm::dmat3(glm::mat3(matrix.m())), glm::dvec3(matrix.m()[3])};
 }
 
 }  // namespace

@@ -4,30 +4,15 @@
 #include <rapidjson/reader.h>
 
 #include <cstring>
-#include <new>
+#include <utility>
+#include <vector>
 
 namespace scenefile {
 
 namespace {
 
-// The library's own allocators do not look whether there is memory.
-struct ThrowingAllocator {
-  [[maybe_unused]] static constexpr bool kNeedFree = true;
-
-  static void* Malloc(std::size_t size) { return Realloc(nullptr, 0, size); }
-  static void* Realloc(void* old, std::size_t, std::size_t size) {
-    if (size == 0) {
-      std::free(old);
-      return nullptr;
-    }
-    void* memory = std::realloc(old, size);
-    if (memory == nullptr) {
-      throw std::bad_alloc();
-    }
-    return memory;
-  }
-  static void Free(void* memory) { std::free(memory); }
-};
+// Stands for the library's allocator, and chooses the stack below.
+struct OnVector {};
 
 // A text for parsing "in situ" that is never written to: strings and numbers are handed on as the
 // places where they stand, escapes and all. A NUL ends it.
@@ -51,7 +36,66 @@ class TextStream {
   const char* end_;
 };
 
-using Reader = rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, ThrowingAllocator>;
+}  // namespace
+
+}  // namespace scenefile
+
+namespace rapidjson {
+
+// Lets the library work on a copy of the stream in a register. While a token is parsed, the
+// original stays at its start.
+template <>
+struct StreamTraits<scenefile::TextStream> {
+  enum { copyOptimization = 1 };
+};
+
+namespace internal {
+
+// The library's own stack adds to a null pointer to ask whether an empty stack has room, which is
+// undefined, and its allocators do not look whether there is memory. This one does neither.
+template <>
+class Stack<scenefile::OnVector> {
+ public:
+  Stack(scenefile::OnVector*, std::size_t capacity) : bytes_(capacity) {}
+
+  template <typename T>
+  T* Push(std::size_t count = 1) {
+    const std::size_t end = top_ + sizeof(T) * count;
+    if (end > bytes_.size()) {
+      bytes_.resize(2 * end);
+    }
+    return at<T>(std::exchange(top_, end));
+  }
+  template <typename T>
+  T* Pop(std::size_t count) {
+    top_ -= sizeof(T) * count;
+    return at<T>(top_);
+  }
+  template <typename T>
+  T* Top() {
+    return at<T>(top_ - sizeof(T));
+  }
+  void Clear() { top_ = 0; }
+
+ private:
+  template <typename T>
+  T* at(std::size_t offset) {
+    return reinterpret_cast<T*>(bytes_.data() + offset);
+  }
+
+  std::vector<char> bytes_;
+  std::size_t top_ = 0;
+};
+
+}  // namespace internal
+
+}  // namespace rapidjson
+
+namespace scenefile {
+
+namespace {
+
+using Reader = rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, OnVector>;
 
 struct StringCatcher : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, StringCatcher> {
   std::string value;
@@ -185,19 +229,6 @@ JsonFault fault_of(rapidjson::ParseErrorCode code, std::string_view text, std::s
 }
 
 }  // namespace
-
-}  // namespace scenefile
-
-// Lets the library work on a copy of the stream in a register. While a token is parsed, the
-// original stays at its start.
-namespace rapidjson {
-template <>
-struct StreamTraits<scenefile::TextStream> {
-  enum { copyOptimization = 1 };
-};
-}  // namespace rapidjson
-
-namespace scenefile {
 
 std::string_view JsonTape::raw(JsonIndex item) const {
   const std::string_view token = text.substr(items[item].offset, items[item].extent);

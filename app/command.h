@@ -4,6 +4,7 @@
 #include "app/options.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -11,9 +12,11 @@ namespace scenefile::app {
 
 /// The exit status. With several inputs the first of these that occurs, from the top.
 enum class ExitCode : int {
-  environment = 3,  ///< something cannot be read or written, or memory ran out
-  limit = 4,        ///< the input is larger than the limits allow
-  findings = 1,     ///< errors in the input
+  interrupted = 130,  ///< by SIGINT
+  terminated = 143,   ///< by SIGTERM
+  environment = 3,    ///< something cannot be read or written, or memory ran out
+  limit = 4,          ///< the input is larger than the limits allow
+  findings = 1,       ///< errors in the input
   usage = 2,
   fine = 0,
 };
@@ -21,9 +24,10 @@ enum class ExitCode : int {
 /// The one that goes first in the list.
 ExitCode worse(ExitCode a, ExitCode b);
 
-/// What the program is doing, for the message should memory run out: static text.
+/// What the program is doing, for the message should memory run out.
 struct Context {
-  std::string_view phase = "starting";
+  std::string_view phase = "starting";  ///< static text
+  std::uint64_t max_memory = 0;         ///< by --max-memory, in bytes; 0: not given
 };
 
 /// How many arguments a command takes.
@@ -34,6 +38,8 @@ struct ArgumentCount {
 inline constexpr ArgumentCount at_most_one{0, 1};
 inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
 inline constexpr ArgumentCount two{2, 2};
+/// Says that memory ran out, without needing any. A limit, where one was asked for.
+ExitCode out_of_memory(const Context& context);
 
 struct Command {
   std::string_view name;

@@ -51,7 +51,7 @@ std::string convert(LoadedScene& scene, const Options& options, SceneFormat form
   context.phase = "looking for textures and meshes";
   carry_files(scene, options.arguments[1], options);
   context.phase = "writing the scene";
-  return write_scene(scene.written, format, Limits{}, scene.diagnostics);
+  return write_scene(scene.written, format, options.limits, scene.diagnostics);
 }
 
 std::string summary_text(const ConvertReport& report) {

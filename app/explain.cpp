@@ -14,12 +14,12 @@ Outcome explain(const Options& options, const RenderOptions& render, const Loade
                 ExplainReport& report, Context& context) {
   context.phase = "tracing";
   const Explainer explainer(scene.ready.scene, scene.assets, render);
-  Outcome outcome = judge(explainer.status());
+  Outcome outcome = judge(explainer.status(), context);
   if (!outcome.error.empty()) {
     return outcome;
   }
   report.pixel = explainer.explain(options.pixel->x, options.pixel->y, options.sample);
-  outcome = judge(explainer.status());
+  outcome = judge(explainer.status(), context);
   const std::size_t taken = report.pixel.samples.size();
   if (outcome.error.empty() && options.sample.value_or(0) >= taken) {
     return {ExitCode::usage, fmt::format("there is no sample {}: the pixel has {}, counted from 0",

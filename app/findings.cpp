@@ -94,6 +94,9 @@ std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool co
   if (verbosity == Verbosity::all || (any && verbosity == Verbosity::warnings)) {
     text += verdict_text(shown, name) + "\n";
   }
+  if (const auto& list = shown.list(); std::any_of(list.begin(), list.end(), is_limit)) {
+    text += "\"scenefile help limits\" says how to raise a limit.\n";
+  }
   return text;
 }
 

@@ -20,14 +20,14 @@ struct Formatted {
   IoError unwritable = {};
 };
 
-Formatted lay_out_file(const std::string& path, Context& context) {
+Formatted lay_out_file(const std::string& path, const Limits& limits, Context& context) {
   Formatted result;
   result.file.path = path;
   context.phase = "reading the file";
-  result.file.unreadable = read_file(path, Limits{}.file_bytes, result.file.text);
+  result.file.unreadable = read_file(path, limits.file_bytes, result.file.text);
   if (result.file.unreadable.empty()) {
     context.phase = "laying out the file";
-    result.text = lay_out(result.file.text, Limits{}, result.file.diagnostics);
+    result.text = lay_out(result.file.text, limits, result.file.diagnostics);
   }
   result.changed = result.text.has_value() && *result.text != result.file.text;
   return result;
@@ -69,7 +69,7 @@ ExitCode run_format(const Options& options, Context& context) {
   std::vector<FormatReport> reports;
   std::string would_change;
   for (const std::string& path : options.arguments) {
-    Formatted result = lay_out_file(path, context);
+    Formatted result = lay_out_file(path, options.limits, context);
     write(result, options, context);
     status = worse(status, status_of(result, options));
     if (options.json) {

@@ -3,6 +3,7 @@
 #include "app/codes.h"
 #include "app/codes_page.h"
 #include "app/json.h"
+#include "app/limit_table.h"
 #include "app/option_table.h"
 #include "app/output.h"
 #include "scenefile/base/text.h"
@@ -64,6 +65,7 @@ std::string indented_lines(std::string_view lines) {
 std::string no_such_topic(const std::string& topic) {
   std::vector<std::string_view> known(command_names().begin(), command_names().end());
   known.insert(known.end(), code_names().begin(), code_names().end());
+  known.push_back("limits");
   return fmt::format("there is no command and no code {}{}", quoted(topic),
                      did_you_mean(topic, known));
 }
@@ -97,7 +99,8 @@ std::string overview_text() {
   }
   return text +
          "\n\"scenefile help COMMAND\" explains a command, \"scenefile help CODE\" a finding,\n"
-         "\"scenefile help codes\" lists the codes of all findings.\n"
+         "\"scenefile help codes\" lists the codes of all findings,\n"
+         "\"scenefile help limits\" what a file may cost.\n"
          "- in place of a file is standard input or output.\n\n"
          "Exit status: 0 fine (warnings included), 1 errors in the input, 2 wrong usage,\n"
          "3 something cannot be read or written, 4 a limit was reached, 130 interrupted.\n";
@@ -135,6 +138,9 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (topic == "codes") {
     return answer(options.json ? help_json() : codes_text());
+  }
+  if (topic == "limits") {
+    return answer(options.json ? help_json() : limits_text());
   }
   say_error(no_such_topic(topic));
   return ExitCode::usage;

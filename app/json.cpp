@@ -3,6 +3,7 @@
 #include "app/codes.h"
 #include "app/findings.h"
 #include "app/json_writer.h"
+#include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/base/report.h"
 #include "scenefile/trace/features.h"
@@ -345,6 +346,16 @@ std::string help_json() {
   json.begin_array("codes");
   for (const Code* code : all_codes()) {
     add_code(json, *code);
+  }
+  json.end_array();
+  json.begin_array("limits");
+  for (const LimitRow& limit : limit_table()) {
+    json.begin_object();
+    json.add("name", limit.name);
+    json.add("default", limit.get({}));
+    json.add("most", limit.most);
+    json.add("help", limit.help);
+    json.end_object();
   }
   json.end_array();
   json.end_object();

@@ -1,5 +1,6 @@
 #include "app/load.h"
 
+#include "scenefile/base/hash.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/io/file.h"
 #include "scenefile/scene/check.h"
@@ -12,7 +13,7 @@ AssetRootsOptions asset_roots_options(const std::string& path, const Options& op
   AssetRootsOptions roots{.scene_path = path,
                           .asset_roots = options.asset_roots,
                           .allow_outside = options.allow_outside,
-                          .max_bytes = Limits{}.file_bytes};
+                          .max_bytes = options.limits.file_bytes};
   // What /course/cs123/data was on the course's machines.
   if (const char* const data = std::getenv("CS123_DATA"); data != nullptr && *data != '\0') {
     roots.asset_roots.emplace_back(data);
@@ -24,16 +25,21 @@ namespace {
 
 void load_files(LoadedScene& scene, const Options& options, bool textures, bool allow_missing) {
   AssetRoots roots(asset_roots_options(scene.path, options));
+  Hash hash;
   const FetchFile fetch = [&](const std::string& name) {
     FileContents contents;
     contents.error = roots.read(name, contents.bytes).text;
+    hash.add(name);
+    hash.add(contents.bytes);
     return contents;
   };
   LoadOptions load;
   load.textures = textures;
   load.allow_missing = allow_missing;
+  load.limits = options.limits;
   scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files, fetch,
                              load, scene.diagnostics);
+  scene.asset_fingerprint = hash.value();
 }
 
 void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>& references,
@@ -47,8 +53,9 @@ void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>&
 
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context) {
-  const Limits limits;
+  const Limits& limits = options.limits;
   LoadedScene scene;
+  scene.diagnostics = Diagnostics(limits);
   scene.path = path;
   context.phase = "reading the file";
   scene.unreadable = read_file(path, limits.file_bytes, scene.text);

@@ -29,6 +29,7 @@ struct LoadedScene {
   Scene written;
   Prepared ready;  ///< empty when there are errors
   Assets assets;
+  std::uint64_t asset_fingerprint = 0;  ///< of names and bytes of all files that were loaded
   Diagnostics diagnostics;
 };
 

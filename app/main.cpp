@@ -7,11 +7,13 @@
 #include "app/projects_ray.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/io/memory.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <exception>
 #include <new>
 
@@ -91,8 +93,9 @@ constexpr std::array table{
 };
 
 // The order in which statuses go before each other.
-constexpr std::array ranking{ExitCode::environment, ExitCode::limit, ExitCode::findings,
-                             ExitCode::usage, ExitCode::fine};
+constexpr std::array ranking{ExitCode::interrupted, ExitCode::terminated, ExitCode::environment,
+                             ExitCode::limit,       ExitCode::findings,   ExitCode::usage,
+                             ExitCode::fine};
 
 ExitCode complain(std::string_view what, std::string_view topic) {
   say_error(what);
@@ -100,12 +103,25 @@ ExitCode complain(std::string_view what, std::string_view topic) {
   return ExitCode::usage;
 }
 
+void bound(const Options& options, Context& context) {
+  context.max_memory = options.max_memory.value_or(0);
+  limit_memory(options.max_memory.value_or(default_memory_limit()));
+  if (options.timeout.has_value()) {
+    end_after(*options.timeout, fmt::format("scenefile: gave up: not done within {} s (--timeout)",
+                                            *options.timeout));
+  }
+}
+
 ExitCode run_command(const Command& command, std::span<const char* const> words, Context& context) {
   Options options;
   if (const std::string wrong = parse_options(command, words, options); !wrong.empty()) {
     return complain(wrong, command.name);
   }
-  return options.help ? answer(command_text(command)) : command.run(options, context);
+  if (options.help) {
+    return answer(command_text(command));
+  }
+  bound(options, context);
+  return command.run(options, context);
 }
 
 ExitCode run(std::span<const char* const> words, Context& context) {
@@ -138,6 +154,18 @@ ExitCode worse(ExitCode a, ExitCode b) {
                        [&](ExitCode code) { return code == a || code == b; });
 }
 
+ExitCode out_of_memory(const Context& context) {
+  std::array<char, 200> line;
+  const auto end =
+      context.max_memory == 0
+          ? fmt::format_to_n(line.data(), line.size(), "out of memory while {}", context.phase)
+          : fmt::format_to_n(line.data(), line.size(),
+                             "more memory than --max-memory {} is needed for {}",
+                             context.max_memory, context.phase);
+  say_error({line.data(), std::min(end.size, line.size())});
+  return context.max_memory == 0 ? ExitCode::environment : ExitCode::limit;
+}
+
 }  // namespace scenefile::app
 
 int main(int argc, char** argv) {
@@ -151,7 +179,7 @@ int main(int argc, char** argv) {
     const bool driven = argc > 0 && is_projects_ray(argv[0]);
     return static_cast<int>(driven ? run_projects_ray(words, context) : run(words, context));
   } catch (const std::bad_alloc&) {
-    say("scenefile: out of memory while ");
+    return static_cast<int>(out_of_memory(context));
   } catch (const std::exception& error) {
     say("scenefile: ");
     say(error.what());

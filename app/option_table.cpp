@@ -1,8 +1,10 @@
 #include "app/option_table.h"
 
 #include "app/codes.h"
+#include "app/limit_table.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/limits.h"
+#include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/trace/features.h"
@@ -53,7 +55,7 @@ std::string set_output(Options& options, const std::string& value) {
 }
 
 std::string set_size(Options& options, const std::string& value) {
-  const int most = static_cast<int>(Limits{}.image_side);
+  constexpr int most = 1 << 20;  // options.limits has the real one, once it is complete
   const std::size_t cross = value.find_first_of("xX");
   if (cross == std::string::npos) {
     return fmt::format("{} is not a size such as 1024x768", quoted(value));
@@ -144,6 +146,31 @@ std::string set_allow(Options& options, const std::string& value) {
   return {};
 }
 
+std::string set_limit_option(Options& options, const std::string& value) {
+  return set_limit(options.limits, value);
+}
+
+std::string set_max_memory(Options& options, const std::string& value) {
+  return parse_bytes(value, std::uint64_t{16} << 20, std::uint64_t{1} << 50,
+                     options.max_memory.emplace());
+}
+
+std::string set_timeout(Options& options, const std::string& value) {
+  constexpr double most = 1e7;
+  const ParsedNumber number = parse_number(value);
+  options.timeout = number.value;
+  if (number.error != NumberError::none || !(number.value > 0 && number.value <= most)) {
+    return fmt::format("{} is not a number of seconds above 0 and up to {:.0f}", quoted(value),
+                       most);
+  }
+  return {};
+}
+
+std::string set_checkpoint(Options& options, const std::string& value) {
+  options.checkpoint = value;
+  return value.empty() ? "the name is empty" : "";
+}
+
 template <bool Options::*flag, bool on = true>
 std::string set_flag(Options& options, const std::string& /*value*/) {
   options.*flag = on;
@@ -194,6 +221,10 @@ constexpr std::array table{
     OptionRow{"--to", "", "FORMAT",
               "xml or json, where the name of the output does not say it, or says something else.",
               for_convert, set_to},
+    OptionRow{"--checkpoint", "", "FILE",
+              "Keep the state of the work in this file, at most 10 seconds old, and go on from it "
+              "where it exists. It is removed when the picture is written.",
+              for_render, set_checkpoint},
     OptionRow{"--compat", "", "NAME",
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "
@@ -227,6 +258,16 @@ constexpr std::array table{
     OptionRow{"--check", "", "",
               "Change nothing; name the files that would be changed. The exit status is then 1.",
               for_format, set_flag<&Options::check>},
+    OptionRow{"--limit", "", "NAME=VALUE",
+              "Set a limit on what a file may hold; \"scenefile help limits\" lists them. May be "
+              "given several times.",
+              for_all_readers | for_diff | for_format, set_limit_option},
+    OptionRow{"--max-memory", "", "BYTES",
+              "Use no more memory, such as 800M or 4G (default: 80 % of what the system allows).",
+              for_all_readers | for_diff | for_format, set_max_memory},
+    OptionRow{"--timeout", "", "SECONDS",
+              "Give up with status 4 after so much time, without an output.",
+              for_all_readers | for_diff | for_format, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",
               for_info, set_flag<&Options::files>},

@@ -164,6 +164,11 @@ std::string check_together(const Command& command, Options& options) {
   if (options.json && options.sarif) {
     return "--json and --sarif are two answers: choose one";
   }
+  if (const int most = static_cast<int>(options.limits.image_side);
+      options.width > most || options.height > most) {
+    return fmt::format("--size: {}x{} is more than the limit of {} pixels a side", options.width,
+                       options.height, most);
+  }
   return command.bit == for_render ? check_output(options.output) : std::string();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The command line as data.
 
+#include "scenefile/base/limits.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/trace/render.h"
 
@@ -33,6 +34,11 @@ struct Options {
   std::optional<int> max_depth;
   std::optional<std::uint64_t> seed;
   int threads = 0;
+  std::string checkpoint;  ///< a file; empty: none
+
+  Limits limits;
+  std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is
+  std::optional<double> timeout;            ///< seconds
 
   std::optional<SceneFormat> to;
   std::optional<PixelPlace> pixel;

@@ -1,5 +1,6 @@
 #include "scenefile/trace/render.h"
 
+#include "app/checkpoint.h"
 #include "app/command.h"
 #include "app/findings.h"
 #include "app/json.h"
@@ -10,11 +11,13 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/interrupt.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace scenefile::app {
 
@@ -28,9 +31,17 @@ ExitCode check_target(const Options& options) {
     say_error("the output would replace the scene");
     return ExitCode::usage;
   }
-  if (const IoError error = check_writable(options.output); !error.empty()) {
-    say_error(error.text);
-    return ExitCode::environment;
+  if (!options.checkpoint.empty() &&
+      (options.checkpoint == options.output || same_file(options.checkpoint, options.output) ||
+       same_file(options.checkpoint, options.arguments.front()))) {
+    say_error("the checkpoint would replace the scene or the output");
+    return ExitCode::usage;
+  }
+  for (const std::string& path : {options.output, options.checkpoint}) {
+    if (const IoError error = path.empty() ? IoError() : check_writable(path); !error.empty()) {
+      say_error(error.text);
+      return ExitCode::environment;
+    }
   }
   return ExitCode::fine;
 }
@@ -51,18 +62,36 @@ Outcome write_picture(const Options& options, const Image& image, Context& conte
 
 Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& report,
              Context& context) {
+  context.phase = "reading the checkpoint";
+  Checkpoints checkpoints;
+  std::optional<DeferredSignals> deferred;
+  if (!options.checkpoint.empty()) {
+    Outcome refused = open_checkpoint(options, scene, checkpoints);
+    if (refused.status != ExitCode::fine) {
+      return refused;
+    }
+    deferred.emplace();
+  }
   context.phase = "tracing";
   RenderResult result;
   {
     ProgressBar bar(!options.quiet && !options.json && wants_progress());
-    result = render(scene.ready.scene, scene.assets, report.options, [&](double done) {
+    const Progress progress = [&](double done) {
       bar.update(done);
-      return true;
-    });
+      return DeferredSignals::pending() == 0;
+    };
+    result = render(scene.ready.scene, scene.assets, report.options, progress, checkpoints);
   }
+  deferred.reset();
   report.stats = result.stats;
-  const Outcome outcome = judge(result.status);
-  return outcome.error.empty() ? write_picture(options, result.image, context) : outcome;
+  Outcome outcome = judge(result.status, context);
+  if (outcome.error.empty()) {
+    outcome = write_picture(options, result.image, context);
+  }
+  if (outcome.error.empty() && !options.checkpoint.empty()) {
+    remove_checkpoint(options);
+  }
+  return outcome;
 }
 
 std::string summary_text(const RenderReport& report) {

@@ -2,9 +2,11 @@
 
 #include "app/codes.h"
 #include "app/findings.h"
+#include "scenefile/io/interrupt.h"
 #include "scenefile/scene/codes.h"
 
 #include <algorithm>
+#include <csignal>
 
 namespace scenefile::app {
 
@@ -55,17 +57,21 @@ LoadedScene load_for_tracing(const Options& options, const RenderOptions& render
   return scene;
 }
 
-Outcome judge(RenderStatus status) {
+Outcome judge(RenderStatus status, const Context& context) {
   switch (status) {
     case RenderStatus::complete:
       return {};
     case RenderStatus::cancelled:
-      return {ExitCode::environment, "the render was cancelled"};
+      return {DeferredSignals::pending() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted,
+              "interrupted; the same command goes on from the checkpoint"};
+    case RenderStatus::not_resumed:
+      return {ExitCode::findings, "the checkpoint is of another picture"};
     case RenderStatus::limit_reached:
       return {ExitCode::limit,
               "copies of templates lie deeper inside each other than can be traced"};
     case RenderStatus::failed:
-      return {ExitCode::environment, "out of memory while building the acceleration structure"};
+      return {context.max_memory == 0 ? ExitCode::environment : ExitCode::limit,
+              "out of memory while building the acceleration structure"};
   }
   return {};
 }

@@ -19,6 +19,6 @@ struct Outcome {
 };
 
 /// What the tracer's status means to the program.
-Outcome judge(RenderStatus status);
+Outcome judge(RenderStatus status, const Context& context);
 
 }  // namespace scenefile::app

@@ -64,6 +64,57 @@ TEST(HandleSignals, KeepsIgnoredSignalsIgnored) {
       ::testing::ExitedWithCode(0), "");
 }
 
+TEST(EndAfter, EndsWithTheMessageAndRemovesTheTemporary) {
+  const TempFolder folder;
+  const std::string file = folder.write("half");
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        guard_temporary(file);
+        end_after(0.01, "too slow");
+        while (true) {
+        }
+      },
+      ::testing::ExitedWithCode(4), "^too slow\n$");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(DeferredSignals, TheFirstWaitsAndTheSecondEnds) {
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        const DeferredSignals deferred;
+        std::raise(SIGTERM);
+        if (DeferredSignals::pending() != SIGTERM) {
+          std::_Exit(1);
+        }
+        std::raise(SIGINT);
+      },
+      ::testing::ExitedWithCode(130), "");
+}
+
+TEST(DeferredSignals, NotForLongerThanASecond) {
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        const DeferredSignals deferred;
+        std::raise(SIGINT);
+        while (true) {
+        }
+      },
+      ::testing::ExitedWithCode(130), "");
+}
+
+TEST(DeferredSignals, OnlyWhileItLives) {
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        { const DeferredSignals deferred; }
+        std::raise(SIGINT);
+      },
+      ::testing::ExitedWithCode(130), "");
+}
+
 }  // namespace
 
 }  // namespace scenefile

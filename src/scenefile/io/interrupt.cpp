@@ -2,34 +2,103 @@
 
 #include "scenefile/io/temporary.h"
 
+#include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
 #include <csignal>
+#include <cstring>
 
 namespace scenefile {
 
 namespace {
 
-void end_process(int signal) {
+constexpr int limit_status = 4;
+constexpr double grace_seconds = 0.7;
+
+// What the handlers share with the rest; all of it can be read at any moment.
+std::atomic<bool> deferring = false;
+std::atomic<int> pending_signal = 0;
+std::array<char, 256> timeout_message;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+[[noreturn]] void end_process(int status) {
   remove_guarded_temporary();
-  ::_exit(128 + signal);
+  ::_exit(status);
+}
+
+// The timer measures time that passes, not the clock on the wall.
+void start_timer(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  timer.it_value.tv_usec =
+      std::max<suseconds_t>(1, static_cast<suseconds_t>((seconds - std::floor(seconds)) * 1e6));
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+void end_by_signal(int signal) {
+  if (deferring && (signal == SIGINT || signal == SIGTERM)) {
+    int none = 0;
+    if (pending_signal.compare_exchange_strong(none, signal)) {
+      start_timer(grace_seconds);
+      return;
+    }
+  }
+  end_process(128 + signal);
+}
+
+// The grace after a signal is over, or all the time that was given.
+void end_by_timer(int /*signal*/) {
+  if (const int signal = pending_signal; signal != 0) {
+    end_process(128 + signal);
+  }
+  // Nobody is left to tell about a failure.
+  [[maybe_unused]] const ssize_t written =
+      ::write(STDERR_FILENO, timeout_message.data(), std::strlen(timeout_message.data()));
+  end_process(limit_status);
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigfillset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 void handle_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-    struct sigaction action {};
-    if (sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) {
-      continue;
+    struct sigaction old {};
+    if (sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_IGN) {
+      handle(signal, end_by_signal);
     }
-    action = {};
-    action.sa_handler = end_process;
-    sigfillset(&action.sa_mask);
-    sigaction(signal, &action, nullptr);
   }
+  handle(SIGALRM, end_by_timer);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void end_after(double seconds, const std::string& message) {
+  const std::string line = message.substr(0, timeout_message.size() - 2) + "\n";
+  std::copy_n(line.c_str(), line.size() + 1, timeout_message.data());
+  start_timer(seconds);
+}
+
+DeferredSignals::DeferredSignals() {
+  deferring = true;
+}
+
+DeferredSignals::~DeferredSignals() {
+  deferring = false;
+}
+
+int DeferredSignals::pending() {
+  return pending_signal;
 }
 
 }  // namespace scenefile

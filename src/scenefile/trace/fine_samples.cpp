@@ -41,8 +41,8 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))) {}
 
-std::uint32_t FineSampler::first_samples() const {
-  return std::min(first_round, static_cast<std::uint32_t>(std::max(1, tracer_.options.samples)));
+std::uint32_t FineSampler::first_samples(const RenderOptions& options) {
+  return std::min(first_round, static_cast<std::uint32_t>(std::max(1, options.samples)));
 }
 
 Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) const {

@@ -25,7 +25,8 @@ class FineSampler {
   FineSampler(const Tracer& tracer, const CameraRays& camera);
 
   /// How many samples every pixel gets before any gets more.
-  std::uint32_t first_samples() const;
+  static std::uint32_t first_samples(const RenderOptions& options);
+  std::uint32_t first_samples() const { return first_samples(tracer_.options); }
   /// Takes samples number samples.count to `count`.
   void take(int x, int y, std::uint32_t count, PixelSamples& samples, RayCounts& counts) const;
   /// Takes more, in rounds of doubled number, until they agree or options.samples are taken.

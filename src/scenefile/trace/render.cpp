@@ -2,11 +2,13 @@
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/tiles.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <utility>
 
 namespace scenefile {
 
@@ -31,10 +33,43 @@ struct SharedCounts {
   }
 };
 
+bool has_two_passes(const RenderOptions& options) {
+  return options.profile == Profile::fine &&
+         static_cast<std::uint32_t>(options.samples) > FineSampler::first_samples(options);
+}
+
+// Progress that also saves the state when it is time.
+class SavingProgress {
+ public:
+  SavingProgress(const Progress& progress, const Checkpoints& checkpoints,
+                 const PictureState& picture)
+      : progress_(progress), checkpoints_(checkpoints), picture_(picture) {}
+
+  bool operator()(double done) {
+    const bool go_on = !progress_ || progress_(done);
+    if (!go_on || seconds_since(saved_) >= checkpoints_.interval_seconds) {
+      checkpoints_.save(picture_.bytes());
+      saved_ = Clock::now();
+    }
+    return go_on;
+  }
+
+ private:
+  const Progress& progress_;
+  const Checkpoints& checkpoints_;
+  const PictureState& picture_;
+  Clock::time_point saved_ = Clock::now();
+};
+
 class Renderer {
  public:
-  Renderer(const Tracer& tracer, const Progress& progress, RenderResult& result)
-      : tracer_(tracer), camera_(tracer.camera()), watch_(progress), result_(result) {}
+  Renderer(const Tracer& tracer, const Progress& progress, PictureState& picture,
+           RenderResult& result)
+      : tracer_(tracer),
+        camera_(tracer.camera()),
+        watch_(progress),
+        picture_(picture),
+        result_(result) {}
 
   void run() {
     if (tracer_.course()) {
@@ -56,8 +91,7 @@ class Renderer {
   // Calls pixel(x, y, counts) for all pixels.
   template <typename F>
   void for_each_pixel(PassShare share, const F& pixel) {
-    const RenderOptions& options = tracer_.options;
-    for_each_row(options.width, options.height, share, watch_, [&](const Tile& tile) {
+    for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
       RayCounts counts;
       for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {
@@ -65,20 +99,21 @@ class Renderer {
         }
       }
       counts_.add(counts);
+      return !given_up();
     });
   }
 
   bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
 
   void put(int x, int y, const Color& color) {
-    float* const pixel = result_.image.pixel(x, y);
+    float* const pixel = picture_.image.pixel(x, y);
     for (int c = 0; c < 3; ++c) {
       pixel[c] = static_cast<float>(color[c]);
     }
   }
 
   Color get(int x, int y) const {
-    const float* const pixel = result_.image.pixel(x, y);
+    const float* const pixel = picture_.image.pixel(x, y);
     return {pixel[0], pixel[1], pixel[2]};
   }
 
@@ -90,25 +125,35 @@ class Renderer {
 
   void run_fine() {
     const FineSampler sampler(tracer_, camera_);
-    const RenderOptions& options = tracer_.options;
-    const std::uint32_t first = sampler.first_samples();
-    const bool more = static_cast<std::uint32_t>(options.samples) > first;
-    std::vector<std::uint8_t> coarse(std::size_t(options.width) * options.height, 0);
-    const auto index = [&](int x, int y) { return std::size_t(y) * options.width + x; };
-    for_each_pixel({0, more ? 0.4 : 1.0}, [&](int x, int y, RayCounts& counts) {
-      PixelSamples samples;
-      sampler.take(x, y, first, samples, counts);
-      put(x, y, samples.mean());
-      coarse[index(x, y)] = !settled(samples);
-    });
-    if (!more || given_up()) {
-      return;
+    const bool two_passes = !picture_.marked.empty();
+    const double first_share = two_passes ? 0.4 : 1.0;
+    if (picture_.pass == 0) {
+      sample_all(sampler, first_share);
+      if (!two_passes || given_up()) {
+        return;
+      }
+      mark_edges();
+      picture_.start_second_pass();
     }
-    mark_edges(coarse);
-    for_each_pixel({0.4, 1}, [&](int x, int y, RayCounts& counts) {
-      if (coarse[index(x, y)] != 0) {
+    refine_marked(sampler, first_share);
+  }
+
+  void sample_all(const FineSampler& sampler, double share) {
+    for_each_pixel({0, share}, [&](int x, int y, RayCounts& counts) {
+      PixelSamples samples;
+      sampler.take(x, y, sampler.first_samples(), samples, counts);
+      put(x, y, samples.mean());
+      if (!picture_.marked.empty()) {
+        picture_.marked[index(x, y)] = !settled(samples);
+      }
+    });
+  }
+
+  void refine_marked(const FineSampler& sampler, double from) {
+    for_each_pixel({from, 1}, [&](int x, int y, RayCounts& counts) {
+      if (picture_.marked[index(x, y)] != 0) {
         PixelSamples samples;
-        sampler.take(x, y, first, samples, counts);
+        sampler.take(x, y, sampler.first_samples(), samples, counts);
         sampler.refine(x, y, samples, counts);
         put(x, y, samples.mean());
       }
@@ -116,7 +161,7 @@ class Renderer {
   }
 
   // Neighbors that differ both need more samples.
-  void mark_edges(std::vector<std::uint8_t>& coarse) const {
+  void mark_edges() {
     const int width = tracer_.options.width;
     const int height = tracer_.options.height;
     constexpr int steps[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
@@ -126,17 +171,20 @@ class Renderer {
           const int x1 = x + dx;
           const int y1 = y + dy;
           if (x1 >= 0 && x1 < width && y1 < height && differ(get(x, y), get(x1, y1))) {
-            coarse[std::size_t(y) * width + x] = 1;
-            coarse[std::size_t(y1) * width + x1] = 1;
+            picture_.marked[index(x, y)] = 1;
+            picture_.marked[index(x1, y1)] = 1;
           }
         }
       }
     }
   }
 
+  std::size_t index(int x, int y) const { return std::size_t(y) * tracer_.options.width + x; }
+
   const Tracer& tracer_;
   CameraRays camera_;
   Watch watch_;
+  PictureState& picture_;
   RenderResult& result_;
   SharedCounts counts_;
 };
@@ -144,20 +192,25 @@ class Renderer {
 }  // namespace
 
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress) {
+                    const Progress& progress, const Checkpoints& checkpoints) {
   RenderResult result;
   const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
   const Tracer tracer(scene, assets, options);
   result.stats.build_seconds = seconds_since(start);
   result.status = tracer.status();
-  result.image = Image(tracer.options.width, tracer.options.height);
-  if (result.status != RenderStatus::complete) {
-    return result;
+  PictureState picture(tracer.options.width, tracer.options.height, has_two_passes(tracer.options));
+  if (!checkpoints.resume.empty() && !picture.restore(checkpoints.resume)) {
+    result.status = RenderStatus::not_resumed;
   }
-  const Clock::time_point built = Clock::now();
-  Renderer(tracer, progress, result).run();
-  result.stats.trace_seconds = seconds_since(built);
+  if (result.status == RenderStatus::complete) {
+    const Clock::time_point built = Clock::now();
+    const Progress watched =
+        checkpoints.save ? Progress(SavingProgress(progress, checkpoints, picture)) : progress;
+    Renderer(tracer, watched, picture, result).run();
+    result.stats.trace_seconds = seconds_since(built);
+  }
+  result.image = std::move(picture.image);
   return result;
 }
 

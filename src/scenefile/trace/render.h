@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 namespace scenefile {
 
@@ -66,6 +67,7 @@ enum class RenderStatus : std::uint8_t {
   cancelled,      ///< the progress function said so; the image is partial
   limit_reached,  ///< the scene nests instances deeper than the tracer can follow
   failed,         ///< the acceleration structure could not be built (out of memory)
+  not_resumed,    ///< Checkpoints::resume is no state of such a picture; nothing was done
 };
 
 struct RenderResult {
@@ -78,9 +80,21 @@ struct RenderResult {
 /// in [0, 1]. Returns false to stop.
 using Progress = std::function<bool(double done)>;
 
+/// For renders that something may cut short.
+struct Checkpoints {
+  /// A state that `save` was given; empty: from the start. It must be of the same scene, assets,
+  /// options and build: nothing here can tell.
+  std::string resume;
+  /// Called as Progress is, with the state of the work, whenever `interval_seconds` have passed
+  /// since the last time, and when Progress says to stop.
+  std::function<void(const std::string& state)> save;
+  double interval_seconds = 4;
+};
+
 /// Renders. The picture is a function of scene, assets and options alone: any number of threads
-/// gives the same bytes. `assets` must have been loaded for this scene.
+/// gives the same bytes, whether the work was resumed or not (statistics are of this run alone).
+/// `assets` must have been loaded for this scene.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress = {});
+                    const Progress& progress = {}, const Checkpoints& checkpoints = {});
 
 }  // namespace scenefile

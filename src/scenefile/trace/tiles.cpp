@@ -21,6 +21,10 @@ namespace {
 constexpr int tile_side = 16;
 constexpr auto between_calls = std::chrono::milliseconds(20);
 
+int columns_of(int width) {
+  return (width + tile_side - 1) / tile_side;
+}
+
 }  // namespace
 
 struct ThreadLimit::State {
@@ -52,11 +56,16 @@ bool Watch::stopped() const {
   return state_->stop.load(std::memory_order_relaxed);
 }
 
-bool Watch::advance(double share) {
+void Watch::count(double share) {
   State& s = *state_;
   double done = s.done.load(std::memory_order_relaxed);
   while (!s.done.compare_exchange_weak(done, done + share, std::memory_order_relaxed)) {
   }
+}
+
+bool Watch::advance(double share) {
+  State& s = *state_;
+  count(share);
   if (!s.progress || stopped()) {
     return !stopped();
   }
@@ -73,9 +82,24 @@ bool Watch::advance(double share) {
   return !stopped();
 }
 
-void for_each_row(int width, int height, PassShare share, Watch& watch,
-                  const std::function<void(const Tile&)>& work) {
-  const int columns = (width + tile_side - 1) / tile_side;
+Pieces::Pieces(int width, int height)
+    : width_(width), height_(height), done_(std::size_t(columns_of(width)) * height) {}
+
+std::size_t Pieces::at(int x, int y) const {
+  return std::size_t(y) * columns_of(width_) + x / tile_side;
+}
+
+void Pieces::restart() {
+  for (std::atomic<std::uint8_t>& done : done_) {
+    done.store(0, std::memory_order_relaxed);
+  }
+}
+
+void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
+                    const std::function<bool(const Tile&)>& work) {
+  const int width = pieces.width();
+  const int height = pieces.height();
+  const int columns = columns_of(width);
   const int rows = (height + tile_side - 1) / tile_side;
   const std::size_t tiles = std::size_t(columns) * rows;
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
@@ -86,7 +110,14 @@ void for_each_row(int width, int height, PassShare share, Watch& watch,
     const int x1 = std::min(width, x0 + tile_side);
     const int y1 = std::min(height, y0 + tile_side);
     for (int y = y0; y < y1 && !watch.stopped(); ++y) {
-      work({x0, y, x1, y + 1});
+      const std::size_t piece = pieces.at(x0, y);
+      if (pieces.done(piece)) {
+        watch.count(pixel_share * (x1 - x0));
+        continue;
+      }
+      if (work({x0, y, x1, y + 1})) {
+        pieces.finish(piece);
+      }
       watch.advance(pixel_share * (x1 - x0));
     }
   };

@@ -3,8 +3,11 @@
 
 #include "scenefile/trace/render.h"
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace scenefile {
 
@@ -30,6 +33,29 @@ struct Tile {
   int y1 = 0;
 };
 
+/// Which parts of a pass over a picture are done. A piece is a row of a tile.
+class Pieces {
+ public:
+  Pieces(int width, int height);
+
+  std::size_t count() const { return done_.size(); }
+  /// The piece of a pixel.
+  std::size_t at(int x, int y) const;
+  /// What was written to a piece before finish() can be read once it is done.
+  bool done(std::size_t piece) const { return done_[piece].load(std::memory_order_acquire) != 0; }
+  void finish(std::size_t piece) { done_[piece].store(1, std::memory_order_release); }
+  /// No piece is done.
+  void restart();
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<std::atomic<std::uint8_t>> done_;
+};
+
 /// Share of all work that a pass over the picture is.
 struct PassShare {
   double begin = 0;
@@ -45,7 +71,9 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Counts pixels as done, calls the progress function when it is time. False: stop.
+  /// Counts a share of the work as done.
+  void count(double share);
+  /// The same, and calls the progress function when it is time. False: stop.
   bool advance(double share);
   bool stopped() const;
 
@@ -54,9 +82,9 @@ class Watch {
   std::unique_ptr<State> state_;
 };
 
-/// Calls `work` for rows of small tiles until all are done or the watch says stop. Each thread
-/// computes with denormal numbers taken as zero.
-void for_each_row(int width, int height, PassShare share, Watch& watch,
-                  const std::function<void(const Tile&)>& work);
+/// Calls `work` for the pieces that are not done, until all are or the watch says stop; it returns
+/// whether it finished its piece. Each thread computes with denormal numbers taken as zero.
+void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
+                    const std::function<bool(const Tile&)>& work);
 
 }  // namespace scenefile

@@ -1,0 +1,100 @@
+#include "app/checkpoint.h"
+
+#include "app/limit_table.h"
+#include "app/output.h"
+#include "scenefile/base/hash.h"
+#include "scenefile/base/text.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace scenefile::app {
+
+namespace {
+
+std::uint64_t fingerprint(std::string_view bytes) {
+  Hash hash;
+  hash.add(bytes);
+  return hash.value();
+}
+
+// The version says too little while a program is being worked on; its bytes say all.
+std::uint64_t program_fingerprint() {
+  std::string bytes;
+  read_file("/proc/self/exe", std::uint64_t{1} << 30, bytes);
+  return fingerprint(SCENEFILE_VERSION + bytes);
+}
+
+// Everything on the command line that changes a pixel.
+std::uint64_t options_fingerprint(const Options& options) {
+  const RenderOptions render = render_options(options);
+  const Features& f = render.features;
+  std::string text =
+      fmt::format("{} {} {}{}{}{}{}{}{} {}x{} {} {} {} {}{}", int(render.profile), int(render.mode),
+                  f.shadows, f.reflect, f.refract, f.texture, f.texture_filter, f.super_sample,
+                  f.depthoffield, render.width, render.height, render.samples, render.max_depth,
+                  render.seed, options.compat_course, options.allow_missing);
+  for (const LimitRow& limit : limit_table()) {
+    text += fmt::format(" {}", limit.get(options.limits));
+  }
+  return fingerprint(text);
+}
+
+CheckpointKey key_of(const Options& options, const LoadedScene& scene) {
+  return {program_fingerprint(), fingerprint(scene.text), scene.asset_fingerprint,
+          options_fingerprint(options)};
+}
+
+// More than the state of such a picture can have.
+std::uint64_t most_bytes(const Options& options) {
+  return std::uint64_t(options.width) * std::uint64_t(options.height) * 16 + (1u << 20);
+}
+
+Outcome refusal(const Options& options, const std::string& why) {
+  return {ExitCode::findings, fmt::format("{}: {}; remove the file to start from the beginning",
+                                          escaped(options.checkpoint), why)};
+}
+
+Outcome resume(const Options& options, const CheckpointKey& key, std::string& state) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(options.checkpoint, ignored) && !ignored) {
+    return {};
+  }
+  std::string bytes;
+  const IoError error = read_file(options.checkpoint, most_bytes(options), bytes);
+  if (error.over_limit) {
+    return refusal(options, "the file is longer than a checkpoint of this picture");
+  }
+  if (!error.empty()) {
+    return {ExitCode::environment, error.text};
+  }
+  const std::string why = decode_checkpoint(bytes, key, state);
+  return why.empty() ? Outcome() : refusal(options, why);
+}
+
+}  // namespace
+
+Outcome open_checkpoint(const Options& options, const LoadedScene& scene,
+                        Checkpoints& checkpoints) {
+  const CheckpointKey key = key_of(options, scene);
+  Outcome error = resume(options, key, checkpoints.resume);
+  checkpoints.save = [path = options.checkpoint, key,
+                      said = std::make_shared<bool>(false)](const std::string& state) {
+    const IoError failed = write_file(path, encode_checkpoint(key, state));
+    if (!failed.empty() && !*said) {
+      *said = true;
+      say_error(fmt::format("warning: no checkpoint: {}", failed.text));
+    }
+  };
+  return error;
+}
+
+void remove_checkpoint(const Options& options) {
+  std::error_code ignored;
+  std::filesystem::remove(options.checkpoint, ignored);
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,20 @@
+#pragma once
+// --checkpoint: the state of a render in a file.
+
+#include "app/tracing.h"
+#include "scenefile/io/checkpoint.h"
+#include "scenefile/trace/render.h"
+
+#include <string>
+
+namespace scenefile::app {
+
+/// Reads options.checkpoint, if it is there, into checkpoints.resume, and makes checkpoints.save
+/// write it. A write that fails is said once and does not end the render. A file that is there and
+/// no good is an error.
+Outcome open_checkpoint(const Options& options, const LoadedScene& scene, Checkpoints& checkpoints);
+
+/// Removes the file: the work is done.
+void remove_checkpoint(const Options& options);
+
+}  // namespace scenefile::app

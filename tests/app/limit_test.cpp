@@ -1,0 +1,129 @@
+// What a run may cost.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string deep_scene(int levels) {
+  std::string text = "<scenefile><object name=\"root\" type=\"tree\">";
+  for (int i = 0; i < levels; ++i) {
+    text += "<transblock><object type=\"tree\">";
+  }
+  text += "<transblock><object type=\"primitive\" name=\"sphere\"/></transblock>";
+  for (int i = 0; i < levels; ++i) {
+    text += "</object></transblock>";
+  }
+  return text + "</object></scenefile>";
+}
+
+// A scene with ten copies of ten copies of ... a sphere.
+std::string template_bomb(int levels) {
+  std::string text = "<scenefile>";
+  std::string last = "<object type=\"primitive\" name=\"sphere\"/>";
+  for (int i = 0; i < levels; ++i) {
+    text += "<object type=\"tree\" name=\"t" + std::to_string(i) + "\">";
+    for (int k = 0; k < 10; ++k) {
+      text += "<transblock><translate x=\"" + std::to_string(k) + "\" y=\"0\" z=\"0\"/>" + last +
+              "</transblock>";
+    }
+    text += "</object>";
+    last = "<object type=\"master\" name=\"t" + std::to_string(i) + "\"/>";
+  }
+  return text + "<object type=\"tree\" name=\"root\"><transblock>" + last +
+         "</transblock></object></scenefile>";
+}
+
+TEST(Limits, EachIsSetByName) {
+  const TempFolder folder;
+  const std::string scene = folder.write("deep.xml", deep_scene(50));
+  EXPECT_EQ(run_program({"check", scene}).status, 0);
+  const ProgramRun run = run_program({"check", scene, "--limit", "nesting=40"});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_THAT(run.out, HasSubstr("deeper than the limit of 40"));
+  EXPECT_THAT(run.out, HasSubstr("help limits"));
+  EXPECT_EQ(run_program({"check", scene, "--limit", "file-bytes=1K"}).status, 4);
+  EXPECT_EQ(run_program({"check", folder.write("deeper.xml", deep_scene(600))}).status, 4);
+  EXPECT_EQ(run_program({"check", folder.path("deeper.xml"), "--limit=nesting=2000"}).status, 0);
+}
+
+TEST(Limits, AreListedWithTheirDefaults) {
+  const ProgramRun run = run_program({"help", "limits"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr("  nesting                 1024  elements"));
+  EXPECT_THAT(run.out, HasSubstr("  file-bytes                1G  "));
+}
+
+TEST(Limits, MistakesInThemAreUsageErrors) {
+  const auto mistake = [](const std::string& option, const std::string& value) {
+    const ProgramRun run = run_program({"check", "a.xml", option, value});
+    EXPECT_EQ(run.status, 2) << value;
+    return run.err;
+  };
+  EXPECT_THAT(mistake("--limit", "nestin=3"), HasSubstr("did you mean nesting?"));
+  EXPECT_THAT(mistake("--limit", "nesting"), HasSubstr("NAME=VALUE"));
+  EXPECT_THAT(mistake("--limit", "nesting=0"), HasSubstr("not a whole number from 1 to"));
+  EXPECT_THAT(mistake("--limit", "nesting=3M"), HasSubstr("not a whole number"));
+  EXPECT_THAT(mistake("--limit", "file-bytes=99999999999G"), HasSubstr("not a number of bytes"));
+  EXPECT_THAT(mistake("--max-memory", "1"), HasSubstr("not a number of bytes"));
+  EXPECT_THAT(mistake("--max-memory", "G"), HasSubstr("not a number of bytes"));
+  EXPECT_THAT(mistake("--timeout", "0"), HasSubstr("not a number of seconds"));
+  EXPECT_THAT(mistake("--timeout", "soon"), HasSubstr("not a number of seconds"));
+}
+
+TEST(Limits, TemplateBombsAreCountedAndRenderedAsInstances) {
+  const TempFolder folder;
+  const std::string scene = folder.write("bomb.xml", template_bomb(40));
+  EXPECT_THAT(run_program({"info", scene}).out, HasSubstr("about 1e+40"));
+  const ProgramRun run = run_program({"render", scene, "-o", folder.path("o.png"), "--size", "8x6",
+                                      "--max-memory", "512M", "--timeout", "200"});
+  EXPECT_THAT((std::set{0, 4}), ::testing::Contains(run.status)) << run.err;
+}
+
+TEST(Limits, TheTimeoutLeavesNothing) {
+  const TempFolder folder;
+  folder.write("s.xml", good_scene);
+  folder.write("out.png", "old");
+  const ProgramRun run =
+      run_program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000", "--timeout", "0.3"},
+                  {.folder = folder.path()});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_EQ(run.err, "scenefile: gave up: not done within 0.3 s (--timeout)\n");
+  EXPECT_EQ(folder.read("out.png"), "old");
+  EXPECT_THAT(folder.list(), ElementsAre("out.png", "s.xml"));
+}
+
+TEST(Limits, AGenerousTimeoutChangesNothing) {
+  const TempFolder folder;
+  const std::string scene = folder.write("s.xml", good_scene);
+  EXPECT_EQ(run_program({"check", scene, "--timeout", "100", "--max-memory", "2G"}).status, 0);
+}
+
+TEST(Limits, MemoryBeyondTheLimitIsStatusFour) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need memory of their own";
+#endif
+  const TempFolder folder;
+  folder.write("s.xml", good_scene);
+  const ProgramRun run = run_program(
+      {"render", "s.xml", "-o", "out.png", "--size", "20000x20000", "--max-memory", "300M"},
+      {.folder = folder.path()});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_THAT(run.err, HasSubstr("more memory than --max-memory 314572800 is needed for tracing"));
+  EXPECT_THAT(folder.list(), ElementsAre("s.xml"));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -99,6 +99,14 @@ fuzz: ## SECONDS=60: each fuzz target for so long
 	@cmake --preset fuzz && cmake --build --preset fuzz --target scenefile_fuzz
 	@tests/fuzz/run build/fuzz $(or $(SECONDS),60)
 
+.PHONY: ci-full
+ci-full: ## what a change may not wait for: sanitizers, killed renders, damaged checkpoints, fuzzing
+	@$(MAKE) $(QUIET) asan
+	@$(MAKE) $(QUIET) configure
+	@cmake --build $(PRESET) --target scenefile
+	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
+	@$(MAKE) $(QUIET) fuzz SECONDS=60
+
 .PHONY: portable
 portable: ## the portable rooms with clang 14 and libc++ 14
 	@scripts/install-deps core portable

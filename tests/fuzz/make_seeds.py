@@ -164,6 +164,16 @@ def make_bmp():
           struct.pack("<IHHHH", 12, 3, 2, 1, 24) + bytes(range(24)))
 
 
+# Checkpoints: the state of a picture of 17 x 2 pixels, four pieces; tests/fuzz/checkpoint.cpp
+
+def make_checkpoint():
+    colors = struct.pack("<102f", *(i / 100 for i in range(102)))
+    write("checkpoint/one_pass", struct.pack("<IIII", 17, 2, 0, 0) + b"\1\0\1\0" + colors)
+    write("checkpoint/first_pass", struct.pack("<IIII", 17, 2, 0, 1) + b"\1\0\1\0" + bytes(34) + colors)
+    write("checkpoint/second_pass", struct.pack("<IIII", 17, 2, 1, 1) + b"\1\0\0\0" + b"\0\1" * 17 + colors)
+
+
+make_checkpoint()
 make_png()
 make_jpeg()
 make_gif()

@@ -37,6 +37,10 @@ std::uint64_t options_fingerprint(const Options& options) {
                   f.shadows, f.reflect, f.refract, f.texture, f.texture_filter, f.super_sample,
                   f.depthoffield, render.width, render.height, render.samples, render.max_depth,
                   render.seed, options.compat_course, options.allow_missing);
+  if (render.crop.has_value()) {
+    text += fmt::format(" {},{},{},{}", render.crop->x0, render.crop->y0, render.crop->x1,
+                        render.crop->y1);
+  }
   for (const LimitRow& limit : limit_table()) {
     text += fmt::format(" {}", limit.get(options.limits));
   }

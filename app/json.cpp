@@ -7,6 +7,10 @@
 #include "app/names.h"
 #include "scenefile/base/report.h"
 #include "scenefile/trace/features.h"
+#include "scenefile/trace/layers.h"
+
+#include <algorithm>
+#include <set>
 
 namespace scenefile::app {
 
@@ -199,6 +203,52 @@ std::string check_json(const std::vector<std::string>& scenes) {
   return json.text();
 }
 
+namespace {
+
+// Which number in the layer object-id stands for which object.
+void add_object_ids(Json& json, const LoadedScene& scene) {
+  json.begin_array("objects");
+  std::set<std::uint32_t> listed;
+  for (const RenderGroup& group : scene.ready.scene.groups) {
+    for (const RenderPrimitive& primitive : group.primitives) {
+      if (listed.insert(primitive.source).second) {
+        const Source& source = scene.ready.sources[primitive.source];
+        json.begin_object();
+        json.add("id", primitive.source + 1);
+        json.add("node", node_path(scene.written, source.node));
+        json.add("line", source.location.line);
+        json.end_object();
+      }
+    }
+  }
+  json.end_array();
+}
+
+void add_layers(Json& json, const LoadedScene& scene, const RenderOptions& options) {
+  if (options.crop.has_value()) {
+    json.begin_array("crop");
+    for (const int side :
+         {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1}) {
+      json.value(side);
+    }
+    json.end_array();
+  }
+  if (options.layers.empty()) {
+    return;
+  }
+  json.begin_array("layers");
+  for (const Layer& layer : options.layers) {
+    json.value(layer_name(layer));
+  }
+  json.end_array();
+  if (std::any_of(options.layers.begin(), options.layers.end(),
+                  [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
+    add_object_ids(json, scene);
+  }
+}
+
+}  // namespace
+
 void add_render_options(Json& json, const RenderOptions& options) {
   json.add("width", options.width);
   json.add("height", options.height);
@@ -224,6 +274,7 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
     json.add("error", report.error);
   }
   add_render_options(json, options);
+  add_layers(json, scene, options);
   json.add("primary_rays", report.stats.primary_rays);
   json.add("shadow_rays", report.stats.shadow_rays);
   json.add("secondary_rays", report.stats.secondary_rays);

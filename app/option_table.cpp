@@ -8,6 +8,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/trace/features.h"
+#include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -171,6 +172,40 @@ std::string set_checkpoint(Options& options, const std::string& value) {
   return value.empty() ? "the name is empty" : "";
 }
 
+std::string set_layers(Options& options, const std::string& value) {
+  const std::string_view wrong = parse_layers(value, options.layers);
+  if (wrong.empty()) {
+    return {};
+  }
+  return fmt::format("{} is none of {}, or stands twice{}", quoted(wrong),
+                     fmt::join(layer_words(), ", "), did_you_mean(wrong, layer_words()));
+}
+
+std::string set_crop(Options& options, const std::string& value) {
+  PixelRegion& crop = options.crop.emplace();
+  std::string_view rest = value;
+  for (int* const side : {&crop.x0, &crop.y0, &crop.x1, &crop.y1}) {
+    const std::size_t comma = side == &crop.y1 ? rest.size() : rest.find(',');
+    if (comma == std::string_view::npos) {
+      return fmt::format("{} is not a region such as 100,50,300,200", quoted(value));
+    }
+    const std::string number(rest.substr(0, comma));
+    if (std::string wrong = set_number(number, 0, 1 << 20, *side); !wrong.empty()) {
+      return wrong;
+    }
+    rest.remove_prefix(std::min(rest.size(), comma + 1));
+  }
+  return crop.width() > 0 && crop.height() > 0
+             ? std::string()
+             : fmt::format("{} holds no pixel: x1 and y1 must be larger than x0 and y0",
+                           quoted(value));
+}
+
+std::string set_preview(Options& options, const std::string& value) {
+  options.preview = value;
+  return value.empty() ? "the name is empty" : "";
+}
+
 template <bool Options::*flag, bool on = true>
 std::string set_flag(Options& options, const std::string& /*value*/) {
   options.*flag = on;
@@ -225,6 +260,22 @@ constexpr std::array table{
               "Keep the state of the work in this file, at most 10 seconds old, and go on from it "
               "where it exists. It is removed when the picture is written.",
               for_render, set_checkpoint},
+    OptionRow{"--crop", "", "X0,Y0,X1,Y1",
+              "Only the pixels from column X0 and row Y0 up to, but without, X1 and Y1 (row 0 on "
+              "top), exactly as they are in the whole picture; the file has the size of the part.",
+              for_render, set_crop},
+    OptionRow{"--aov", "", "LIST",
+              "Layers beside the picture, separated by commas: depth, normal, uv, albedo, "
+              "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
+              "for x.png into x.depth.png and so on.",
+              for_render, set_layers},
+    OptionRow{"--denoise", "", "",
+              "Take away the noise that few samples of area lights and lenses leave, for the "
+              "profile fine.",
+              for_render, set_flag<&Options::denoise>},
+    OptionRow{"--preview", "", "FILE",
+              "Write the picture as far as it is to this file, whole, every two seconds.",
+              for_render, set_preview},
     OptionRow{"--compat", "", "NAME",
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "

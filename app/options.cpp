@@ -138,6 +138,33 @@ std::string choose_format(Options& options) {
   return {};
 }
 
+// What the options of render cannot see alone.
+std::string check_render(const Options& options) {
+  if (const std::optional<PixelRegion>& crop = options.crop;
+      crop.has_value() && (crop->x1 > options.width || crop->y1 > options.height)) {
+    return fmt::format("--crop: {},{},{},{} reaches out of the picture of {}x{}", crop->x0,
+                       crop->y0, crop->x1, crop->y1, options.width, options.height);
+  }
+  if (options.denoise && options.profile == Profile::course) {
+    return "--denoise is for --profile fine: the course's pictures have no noise";
+  }
+  if (!options.checkpoint.empty() && (options.denoise || !options.layers.empty())) {
+    return fmt::format("a render with --checkpoint cannot have {}",
+                       options.denoise ? "--denoise" : "--aov");
+  }
+  ImageFormat format{};
+  const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
+  if (!options.layers.empty() && !holds_layers && !options.output.empty()) {
+    return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
+           "each)";
+  }
+  if (!options.preview.empty() && !image_format_of(options.preview, format)) {
+    return fmt::format("--preview: the name {} must end in .png, .exr or .pfm",
+                       quoted(options.preview, 400));
+  }
+  return check_output(options.output);
+}
+
 // What no option can see alone.
 std::string check_together(const Command& command, Options& options) {
   if (std::string wrong = check_count(command, options.arguments); !wrong.empty()) {
@@ -169,7 +196,7 @@ std::string check_together(const Command& command, Options& options) {
     return fmt::format("--size: {}x{} is more than the limit of {} pixels a side", options.width,
                        options.height, most);
   }
-  return command.bit == for_render ? check_output(options.output) : std::string();
+  return command.bit == for_render ? check_render(options) : std::string();
 }
 
 }  // namespace
@@ -217,6 +244,9 @@ RenderOptions render_options(const Options& options) {
   result.max_depth = options.max_depth.value_or(result.max_depth);
   result.seed = options.seed.value_or(result.seed);
   result.threads = options.threads;
+  result.crop = options.crop;
+  result.layers = options.layers;
+  result.denoise = options.denoise;
   return result;
 }
 

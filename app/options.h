@@ -35,6 +35,10 @@ struct Options {
   std::optional<std::uint64_t> seed;
   int threads = 0;
   std::string checkpoint;  ///< a file; empty: none
+  std::string preview;     ///< a file; empty: none
+  std::vector<Layer> layers;
+  std::optional<PixelRegion> crop;
+  bool denoise = false;
 
   Limits limits;
   std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is

@@ -6,12 +6,13 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/pictures.h"
 #include "app/progress.h"
 #include "app/tracing.h"
-#include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
+#include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 
@@ -37,27 +38,20 @@ ExitCode check_target(const Options& options) {
     say_error("the checkpoint would replace the scene or the output");
     return ExitCode::usage;
   }
-  for (const std::string& path : {options.output, options.checkpoint}) {
+  if (!options.preview.empty() && (options.preview == options.checkpoint ||
+                                   same_file(options.preview, options.arguments.front()))) {
+    say_error("the preview would replace the scene or the checkpoint");
+    return ExitCode::usage;
+  }
+  std::vector<std::string> targets = picture_files(options);
+  targets.insert(targets.end(), {options.checkpoint, options.preview});
+  for (const std::string& path : targets) {
     if (const IoError error = path.empty() ? IoError() : check_writable(path); !error.empty()) {
       say_error(error.text);
       return ExitCode::environment;
     }
   }
   return ExitCode::fine;
-}
-
-Outcome write_picture(const Options& options, const Image& image, Context& context) {
-  context.phase = "encoding the picture";
-  ImageFormat format = ImageFormat::png8;
-  image_format_of(options.output, format);
-  std::string error;
-  const std::string bytes = encode_image(image, format, rounding_of(options.profile), error);
-  if (!error.empty()) {
-    return {ExitCode::environment, "cannot encode the picture: " + error};
-  }
-  context.phase = "writing the picture";
-  const IoError written = write_file(options.output, bytes);
-  return {written.empty() ? ExitCode::fine : ExitCode::environment, written.text};
 }
 
 Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& report,
@@ -72,6 +66,12 @@ Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& rep
     }
     deferred.emplace();
   }
+  for (const Layer& layer : options.layers) {
+    if (layer.kind == LayerKind::light && layer.light >= scene.ready.scene.lights.size()) {
+      return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
+                                           layer_name(layer), scene.ready.scene.lights.size())};
+    }
+  }
   context.phase = "tracing";
   RenderResult result;
   {
@@ -80,13 +80,14 @@ Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& rep
       bar.update(done);
       return DeferredSignals::pending() == 0;
     };
-    result = render(scene.ready.scene, scene.assets, report.options, progress, checkpoints);
+    result = render(scene.ready.scene, scene.assets, report.options, progress, checkpoints,
+                    preview_of(options));
   }
   deferred.reset();
   report.stats = result.stats;
   Outcome outcome = judge(result.status, context);
   if (outcome.error.empty()) {
-    outcome = write_picture(options, result.image, context);
+    outcome = write_pictures(options, result, context);
   }
   if (outcome.error.empty() && !options.checkpoint.empty()) {
     remove_checkpoint(options);
@@ -99,8 +100,9 @@ std::string summary_text(const RenderReport& report) {
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
   return fmt::format("{}: {}x{}, {:.2f} s, {:.2f} million rays\n",
                      report.output == "-" ? "<stdout>" : escaped(report.output),
-                     report.options.width, report.options.height, report.seconds,
-                     static_cast<double>(rays) / 1e6);
+                     report.options.crop ? report.options.crop->width() : report.options.width,
+                     report.options.crop ? report.options.crop->height() : report.options.height,
+                     report.seconds, static_cast<double>(rays) / 1e6);
 }
 
 }  // namespace

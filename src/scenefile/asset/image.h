@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace scenefile {
@@ -34,6 +35,14 @@ struct Texture {
   const std::uint8_t* texel(int x, int y) const {
     return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
   }
+};
+
+/// Part of a picture that has several: its own, its normals, ...
+struct ImageLayer {
+  std::string name;                   ///< empty: the picture itself
+  std::vector<std::string> channels;  ///< names in the order of the values, such as R G B
+  bool whole = false;                 ///< whole numbers from 0 to 2^24
+  std::vector<float> values;  ///< channels * width * height, pixel after pixel, row 0 on top
 };
 
 /// How a float becomes an integer: the course's programs truncate, good ones round.

@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace scenefile {
 
@@ -34,14 +33,6 @@ bool image_format_of(std::string_view file_name, ImageFormat& format);
 /// image gives the same bytes. On failure the result is empty and `error` says why.
 std::string encode_image(const Image& image, ImageFormat format, Rounding rounding,
                          std::string& error);
-
-/// Part of a picture that has several: its own, its normals, ...
-struct ImageLayer {
-  std::string name;                   ///< empty: the picture itself
-  std::vector<std::string> channels;  ///< names in the order of the values, such as R G B
-  bool whole = false;                 ///< whole numbers from 0 to 2^24
-  std::vector<float> values;  ///< channels * width * height, pixel after pixel, row 0 on top
-};
 
 /// Encodes all layers as one OpenEXR file. By its convention the channel X of the layer normal is
 /// called normal.X, those of a layer without name have no dot; channels are sorted by these names.

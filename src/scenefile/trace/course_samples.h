@@ -5,6 +5,7 @@
 #include "scenefile/trace/tracer.h"
 
 #include <array>
+#include <vector>
 
 namespace scenefile {
 
@@ -42,6 +43,10 @@ Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) 
   }
   return sum / 4.0;
 }
+
+/// Which samples of cell() replace which: for each the index of the one whose quadrant it lies in,
+/// no_index for the first four. By their points, in the order in which they were taken.
+std::vector<std::uint32_t> refined_samples(const std::vector<glm::dvec2>& points);
 
 /// Where the course's rays leave the lens, in apertures.
 inline constexpr std::array<std::array<double, 2>, 8> lens_points{

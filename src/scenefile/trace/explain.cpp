@@ -59,25 +59,19 @@ Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, R
   return samples.mean();
 }
 
-// Finds the quadrants that were sampled anew: their samples follow those of the cell, and lie in
-// the quadrant. Takes the cell whose samples begin at `first` with quadrants of `half` pixels;
-// returns the index behind its last.
-std::size_t link_cell(std::vector<SampleRecord>& samples, std::size_t first, double half) {
-  std::size_t next = first + 4;
-  for (std::size_t i = first; i < first + 4; ++i) {
-    const auto in_quadrant = [&] {
-      const glm::dvec2 d = glm::abs(samples[next].point - samples[i].point);
-      return std::max(d.x, d.y) < half / 2;
-    };
-    if (next < samples.size() && in_quadrant()) {
-      samples[i].refined = true;
-      for (std::size_t k = next; k < next + 4; ++k) {
-        samples[k].refines = static_cast<std::uint32_t>(i);
-      }
-      next = link_cell(samples, next, half / 2);
+// Which samples stand for which in the adaptive pattern.
+void link_cell(std::vector<SampleRecord>& samples) {
+  std::vector<glm::dvec2> points;
+  for (const SampleRecord& sample : samples) {
+    points.push_back(sample.point);
+  }
+  const std::vector<std::uint32_t> links = course::refined_samples(points);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].refines = links[i];
+    if (links[i] != no_index) {
+      samples[links[i]].refined = true;
     }
   }
-  return next;
 }
 
 std::uint32_t nearest_to_middle(const std::vector<SampleRecord>& samples, int x, int y) {
@@ -101,13 +95,13 @@ struct Explainer::Impl {
         tracer(scene, assets, options, Instances::named),
         camera(tracer.camera()) {}
 
-  Color trace(int x, int y, Recorder& recorder, MoreSamples& more) const {
+  Color trace(int x, int y, PixelRecorder& recorder, MoreSamples& more) const {
     RayCounts counts;
     counts.recorder = &recorder;
     const Color color = tracer.course() ? course_pixel(tracer, camera, x, y, counts)
                                         : fine_pixel(tracer, camera, x, y, counts, more);
     if (tracer.course() && !camera.has_lens() && tracer.options.features.super_sample) {
-      link_cell(recorder.samples, 0, 0.5);
+      link_cell(recorder.samples);
     }
     return color;
   }
@@ -132,12 +126,12 @@ PixelRecord Explainer::explain(int x, int y, std::optional<std::uint32_t> sample
   pixel.x = x;
   pixel.y = y;
   pixel.options = impl_->tracer.options;
-  Recorder recorder(impl_->tracer, sample);
+  PixelRecorder recorder(impl_->tracer, sample);
   pixel.color = impl_->trace(x, y, recorder, pixel.more);
   pixel.shown = sample.value_or(0);
   if (recorder.rays.empty()) {
     pixel.shown = nearest_to_middle(recorder.samples, x, y);
-    Recorder again(impl_->tracer, pixel.shown);
+    PixelRecorder again(impl_->tracer, pixel.shown);
     impl_->trace(x, y, again, pixel.more);
     recorder.rays = std::move(again.rays);
   }

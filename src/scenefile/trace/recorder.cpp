@@ -6,26 +6,26 @@
 
 namespace scenefile {
 
-Recorder::Recorder(const Tracer& tracer, std::optional<std::uint32_t> shown)
+PixelRecorder::PixelRecorder(const Tracer& tracer, std::optional<std::uint32_t> shown)
     : tracer_(tracer), shown_(shown) {}
 
-void Recorder::begin_sample(const glm::dvec2& point, const glm::dvec2& lens) {
+void PixelRecorder::begin_sample(const glm::dvec2& point, const glm::dvec2& lens) {
   in_full_ = shown_ == samples.size();
   SampleRecord& sample = samples.emplace_back();
   sample.point = point;
   sample.lens = lens;
 }
 
-void Recorder::end_sample(const Color& color) {
+void PixelRecorder::end_sample(const Color& color) {
   samples.back().color = color;
   in_full_ = false;
 }
 
-RayRecord* Recorder::current() {
+RayRecord* PixelRecorder::current() {
   return in_full_ && !stack_.empty() ? &rays[stack_.back()] : nullptr;
 }
 
-void Recorder::begin_ray(RayKind kind, int depth, const Ray& ray, double start) {
+void PixelRecorder::begin_ray(RayKind kind, int depth, const Ray& ray, double start) {
   ++samples.back().rays;
   if (!in_full_) {
     return;
@@ -47,33 +47,33 @@ void Recorder::begin_ray(RayKind kind, int depth, const Ray& ray, double start) 
   stack_.push_back(index);
 }
 
-void Recorder::end_ray(const Color& color) {
+void PixelRecorder::end_ray(const Color& color) {
   if (RayRecord* const ray = current(); ray != nullptr) {
     ray->color = color;
     stack_.pop_back();
   }
 }
 
-ObjectRef Recorder::object_at(const Ray& ray, double start, const Hit& hit) const {
+ObjectRef PixelRecorder::object_at(const Ray& ray, double start, const Hit& hit) const {
   const double infinity = std::numeric_limits<double>::infinity();
   return {hit.source, tracer_.accelerator.instances_of_closest(ray, start, infinity)};
 }
 
-void Recorder::wall(const Ray& ray, double start, const SurfacePoint& point,
-                    const glm::dvec3& normal, const glm::dvec3& direction, bool mirrored) {
+void PixelRecorder::wall(const Ray& ray, double start, const SurfacePoint& point,
+                         const glm::dvec3& normal, const glm::dvec3& direction, bool mirrored) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->walls.push_back({object_at(ray, start, point.hit), point.hit.t, point.position, normal,
                              direction, mirrored});
   }
 }
 
-void Recorder::trapped() {
+void PixelRecorder::trapped() {
   if (RayRecord* const record = current(); record != nullptr) {
     record->trapped = true;
   }
 }
 
-void Recorder::met(const Ray& ray, double start, const SurfacePoint& point) {
+void PixelRecorder::met(const Ray& ray, double start, const SurfacePoint& point) {
   if (!samples.back().object.has_value() && samples.back().rays == 1) {
     samples.back().object = object_at(ray, start, point.hit);
   }
@@ -102,8 +102,8 @@ void Recorder::met(const Ray& ray, double start, const SurfacePoint& point) {
   s.has_uv = point.has_uv;
 }
 
-void Recorder::textured(const Texture& texture, const RenderMaterial& material,
-                        const glm::dvec2& uv, const Color& color) {
+void PixelRecorder::textured(const Texture& texture, const RenderMaterial& material,
+                             const glm::dvec2& uv, const Color& color) {
   if (RayRecord* const record = current(); record != nullptr) {
     const glm::ivec2 texel = texel_at(texture, material.texture, uv);
     record->surface->texture = {material.texture.file, texel,
@@ -112,8 +112,8 @@ void Recorder::textured(const Texture& texture, const RenderMaterial& material,
   }
 }
 
-void Recorder::surface(const SurfacePoint& bumped, const Color& ambient, const Color& diffuse,
-                       const Color& specular) {
+void PixelRecorder::surface(const SurfacePoint& bumped, const Color& ambient, const Color& diffuse,
+                            const Color& specular) {
   if (RayRecord* const record = current(); record != nullptr) {
     SurfaceRecord& s = *record->surface;
     s.bumped = bumped.normal != s.normal;
@@ -125,7 +125,7 @@ void Recorder::surface(const SurfacePoint& bumped, const Color& ambient, const C
 }
 
 // Every object once, as the shadow counts them; behind an opaque one nothing counts.
-std::vector<Blocker> Recorder::blockers(const Ray& ray, double start, double end) const {
+std::vector<Blocker> PixelRecorder::blockers(const Ray& ray, double start, double end) const {
   std::vector<Blocker> found;
   std::vector<Hit> hits;
   Hit hit;
@@ -147,7 +147,7 @@ std::vector<Blocker> Recorder::blockers(const Ray& ray, double start, double end
   return found;
 }
 
-void Recorder::shadow(const Ray& ray, double start, double end, const Color& left) {
+void PixelRecorder::shadow(const Ray& ray, double start, double end, const Color& left) {
   if (current() != nullptr) {
     pending_shadow_.shadow_ray = true;
     pending_shadow_.visibility = left;
@@ -157,8 +157,8 @@ void Recorder::shadow(const Ray& ray, double start, double end, const Color& lef
   }
 }
 
-void Recorder::lit(const Illumination& light, double n_dot_l, double r_dot_v, const Color& diffuse,
-                   const Color& specular, const Color& contribution) {
+void PixelRecorder::lit(const Illumination& light, double n_dot_l, double r_dot_v,
+                        const Color& diffuse, const Color& specular, const Color& contribution) {
   if (current() == nullptr) {
     return;
   }
@@ -176,7 +176,7 @@ void Recorder::lit(const Illumination& light, double n_dot_l, double r_dot_v, co
   pending_samples_.push_back(std::move(sample));
 }
 
-void Recorder::light(std::uint32_t index, std::uint32_t taken, const Color& contribution) {
+void PixelRecorder::light(std::uint32_t index, std::uint32_t taken, const Color& contribution) {
   if (RayRecord* const record = current(); record != nullptr) {
     const Unlit unlit = pending_samples_.empty() ? Unlit::out_of_reach : Unlit::no;
     record->lights.push_back(
@@ -184,26 +184,26 @@ void Recorder::light(std::uint32_t index, std::uint32_t taken, const Color& cont
   }
 }
 
-void Recorder::light_of_other_mode(std::uint32_t index) {
+void PixelRecorder::light_of_other_mode(std::uint32_t index) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->lights.push_back({index, Unlit::in_this_mode, 0, {}, Color(0)});
   }
 }
 
-void Recorder::shaded(const Color& local) {
+void PixelRecorder::shaded(const Color& local) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->local = local;
   }
 }
 
-void Recorder::branches(const BranchRecord& mirror, const BranchRecord& glass) {
+void PixelRecorder::branches(const BranchRecord& mirror, const BranchRecord& glass) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->mirror = mirror;
     record->glass = glass;
   }
 }
 
-void Recorder::summed(const Color& sum) {
+void PixelRecorder::summed(const Color& sum) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->sum = sum;
   }

@@ -17,41 +17,73 @@ namespace scenefile {
 
 class Recorder {
  public:
-  /// Keeps the rays of the sample `shown` alone; of the others what SampleRecord holds.
-  Recorder(const Tracer& tracer, std::optional<std::uint32_t> shown);
+  virtual ~Recorder() = default;
 
-  void begin_sample(const glm::dvec2& point, const glm::dvec2& lens);
-  void end_sample(const Color& color);
+  virtual void begin_sample(const glm::dvec2& /*point*/, const glm::dvec2& /*lens*/) {}
+  virtual void end_sample(const Color& /*color*/) {}
 
   /// A ray and, until its end, everything that it comes to. Rays nest.
-  void begin_ray(RayKind kind, int depth, const Ray& ray, double start);
-  void end_ray(const Color& color);
+  virtual void begin_ray(RayKind /*kind*/, int /*depth*/, const Ray& /*ray*/, double /*start*/) {}
+  virtual void end_ray(const Color& /*color*/) {}
 
   /// The next refracted ray is a mirrored one: total internal reflection.
-  void total_reflection() { total_reflection_ = true; }
+  virtual void total_reflection() {}
   /// The current ray passed a wall, or was mirrored there; `normal` against the ray.
-  void wall(const Ray& ray, double start, const SurfacePoint& point, const glm::dvec3& normal,
-            const glm::dvec3& direction, bool mirrored);
+  virtual void wall(const Ray& /*ray*/, double /*start*/, const SurfacePoint& /*point*/,
+                    const glm::dvec3& /*normal*/, const glm::dvec3& /*direction*/,
+                    bool /*mirrored*/) {}
   /// The current ray was mirrored inside an object more often than max_depth allows.
-  void trapped();
+  virtual void trapped() {}
   /// The current ray lights up here; the bump map has not been asked yet.
-  void met(const Ray& ray, double start, const SurfacePoint& point);
+  virtual void met(const Ray& /*ray*/, double /*start*/, const SurfacePoint& /*point*/) {}
   /// A texture's color at that point.
-  void textured(const Texture& texture, const RenderMaterial& material, const glm::dvec2& uv,
-                const Color& color);
+  virtual void textured(const Texture& /*texture*/, const RenderMaterial& /*material*/,
+                        const glm::dvec2& /*uv*/, const Color& /*color*/) {}
   /// The terms of the lighting equation that are no light's.
-  void surface(const SurfacePoint& bumped, const Color& ambient, const Color& diffuse,
-               const Color& specular);
+  virtual void surface(const SurfacePoint& /*bumped*/, const Color& /*ambient*/,
+                       const Color& /*diffuse*/, const Color& /*specular*/) {}
   /// A shadow ray, and the light that it left. Before the sample of the light that it is for.
-  void shadow(const Ray& ray, double start, double end, const Color& left);
+  virtual void shadow(const Ray& /*ray*/, double /*start*/, double /*end*/, const Color& /*left*/) {
+  }
   /// A sample of a light. Before the light that it is of.
+  virtual void lit(const Illumination& /*light*/, double /*n_dot_l*/, double /*r_dot_v*/,
+                   const Color& /*diffuse*/, const Color& /*specular*/,
+                   const Color& /*contribution*/) {}
+  virtual void light(std::uint32_t /*index*/, std::uint32_t /*taken*/,
+                     const Color& /*contribution*/) {}
+  virtual void light_of_other_mode(std::uint32_t /*index*/) {}
+  virtual void shaded(const Color& /*local*/) {}
+  virtual void branches(const BranchRecord& /*mirror*/, const BranchRecord& /*glass*/) {}
+  virtual void summed(const Color& /*sum*/) {}
+};
+
+/// Writes a pixel down for explain.h.
+class PixelRecorder final : public Recorder {
+ public:
+  /// Keeps the rays of the sample `shown` alone; of the others what SampleRecord holds.
+  PixelRecorder(const Tracer& tracer, std::optional<std::uint32_t> shown);
+
+  void begin_sample(const glm::dvec2& point, const glm::dvec2& lens) override;
+  void end_sample(const Color& color) override;
+  void begin_ray(RayKind kind, int depth, const Ray& ray, double start) override;
+  void end_ray(const Color& color) override;
+  void total_reflection() override { total_reflection_ = true; }
+  void wall(const Ray& ray, double start, const SurfacePoint& point, const glm::dvec3& normal,
+            const glm::dvec3& direction, bool mirrored) override;
+  void trapped() override;
+  void met(const Ray& ray, double start, const SurfacePoint& point) override;
+  void textured(const Texture& texture, const RenderMaterial& material, const glm::dvec2& uv,
+                const Color& color) override;
+  void surface(const SurfacePoint& bumped, const Color& ambient, const Color& diffuse,
+               const Color& specular) override;
+  void shadow(const Ray& ray, double start, double end, const Color& left) override;
   void lit(const Illumination& light, double n_dot_l, double r_dot_v, const Color& diffuse,
-           const Color& specular, const Color& contribution);
-  void light(std::uint32_t index, std::uint32_t taken, const Color& contribution);
-  void light_of_other_mode(std::uint32_t index);
-  void shaded(const Color& local);
-  void branches(const BranchRecord& mirror, const BranchRecord& glass);
-  void summed(const Color& sum);
+           const Color& specular, const Color& contribution) override;
+  void light(std::uint32_t index, std::uint32_t taken, const Color& contribution) override;
+  void light_of_other_mode(std::uint32_t index) override;
+  void shaded(const Color& local) override;
+  void branches(const BranchRecord& mirror, const BranchRecord& glass) override;
+  void summed(const Color& sum) override;
 
   std::vector<SampleRecord> samples;
   std::vector<RayRecord> rays;  ///< of the sample shown

@@ -2,13 +2,14 @@
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/layer_buffers.h"
 #include "scenefile/trace/picture_state.h"
+#include "scenefile/trace/preview_picture.h"
 #include "scenefile/trace/tiles.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <utility>
 
 namespace scenefile {
 
@@ -61,22 +62,49 @@ class SavingProgress {
   Clock::time_point saved_ = Clock::now();
 };
 
+PixelRegion grown(const PixelRegion& region, int by, const RenderOptions& options) {
+  return {std::max(0, region.x0 - by), std::max(0, region.y0 - by),
+          std::min(options.width, region.x1 + by), std::min(options.height, region.y1 + by)};
+}
+
+PixelRegion crop_of(const RenderOptions& options) {
+  return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
+}
+
+// All pixels that those of the crop depend on.
+PixelRegion region_of(const RenderOptions& options) {
+  const int neighbors = has_two_passes(options) ? 1 : 0;
+  return grown(crop_of(options), neighbors + (options.denoise ? denoise_reach : 0), options);
+}
+
+// Draws the region of the picture. Coordinates are those of the picture.
 class Renderer {
  public:
-  Renderer(const Tracer& tracer, const Progress& progress, PictureState& picture,
-           RenderResult& result)
+  Renderer(const Tracer& tracer, const PixelRegion& region, const Progress& progress,
+           PictureState& picture, PreviewPicture& preview, RenderResult& result)
       : tracer_(tracer),
         camera_(tracer.camera()),
+        region_(region),
         watch_(progress),
         picture_(picture),
-        result_(result) {}
+        preview_(preview),
+        result_(result),
+        layers_(tracer, camera_, region) {
+    if (tracer.options.denoise && !tracer.course()) {
+      statistics_.resize(std::size_t(region.width()) * region.height());
+    }
+  }
 
   void run() {
+    if (preview_.wanted() && picture_.pass == 0) {
+      preview_.start(tracer_, camera_);
+    }
     if (tracer_.course()) {
       run_course();
     } else {
       run_fine();
     }
+    finish();
     result_.stats.primary_rays = counts_.primary;
     result_.stats.shadow_rays = counts_.shadow;
     result_.stats.secondary_rays = counts_.secondary;
@@ -93,9 +121,13 @@ class Renderer {
   void for_each_pixel(PassShare share, const F& pixel) {
     for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
       RayCounts counts;
+      SurfaceRecorder recorder(layers_.lights());
+      counts.recorder = records() ? &recorder : nullptr;
       for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {
-          pixel(x, y, counts);
+          recorder.clear();
+          pixel(x + region_.x0, y + region_.y0, counts);
+          keep(x + region_.x0, y + region_.y0, recorder);
         }
       }
       counts_.add(counts);
@@ -103,17 +135,45 @@ class Renderer {
     });
   }
 
+  bool records() const { return !layers_.empty() || !statistics_.empty(); }
+
+  // What was recorded of a pixel; nothing where the pass left it as it was.
+  void keep(int x, int y, const SurfaceRecorder& recorder) {
+    if (recorder.samples().empty()) {
+      return;
+    }
+    if (!layers_.empty()) {
+      layers_.put(x, y, recorder);
+    }
+    if (!statistics_.empty()) {
+      statistics_[index(x, y)] = statistics_of(recorder.samples(), !camera_.has_lens());
+    }
+  }
+
+  void finish() {
+    const PixelRegion crop = crop_of(tracer_.options);
+    if (!statistics_.empty() && !given_up()) {
+      const std::vector<glm::vec3> colors =
+          denoised(region_.width(), region_.height(), statistics_, !camera_.has_lens());
+      for (std::size_t i = 0; i < colors.size(); ++i) {
+        std::copy_n(&colors[i].x, 3, &picture_.image.rgb[3 * i]);
+      }
+    }
+    result_.image = cut(picture_.image, region_, crop);
+    result_.layers = layers_.cut(crop);
+  }
+
   bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
 
   void put(int x, int y, const Color& color) {
-    float* const pixel = picture_.image.pixel(x, y);
+    float* const pixel = &picture_.image.rgb[3 * index(x, y)];
     for (int c = 0; c < 3; ++c) {
       pixel[c] = static_cast<float>(color[c]);
     }
   }
 
   Color get(int x, int y) const {
-    const float* const pixel = picture_.image.pixel(x, y);
+    const float* const pixel = &picture_.image.rgb[3 * index(x, y)];
     return {pixel[0], pixel[1], pixel[2]};
   }
 
@@ -133,6 +193,9 @@ class Renderer {
         return;
       }
       mark_edges();
+      if (preview_.wanted()) {
+        preview_.update();
+      }
       picture_.start_second_pass();
     }
     refine_marked(sampler, first_share);
@@ -162,15 +225,14 @@ class Renderer {
 
   // Neighbors that differ both need more samples.
   void mark_edges() {
-    const int width = tracer_.options.width;
-    const int height = tracer_.options.height;
     constexpr int steps[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
+    for (int y = region_.y0; y < region_.y1; ++y) {
+      for (int x = region_.x0; x < region_.x1; ++x) {
         for (const auto& [dx, dy] : steps) {
           const int x1 = x + dx;
           const int y1 = y + dy;
-          if (x1 >= 0 && x1 < width && y1 < height && differ(get(x, y), get(x1, y1))) {
+          if (x1 >= region_.x0 && x1 < region_.x1 && y1 < region_.y1 &&
+              differ(get(x, y), get(x1, y1))) {
             picture_.marked[index(x, y)] = 1;
             picture_.marked[index(x1, y1)] = 1;
           }
@@ -179,38 +241,56 @@ class Renderer {
     }
   }
 
-  std::size_t index(int x, int y) const { return std::size_t(y) * tracer_.options.width + x; }
+  std::size_t index(int x, int y) const {
+    return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
+  }
 
   const Tracer& tracer_;
   CameraRays camera_;
+  PixelRegion region_;
   Watch watch_;
   PictureState& picture_;
+  PreviewPicture& preview_;
   RenderResult& result_;
+  LayerBuffers layers_;
+  std::vector<PixelStatistics> statistics_;  // by pixel of the region, where noise is taken away
   SharedCounts counts_;
 };
 
 }  // namespace
 
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress, const Checkpoints& checkpoints) {
+                    const Progress& progress, const Checkpoints& checkpoints,
+                    const Preview& preview) {
   RenderResult result;
   const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
   const Tracer tracer(scene, assets, options);
   result.stats.build_seconds = seconds_since(start);
   result.status = tracer.status();
-  PictureState picture(tracer.options.width, tracer.options.height, has_two_passes(tracer.options));
+  const PixelRegion crop = crop_of(tracer.options);
+  const PixelRegion region = region_of(tracer.options);
+  result.image = Image(crop.width(), crop.height());
+  PictureState picture(region.width(), region.height(), has_two_passes(tracer.options));
   if (!checkpoints.resume.empty() && !picture.restore(checkpoints.resume)) {
     result.status = RenderStatus::not_resumed;
   }
-  if (result.status == RenderStatus::complete) {
-    const Clock::time_point built = Clock::now();
-    const Progress watched =
-        checkpoints.save ? Progress(SavingProgress(progress, checkpoints, picture)) : progress;
-    Renderer(tracer, watched, picture, result).run();
-    result.stats.trace_seconds = seconds_since(built);
+  if (result.status != RenderStatus::complete) {
+    return result;
   }
-  result.image = std::move(picture.image);
+  const Clock::time_point built = Clock::now();
+  PreviewPicture shown(preview, picture, region, crop);
+  const Progress saving =
+      checkpoints.save ? Progress(SavingProgress(progress, checkpoints, picture)) : progress;
+  const Progress showing = [&](double done) {
+    shown.show_in_time();
+    return !saving || saving(done);
+  };
+  Renderer(tracer, region, shown.wanted() ? showing : saving, picture, shown, result).run();
+  if (shown.wanted()) {
+    preview.show(result.image);
+  }
+  result.stats.trace_seconds = seconds_since(built);
   return result;
 }
 

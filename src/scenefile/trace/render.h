@@ -9,7 +9,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -35,6 +37,39 @@ struct Features {
   friend bool operator==(const Features&, const Features&) = default;
 };
 
+/// What a buffer beside the picture holds; docs/layers.md says how each is computed. Middle: of the
+/// ray through the middle of the pixel; mean: over the pixel's samples, of what their camera rays
+/// met, 0 where they met nothing.
+enum class LayerKind : std::uint8_t {
+  depth,             ///< Z: world units along the view direction, infinite for nothing; middle
+  normal,            ///< X Y Z: for shading, world space; mean
+  uv,                ///< U V: texture coordinates before they repeat; middle
+  albedo,            ///< R G B: what diffuse light is multiplied by, texture included; mean
+  object_id,         ///< ID: 1 + source of the primitive, 0 for nothing; middle
+  light,             ///< R G B: diffuse and specular light of one light of the scene; mean
+  shadow,            ///< Y: share of the light of all lights that shadows take; of the means
+  reflection_depth,  ///< Y: most reflections and refractions behind each other; mean
+};
+
+struct Layer {
+  LayerKind kind = LayerKind::depth;
+  std::uint32_t light = 0;  ///< into RenderScene::lights
+
+  friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// Part of a picture: x0 <= x < x1, y0 <= y < y1, row 0 on top.
+struct PixelRegion {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  friend bool operator==(const PixelRegion&, const PixelRegion&) = default;
+};
+
 struct RenderOptions {
   Profile profile = Profile::fine;
   Mode mode = Mode::ray;
@@ -45,7 +80,12 @@ struct RenderOptions {
   int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
   std::uint64_t seed = 0;  ///< fine: another noise pattern
   int threads = 0;         ///< 0: one a processor
-  Mistakes mistakes;       ///< made on purpose
+  /// Only these pixels, exactly as they are in the whole picture; must not be empty nor reach
+  /// outside. The image and the layers have its size.
+  std::optional<PixelRegion> crop;
+  std::vector<Layer> layers;  ///< to be returned beside the picture; lights must exist
+  bool denoise = false;       ///< fine: take noise away (denoise.h)
+  Mistakes mistakes;          ///< made on purpose
 };
 
 /// The defaults of a profile: course has no super_sample and 4 bounces.
@@ -72,6 +112,7 @@ enum class RenderStatus : std::uint8_t {
 
 struct RenderResult {
   Image image;
+  std::vector<ImageLayer> layers;  ///< as RenderOptions::layers
   RenderStatus status = RenderStatus::complete;
   RenderStats stats;
 };
@@ -91,10 +132,20 @@ struct Checkpoints {
   double interval_seconds = 4;
 };
 
+/// Pictures on the way, for someone who waits.
+struct Preview {
+  /// Called as Progress is, with the picture as far as it is: first one color for each block of
+  /// pixels, then pixels, then better ones, in the end the result.
+  std::function<void(const Image& image)> show;
+  double interval_seconds = 2;  ///< at least, between calls
+};
+
 /// Renders. The picture is a function of scene, assets and options alone: any number of threads
 /// gives the same bytes, whether the work was resumed or not (statistics are of this run alone).
-/// `assets` must have been loaded for this scene.
+/// `assets` must have been loaded for this scene. Work that is resumed has neither layers nor noise
+/// taken away.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress = {}, const Checkpoints& checkpoints = {});
+                    const Progress& progress = {}, const Checkpoints& checkpoints = {},
+                    const Preview& preview = {});
 
 }  // namespace scenefile

@@ -134,4 +134,16 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
   });
 }
 
+void for_each_line(int count, const std::function<void(int)>& work) {
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(0, count, [&](int i) {
+      const NoDenormals no_denormals;
+      work(i);
+    });
+  });
+}
+
 }  // namespace scenefile

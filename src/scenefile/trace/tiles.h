@@ -87,4 +87,7 @@ class Watch {
 void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
                     const std::function<bool(const Tile&)>& work);
 
+/// Calls `work` for 0 to count - 1 from all threads.
+void for_each_line(int count, const std::function<void(int)>& work);
+
 }  // namespace scenefile

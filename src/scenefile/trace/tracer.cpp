@@ -14,6 +14,13 @@ RenderOptions in_range(RenderOptions options) {
   options.samples = std::clamp(options.samples, 1, 1 << 20);
   options.threads = std::clamp(options.threads, 0, 1024);
   options.max_depth = std::clamp(options.max_depth, 0, 64);
+  if (options.crop.has_value()) {
+    PixelRegion& crop = *options.crop;
+    crop.x0 = std::clamp(crop.x0, 0, options.width - 1);
+    crop.y0 = std::clamp(crop.y0, 0, options.height - 1);
+    crop.x1 = std::clamp(crop.x1, crop.x0 + 1, options.width);
+    crop.y1 = std::clamp(crop.y1, crop.y0 + 1, options.height);
+  }
   return options;
 }
 

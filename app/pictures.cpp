@@ -1,0 +1,104 @@
+#include "app/pictures.h"
+
+#include "app/output.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/io/file.h"
+#include "scenefile/trace/layers.h"
+
+#include <memory>
+
+namespace scenefile::app {
+
+namespace {
+
+ImageFormat format_of(const std::string& path) {
+  ImageFormat format = ImageFormat::png8;
+  image_format_of(path, format);
+  return format;
+}
+
+// "x.depth.png" of "x.png".
+std::string layer_file(const std::string& output, const Layer& layer) {
+  std::string path = output;
+  return path.insert(output.rfind('.'), "." + layer_name(layer));
+}
+
+bool has_layer_files(const Options& options) {
+  return format_of(options.output) == ImageFormat::png8;
+}
+
+Outcome write(const std::string& path, const std::string& bytes, const std::string& error,
+              Context& context) {
+  if (!error.empty()) {
+    return {ExitCode::environment, "cannot encode the picture: " + error};
+  }
+  context.phase = "writing the picture";
+  const IoError written = write_file(path, bytes);
+  return {written.empty() ? ExitCode::fine : ExitCode::environment, written.text};
+}
+
+Outcome write_image(const std::string& path, const Image& image, Rounding rounding,
+                    Context& context) {
+  context.phase = "encoding the picture";
+  std::string error;
+  const std::string bytes = encode_image(image, format_of(path), rounding, error);
+  return write(path, bytes, error, context);
+}
+
+Outcome write_in_one(const Options& options, const RenderResult& result, Context& context) {
+  context.phase = "encoding the picture";
+  std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
+  layers.insert(layers.end(), result.layers.begin(), result.layers.end());
+  std::string error;
+  const std::string bytes = encode_layers(result.image.width, result.image.height, layers, error);
+  return write(options.output, bytes, error, context);
+}
+
+}  // namespace
+
+std::vector<std::string> picture_files(const Options& options) {
+  std::vector<std::string> files{options.output};
+  for (const Layer& layer : options.layers) {
+    if (has_layer_files(options)) {
+      files.push_back(layer_file(options.output, layer));
+    }
+  }
+  return files;
+}
+
+Outcome write_pictures(const Options& options, const RenderResult& result, Context& context) {
+  if (!options.layers.empty() && !has_layer_files(options)) {
+    return write_in_one(options, result, context);
+  }
+  const Image& image = result.image;
+  Outcome outcome = write_image(options.output, image, rounding_of(options.profile), context);
+  const int max_depth = render_options(options).max_depth;
+  for (std::size_t i = 0; i < result.layers.size() && outcome.error.empty(); ++i) {
+    const Layer& layer = options.layers[i];
+    outcome =
+        write_image(layer_file(options.output, layer),
+                    layer_picture(layer, result.layers[i], image.width, image.height, max_depth),
+                    Rounding::nearest, context);
+  }
+  return outcome;
+}
+
+Preview preview_of(const Options& options) {
+  Preview preview;
+  if (options.preview.empty()) {
+    return preview;
+  }
+  const auto failed = std::make_shared<bool>(false);
+  preview.show = [path = options.preview, rounding = rounding_of(options.profile),
+                  failed](const Image& image) {
+    Context context;
+    const Outcome outcome = *failed ? Outcome() : write_image(path, image, rounding, context);
+    if (!outcome.error.empty()) {
+      say_error(outcome.error);
+      *failed = true;
+    }
+  };
+  return preview;
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,21 @@
+#pragma once
+// The files that a render leaves.
+
+#include "app/tracing.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile::app {
+
+/// Their names: the output, and for a PNG one of each layer, x.png giving x.depth.png.
+std::vector<std::string> picture_files(const Options& options);
+
+/// Writes them all.
+Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
+
+/// Writes pictures on the way to options.preview; does nothing where that is empty. A failure is
+/// said once and stops nothing.
+Preview preview_of(const Options& options);
+
+}  // namespace scenefile::app

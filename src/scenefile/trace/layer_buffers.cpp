@@ -1,0 +1,196 @@
+#include "scenefile/trace/layer_buffers.h"
+
+#include "scenefile/trace/course_samples.h"
+#include "scenefile/trace/layers.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scenefile {
+
+namespace {
+
+bool is_of_middle(LayerKind kind) {
+  return kind == LayerKind::depth || kind == LayerKind::uv || kind == LayerKind::object_id;
+}
+
+std::vector<std::string> channels_of(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::depth:
+      return {"Z"};
+    case LayerKind::normal:
+      return {"X", "Y", "Z"};
+    case LayerKind::uv:
+      return {"U", "V"};
+    case LayerKind::albedo:
+    case LayerKind::light:
+      return {"R", "G", "B"};
+    case LayerKind::object_id:
+      return {"ID"};
+    case LayerKind::shadow:
+    case LayerKind::reflection_depth:
+      break;
+  }
+  return {"Y"};
+}
+
+double sum(const Color& color) {
+  return color.x + color.y + color.z;
+}
+
+// Weighted means over the samples of a pixel.
+struct Means {
+  glm::dvec3 normal{0};
+  Color albedo{0};
+  double lit = 0;
+  double unshadowed = 0;
+  double bounces = 0;
+  std::vector<Color> lights;
+
+  double shadow() const { return unshadowed > 0 ? std::max(0.0, 1 - lit / unshadowed) : 0; }
+};
+
+Means means_of(const SurfaceRecorder& pixel, const std::vector<double>& weights,
+               std::size_t lights) {
+  Means means;
+  means.lights.resize(lights, Color(0));
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const SurfaceSample& s = pixel.samples()[i];
+    means.normal += weights[i] * s.normal;
+    means.albedo += weights[i] * s.albedo;
+    means.lit += weights[i] * sum(s.lit);
+    means.unshadowed += weights[i] * sum(s.unshadowed);
+    means.bounces += weights[i] * s.bounces;
+    for (std::size_t k = 0; k < lights; ++k) {
+      means.lights[k] += weights[i] * pixel.light_of(i, k);
+    }
+  }
+  return means;
+}
+
+glm::dvec3 value_of(LayerKind kind, const Means& means, std::size_t light) {
+  switch (kind) {
+    case LayerKind::normal:
+      return means.normal;
+    case LayerKind::albedo:
+      return means.albedo;
+    case LayerKind::light:
+      return means.lights[light];
+    case LayerKind::shadow:
+      return glm::dvec3(means.shadow());
+    case LayerKind::reflection_depth:
+      return glm::dvec3(means.bounces);
+    case LayerKind::depth:
+    case LayerKind::uv:
+    case LayerKind::object_id:
+      break;
+  }
+  return glm::dvec3(0);
+}
+
+void store(ImageLayer& layer, std::size_t pixel, const glm::dvec3& value) {
+  const std::size_t channels = layer.channels.size();
+  for (std::size_t c = 0; c < channels; ++c) {
+    layer.values[pixel * channels + c] = static_cast<float>(value[static_cast<int>(c)]);
+  }
+}
+
+}  // namespace
+
+LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera,
+                           const PixelRegion& region)
+    : tracer_(tracer), camera_(camera), region_(region) {
+  for (const Layer& wanted : tracer.options.layers) {
+    ImageLayer layer{
+        layer_name(wanted), channels_of(wanted.kind), wanted.kind == LayerKind::object_id, {}};
+    layer.values.resize(layer.channels.size() * region.width() * region.height());
+    layers_.push_back(std::move(layer));
+    if (wanted.kind == LayerKind::light) {
+      lights_.push_back(wanted.light);
+    }
+  }
+}
+
+void LayerBuffers::put(int x, int y, const SurfaceRecorder& pixel) {
+  const std::vector<Layer>& kinds = tracer_.options.layers;
+  if (std::any_of(kinds.begin(), kinds.end(),
+                  [](const Layer& l) { return is_of_middle(l.kind); })) {
+    put_middle(x, y);
+  }
+  put_means(index(x, y), pixel);
+}
+
+void LayerBuffers::put_middle(int x, int y) {
+  const Ray ray = camera_.ray({x + 0.5, y + 0.5}, {0, 0});
+  const double infinity = std::numeric_limits<double>::infinity();
+  Hit hit;
+  const bool met = tracer_.accelerator.closest(ray, 0, infinity, hit);
+  SurfacePoint point;
+  double depth = infinity;
+  if (met) {
+    point = surface_point(tracer_.scene, tracer_.assets, ray, hit, !tracer_.course());
+    const RenderCamera& camera = tracer_.scene.camera;
+    depth = glm::dot(camera.position - point.position, camera.w);
+  }
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const LayerKind kind = tracer_.options.layers[i].kind;
+    if (kind == LayerKind::depth) {
+      store(layers_[i], index(x, y), glm::dvec3(depth));
+    } else if (kind == LayerKind::uv) {
+      store(layers_[i], index(x, y), met ? glm::dvec3(point.object.uv, 0) : glm::dvec3(0));
+    } else if (kind == LayerKind::object_id) {
+      store(layers_[i], index(x, y), glm::dvec3(met ? hit.source + 1.0 : 0));
+    }
+  }
+}
+
+void LayerBuffers::put_means(std::size_t pixel, const SurfaceRecorder& recorder) {
+  const Means means = means_of(recorder, weights_of(recorder.samples()), lights_.size());
+  std::size_t light = 0;
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const LayerKind kind = tracer_.options.layers[i].kind;
+    if (!is_of_middle(kind)) {
+      store(layers_[i], pixel, value_of(kind, means, light));
+      light += kind == LayerKind::light ? 1 : 0;
+    }
+  }
+}
+
+// As the samples count in the color of the pixel.
+std::vector<double> LayerBuffers::weights_of(const std::vector<SurfaceSample>& samples) const {
+  std::vector<double> weights(samples.size(), 1.0 / static_cast<double>(samples.size()));
+  if (!tracer_.course() || camera_.has_lens() || samples.size() == 1) {
+    return weights;
+  }
+  std::vector<glm::dvec2> points;
+  for (const SurfaceSample& sample : samples) {
+    points.push_back(sample.point);
+  }
+  const std::vector<std::uint32_t> links = course::refined_samples(points);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double share = links[i] == no_index ? 1 : weights[links[i]];
+    weights[i] = share / 4;
+  }
+  for (const std::uint32_t replaced : links) {
+    if (replaced != no_index) {
+      weights[replaced] = 0;
+    }
+  }
+  return weights;
+}
+
+std::vector<ImageLayer> LayerBuffers::cut(const PixelRegion& crop) const {
+  std::vector<ImageLayer> result;
+  for (const ImageLayer& layer : layers_) {
+    const std::size_t channels = layer.channels.size();
+    ImageLayer part{layer.name, layer.channels, layer.whole, {}};
+    for (int y = crop.y0; y < crop.y1; ++y) {
+      const float* const row = &layer.values[index(crop.x0, y) * channels];
+      part.values.insert(part.values.end(), row, row + channels * crop.width());
+    }
+    result.push_back(std::move(part));
+  }
+  return result;
+}
+
+}  // namespace scenefile

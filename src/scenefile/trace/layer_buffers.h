@@ -1,0 +1,39 @@
+#pragma once
+// The layers of a picture while it is drawn.
+
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/surface_recorder.h"
+
+namespace scenefile {
+
+class LayerBuffers {
+ public:
+  /// For the layers of tracer.options, of `region` of the picture.
+  LayerBuffers(const Tracer& tracer, const CameraRays& camera, const PixelRegion& region);
+
+  bool empty() const { return layers_.empty(); }
+  /// The lights that have layers, for SurfaceRecorder.
+  const std::vector<std::uint32_t>& lights() const { return lights_; }
+
+  /// Fills the pixel (x, y) of the picture. Different pixels may be filled by different threads.
+  void put(int x, int y, const SurfaceRecorder& pixel);
+
+  /// Each cut to `crop`, which lies in the region.
+  std::vector<ImageLayer> cut(const PixelRegion& crop) const;
+
+ private:
+  std::size_t index(int x, int y) const {
+    return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
+  }
+  void put_middle(int x, int y);
+  void put_means(std::size_t pixel, const SurfaceRecorder& recorder);
+  std::vector<double> weights_of(const std::vector<SurfaceSample>& samples) const;
+
+  const Tracer& tracer_;
+  const CameraRays& camera_;
+  PixelRegion region_;
+  std::vector<ImageLayer> layers_;
+  std::vector<std::uint32_t> lights_;
+};
+
+}  // namespace scenefile

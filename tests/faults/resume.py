@@ -25,6 +25,7 @@ parser.add_argument("--size", default="160x120")
 parser.add_argument("--samples", default="256")
 parser.add_argument("--seed", type=int, default=1)
 args = parser.parse_args()
+args.program, args.scene = os.path.abspath(args.program), os.path.abspath(args.scene)
 chance = random.Random(args.seed)
 failures = []
 

@@ -201,13 +201,16 @@ class Explanation {
   }
 
   std::string ray_title(const RayRecord& ray) const {
+    const bool fresnel = pixel_.options.fresnel;
     switch (ray.kind) {
       case RayKind::camera:
         return fmt::format("{} {}", bold("camera ray"), color(ray.color));
       case RayKind::reflected:
-        return branch_title("reflected ray", "ks Cr", pixel_.rays[ray.parent].mirror, ray);
+        return branch_title("reflected ray", fresnel ? "ks Cr + F kt Ct" : "ks Cr",
+                            pixel_.rays[ray.parent].mirror, ray);
       case RayKind::refracted:
-        return branch_title("refracted ray", "kt Ct", pixel_.rays[ray.parent].glass, ray);
+        return branch_title("refracted ray", fresnel ? "(1 - F) kt Ct" : "kt Ct",
+                            pixel_.rays[ray.parent].glass, ray);
     }
     return {};
   }

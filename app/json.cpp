@@ -259,6 +259,7 @@ void add_render_options(Json& json, const RenderOptions& options) {
   if (options.profile == Profile::fine) {
     json.add("samples", options.samples);
     json.add("seed", options.seed);
+    json.add("fresnel", options.fresnel);
   }
 }
 

@@ -241,6 +241,10 @@ constexpr std::array table{
     OptionRow{"--samples", "", "N", "Most samples a pixel, for the profile fine (default 16).",
               for_tracing,
               [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
+    OptionRow{
+        "--fresnel", "", "",
+        "Glass mirrors the share of light that Fresnel's equations say, for the profile fine.",
+        for_tracing, set_flag<&Options::fresnel>},
     OptionRow{"--max-depth", "", "N",
               "Most reflections and refractions behind each other (default: fine 16, course 4).",
               for_tracing,

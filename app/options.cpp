@@ -188,6 +188,9 @@ std::string check_together(const Command& command, Options& options) {
         "--profile course has samples of its own: leave {} out, or use --profile fine",
         options.samples.has_value() ? "--samples" : "--seed");
   }
+  if (options.fresnel && options.profile == Profile::course) {
+    return "--fresnel is for the profile fine: the course's pictures know no such light";
+  }
   if (options.json && options.sarif) {
     return "--json and --sarif are two answers: choose one";
   }
@@ -243,6 +246,7 @@ RenderOptions render_options(const Options& options) {
   result.samples = options.samples.value_or(result.samples);
   result.max_depth = options.max_depth.value_or(result.max_depth);
   result.seed = options.seed.value_or(result.seed);
+  result.fresnel = options.fresnel;
   result.threads = options.threads;
   result.crop = options.crop;
   result.layers = options.layers;

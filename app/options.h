@@ -33,6 +33,7 @@ struct Options {
   std::optional<int> samples;
   std::optional<int> max_depth;
   std::optional<std::uint64_t> seed;
+  bool fresnel = false;
   int threads = 0;
   std::string checkpoint;  ///< a file; empty: none
   std::string preview;     ///< a file; empty: none

@@ -89,6 +89,11 @@ TEST(Usage, TheCourseHasSamplesOfItsOwn) {
   }
 }
 
+TEST(Usage, TheCourseKnowsNoFresnel) {
+  is_misuse({"render", "a.xml", "-o", "b.png", "--profile", "course", "--fresnel"},
+            "--fresnel is for the profile fine");
+}
+
 TEST(Usage, VersionIsAnAnswer) {
   for (const std::string word : {"--version", "version"}) {
     const ProgramRun run = run_program({word});

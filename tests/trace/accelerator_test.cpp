@@ -315,6 +315,33 @@ TEST(Accelerator, FarAwayAndTinyIsExact) {
   }
 }
 
+TEST(Accelerator, EnormousScenesAreHitLikeSmallOnes) {
+  for (const float size : {1.0f, 1e10f, 1e20f, 1e30f}) {
+    SceneBuilder b;
+    for (int i = 0; i < 10; ++i) {
+      const glm::vec3 place = size * glm::vec3(0, 0, -2 * i);
+      b.add(Shape::sphere, translate(place) * scale(glm::vec3(size)), b.material({}));
+    }
+    RenderPrimitive p =
+        b.primitive(Shape::mesh, translate(size * glm::vec3(3, 0, 0)), b.material({}));
+    Mesh mesh = tetrahedron();
+    for (glm::vec3& corner : mesh.positions) {
+      corner *= size;
+    }
+    p.mesh = b.mesh(mesh);
+    b.scene.groups[0].primitives.push_back(p);
+    const Accelerator accelerator(b.scene, b.assets);
+    const double s = size;
+    Hit hit;
+    ASSERT_TRUE(accelerator.closest({{0, 0.25 * s, 5 * s}, {0, 0, -1}}, 0, infinity, hit)) << size;
+    EXPECT_NEAR(hit.t / s, 5 - std::sqrt(0.1875), 1e-6) << size;
+    ASSERT_TRUE(accelerator.closest({{3.25 * s, 0.25 * s, 5 * s}, {0, 0, -1}}, 0, infinity, hit))
+        << size;
+    EXPECT_NEAR(hit.t / s, 4.5, 1e-6) << size;
+    EXPECT_FALSE(accelerator.occluded({{0, 0.6 * s, 5 * s}, {0, 0, -1}}, 0, infinity)) << size;
+  }
+}
+
 TEST(Accelerator, RaysThatAreNotFiniteHitNothing) {
   SceneBuilder b;
   b.add(Shape::sphere, scale(glm::vec3(100)), b.material({}));

@@ -35,6 +35,76 @@ TEST(Optics, ReflectsTotallyBeyondTheCriticalAngle) {
   EXPECT_FALSE(refract_direction(at(critical + 1e-6), {0, 1, 0}, 1.5, out));
 }
 
+TEST(Optics, MirrorsByFresnelsEquations) {
+  EXPECT_NEAR(fresnel_reflectance(1, 1 / 1.5), 0.04, 1e-15);
+  EXPECT_NEAR(fresnel_reflectance(1, 1.5), 0.04, 1e-15);
+  EXPECT_NEAR(fresnel_reflectance(0, 1 / 1.5), 1, 1e-15);
+  EXPECT_NEAR(fresnel_reflectance(0.3, 1), 0, 1e-15);
+  // At Brewster's angle only light across the plane of incidence is mirrored.
+  const double brewster = std::atan(1.5);
+  const double across = std::cos(2 * brewster);
+  EXPECT_NEAR(fresnel_reflectance(std::cos(brewster), 1 / 1.5), across * across / 2, 1e-15);
+  const double critical = std::asin(1 / 1.5);
+  EXPECT_LT(fresnel_reflectance(std::cos(critical - 1e-4), 1.5), 1);
+  EXPECT_EQ(fresnel_reflectance(std::cos(critical + 1e-4), 1.5), 1);
+}
+
+TEST(Optics, MirrorsAsMuchFromBothSides) {
+  for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
+    const double in = glm::radians(degrees);
+    const double out = std::asin(std::sin(in) / 1.33);
+    EXPECT_NEAR(fresnel_reflectance(std::cos(in), 1 / 1.33),
+                fresnel_reflectance(std::cos(out), 1.33), 1e-14);
+  }
+}
+
+// Clear glass between walls that shine by `behind` and `before` the camera's back.
+SceneBuilder glass_between(Shape shape, float before, float behind) {
+  SceneBuilder b;
+  RenderMaterial glass;
+  glass.diffuse = glm::vec3(0);
+  glass.transparent = glm::vec3(1);
+  glass.ior = 1.5f;
+  b.add(shape, translate({0, 0, -3}), b.material(glass));
+  const glm::vec3 wall(40, 40, 0.1f);
+  b.add(Shape::cube, translate({0, 0, -9}) * scale(wall), b.glowing(glm::vec3(behind)));
+  b.add(Shape::cube, translate({0, 0, 9}) * scale(wall), b.glowing(glm::vec3(before)));
+  b.look({0, 0, 0}, {0, 0, -1});
+  return b;
+}
+
+RenderOptions with_fresnel() {
+  RenderOptions options = default_options(Profile::fine);
+  options.fresnel = true;
+  return options;
+}
+
+TEST(Fresnel, ASlabMirrorsAtBothFaces) {
+  // All bounces inside it summed: 2 F / (1 + F).
+  const double mirrored = 2 * 0.04 / 1.04;
+  EXPECT_NEAR(glass_between(Shape::cube, 1, 0).seen(with_fresnel()).x, mirrored, 1e-3);
+  EXPECT_NEAR(glass_between(Shape::cube, 0, 1).seen(with_fresnel()).x, 1 - mirrored, 1e-3);
+  EXPECT_NEAR(glass_between(Shape::cube, 1, 0).seen(Profile::fine).x, 0, 1e-12);
+}
+
+TEST(Fresnel, NoLightIsLostOrGainedInAFurnace) {
+  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
+    SceneBuilder b = glass_between(shape, 0.5, 0.5);
+    b.add(Shape::sphere, scale(glm::vec3(60)), b.glowing(glm::vec3(0.5)));
+    for (const double x : {-0.6, -0.3, 0.1, 0.45}) {
+      b.look({0, 0.4, 0}, {x, 0.2, -3});
+      EXPECT_NEAR(b.seen(with_fresnel()).x, 0.5, 0.01) << int(shape) << ' ' << x;
+    }
+  }
+}
+
+TEST(Fresnel, TheCourseKnowsNone) {
+  RenderOptions options = default_options(Profile::course);
+  options.fresnel = true;
+  EXPECT_EQ(glass_between(Shape::cube, 1, 0.5).seen(options),
+            glass_between(Shape::cube, 1, 0.5).seen(Profile::course));
+}
+
 RenderMaterial mirror(float reflective, float ambient) {
   RenderMaterial m;
   m.diffuse = glm::vec3(0);

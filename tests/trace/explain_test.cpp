@@ -154,6 +154,8 @@ TEST_P(ExplainedPixel, AddsUpInTheCourseProfile) {
 TEST_P(ExplainedPixel, AddsUpInTheFineProfile) {
   RenderOptions options = default_options(Profile::fine);
   expect_sums(random.b, options);
+  options.fresnel = true;
+  expect_sums(random.b, options);
   options.samples = 1;
   options.seed = GetParam();
   expect_sums(random.b, options);

@@ -55,20 +55,25 @@ struct FloatBox {
   float max[3];
 };
 
+// Where the parts of a group or the triangles of a mesh are.
+struct Extent {
+  Bounds bounds;
+  double diagonal = 0;
+  double scale = 1;  // of Embree's copy, a power of two: enormous scenes stay in its range
+};
+
 struct Group {
   std::vector<Part> parts;
   std::vector<FloatBox> boxes;                        // of the parts, while the structure is built
   std::vector<std::vector<std::uint32_t>> instances;  // by part, where they have names
-  Bounds bounds;
-  double diagonal = 0;
+  Extent extent;
   RTCScene scene = nullptr;  // none for a few parts
 };
 
 struct MeshScene {
   const Mesh* mesh = nullptr;
   std::vector<std::uint32_t> triangles;  // in the mesh, by primitive of Embree; empty: all
-  Bounds bounds;
-  double diagonal = 0;
+  Extent extent;
   RTCScene scene = nullptr;
 };
 
@@ -77,6 +82,21 @@ using BaseContext = RTCRayQueryContext;
 #else
 using BaseContext = RTCIntersectContext;
 #endif
+
+float next_up(double value) {
+  const auto f = static_cast<float>(value);
+  return std::nextafter(f, std::numeric_limits<float>::infinity());
+}
+
+// The group or mesh that is being traversed: its ray, and Embree's copy of that, whose t is
+// (t - shift) * scale.
+struct Level {
+  const Ray* ray = nullptr;
+  double shift = 0;
+  double scale = 1;
+
+  float embree_t(double t) const { return next_up((t - shift) * scale); }
+};
 
 // What one ray is about. Embree hands the context to every callback; the rest follows it in memory.
 struct Query {
@@ -92,9 +112,7 @@ struct Query {
   bool overwhelmed = false;
   std::uint32_t entered = 0;
 
-  // The level that is being traversed: its ray, and how far Embree's copy of it starts behind.
-  const Ray* ray = nullptr;
-  double shift = 0;
+  Level level;
   std::uint32_t depth = 0;
   std::array<std::uint32_t, max_instance_nesting + 1> path;  // part in each group on the way
 
@@ -119,14 +137,14 @@ struct Query {
   double b2 = 0;
 };
 
+// Some versions hand it to filters as const.
+Query& query_of(const BaseContext* context) {
+  return *reinterpret_cast<Query*>(const_cast<BaseContext*>(context));
+}
+
 Ray transform(const Affine& to_from, const Ray& ray) {
   const DAffine m(to_from);
   return {m.point(ray.origin), m.vector(ray.direction)};
-}
-
-float next_up(double value) {
-  const auto f = static_cast<float>(value);
-  return std::nextafter(f, std::numeric_limits<float>::infinity());
 }
 
 // Whether a hit at t replaces the one found so far. Of equal ones the last in the file wins (the
@@ -169,26 +187,26 @@ bool in_embree_range(const glm::vec3& v) {
 
 // Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
 // single precision good however far away the origin is. False: the ray misses the box.
-bool start_in_box(double t_min, double t_max, const Ray& ray, const Bounds& box, double diagonal,
-                  double& shift, RTCRay& out) {
+bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& extent, Level& level,
+                  RTCRay& out) {
   double enter = t_min;
   double leave = t_max;
-  if (!clip_to_box(ray, box, enter, leave)) {
+  if (!clip_to_box(ray, extent.bounds, enter, leave)) {
     return false;
   }
   const double length = glm::length(ray.direction);
   if (!(length > 1e-30 && length < 1e30)) {
     return false;
   }
-  shift = enter - 1e-6 * diagonal / length;
-  const glm::vec3 origin(ray.origin + shift * ray.direction);
+  level = {&ray, enter - 1e-6 * extent.diagonal / length, extent.scale};
+  const glm::vec3 origin(extent.scale * (ray.origin + level.shift * ray.direction));
   const glm::vec3 direction(ray.direction);
   if (!in_embree_range(origin) || !in_embree_range(direction)) {
     return false;
   }
   out = {origin.x,    origin.y,    origin.z,
          0.0f,        direction.x, direction.y,
-         direction.z, 0.0f,        next_up(t_max - shift),
+         direction.z, 0.0f,        level.embree_t(t_max),
          0xffffffffu, 0,           0};
   return true;
 }
@@ -237,39 +255,33 @@ void search_group(Query& q, const Group& group, const Ray& ray) {
     }
     return;
   }
-  double shift = 0;
+  Level level;
   RTCRay start;
   const double t_min = q.mesh_distances ? 0 : q.t_min;
-  if (!start_in_box(t_min, q.best * q.reach, ray, group.bounds, group.diagonal, shift, start)) {
+  if (!start_in_box(t_min, q.best * q.reach, ray, group.extent, level, start)) {
     return;
   }
-  const Ray* const outer_ray = q.ray;
-  const double outer_shift = q.shift;
-  q.ray = &ray;
-  q.shift = shift;
+  const Level outer = q.level;
+  q.level = level;
   search_scene(q, group.scene, start);
-  q.ray = outer_ray;
-  q.shift = outer_shift;
+  q.level = outer;
 }
 
 void search_mesh(Query& q, const Part& part, const Ray& ray) {
   const MeshScene& mesh = (*q.meshes)[part.target];
-  double shift = 0;
+  Level level;
   RTCRay start;
   q.mesh_scale = q.mesh_distances ? glm::length(ray.direction) : 1;
-  if (!start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.bounds, mesh.diagonal,
-                    shift, start)) {
+  if (!start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.extent, level,
+                    start)) {
     return;
   }
-  const Ray* const outer_ray = q.ray;
-  const double outer_shift = q.shift;
-  q.ray = &ray;
-  q.shift = shift;
+  const Level outer = q.level;
+  q.level = level;
   q.mesh_part = &part;
   q.mesh_crossed = false;
   search_scene(q, mesh.scene, start);
-  q.ray = outer_ray;
-  q.shift = outer_shift;
+  q.level = outer;
   if (q.mesh_crossed) {
     obstruct(q, part.material);
   }
@@ -328,11 +340,11 @@ void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) {
     return;
   }
-  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  Query& q = query_of(arguments->context);
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
-  test_part(q, group, arguments->primID, *q.ray);
+  test_part(q, group, arguments->primID, *q.level.ray);
   auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
-  const float end = q.overwhelmed ? -1.0f : next_up(q.best * q.reach - q.shift);
+  const float end = q.overwhelmed ? -1.0f : q.level.embree_t(q.best * q.reach);
   if (end < ray.ray.tfar) {
     ray.ray.tfar = end;
     ray.hit.geomID = arguments->geomID;
@@ -344,9 +356,9 @@ void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
   if (arguments->valid[0] == 0) {
     return;
   }
-  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  Query& q = query_of(arguments->context);
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
-  test_part(q, group, arguments->primID, *q.ray);
+  test_part(q, group, arguments->primID, *q.level.ray);
   if (q.blocked) {
     reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -std::numeric_limits<float>::infinity();
   }
@@ -382,12 +394,12 @@ bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, Triang
 }
 
 void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
-  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  Query& q = query_of(arguments->context);
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
   const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
   TriangleHit hit;
-  const bool met = meet_triangle(*mesh.mesh, triangle, *q.ray, hit);
+  const bool met = meet_triangle(*mesh.mesh, triangle, *q.level.ray, hit);
   const double t = hit.t * q.mesh_scale;
   if (!met || !(t > q.t_min) || !improves(q, t, triangle)) {
     arguments->valid[0] = 0;
@@ -398,17 +410,17 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   q.b1 = hit.b1;
   q.b2 = hit.b2;
   // A little beyond the hit, so that triangles at the same distance are offered too.
-  const double reach = hit.t - q.shift;
-  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = next_up(reach + 1e-6 * std::abs(reach));
+  const double beyond = hit.t + 1e-6 * std::abs(hit.t - q.level.shift);
+  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = q.level.embree_t(beyond);
 }
 
 void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
-  Query& q = *reinterpret_cast<Query*>(arguments->context);
+  Query& q = query_of(arguments->context);
   const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
   const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
   TriangleHit hit;
   const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
-  const bool met = meet_triangle(*mesh.mesh, triangle, *q.ray, hit);
+  const bool met = meet_triangle(*mesh.mesh, triangle, *q.level.ray, hit);
   const double t = hit.t * q.mesh_scale;
   if (met && t > q.t_min && t < q.best) {
     q.mesh_crossed = true;
@@ -434,10 +446,28 @@ FloatBox padded(const Bounds& box, const Bounds& group) {
   return result;
 }
 
+Bounds scaled(const Bounds& box, double by) {
+  return {by * box.min, by * box.max};
+}
+
 Bounds widened(const Bounds& box) {
   const glm::dvec3 own = glm::max(glm::abs(box.min), glm::abs(box.max));
   const glm::dvec3 pad(5e-7 * std::max({own.x, own.y, own.z}) + 1e-300);
   return {box.min - pad, box.max + pad};
+}
+
+// Brings coordinates that are too large for Embree to about one.
+double embree_scale(const Bounds& box) {
+  const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double largest = std::max({reach.x, reach.y, reach.z});
+  return largest > 1e12 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
+}
+
+Extent extent_of(const Bounds& box) {
+  if (box.empty()) {
+    return {};
+  }
+  return {widened(box), glm::length(box.max - box.min), embree_scale(box)};
 }
 
 // No vector becomes longer than this many times itself (the Frobenius norm).
@@ -524,7 +554,7 @@ void Accelerator::Impl::build(const RenderScene& scene, const Assets& assets) {
   const std::vector<Bounds> boxes = mesh_bounds(scene, assets);
   meshes.resize(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    meshes[i].bounds = boxes[i];
+    meshes[i].extent.bounds = boxes[i];
     meshes[i].mesh = boxes[i].empty() ? nullptr : &assets.meshes[i];
   }
   groups.resize(scene.groups.size());
@@ -552,15 +582,13 @@ void Accelerator::Impl::build_group(const RenderScene& scene, const MergePlan& p
   for (const MergedPart& part : merged) {
     add_part(group, part, boxes);
   }
+  Bounds whole;
   for (const Bounds& box : boxes) {
-    group.bounds = unite(group.bounds, box);
+    whole = unite(whole, box);
   }
+  group.extent = extent_of(whole);
   if (group.parts.size() > few_parts) {
     commit_group(group, boxes);
-  }
-  if (!group.bounds.empty()) {
-    group.bounds = widened(group.bounds);
-    group.diagonal = glm::length(group.bounds.max - group.bounds.min);
   }
 }
 
@@ -571,7 +599,7 @@ void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
   if (merged.primitive == nullptr) {
     part.kind = PartKind::group;
     part.target = merged.group;
-    box = placed_bounds(groups[merged.group].bounds, merged.group_from_part);
+    box = placed_bounds(groups[merged.group].extent.bounds, merged.group_from_part);
   } else {
     const RenderPrimitive& primitive = *merged.primitive;
     part.shape = primitive.shape;
@@ -581,7 +609,7 @@ void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
       part.kind = PartKind::mesh;
       part.target = primitive.mesh;
       build_mesh(primitive.mesh);
-      box = placed_bounds(meshes[primitive.mesh].bounds, merged.group_from_part);
+      box = placed_bounds(meshes[primitive.mesh].extent.bounds, merged.group_from_part);
     } else {
       box = shape_bounds(primitive.shape, merged.group_from_part);
     }
@@ -598,9 +626,11 @@ void Accelerator::Impl::add_part(Group& group, const MergedPart& merged,
 }
 
 void Accelerator::Impl::commit_group(Group& group, const std::vector<Bounds>& boxes) {
+  const double scale = group.extent.scale;
+  const Bounds whole = scaled(group.extent.bounds, scale);
   group.boxes.reserve(boxes.size());
   for (const Bounds& box : boxes) {
-    group.boxes.push_back(padded(box, group.bounds));
+    group.boxes.push_back(padded(scaled(box, scale), whole));
   }
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.parts.size()));
@@ -624,13 +654,16 @@ void Accelerator::Impl::build_mesh(std::uint32_t index) {
     mesh = {};
     return;
   }
+  mesh.extent = extent_of(mesh.extent.bounds);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   const std::vector<glm::vec3>& positions = mesh.mesh->positions;
   // Copied, not shared: Embree reads a little past the last vertex.
   void* const vertices = rtcSetNewGeometryBuffer(
       geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions.size());
   if (vertices != nullptr) {
-    std::copy(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices));
+    const auto scale = static_cast<float>(mesh.extent.scale);
+    std::transform(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices),
+                   [&](const glm::vec3& p) { return scale * p; });
   }
   set_triangles(geometry, mesh, std::move(distinct));
   rtcSetGeometryUserData(geometry, &mesh);
@@ -638,8 +671,6 @@ void Accelerator::Impl::build_mesh(std::uint32_t index) {
   rtcSetGeometryOccludedFilterFunction(geometry, mesh_occluded_filter);
   // Robust: without it rays slip through between triangles.
   mesh.scene = commit(geometry, RTC_SCENE_FLAG_ROBUST);
-  mesh.bounds = widened(mesh.bounds);
-  mesh.diagonal = glm::length(mesh.bounds.max - mesh.bounds.min);
 }
 
 void Accelerator::Impl::set_triangles(RTCGeometry geometry, MeshScene& mesh,

@@ -125,7 +125,7 @@ enum class Fate : std::uint8_t {
 
 struct BranchRecord {
   Fate fate = Fate::absent;
-  Color factor{0};        ///< ks * Cr or kt * Ct
+  Color factor{0};        ///< ks * Cr or kt * Ct; with `fresnel` its share of light in it
   std::uint32_t ray = 0;  ///< where followed: index of its record
 };
 

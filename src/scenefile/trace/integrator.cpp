@@ -40,6 +40,12 @@ struct Path {
   const Inside* inside = nullptr;
 };
 
+// What mirrored and refracted light is multiplied by.
+struct Branches {
+  Color mirror{0};
+  Color glass{0};
+};
+
 double largest(const Color& c) {
   return std::max({c.x, c.y, c.z});
 }
@@ -72,12 +78,14 @@ class Integrator {
       counts_.recorder->met(path.ray, path.start, point);
     }
     const double width = path.cone.width_at(hit.t);
-    Color color = shade(tracer_, point, path.ray.direction, width, path.key, counts_);
+    const bool inner = leaves(path, hit);
+    Color color =
+        inner ? Color(0) : shade(tracer_, point, path.ray.direction, width, path.key, counts_);
     if (counts_.recorder != nullptr) {
       counts_.recorder->shaded(color);
     }
     if (tracer_.options.mode == Mode::ray) {
-      color += follow(path, point);
+      color += follow(path, point, inner);
     }
     if (counts_.recorder != nullptr) {
       counts_.recorder->summed(color);
@@ -85,12 +93,17 @@ class Integrator {
     return tracer_.course() ? glm::clamp(color, Color(0), Color(1)) : color;
   }
 
+  // Whether the ray meets the wall of the object that it is in.
+  static bool leaves(const Path& path, const Hit& hit) {
+    return path.inside != nullptr && same_object(*path.inside->object, hit);
+  }
+
   // The surface that the ray lights up on. A ray inside a transparent object leaves it on the way,
   // bent or mirrored at its walls: those have no light of their own, and the whole passage counts
-  // as one refraction.
+  // as one refraction. By Fresnel's equations a wall does both, and the ray ends there.
   bool find_surface(Path& path, Hit& hit) {
     while (tracer_.accelerator.closest(path.ray, path.start, infinity, hit)) {
-      if (path.inside == nullptr || !same_object(*path.inside->object, hit)) {
+      if (!leaves(path, hit) || tracer_.options.fresnel) {
         return true;
       }
       pass_wall(path, hit);
@@ -144,12 +157,30 @@ class Integrator {
     path.start = tracer_.start_offset(point.position, point.hit.t);
   }
 
-  Color follow(const Path& path, const SurfacePoint& point) {
+  // `inner`: at the wall of the object that the ray is in.
+  Branches branches(const Path& path, const SurfacePoint& point, bool inner) const {
+    Branches result{double(tracer_.scene.global.specular) * Color(point.material->reflective),
+                    tracer_.transparency(*point.material)};
+    if (inner) {
+      result = {Color(0), Color(1)};
+    }
+    if (tracer_.options.fresnel && tracer_.options.features.refract) {
+      const glm::dvec3 normal = inner_normal(point, path.ray.direction);
+      const double cosine = -glm::dot(normal, path.ray.direction);
+      const double share = fresnel_reflectance(cosine, eta(path, point, inner));
+      result.mirror += share * result.glass;
+      result.glass *= 1 - share;
+    }
+    return result;
+  }
+
+  Color follow(const Path& path, const SurfacePoint& point, bool inner) {
     const Features& features = tracer_.options.features;
-    const Color mirror = double(tracer_.scene.global.specular) * Color(point.material->reflective);
-    const Color glass = tracer_.transparency(*point.material);
-    const Fate of_mirror = fate(path, features.reflect, mirror);
-    const Fate of_glass = fate(path, features.refract, glass);
+    const auto [mirror, glass] = branches(path, point, inner);
+    // A passage counts as one bounce: the way out is none.
+    const int depth_behind = path.depth + (inner ? 0 : 1);
+    const Fate of_mirror = fate(path, features.reflect || inner, mirror, path.depth + 1);
+    const Fate of_glass = fate(path, features.refract, glass, depth_behind);
     const bool reflects = of_mirror == Fate::followed;
     const bool refracts = of_glass == Fate::followed;
     const std::uint32_t children = std::uint32_t(reflects) + std::uint32_t(refracts);
@@ -164,23 +195,26 @@ class Integrator {
     const std::uint32_t budget = (path.budget - 1) / children;
     Color sum(0);
     if (reflects) {
-      const glm::dvec3 direction = reflect_direction(path.ray.direction, point.normal);
+      const glm::dvec3 normal = inner ? inner_normal(point, path.ray.direction) : point.normal;
+      const glm::dvec3 direction = reflect_direction(path.ray.direction, normal);
       Path next = child(path, mirror, budget, RayKind::reflected);
       redirect(next, point, direction, 2);
       sum += mirror * trace(next);
     }
     if (refracts) {
       const Inside inside{&point.hit, path.inside};
-      sum += glass * trace(refracted(path, point, glass, budget, inside));
+      Path next = refracted(path, point, glass, budget, inside, inner);
+      next.depth = depth_behind;
+      sum += glass * trace(next);
     }
     return sum;
   }
 
-  Fate fate(const Path& path, bool feature, const Color& factor) const {
+  Fate fate(const Path& path, bool feature, const Color& factor, int depth_behind) const {
     if (!feature || factor == Color(0)) {
       return Fate::absent;
     }
-    if (path.depth >= tracer_.options.max_depth) {
+    if (depth_behind > tracer_.options.max_depth) {
       return Fate::too_deep;
     }
     const bool worth = tracer_.course() || path.weight * largest(factor) >= min_weight;
@@ -199,25 +233,36 @@ class Integrator {
     return next;
   }
 
+  static bool enters(const Path& path, const SurfacePoint& point, bool inner) {
+    return !inner && glm::dot(point.geometric, path.ray.direction) < 0;
+  }
+
+  // The index of refraction on this side over that on the other.
+  static double eta(const Path& path, const SurfacePoint& point, bool inner) {
+    const double ior = point.material->ior;
+    return enters(path, point, inner) ? 1 / ior : ior;
+  }
+
   // At total internal reflection the light that would have left is mirrored.
   Path refracted(const Path& path, const SurfacePoint& point, const Color& factor,
-                 std::uint32_t budget, const Inside& inside) {
-    const bool entering = glm::dot(point.geometric, path.ray.direction) < 0;
+                 std::uint32_t budget, const Inside& inside, bool inner) {
+    const bool entering = enters(path, point, inner);
     const glm::dvec3 normal = inner_normal(point, path.ray.direction);
-    const double ior = point.material->ior;
-    const double eta = entering ? 1 / ior : ior;
+    const double ratio = eta(path, point, inner);
     Path next = child(path, factor, budget, RayKind::refracted);
     glm::dvec3 direction;
-    const bool through = refract_direction(path.ray.direction, normal, eta, direction);
+    const bool through = refract_direction(path.ray.direction, normal, ratio, direction);
     if (through) {
-      redirect(next, point, direction, std::abs(eta - 1));
+      redirect(next, point, direction, std::abs(ratio - 1));
     } else {
       redirect(next, point, reflect_direction(path.ray.direction, normal), 2);
       if (counts_.recorder != nullptr) {
         counts_.recorder->total_reflection();
       }
     }
-    if (through == entering) {
+    if (inner) {
+      next.inside = path.inside->around;
+    } else if (through == entering) {
       next.inside = &inside;
     }
     return next;

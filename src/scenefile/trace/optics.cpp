@@ -19,4 +19,15 @@ bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, do
   return true;
 }
 
+double fresnel_reflectance(double cosine, double eta) {
+  const double squared = 1 - eta * eta * (1 - cosine * cosine);
+  if (squared <= 0) {
+    return 1;
+  }
+  const double behind = std::sqrt(squared);
+  const double across = (eta * cosine - behind) / (eta * cosine + behind);
+  const double along = (cosine - eta * behind) / (cosine + eta * behind);
+  return 0.5 * (across * across + along * along);
+}
+
 }  // namespace scenefile

@@ -14,4 +14,9 @@ glm::dvec3 reflect_direction(const glm::dvec3& direction, const glm::dvec3& norm
 bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, double eta,
                        glm::dvec3& refracted);
 
+/// Share of unpolarized light that a smooth boundary of two clear media mirrors, by Fresnel's
+/// equations (Born and Wolf, Principles of Optics, 1.5.2): `cosine` of the angle between ray and
+/// normal, `eta` as above. 1 at total internal reflection.
+double fresnel_reflectance(double cosine, double eta);
+
 }  // namespace scenefile

@@ -79,6 +79,7 @@ struct RenderOptions {
   int samples = 16;        ///< fine: most samples a pixel, at least 1
   int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
   std::uint64_t seed = 0;  ///< fine: another noise pattern
+  bool fresnel = false;    ///< fine: glass mirrors the share that Fresnel's equations say
   int threads = 0;         ///< 0: one a processor
   /// Only these pixels, exactly as they are in the whole picture; must not be empty nor reach
   /// outside. The image and the layers have its size.

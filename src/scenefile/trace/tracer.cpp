@@ -21,6 +21,7 @@ RenderOptions in_range(RenderOptions options) {
     crop.x1 = std::clamp(crop.x1, crop.x0 + 1, options.width);
     crop.y1 = std::clamp(crop.y1, crop.y0 + 1, options.height);
   }
+  options.fresnel = options.fresnel && options.profile == Profile::fine;
   return options;
 }
 

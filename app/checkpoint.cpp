@@ -32,11 +32,11 @@ std::uint64_t program_fingerprint() {
 std::uint64_t options_fingerprint(const Options& options) {
   const RenderOptions render = render_options(options);
   const Features& f = render.features;
-  std::string text =
-      fmt::format("{} {} {}{}{}{}{}{}{} {}x{} {} {} {} {}{}", int(render.profile), int(render.mode),
-                  f.shadows, f.reflect, f.refract, f.texture, f.texture_filter, f.super_sample,
-                  f.depthoffield, render.width, render.height, render.samples, render.max_depth,
-                  render.seed, options.compat_course, options.allow_missing);
+  std::string text = fmt::format("{} {} {}{}{}{}{}{}{} {}x{} {} {} {} {} {}{}", int(render.profile),
+                                 int(render.mode), f.shadows, f.reflect, f.refract, f.texture,
+                                 f.texture_filter, f.super_sample, f.depthoffield, render.width,
+                                 render.height, render.samples, render.max_depth, render.seed,
+                                 render.fresnel, options.compat_course, options.allow_missing);
   if (render.crop.has_value()) {
     text += fmt::format(" {},{},{},{}", render.crop->x0, render.crop->y0, render.crop->x1,
                         render.crop->y1);

@@ -52,6 +52,15 @@ class Sums {
       expect(0.5 * (s.normal + 1.0), ray.color, "color of a normal");
       return;
     }
+    if (ray.inner_wall) {
+      expect(ray.local, Color(0), "an inner wall has no light of its own");
+    } else {
+      check_local(ray, s);
+    }
+    check_sum(ray);
+  }
+
+  void check_local(const RayRecord& ray, const SurfaceRecord& s) {
     const RenderMaterial& material = scene_.materials.at(s.material);
     expect(double(scene_.global.ambient) * Color(material.ambient), ray.ambient, "ambient");
     check_diffuse(s, material);
@@ -62,6 +71,9 @@ class Sums {
     }
     expect(double(ray.lights.size()), double(scene_.lights.size()), "every light has a record");
     expect(sum, ray.local, "ambient and lights");
+  }
+
+  void check_sum(const RayRecord& ray) {
     Color bounced(0);
     for (const BranchRecord* branch : {&ray.mirror, &ray.glass}) {
       if (branch->fate == Fate::followed) {

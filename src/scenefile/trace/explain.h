@@ -144,6 +144,7 @@ struct RayRecord {
   std::vector<WallRecord> walls;
   bool trapped = false;  ///< mirrored inside an object more often than max_depth allows: black
   std::optional<SurfaceRecord> surface;
+  bool inner_wall = false;  ///< fresnel: of the object that the ray is in; unlit, local is 0
   Color ambient{0};
   std::vector<LightRecord> lights;
   Color local{0};

@@ -82,6 +82,9 @@ class Integrator {
     Color color =
         inner ? Color(0) : shade(tracer_, point, path.ray.direction, width, path.key, counts_);
     if (counts_.recorder != nullptr) {
+      if (inner) {
+        counts_.recorder->inner_wall();
+      }
       counts_.recorder->shaded(color);
     }
     if (tracer_.options.mode == Mode::ray) {

@@ -190,6 +190,12 @@ void PixelRecorder::light_of_other_mode(std::uint32_t index) {
   }
 }
 
+void PixelRecorder::inner_wall() {
+  if (RayRecord* const record = current(); record != nullptr) {
+    record->inner_wall = true;
+  }
+}
+
 void PixelRecorder::shaded(const Color& local) {
   if (RayRecord* const record = current(); record != nullptr) {
     record->local = local;

@@ -52,6 +52,8 @@ class Recorder {
   virtual void light(std::uint32_t /*index*/, std::uint32_t /*taken*/,
                      const Color& /*contribution*/) {}
   virtual void light_of_other_mode(std::uint32_t /*index*/) {}
+  /// That point is on a wall of the object that the ray is in: it has no light of its own.
+  virtual void inner_wall() {}
   virtual void shaded(const Color& /*local*/) {}
   virtual void branches(const BranchRecord& /*mirror*/, const BranchRecord& /*glass*/) {}
   virtual void summed(const Color& /*sum*/) {}
@@ -81,6 +83,7 @@ class PixelRecorder final : public Recorder {
            const Color& specular, const Color& contribution) override;
   void light(std::uint32_t index, std::uint32_t taken, const Color& contribution) override;
   void light_of_other_mode(std::uint32_t index) override;
+  void inner_wall() override;
   void shaded(const Color& local) override;
   void branches(const BranchRecord& mirror, const BranchRecord& glass) override;
   void summed(const Color& sum) override;

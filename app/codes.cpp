@@ -1,6 +1,7 @@
 #include "app/codes.h"
 
 #include "scenefile/asset/codes.h"
+#include "scenefile/export/codes.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/trace/codes.h"
@@ -21,7 +22,8 @@ std::vector<const Code*> collect() {
       &convert_file_renamed,
       &render_no_directional_light,
   };
-  for (const auto& room : {format_codes(), scene_codes(), asset_codes(), view_codes()}) {
+  for (const auto& room :
+       {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes()}) {
     codes.insert(codes.end(), room.begin(), room.end());
   }
   std::sort(codes.begin(), codes.end(),

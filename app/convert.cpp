@@ -7,17 +7,23 @@
 #include "app/output.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
+#include "scenefile/export/write_pov.h"
 #include "scenefile/format/layout.h"
+#include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
 
 #include <fmt/format.h>
+
+#include <array>
+#include <vector>
 
 namespace scenefile::app {
 
 namespace {
 
-std::string_view format_name(SceneFormat format) {
-  return format == SceneFormat::xml ? "XML" : "JSON";
+std::string_view format_name(ConvertTo format) {
+  static constexpr std::array<std::string_view, 3> names{"XML", "JSON", "POV-Ray"};
+  return names[static_cast<std::size_t>(format)];
 }
 
 // What would make the work useless, found before it starts.
@@ -40,9 +46,7 @@ void drop_notes(Diagnostics& diagnostics) {
   });
 }
 
-std::string convert(LoadedScene& scene, const Options& options, SceneFormat format,
-                    Context& context) {
-  drop_notes(scene.diagnostics);
+std::string write_scene_file(LoadedScene& scene, const Options& options, Context& context) {
   if (const std::size_t comments = count_comments(scene.text); comments != 0) {
     scene.diagnostics.report(
         convert_comments, {},
@@ -51,7 +55,37 @@ std::string convert(LoadedScene& scene, const Options& options, SceneFormat form
   context.phase = "looking for textures and meshes";
   carry_files(scene, options.arguments[1], options);
   context.phase = "writing the scene";
+  const SceneFormat format = *options.to == ConvertTo::json ? SceneFormat::json : SceneFormat::xml;
   return write_scene(scene.written, format, options.limits, scene.diagnostics);
+}
+
+// POV-Ray opens the textures itself, so it is told where they were found.
+std::string write_pov_file(LoadedScene& scene, const Options& options, Context& context) {
+  std::vector<std::string> textures;
+  for (const AssetFile& file : locate_files(scene, options)) {
+    if (file.kind == AssetKind::texture) {
+      textures.push_back(file.resolved.path);
+    }
+  }
+  context.phase = "writing the scene";
+  const RenderOptions render = render_options(options);
+  const Features& features = render.features;
+  return write_pov(scene.ready.scene, scene.assets.meshes, textures,
+                   {.bounces = render.max_depth,
+                    .transparent = 0.5f,
+                    .shadows = features.shadows,
+                    .reflect = features.reflect,
+                    .refract = features.refract,
+                    .texture = features.texture,
+                    .texture_filter = features.texture_filter,
+                    .lens = features.depthoffield},
+                   scene.diagnostics);
+}
+
+std::string convert(LoadedScene& scene, const Options& options, Context& context) {
+  drop_notes(scene.diagnostics);
+  return *options.to == ConvertTo::pov ? write_pov_file(scene, options, context)
+                                       : write_scene_file(scene, options, context);
 }
 
 std::string summary_text(const ConvertReport& report) {
@@ -77,11 +111,13 @@ ExitCode run_convert(const Options& options, Context& context) {
       status != ExitCode::fine) {
     return status;
   }
-  LoadedScene scene = load_scene(options.arguments[0], options, LoadDepth::prepared,
-                                 /*allow_missing=*/true, context);
+  const LoadDepth depth =
+      report.format == ConvertTo::pov ? LoadDepth::with_meshes : LoadDepth::prepared;
+  LoadedScene scene =
+      load_scene(options.arguments[0], options, depth, /*allow_missing=*/true, context);
   std::string text;
   if (status_of(scene) == ExitCode::fine) {
-    text = convert(scene, options, report.format, context);
+    text = convert(scene, options, context);
   }
   ExitCode status = status_of(scene);
   report.error =

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <set>
 
+#include <array>
+
 namespace scenefile::app {
 
 namespace {
@@ -314,7 +316,8 @@ std::string convert_json(const LoadedScene& scene, const ConvertReport& report) 
   json.key("scene");
   add_scene(json, scene);
   json.add("output", report.output);
-  json.add("format", report.format == SceneFormat::xml ? "xml" : "json");
+  static constexpr std::array<std::string_view, 3> formats{"xml", "json", "pov"};
+  json.add("format", formats[static_cast<std::size_t>(report.format)]);
   json.add("written", report.error.empty());
   if (!report.error.empty()) {
     json.add("error", report.error);

@@ -50,7 +50,7 @@ std::string info_json(const LoadedScene& scene, const InfoReport* report);
 /// What a conversion came to.
 struct ConvertReport {
   std::string output;
-  SceneFormat format = SceneFormat::xml;
+  ConvertTo format = ConvertTo::xml;
   std::string error = {};  ///< empty: the scene was written
   std::size_t bytes = 0;
 };

@@ -54,7 +54,8 @@ constexpr std::array table{
             "scenefile convert chess.xml chess.json\n"
             "scenefile convert old.xml new.xml\n"
             "scenefile convert --compat course old.xml new.xml\n"
-            "scenefile convert - - --to json < chess.xml > chess.json",
+            "scenefile convert - - --to json < chess.xml > chess.json\n"
+            "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
     Command{"diff", for_diff, "A B", "say in what two scenes differ",
             "Compares two scenes by what they mean, node by node, whichever format each is "

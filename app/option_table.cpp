@@ -108,10 +108,10 @@ std::string set_features(Options& options, const std::string& value) {
 }
 
 std::string set_to(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 2> words{"xml", "json"};
+  static constexpr std::array<std::string_view, 3> words{"xml", "json", "pov"};
   std::size_t index = 0;
   std::string wrong = set_choice(value, words, index);
-  options.to = index == 0 ? SceneFormat::xml : SceneFormat::json;
+  options.to = static_cast<ConvertTo>(index);
   return wrong;
 }
 
@@ -233,7 +233,7 @@ constexpr std::array table{
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
               "course without super-sample.",
-              for_tracing, set_features},
+              for_tracing | for_convert, set_features},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
@@ -247,7 +247,7 @@ constexpr std::array table{
         for_tracing, set_flag<&Options::fresnel>},
     OptionRow{"--max-depth", "", "N",
               "Most reflections and refractions behind each other (default: fine 16, course 4).",
-              for_tracing,
+              for_tracing | for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
     OptionRow{"--threads", "", "N",
               "Threads (default: one a processor). The picture does not depend on it.", for_tracing,
@@ -257,9 +257,11 @@ constexpr std::array table{
               [](Options& o, const std::string& v) {
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
               }},
-    OptionRow{"--to", "", "FORMAT",
-              "xml or json, where the name of the output does not say it, or says something else.",
-              for_convert, set_to},
+    OptionRow{
+        "--to", "", "FORMAT",
+        "xml, json or pov (POV-Ray 3.7), where the name of the output does not say it, or says "
+        "something else.",
+        for_convert, set_to},
     OptionRow{"--checkpoint", "", "FILE",
               "Keep the state of the work in this file, at most 10 seconds old, and go on from it "
               "where it exists. It is removed when the picture is written.",

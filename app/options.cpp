@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace scenefile::app {
@@ -126,15 +127,20 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
 // The format that --to or the name of the output says.
 std::string choose_format(Options& options) {
   const std::string& output = options.arguments[1];
-  if (options.to.has_value()) {
-    return {};
+  if (!options.to.has_value()) {
+    static constexpr std::array<std::string_view, 3> extensions{".xml", ".json", ".pov"};
+    const auto found =
+        std::find(extensions.begin(), extensions.end(), lower_case_extension(output));
+    if (found == extensions.end()) {
+      return fmt::format(
+          "the name {} does not say the format; end it in .xml, .json or .pov, or give --to",
+          quoted(output, 400));
+    }
+    options.to = static_cast<ConvertTo>(found - extensions.begin());
   }
-  const std::string extension = lower_case_extension(output);
-  if (extension != ".xml" && extension != ".json") {
-    return fmt::format("the name {} does not say the format; end it in .xml or .json, or give --to",
-                       quoted(output, 400));
+  if (options.to != ConvertTo::pov && (options.features || options.max_depth)) {
+    return "--features and --max-depth are for POV-Ray files; scene files do not hold them";
   }
-  options.to = extension == ".xml" ? SceneFormat::xml : SceneFormat::json;
   return {};
 }
 

@@ -2,7 +2,6 @@
 // The command line as data.
 
 #include "scenefile/base/limits.h"
-#include "scenefile/format/write_scene.h"
 #include "scenefile/trace/render.h"
 
 #include <cstdint>
@@ -20,6 +19,9 @@ struct PixelPlace {
   int x = 0;
   int y = 0;
 };
+
+/// What a scene can be written as.
+enum class ConvertTo : std::uint8_t { xml, json, pov };
 
 struct Options {
   std::vector<std::string> arguments;  ///< scenes, or what help is about
@@ -45,7 +47,7 @@ struct Options {
   std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is
   std::optional<double> timeout;            ///< seconds
 
-  std::optional<SceneFormat> to;
+  std::optional<ConvertTo> to;
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< to show in full
 

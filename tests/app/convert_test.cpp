@@ -42,6 +42,18 @@ TEST_F(Convert, ThereAndBackMeansTheSame) {
   }
 }
 
+TEST_F(Convert, WritesForPovRay) {
+  const std::string xml = folder.write("a.xml", good_scene);
+  const std::string pov = folder.path("a.pov");
+  const ProgramRun run = run_program({"convert", "--features", "shadows", xml, pov});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("a.pov"), AllOf(HasSubstr("camera {"), HasSubstr("sphere {")));
+  const ProgramRun features =
+      run_program({"convert", "--features", "shadows", xml, folder.path("b.xml")});
+  EXPECT_EQ(features.status, 2);
+  EXPECT_THAT(features.err, HasSubstr("--features"));
+}
+
 TEST_F(Convert, StandardStreamsNeedAFormat) {
   const ProgramRun json = run_program({"convert", "-", "-", "--to", "json"}, {.input = good_scene});
   EXPECT_EQ(json.status, 0);

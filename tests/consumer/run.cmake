@@ -1,5 +1,5 @@
 # Installs the build to a fresh folder, builds the consumer against it as a stranger would, and
-# renders a scene with it.  cmake -DBUILD=... -DSOURCE=... -DSCENE=... -DWORK=... -P run.cmake
+# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -P run.cmake
 function(must)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -12,8 +12,10 @@ must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 must(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 must(${CMAKE_COMMAND} --build ${WORK}/build)
-must(${WORK}/build/consumer ${SCENE} ${WORK}/out.png)
-file(SIZE ${WORK}/out.png size)
-if(size LESS 1000)
-  message(FATAL_ERROR "the consumer wrote ${size} bytes")
-endif()
+foreach(scene hello showcase)
+  must(${WORK}/build/consumer ${SCENES}/${scene}.xml ${WORK}/${scene}.png)
+  file(SIZE ${WORK}/${scene}.png size)
+  if(size LESS 1000)
+    message(FATAL_ERROR "the consumer wrote ${size} bytes")
+  endif()
+endforeach()

@@ -63,7 +63,8 @@ class PovPicture : public testing::Test {
   }
 
   Texture ours() const {
-    RenderOptions o = default_options(Profile::course);
+    RenderOptions o = default_options(Profile::fine);
+    o.samples = 1;
     o.features.texture_filter = false;
     return quantize(scene_.picture(width, height, o), Rounding::nearest);
   }

@@ -63,6 +63,19 @@ TEST(WritePov, ReportsWhatIsLost) {
   EXPECT_TRUE(says(write(scene), pov_lost));
 }
 
+TEST(WritePov, ReportsTexturesThatAreNotThere) {
+  SceneBuilder scene;
+  RenderMaterial m;
+  m.texture.file = scene.texture(1, 1, {0});
+  m.blend = 1;
+  scene.add(Shape::cube, {}, scene.material(m));
+  Diagnostics diagnostics;
+  const std::string text =
+      write_pov(scene.scene, {}, std::vector<std::string>{""}, {}, diagnostics);
+  EXPECT_EQ(diagnostics.count(Severity::warning), 1u);
+  EXPECT_THAT(text, Not(HasSubstr("image_map")));
+}
+
 TEST(WritePov, WritesAGroupOnceHoweverOftenItIsUsed) {
   SceneBuilder scene;
   RenderScene& s = scene.scene;

@@ -1,5 +1,6 @@
 #include "scenefile/export/write_pov.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/pov_material.h"
 #include "scenefile/export/pov_shape.h"
@@ -31,6 +32,13 @@ class PovWriter {
       materials_.push_back(pov_material(scene, i, texture_paths, options));
       report_differences(materials_.back(), diagnostics);
     }
+    for (std::size_t i = 0; options.texture && i < texture_paths.size(); ++i) {
+      if (texture_paths[i].empty()) {
+        const FileReference& file = scene.texture_files[i];
+        diagnostics.report(pov_lost, file.location,
+                           fmt::format("texture {} is not found", quoted(file.name)));
+      }
+    }
   }
 
   std::string write() {
@@ -55,9 +63,10 @@ class PovWriter {
   void camera() {
     const RenderCamera& c = scene_.camera;
     const double distance = 0.5 / std::tan(c.fov_y / 2);
-    text_ += fmt::format("camera {{ perspective location {} direction {} right {} up {}",
-                         pov_vector(c.position), pov_vector(-distance * c.w),
-                         pov_vector(options_.aspect * c.u), pov_vector(c.v));
+    text_ += fmt::format(
+        "camera {{ perspective location {} direction {} right image_width / image_height * {} up "
+        "{}",
+        pov_vector(c.position), pov_vector(-distance * c.w), pov_vector(c.u), pov_vector(c.v));
     if (options_.lens && c.aperture > 0 && c.focal_length > 0) {
       text_ += fmt::format(" aperture {} blur_samples 16 focal_point {}", 2 * c.aperture,
                            pov_vector(c.position - c.focal_length * c.w));
@@ -105,7 +114,8 @@ class PovWriter {
       note("a light that fades by distance and its square fades by the square alone");
     }
     if (factor <= 0) {
-      return fmt::format(" {}", pov_color(a.x > 0 ? light.color / std::max(1.0f, a.x) : light.color));
+      return fmt::format(" {}",
+                         pov_color(a.x > 0 ? light.color / std::max(1.0f, a.x) : light.color));
     }
     note("a light that fades is brighter than its color where it is near");
     const float constant = std::max(a.x, 1e-6f);

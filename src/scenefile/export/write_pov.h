@@ -13,9 +13,8 @@ namespace scenefile {
 
 /// What of the lighting equation is wanted. The same words as for the ray tracer.
 struct PovOptions {
-  double aspect = 4.0 / 3.0;  ///< width / height of the picture that POV-Ray will be asked for
-  int bounces = 4;            ///< after the camera ray
-  float transparent = 0;      ///< kt where the scene gives none
+  int bounces = 4;        ///< after the camera ray
+  float transparent = 0;  ///< kt where the scene gives none
   bool shadows = true;
   bool reflect = true;
   bool refract = true;

@@ -16,20 +16,21 @@ bool finite(const glm::dvec3& v) {
 }  // namespace
 
 bool invertible(const DAffine& a) {
-  if (!finite(a.linear[0]) || !finite(a.linear[1]) || !finite(a.linear[2]) || !finite(a.offset)) {
+  if (!finite(a.offset)) {
     return false;
   }
-  // Columns are normalized first so that neither tiny nor huge scales under- or overflow.
-  glm::dmat3 unit;
+  // Squares of lengths and volumes: a large scene asks often, and roots cost time.
+  double box = 1;
   for (int i = 0; i < 3; ++i) {
-    const double length = glm::length(a.linear[i]);
+    const double square = glm::dot(a.linear[i], a.linear[i]);
     // Outside this range the inverse does not fit the floats that it is stored in.
-    if (!(length > 1e-30) || !(length < 1e30)) {
+    if (!(square > 1e-60) || !(square < 1e60)) {
       return false;
     }
-    unit[i] = a.linear[i] / length;
+    box *= square;
   }
-  return std::abs(glm::determinant(unit)) > min_relative_volume;
+  const double volume = glm::determinant(a.linear);
+  return volume * volume > min_relative_volume * min_relative_volume * box;
 }
 
 }  // namespace scenefile

@@ -3,6 +3,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_codes.h"
+#include "scenefile/format/large_scene.h"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,16 @@ class Assigner {
   void color(std::size_t key, Field field, glm::vec3& member) {
     read(key, field, member, color_value);
   }
+  // Of a material.
+  void shade(std::size_t key, Field field, glm::vec3& member) {
+    if (!fields_.has(key)) {
+      return;
+    }
+    assign(member, color_value(context_, fields_.key(key)));
+    if (needs_place(field, member)) {
+      note(key, field);
+    }
+  }
 
  private:
   template <typename Member, typename Read>
@@ -45,6 +56,9 @@ class Assigner {
       return;
     }
     assign(member, read_value(context_, fields_.key(key)));
+    note(key, field);
+  }
+  void note(std::size_t key, Field field) {
     scene_.field_places.push_back({owner_, field, context_.place(fields_.key(key))});
   }
 
@@ -278,11 +292,11 @@ std::optional<TextureUse> read_texture(JsonContext& context, const JsonFields& f
 
 void read_material(JsonContext& context, const JsonFields& fields, Assigner& assigner,
                    Material& material) {
-  assigner.color(ambient, Field::ambient, material.ambient);
-  assigner.color(diffuse, Field::diffuse, material.diffuse);
-  assigner.color(specular, Field::specular, material.specular);
-  assigner.color(reflective, Field::reflective, material.reflective);
-  assigner.color(transparent, Field::transparent, material.transparent);
+  assigner.shade(ambient, Field::ambient, material.ambient);
+  assigner.shade(diffuse, Field::diffuse, material.diffuse);
+  assigner.shade(specular, Field::specular, material.specular);
+  assigner.shade(reflective, Field::reflective, material.reflective);
+  assigner.shade(transparent, Field::transparent, material.transparent);
   assigner.number(shininess, Field::shininess, material.shininess);
   assigner.number(ior, Field::ior, material.ior);
   assigner.number(blend, Field::blend, material.blend);

@@ -8,6 +8,7 @@
 #include "scenefile/format/json_parts.h"
 #include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
+#include "scenefile/format/large_scene.h"
 
 #include <fmt/format.h>
 
@@ -72,6 +73,9 @@ class SceneReader {
 
   const JsonTape& tape() const { return context_.tape; }
   const Limits& limits() const { return context_.limits; }
+  double progress(JsonIndex item) const {
+    return static_cast<double>(item) / static_cast<double>(tape().items.size());
+  }
 
   void read_root_groups(const JsonFields& fields) {
     if (!fields.has(root::groups)) {
@@ -163,6 +167,7 @@ class SceneReader {
       return;
     }
     const JsonFields fields(context_, item, group::vocabulary);
+    reserve_nodes(scene_.nodes, progress(item));
     const NodeId node = add_child(scene_, parent);
     scene_.nodes[node].location = context_.place(item);
     if (fields.has(group::name)) {

@@ -3,6 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/large_scene.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
@@ -42,13 +43,6 @@ constexpr FieldName material_names[] = {{"diffuse", m_diffuse},
                                         {"texture", m_texture},
                                         {"bumpmap", m_bump_map}};
 
-// Where check() finds nothing to say about a value, nobody asks for its place; a scene of a million
-// primitives saves the memory.
-bool is_usual(const glm::vec3& color) {
-  return glm::all(glm::greaterThanEqual(color, glm::vec3(0))) &&
-         glm::all(glm::lessThanEqual(color, glm::vec3(1)));
-}
-
 struct Writer {
   const XmlContext& context;
   const XmlTag& tag;
@@ -62,7 +56,7 @@ struct Writer {
   void color(glm::vec3& member, Field field) const {
     if (const std::optional<glm::vec3> value = read_color(context, tag)) {
       member = *value;
-      if (!is_usual(*value)) {
+      if (needs_place(field, *value)) {
         place(field);
       }
     }

@@ -81,7 +81,6 @@ class SceneBuilder final : public XmlHandler {
   bool push(Block block, NodeId node, std::string_view element = {});
   Frame& top() { return frames_.back(); }
   NodeId add_node(Location location);
-  void reserve_nodes();
   NodeId add_child_node(NodeId parent, Location location);
   void flush_transforms(NodeId node);
   void make_room_for_object(NodeId node);

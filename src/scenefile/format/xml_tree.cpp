@@ -3,11 +3,11 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/large_scene.h"
 #include "scenefile/format/xml_scene_builder.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace scenefile {
@@ -168,21 +168,8 @@ bool SceneBuilder::open_primitive(const XmlTag& tag, const ObjectTag& object) {
   return push(Block::primitive, top().node, tag.name);
 }
 
-// Growing to what the rest of the file will need, if it goes on like this, spares a large scene the
-// last copy and the memory that doubling would leave unused.
-void SceneBuilder::reserve_nodes() {
-  constexpr std::size_t small = 4096;
-  std::vector<Node>& nodes = scene_.nodes;
-  if (nodes.size() < nodes.capacity() || nodes.size() < small) {
-    return;
-  }
-  const auto size = static_cast<double>(nodes.size());
-  const double expected = 1.02 * size / context_.places.progress();
-  nodes.reserve(static_cast<std::size_t>(std::clamp(expected, 1.25 * size, 4 * size)));
-}
-
 NodeId SceneBuilder::add_node(Location location) {
-  reserve_nodes();
+  reserve_nodes(scene_.nodes, context_.places.progress());
   scene_.nodes.emplace_back().location = location;
   return static_cast<NodeId>(scene_.nodes.size() - 1);
 }

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -96,17 +94,6 @@ bool Reporter::finite(const Subject& subject, Field field, std::string_view name
 
 std::string vector_text(const glm::vec3& v) {
   return fmt::format("{} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
-}
-
-bool finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-float largest(const glm::vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-float smallest(const glm::vec3& v) {
-  return std::min({v.x, v.y, v.z});
 }
 
 std::string_view shape_name(Shape shape) {

@@ -7,6 +7,8 @@
 #include "scenefile/scene/node_path.h"
 #include "scenefile/scene/scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -50,9 +52,15 @@ class Reporter {
 
 /// "1 0.5 0".
 std::string vector_text(const glm::vec3& v);
-bool finite(const glm::vec3& v);
-float largest(const glm::vec3& v);
-float smallest(const glm::vec3& v);
+inline bool finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+inline float largest(const glm::vec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+inline float smallest(const glm::vec3& v) {
+  return std::min({v.x, v.y, v.z});
+}
 std::string_view shape_name(Shape shape);
 std::string_view light_type_name(LightType type);
 

@@ -40,7 +40,7 @@ class TransformCheck {
     if (!finite("scale", s.by)) {
       return false;
     }
-    return has_inverse(fmt::format("scale {}", vector_text(s.by)));
+    return has_inverse([&] { return "scale " + vector_text(s.by); });
   }
 
   bool check(const Matrix& matrix) {
@@ -51,7 +51,7 @@ class TransformCheck {
       }
     }
     check_last_row(matrix.m());
-    return has_inverse("matrix");
+    return has_inverse([] { return "matrix"; });
   }
 
   void check_last_row(const glm::mat4& m) {
@@ -67,12 +67,14 @@ class TransformCheck {
                                             : "; it is taken as that"));
   }
 
-  bool has_inverse(std::string_view what) {
+  // `what` says it in words, which few scenes need.
+  template <typename What>
+  bool has_inverse(What what) {
     if (storable(composed(DAffine(), transform_))) {
       return true;
     }
     reporter_.report(transform_flat, subject_,
-                     fmt::format("{} leaves no volume; what stands in it is not drawn", what));
+                     fmt::format("{} leaves no volume; what stands in it is not drawn", what()));
     return false;
   }
 

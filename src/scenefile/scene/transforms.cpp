@@ -45,24 +45,26 @@ glm::dmat3 rotation(const Rotate& rotate) {
   return c * glm::dmat3(1) + s * cross + (1 - c) * glm::outerProduct(k, k);
 }
 
-DAffine map_of(const Translate& t) {
-  return {glm::dmat3(1), glm::dvec3(t.by)};
+// The products leave out what is multiplied by 0 and 1.
+DAffine product(const DAffine& outer, const Translate& t) {
+  return {outer.linear, outer.point(glm::dvec3(t.by))};
 }
-DAffine map_of(const Rotate& r) {
-  return {rotation(r), glm::dvec3(0)};
+DAffine product(const DAffine& outer, const Rotate& r) {
+  return {outer.linear * rotation(r), outer.offset};
 }
-DAffine map_of(const Scale& s) {
+DAffine product(const DAffine& outer, const Scale& s) {
   const glm::dvec3 by(s.by);
-  return {glm::dmat3(by.x, 0, 0, 0, by.y, 0, 0, 0, by.z), glm::dvec3(0)};
+  const glm::dmat3& m = outer.linear;
+  return {glm::dmat3(m[0] * by.x, m[1] * by.y, m[2] * by.z), outer.offset};
 }
-DAffine map_of(const Matrix& matrix) {
-  return {glm::dmat3(glm::mat3(matrix.m())), glm::dvec3(matrix.m()[3])};
+DAffine product(const DAffine& outer, const Matrix& matrix) {
+  return outer * DAffine(glm::dmat3(glm::mat3(matrix.m())), glm::dvec3(matrix.m()[3]));
 }
 
 }  // namespace
 
 DAffine composed(const DAffine& outer, const Transform& transform) {
-  return outer * std::visit([](const auto& map) { return map_of(map); }, transform.map);
+  return std::visit([&](const auto& map) { return product(outer, map); }, transform.map);
 }
 
 DAffine composed(const DAffine& outer, const std::vector<Transform>& transforms) {

@@ -26,6 +26,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"export", {"base", "geometry", "scene/render_scene.h"}},
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
+    {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
 };

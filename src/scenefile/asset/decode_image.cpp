@@ -82,6 +82,10 @@ bool decode(const Codec& codec, std::string_view bytes, const Limits& limits, st
 
 }  // namespace
 
+bool is_image(std::string_view bytes) {
+  return codec_of(bytes) != nullptr;
+}
+
 Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
                      std::string& error, bool* over_limit) {
   error.clear();

@@ -22,6 +22,9 @@ namespace scenefile {
 Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
                      std::string& error, bool* over_limit = nullptr);
 
+/// Whether the bytes start as those of a format that decode_image() knows.
+bool is_image(std::string_view bytes);
+
 /// Image formats that can be written, by file name extension.
 enum class ImageFormat : std::uint8_t { png8, png16, exr, pfm };
 

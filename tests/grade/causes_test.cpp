@@ -1,0 +1,282 @@
+// Each mistake is made by a renderer that shares nothing with the tracer, on generated scenes, and
+// must be named on nine of ten; right pictures must not be blamed for anything.
+
+#include "scenefile/grade/causes.h"
+
+#include "grade/generated_scene.h"
+#include "grade/student_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+
+namespace scenefile::grade_test {
+namespace {
+
+constexpr std::uint32_t scenes = 10;
+
+using Change = std::function<Texture(const Texture&)>;
+
+SceneView view_of(const GeneratedScene& scene) {
+  RenderOptions options = default_options(Profile::course);
+  options.features.texture_filter = false;
+  return {&scene.builder.scene, &scene.builder.assets, options};
+}
+
+Texture reference_of(const GeneratedScene& scene, bool super_sample) {
+  RenderOptions options = view_of(scene).options;
+  options.features.super_sample = super_sample;
+  const Plan plan;
+  return quantize(scene.builder.picture(plan.width, plan.height, options), Rounding::truncate);
+}
+
+std::string said(const CauseReport& report) {
+  std::string text = "claims:";
+  for (const Claim& claim : report.claims) {
+    text +=
+        " [" + claim.what + ": " + std::to_string(claim.explained) + ", " + claim.evidence + "]";
+  }
+  for (const Claim& claim : report.rivals) {
+    text += " or [" + claim.what + "]";
+  }
+  return text;
+}
+
+// On how many scenes the cause is the first and only claim.
+void expect_named(Cause cause, const std::function<void(Plan&)>& plant, const Change& change = {},
+                  bool with_scene = true) {
+  std::uint32_t named = 0;
+  std::string others;
+  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    Plan plan;
+    plant(plan);
+    Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+    if (change) {
+      picture = change(picture);
+    }
+    const SceneView view = view_of(scene);
+    const CauseReport report =
+        find_causes(reference_of(scene, seed % 2 == 0), picture, with_scene ? &view : nullptr);
+    const bool right = report.claims.size() == 1 && report.claims.front().cause == cause;
+    named += right ? 1 : 0;
+    others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
+  }
+  EXPECT_GE(named, 9u) << name_of(cause) << "\n" << others;
+}
+
+void nothing(Plan& /*plan*/) {}
+
+TEST(Causes, RightPicturesAreNotBlamed) {
+  for (std::uint32_t seed = 1; seed <= 2 * scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    for (const bool super_sample : {false, true}) {
+      const Texture reference = reference_of(scene, super_sample);
+      const Texture student = draw(scene.builder.scene, scene.builder.assets, {});
+      const CauseReport report = find_causes(reference, student, &view);
+      EXPECT_TRUE(report.claims.empty()) << seed << ": " << said(report);
+      EXPECT_LT(report.share_scene_unlike, 0.02) << seed;
+      EXPECT_TRUE(find_causes(reference, student).claims.empty()) << seed;
+    }
+  }
+}
+
+TEST(Causes, OtherSamplesAreNotBlamed) {
+  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    RenderOptions fine = default_options(Profile::fine);
+    fine.features.texture_filter = false;
+    const Plan plan;
+    const Image drawn = scene.builder.picture(plan.width, plan.height, fine);
+    const CauseReport report =
+        find_causes(reference_of(scene, false), quantize(drawn, Rounding::truncate), &view);
+    EXPECT_TRUE(report.claims.empty()) << seed << ": " << said(report);
+  }
+}
+
+TEST(Causes, NoiseIsNotBlamed) {
+  std::mt19937 random(7);
+  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const Texture reference = reference_of(scene, false);
+    Texture noisy = reference;
+    for (std::uint8_t& value : noisy.rgb) {
+      value = static_cast<std::uint8_t>(std::clamp(int{value} + int(random() % 31) - 15, 0, 255));
+    }
+    const CauseReport report = find_causes(reference, noisy, &view);
+    EXPECT_TRUE(report.claims.empty()) << seed << ": " << said(report);
+  }
+}
+
+TEST(Causes, Rounding) {
+  expect_named(Cause::rounding, [](Plan& p) { p.round = true; });
+}
+
+Change turned(bool across, bool down) {
+  return [=](const Texture& t) {
+    Texture result = t;
+    for (int y = 0; y < t.height; ++y) {
+      for (int x = 0; x < t.width; ++x) {
+        const std::uint8_t* from =
+            t.texel(across ? t.width - 1 - x : x, down ? t.height - 1 - y : y);
+        std::copy_n(from, 3, result.rgb.begin() + 3 * (y * t.width + x));
+      }
+    }
+    return result;
+  };
+}
+
+TEST(Causes, Flips) {
+  for (const bool with_scene : {true, false}) {
+    expect_named(Cause::vertical_flip, nothing, turned(false, true), with_scene);
+    expect_named(Cause::horizontal_flip, nothing, turned(true, false), with_scene);
+  }
+}
+
+TEST(Causes, Gamma) {
+  for (const double power : {1 / 2.2, 2.2, 1 / 1.8}) {
+    expect_named(Cause::gamma, nothing, [=](const Texture& t) {
+      Texture result = t;
+      for (std::uint8_t& v : result.rgb) {
+        v = static_cast<std::uint8_t>(255 * std::pow(v / 255.0, power));
+      }
+      return result;
+    });
+  }
+}
+
+TEST(Causes, SwappedChannels) {
+  expect_named(Cause::swapped_channels, nothing, [](const Texture& t) {
+    Texture result = t;
+    for (std::size_t i = 0; i < t.rgb.size(); i += 3) {
+      std::swap(result.rgb[i], result.rgb[i + 2]);
+    }
+    return result;
+  });
+}
+
+TEST(Causes, HalfPixelShift) {
+  expect_named(Cause::half_pixel_shift, [](Plan& p) { p.pixel_x = p.pixel_y = 0; });
+  expect_named(Cause::half_pixel_shift, [](Plan& p) { p.pixel_x = 1; });
+}
+
+TEST(Causes, Ambient) {
+  expect_named(Cause::ambient, [](Plan& p) { p.ambient = 0; });
+  expect_named(Cause::ambient, [](Plan& p) { p.ambient = 2; });
+}
+
+TEST(Causes, Diffuse) {
+  expect_named(Cause::diffuse, [](Plan& p) { p.diffuse = 0; });
+  expect_named(Cause::diffuse, [](Plan& p) { p.diffuse = 2; });
+}
+
+TEST(Causes, Specular) {
+  expect_named(Cause::specular, [](Plan& p) { p.specular = 0; });
+  expect_named(Cause::specular, [](Plan& p) { p.specular = 2; });
+}
+
+TEST(Causes, Blinn) {
+  expect_named(Cause::blinn, [](Plan& p) { p.blinn = true; });
+}
+
+TEST(Causes, Attenuation) {
+  expect_named(Cause::attenuation, [](Plan& p) { p.attenuation = false; });
+}
+
+TEST(Causes, Normals) {
+  expect_named(Cause::normals, [](Plan& p) { p.inverse_transpose = false; });
+}
+
+TEST(Causes, Shadows) {
+  expect_named(Cause::shadows, [](Plan& p) { p.shadows = false; });
+}
+
+TEST(Causes, Acne) {
+  expect_named(Cause::acne, [](Plan& p) { p.offset = false; });
+}
+
+TEST(Causes, TexturesUpsideDown) {
+  expect_named(Cause::texture, [](Plan& p) { p.texture_up = true; });
+}
+
+TEST(Causes, TexturesNotRepeated) {
+  expect_named(Cause::texture, [](Plan& p) { p.repeat = false; });
+}
+
+TEST(Causes, RecursionDepth) {
+  expect_named(Cause::recursion_depth, [](Plan& p) { p.depth = 0; });
+  expect_named(Cause::recursion_depth, [](Plan& p) { p.depth = 1; });
+}
+
+TEST(Causes, SpotFalloff) {
+  for (const Plan::Spot spot :
+       {Plan::Spot::linear, Plan::Spot::hard, Plan::Spot::none, Plan::Spot::outside}) {
+    expect_named(Cause::spot_falloff, [=](Plan& p) { p.spot = spot; });
+  }
+}
+
+TEST(Causes, TwoAtOnce) {
+  const GeneratedScene scene(3);
+  const SceneView view = view_of(scene);
+  Plan plan;
+  plan.shadows = false;
+  plan.ambient = 2;
+  const Texture reference = reference_of(scene, false);
+  Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+  const auto causes = [](const CauseReport& report) {
+    std::set<Cause> found;
+    for (const Claim& claim : report.claims) {
+      found.insert(claim.cause);
+    }
+    return found;
+  };
+  const CauseReport two = find_causes(reference, picture, &view);
+  EXPECT_EQ(causes(two), (std::set{Cause::shadows, Cause::ambient})) << said(two);
+  plan.ambient = 1;
+  picture = turned(false, true)(draw(scene.builder.scene, scene.builder.assets, plan));
+  const CauseReport turned_too = find_causes(reference, picture, &view);
+  EXPECT_EQ(causes(turned_too), (std::set{Cause::shadows, Cause::vertical_flip}))
+      << said(turned_too);
+}
+
+TEST(Causes, TheViewOfTheReferenceIsFound) {
+  const GeneratedScene scene(4);
+  const SceneView right = view_of(scene);
+  SceneView plain = right;
+  plain.options.features.texture = false;
+  plain.options.features.shadows = false;
+  const std::vector<SceneView> views{plain, right};
+  const SceneView found = most_alike(reference_of(scene, true), views);
+  EXPECT_EQ(found.options.features, right.options.features);
+}
+
+TEST(Causes, AnotherSceneNamesNothingOfTheScene) {
+  const GeneratedScene scene(1);
+  const GeneratedScene other(2);
+  const SceneView view = view_of(other);
+  Plan plan;
+  plan.shadows = false;
+  const CauseReport report = find_causes(
+      reference_of(scene, false), draw(scene.builder.scene, scene.builder.assets, plan), &view);
+  EXPECT_GT(report.share_scene_unlike, 0.1);
+  EXPECT_TRUE(report.claims.empty()) << said(report);
+}
+
+TEST(Causes, StopsWhenTold) {
+  const GeneratedScene scene(1);
+  const SceneView view = view_of(scene);
+  Plan plan;
+  plan.shadows = false;
+  const Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+  int asked = 0;
+  find_causes(reference_of(scene, false), picture, &view, [&](double) { return ++asked < 3; });
+  EXPECT_EQ(asked, 3);
+}
+
+}  // namespace
+}  // namespace scenefile::grade_test

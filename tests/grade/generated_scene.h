@@ -1,0 +1,115 @@
+#pragma once
+// Scenes with something of everything that a mistake can be made in.
+
+#include "trace/build_scene.h"
+
+#include <random>
+
+namespace scenefile::grade_test {
+
+/// A floor, a wall, stretched shapes with textures, mirrors; a point light, a spot and the sun.
+class GeneratedScene {
+ public:
+  explicit GeneratedScene(std::uint32_t seed) : random_(seed) {
+    builder.scene.global.ambient = uniform(0.3f, 0.7f);
+    builder.scene.global.diffuse = uniform(0.5f, 0.8f);
+    builder.scene.global.specular = uniform(0.5f, 0.8f);
+    const std::uint32_t image = make_texture();
+    add_room(image);
+    add_shapes(image);
+    add_lights();
+    builder.look({uniform(-2, 2), uniform(2, 3.5f), uniform(5.5f, 7)},
+                 {uniform(-0.3f, 0.3f), 0.3f, 0}, uniform(40, 50));
+  }
+
+  trace_test::SceneBuilder builder;
+
+ private:
+  float uniform(float low, float high) {
+    return low + (high - low) * static_cast<float>(random_() % 10001) / 10000.0f;
+  }
+
+  glm::vec3 color(float low, float high) {
+    const float r = uniform(low, high);
+    const float g = uniform(low, high);
+    return {r, g, uniform(low, high)};
+  }
+
+  // Different at all four sides: a ramp with a dark corner.
+  std::uint32_t make_texture() {
+    Texture t;
+    t.width = t.height = 16;
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 16; ++x) {
+        const bool corner = x < 6 && y < 6;
+        t.rgb.push_back(static_cast<std::uint8_t>(corner ? 20 : 60 + 12 * x));
+        t.rgb.push_back(static_cast<std::uint8_t>(corner ? 30 : 240 - 10 * y));
+        t.rgb.push_back(static_cast<std::uint8_t>(corner ? 90 : 100));
+      }
+    }
+    builder.assets.textures.push_back(t);
+    builder.scene.texture_files.push_back({"ramp.png", {}});
+    return 0;
+  }
+
+  RenderMaterial plain() {
+    RenderMaterial m;
+    m.ambient = color(0.1f, 0.3f);
+    m.diffuse = color(0.3f, 0.9f);
+    m.specular = color(0.3f, 0.8f);
+    m.shininess = uniform(6, 25);
+    return m;
+  }
+
+  void add_room(std::uint32_t image) {
+    using namespace trace_test;
+    RenderMaterial floor = plain();
+    floor.specular = glm::vec3(0.2f);
+    floor.texture = {image, 2, 3};
+    floor.reflective = color(0.2f, 0.4f);
+    floor.blend = uniform(0.5f, 0.9f);
+    builder.add(Shape::cube, translate({0, -1, 0}) * scale({7, 0.2f, 6}), builder.material(floor));
+    builder.add(Shape::cube, translate({0, 1, -3}) * scale({7, 4, 0.2f}),
+                builder.material(plain()));
+  }
+
+  void add_shapes(std::uint32_t image) {
+    using namespace trace_test;
+    const Shape shapes[] = {Shape::sphere, Shape::cylinder, Shape::cube, Shape::sphere,
+                            Shape::sphere};
+    int index = 0;
+    for (const Shape shape : shapes) {
+      RenderMaterial m = plain();
+      if (index % 2 == 0) {
+        m.reflective = color(0.4f, 0.8f);
+      } else {
+        m.texture = {image, 2, 2};
+        m.blend = uniform(0.4f, 0.9f);
+      }
+      const float x = -2.2f + 1.1f * static_cast<float>(index);
+      const Affine place = translate({x, uniform(-0.4f, 0.3f), uniform(-1, 1.2f)}) *
+                           rotate(uniform(0, 90), color(0.1f, 1)) *
+                           scale({uniform(0.6f, 0.9f), uniform(1.1f, 1.6f), uniform(0.6f, 1)});
+      builder.add(shape, place, builder.material(m));
+      ++index;
+    }
+  }
+
+  void add_lights() {
+    RenderLight& point = builder.light(
+        LightType::point, {uniform(-3, -2), uniform(3, 4), uniform(2, 4)}, glm::vec3(0.9f));
+    point.attenuation = {0.6f, uniform(0.08f, 0.15f), 0.01f};
+    RenderLight& spot =
+        builder.light(LightType::spot, {uniform(1, 2), 4, uniform(1, 3)}, color(0.5f, 0.9f));
+    spot.direction = glm::normalize(glm::vec3(0.2f, 0, 0) - spot.position);
+    spot.attenuation = {0.8f, 0.05f, 0};
+    spot.outer_angle = glm::radians(uniform(24, 32));
+    spot.inner_angle = spot.outer_angle - glm::radians(uniform(10, 16));
+    builder.light(LightType::directional,
+                  glm::normalize(glm::vec3(uniform(-0.5f, 0.5f), -1, -0.6f)), glm::vec3(0.25f));
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace scenefile::grade_test

@@ -62,6 +62,15 @@ TEST(DecodeImage, FilesOfAnotherEncoder) {
   EXPECT_EQ(test::image_fixtures().size(), 21u) << "name a new one above";
 }
 
+TEST(DecodeImage, TellsImagesFromScenes) {
+  for (const char* name : {"rgb.png", "rgb.jpg", "palette.gif", "rgb.tga", "rgb.bmp"}) {
+    EXPECT_TRUE(is_image(fixture(name))) << name;
+  }
+  for (const char* text : {"", "<scenefile>", "{\"globalData\": {}}", "  <!-- a scene -->"}) {
+    EXPECT_FALSE(is_image(text)) << text;
+  }
+}
+
 TEST(DecodeImage, PngWithSixteenBitsIsRounded) {
   // 0x10f0 is 16.87 of 255, 0xf010 is 239.13.
   const std::string row("\x10\xf0\xf0\x10\xff\xff\x00\x00\x01\x01\x00\x80", 12);

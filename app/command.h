@@ -58,6 +58,7 @@ std::span<const Command> commands();
 ExitCode run_check(const Options& options, Context& context);
 ExitCode run_convert(const Options& options, Context& context);
 ExitCode run_diff(const Options& options, Context& context);
+ExitCode run_grade(const Options& options, Context& context);
 ExitCode run_format(const Options& options, Context& context);
 ExitCode run_explain(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);

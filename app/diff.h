@@ -8,4 +8,7 @@ namespace scenefile::app {
 /// Two scenes, by meaning.
 ExitCode diff_scenes(const Options& options, Context& context);
 
+/// Two pictures, the reference first.
+ExitCode diff_images(const Options& options, Context& context);
+
 }  // namespace scenefile::app

@@ -57,13 +57,25 @@ constexpr std::array table{
             "scenefile convert - - --to json < chess.xml > chess.json\n"
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
-    Command{"diff", for_diff, "A B", "say in what two scenes differ",
+    Command{"diff", for_diff, "A B", "say in what two scenes or two pictures differ",
             "Compares two scenes by what they mean, node by node, whichever format each is "
-            "written in. The exit status is 0 when they mean the same and 1 when they do not.",
+            "written in; or two pictures, the right one first: PSNR, SSIM, FLIP and, with the "
+            "scene, the mistake that explains the difference. The exit status is 0 when they are "
+            "the same and 1 when they are not.",
             "scenefile diff old.xml new.xml\n"
             "scenefile diff chess.xml chess.json\n"
-            "scenefile diff --json a.json b.json",
+            "scenefile diff --json a.json b.json\n"
+            "scenefile diff reference.png mine.png --scene chess.xml\n"
+            "scenefile diff reference.png mine.png --min-psnr 40 --sheet sheet.png",
             run_diff, two},
+    Command{"grade", for_grade, "DIR", "compare the pictures of a class with the references",
+            "Takes each folder in DIR for a student, or DIR for one, and compares the pictures "
+            "with the references of the same names. With the scenes it says which mistake "
+            "explains a difference. The exit status is 1 when a picture did not pass.",
+            "scenefile grade handed-in --references right\n"
+            "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
+            "scenefile grade mine --references right --max-share 2 --junit results.xml",
+            run_grade},
     Command{"format", for_format, "FILE...", "lay out scene files, in place",
             "Writes each file again with one element or member a line. Comments, values, their "
             "order and spelling, and the encoding stay as they are; broken files are reported and "

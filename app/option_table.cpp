@@ -81,6 +81,7 @@ std::string set_profile(Options& options, const std::string& value) {
   std::size_t index = 0;
   std::string wrong = set_choice(value, words, index);
   options.profile = index == 0 ? Profile::course : Profile::fine;
+  options.profile_given = true;
   return wrong;
 }
 
@@ -206,6 +207,44 @@ std::string set_preview(Options& options, const std::string& value) {
   return value.empty() ? "the name is empty" : "";
 }
 
+template <std::string Options::*name>
+std::string set_name(Options& options, const std::string& value) {
+  options.*name = value;
+  return value.empty() ? "the name is empty" : "";
+}
+
+// A name of a file that is a PNG.
+template <std::string Options::*name>
+std::string set_png(Options& options, const std::string& value) {
+  options.*name = value;
+  ImageFormat format{};
+  return image_format_of(value, format) && format == ImageFormat::png8
+             ? ""
+             : fmt::format("{} does not end in .png", quoted(value, 400));
+}
+
+// A number in [min, max].
+std::string read_number(const std::string& value, double min, double max, double& number) {
+  const ParsedNumber parsed = parse_number(value);
+  number = parsed.value;
+  if (parsed.error != NumberError::none || number < min || number > max) {
+    return fmt::format("{} is not a number from {:g} to {:g}", quoted(value), min, max);
+  }
+  return {};
+}
+
+template <std::optional<double> Thresholds::*threshold, int max>
+std::string set_threshold(Options& options, const std::string& value) {
+  return read_number(value, 0, max, (options.thresholds.*threshold).emplace());
+}
+
+std::string set_max_share(Options& options, const std::string& value) {
+  double& share = options.thresholds.max_share.emplace();
+  std::string wrong = read_number(value, 0, 100, share);
+  share /= 100;
+  return wrong;
+}
+
 template <bool Options::*flag, bool on = true>
 std::string set_flag(Options& options, const std::string& /*value*/) {
   options.*flag = on;
@@ -228,16 +267,16 @@ constexpr std::array table{
     OptionRow{"--profile", "", "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's reference pictures; implies --compat course.",
-              for_tracing, set_profile},
+              for_tracing | for_pictures, set_profile},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
               "course without super-sample.",
-              for_tracing | for_convert, set_features},
+              for_tracing | for_convert | for_pictures, set_features},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
-              for_tracing, set_mode},
+              for_tracing | for_pictures, set_mode},
     OptionRow{"--samples", "", "N", "Most samples a pixel, for the profile fine (default 16).",
               for_tracing,
               [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
@@ -247,16 +286,55 @@ constexpr std::array table{
         for_tracing, set_flag<&Options::fresnel>},
     OptionRow{"--max-depth", "", "N",
               "Most reflections and refractions behind each other (default: fine 16, course 4).",
-              for_tracing | for_convert,
+              for_tracing | for_convert | for_pictures,
               [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
     OptionRow{"--threads", "", "N",
-              "Threads (default: one a processor). The picture does not depend on it.", for_tracing,
+              "Threads (default: one a processor). The picture does not depend on it.",
+              for_tracing | for_pictures,
               [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.threads); }},
     OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
               for_tracing,
               [](Options& o, const std::string& v) {
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
               }},
+    OptionRow{"--scene", "", "SCENE",
+              "What the first picture shows: look for the mistake that makes the second one of it.",
+              for_diff, set_name<&Options::scene>},
+    OptionRow{"--heatmap", "", "OUT", "Write a picture of the differences: a .png.", for_diff,
+              set_png<&Options::heatmap>},
+    OptionRow{"--sheet", "", "OUT",
+              "Write both pictures, their differences and FLIP beside each other: a .png.",
+              for_diff, set_png<&Options::sheet>},
+    OptionRow{"--references", "", "DIR", "The folder of the right pictures. Needed.", for_grade,
+              set_name<&Options::references>},
+    OptionRow{"--scenes", "", "DIR",
+              "The scenes of the pictures, by the same names (default: with the references).",
+              for_grade, set_name<&Options::scenes>},
+    OptionRow{"--report", "", "OUT", "Write a page for the browser that needs no other file.",
+              for_grade, set_name<&Options::report>},
+    OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
+              set_name<&Options::junit>},
+    OptionRow{"--min-psnr", "", "DB",
+              "Pictures differ below so many dB. For pictures, as are the next ones; without any "
+              "of them diff asks for equality and grade for 40 dB.",
+              for_pictures, set_threshold<&Thresholds::min_psnr_db, 99>},
+    OptionRow{"--max-mean", "", "N", "Pictures differ above this mean difference in 1/255.",
+              for_pictures, set_threshold<&Thresholds::max_mean, 255>},
+    OptionRow{"--max-difference", "", "N",
+              "Pictures differ where a value is off by more, in 1/255.", for_pictures,
+              [](Options& o, const std::string& v) {
+                return set_number(v, 0, 255, o.thresholds.max_difference);
+              }},
+    OptionRow{"--max-share", "", "PERCENT",
+              "Pictures differ when more of the pixels are off by more than --pixel-threshold.",
+              for_pictures, set_max_share},
+    OptionRow{
+        "--pixel-threshold", "", "N", "When a pixel is off, in 1/255 (default 8).", for_pictures,
+        [](Options& o, const std::string& v) { return set_number(v, 0, 255, o.pixel_threshold); }},
+    OptionRow{"--min-ssim", "", "N", "Pictures differ below this SSIM.", for_pictures,
+              set_threshold<&Thresholds::min_ssim, 1>},
+    OptionRow{"--max-flip", "", "N", "Pictures differ above this mean FLIP.", for_pictures,
+              set_threshold<&Thresholds::max_flip, 1>},
     OptionRow{
         "--to", "", "FORMAT",
         "xml, json or pov (POV-Ray 3.7), where the name of the output does not say it, or says "
@@ -286,10 +364,10 @@ constexpr std::array table{
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "
               "number.",
-              for_all_readers | for_diff, set_compat},
+              for_all_readers | for_pictures, set_compat},
     OptionRow{"--asset-root", "", "DIR",
               "Look for textures and meshes there too. May be given several times.",
-              for_all_readers,
+              for_all_readers | for_pictures,
               [](Options& o, const std::string& v) {
                 o.asset_roots.push_back(v);
                 return std::string(v.empty() ? "the name is empty" : "");
@@ -297,7 +375,7 @@ constexpr std::array table{
     OptionRow{"--allow-outside", "", "",
               "Open textures and meshes wherever the scene says, not only in its folder and the "
               "asset roots.",
-              for_all_readers, set_flag<&Options::allow_outside>},
+              for_all_readers | for_pictures, set_flag<&Options::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
               for_tracing | for_check, set_flag<&Options::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
@@ -330,17 +408,17 @@ constexpr std::array table{
               for_info, set_flag<&Options::files>},
     OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
     OptionRow{"--json", "", "", "Answer in JSON, for programs.",
-              for_all_readers | for_diff | for_format | for_help | for_version,
+              for_all_readers | for_pictures | for_format | for_help | for_version,
               set_flag<&Options::json>},
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
     OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
               set_flag<&Options::markdown>},
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
-              for_tracing | for_check | for_convert | for_diff | for_format,
+              for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
     OptionRow{"--help", "-h", "", "This text.",
-              for_all_readers | for_diff | for_format | for_help | for_version,
+              for_all_readers | for_pictures | for_format | for_help | for_version,
               set_flag<&Options::help>},
 };
 

@@ -18,6 +18,9 @@ inline constexpr unsigned for_convert = 32;
 inline constexpr unsigned for_diff = 64;
 inline constexpr unsigned for_format = 128;
 inline constexpr unsigned for_explain = 256;
+inline constexpr unsigned for_grade = 512;
+/// Pictures against pictures.
+inline constexpr unsigned for_pictures = for_diff | for_grade;
 /// Options of the tracer.
 inline constexpr unsigned for_tracing = for_render | for_explain;
 inline constexpr unsigned for_all_readers = for_tracing | for_check | for_info | for_convert;

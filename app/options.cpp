@@ -110,8 +110,9 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
   const auto [fewest, most] = command.count;
   if (arguments.size() < fewest) {
     return fmt::format("{} needs {}: scenefile {} {}", command.name,
-                       fewest == 1 ? "a scene" : fmt::format("{} names", fewest), command.name,
-                       command.arguments);
+                       fewest == 1 ? (command.bit == for_grade ? "a folder" : "a scene")
+                                   : fmt::format("{} names", fewest),
+                       command.name, command.arguments);
   }
   if (arguments.size() > most) {
     return fmt::format("{} takes {}; what is {}?", command.name,
@@ -182,6 +183,9 @@ std::string check_together(const Command& command, Options& options) {
   if (command.bit == for_format && options.json && !options.check &&
       std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
     return "the file and --json cannot both go to standard output";
+  }
+  if (command.bit == for_grade && options.references.empty()) {
+    return "grade needs the right pictures: --references DIR";
   }
   if (command.bit == for_explain) {
     if (std::string wrong = check_pixel(options); !wrong.empty()) {

@@ -2,6 +2,7 @@
 // The command line as data.
 
 #include "scenefile/base/limits.h"
+#include "scenefile/compare/measure.h"
 #include "scenefile/trace/render.h"
 
 #include <cstdint>
@@ -30,6 +31,7 @@ struct Options {
   int width = 1024;
   int height = 768;
   Profile profile = Profile::fine;
+  bool profile_given = false;
   Mode mode = Mode::ray;
   std::optional<Features> features;
   std::optional<int> samples;
@@ -50,6 +52,16 @@ struct Options {
   std::optional<ConvertTo> to;
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< to show in full
+
+  std::string scene;  ///< what the reference picture shows
+  std::string heatmap;
+  std::string sheet;
+  Thresholds thresholds;
+  int pixel_threshold = 8;  ///< in 1/255
+  std::string references;
+  std::string scenes;
+  std::string report;
+  std::string junit;
 
   bool compat_course = false;
   std::vector<std::string> asset_roots;

@@ -44,6 +44,20 @@ TEST(Sheet, HeatMapOfOtherSizesCoversBoth) {
   EXPECT_LT(map.texel(0, 0)[0], 3);
 }
 
+TEST(Sheet, ReducedPicturesAreAverages) {
+  const Texture small = reduced(pattern(40, 20, 0), 40);
+  EXPECT_EQ(small.rgb, pattern(40, 20, 0).rgb);
+  Texture halves = blank(6, 4, {0, 100, 7});
+  for (int i = 0; i < 6 * 4; ++i) {
+    halves.rgb[3 * i] = i % 2 == 0 ? 50 : 70;
+  }
+  const Texture half = reduced(halves, 3);
+  EXPECT_EQ(half.width, 3);
+  EXPECT_EQ(half.height, 2);
+  EXPECT_EQ(half.texel(2, 1)[0], 60);
+  EXPECT_EQ(half.texel(2, 1)[2], 7);
+}
+
 TEST(Sheet, PicturesStandAtTheirTops) {
   const Texture a = blank(3, 2, {1, 2, 3});
   const Texture b = blank(4, 5, {7, 8, 9});

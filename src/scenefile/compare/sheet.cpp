@@ -83,6 +83,36 @@ Texture flip_picture(const std::vector<float>& errors, int width, int height) {
   return result;
 }
 
+Texture reduced(const Texture& picture, int width) {
+  if (picture.width <= width) {
+    return picture;
+  }
+  const auto bound = [](int index, int size, int old_size) {
+    return static_cast<int>(std::int64_t{index} * old_size / size);
+  };
+  const int height = std::max(1, bound(picture.height, picture.width, width));
+  Texture result = blank(width, height, 0);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      glm::ivec3 sum(0);
+      int count = 0;
+      const int bottom =
+          std::max(bound(y + 1, height, picture.height), bound(y, height, picture.height) + 1);
+      for (int j = bound(y, height, picture.height); j < bottom; ++j) {
+        for (int i = bound(x, width, picture.width); i < bound(x + 1, width, picture.width); ++i) {
+          const std::uint8_t* p = picture.texel(i, j);
+          sum += glm::ivec3(p[0], p[1], p[2]);
+          ++count;
+        }
+      }
+      for (int c = 0; c < 3; ++c) {
+        texel(result, x, y)[c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+      }
+    }
+  }
+  return result;
+}
+
 Texture side_by_side(std::span<const Texture* const> pictures) {
   int width = gap;
   int height = 0;

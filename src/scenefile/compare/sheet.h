@@ -19,6 +19,9 @@ Texture heat_map(const Texture& a, const Texture& b);
 /// The errors of a FlipMap as magma; empty where their number is not that of the pixels.
 Texture flip_picture(const std::vector<float>& errors, int width, int height);
 
+/// At most `width` pixels wide, by averages over what each new pixel covers; smaller pictures stay.
+Texture reduced(const Texture& picture, int width);
+
 /// Pictures beside each other, aligned at their tops, on gray with a gap of 8 pixels.
 Texture side_by_side(std::span<const Texture* const> pictures);
 

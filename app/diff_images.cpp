@@ -1,0 +1,150 @@
+#include "app/diff.h"
+#include "app/judgement.h"
+#include "app/output.h"
+#include "app/load_picture.h"
+#include "app/progress.h"
+#include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
+#include "scenefile/io/file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+namespace scenefile::app {
+
+namespace {
+
+std::string heading(const LoadedPicture& a, const LoadedPicture& b) {
+  const std::string names = fmt::format("{} and {}", escaped(shown_name(a.path), 4096),
+                                        escaped(shown_name(b.path), 4096));
+  const Texture& p = a.picture;
+  const Texture& q = b.picture;
+  return p.width == q.width && p.height == q.height
+             ? fmt::format("{}: {}x{}", names, p.width, p.height)
+             : fmt::format("{}: {}x{} and {}x{}", names, p.width, p.height, q.width, q.height);
+}
+
+std::string measures_text(const PictureMeasures& m, int threshold) {
+  return fmt::format(
+      "  PSNR {:.2f} dB, mean difference {:.3f}/255, greatest {}/255\n"
+      "  {:.3f} % of the pixels are off by more than {}/255\n"
+      "  SSIM {:.4f}, FLIP {:.4f} (greatest {:.4f})\n",
+      m.difference.psnr_db, m.difference.mean, m.difference.max, 100 * m.difference.share_over,
+      threshold, m.ssim, m.flip_mean, m.flip_max);
+}
+
+std::string verdict_text(const Judgement& judgement) {
+  if (judgement.measures.difference.max == 0 && judgement.measures.same_size) {
+    return "equal\n";
+  }
+  std::string text;
+  for (const std::string& clause : judgement.broken) {
+    text += fmt::format("different: {}\n", clause);
+  }
+  return text.empty() ? "the same within the thresholds\n" : text + causes_text(judgement);
+}
+
+std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Judgement* judgement) {
+  Json json;
+  json.begin_object();
+  json.add("scenefile", SCENEFILE_VERSION);
+  json.add("command", "diff");
+  for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
+    json.begin_object(key);
+    json.add("file", loaded->path);
+    if (loaded->error.empty()) {
+      json.add("width", loaded->picture.width);
+      json.add("height", loaded->picture.height);
+    } else {
+      json.add("error", loaded->error);
+    }
+    json.end_object();
+  }
+  if (judgement != nullptr) {
+    add_judgement(json, *judgement);
+  }
+  json.end_object();
+  return json.text();
+}
+
+ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
+                    const Judgement& judgement, Context& context) {
+  ExitCode status = ExitCode::fine;
+  const Texture heat = heat_map(a, b);
+  if (!options.heatmap.empty()) {
+    status = save_picture(options.heatmap, heat, context);
+  }
+  if (!options.sheet.empty()) {
+    const Texture flip = flip_picture(judgement.flip_errors, a.width, a.height);
+    std::vector<const Texture*> pictures{&a, &b, &heat};
+    if (!flip.empty()) {
+      pictures.push_back(&flip);
+    }
+    status = worse(status, save_picture(options.sheet, side_by_side(pictures), context));
+  }
+  return status;
+}
+
+ExitCode check_targets(const Options& options) {
+  for (const std::string& target : {options.heatmap, options.sheet}) {
+    if (target.empty()) {
+      continue;
+    }
+    if (same_file(target, options.arguments[0]) || same_file(target, options.arguments[1])) {
+      say_error("the output would replace a picture that is compared");
+      return ExitCode::usage;
+    }
+    if (const IoError error = check_writable(target); !error.empty()) {
+      say_error(error.text);
+      return ExitCode::environment;
+    }
+  }
+  return ExitCode::fine;
+}
+
+Judgement judge_pictures(const Texture& a, const Texture& b, const Options& options,
+                         Context& context) {
+  std::optional<LoadedScene> scene;
+  if (!options.scene.empty()) {
+    scene = load_scene_of_pictures(options.scene, options, context);
+  }
+  context.phase = "comparing the pictures";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  return judge(a, b, scene ? &*scene : nullptr, options, [&](double done) {
+    bar.update(done);
+    return true;
+  });
+}
+
+}  // namespace
+
+ExitCode diff_images(const Options& options, Context& context) {
+  if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
+    return status;
+  }
+  const LoadedPicture a = load_picture(options.arguments[0], context);
+  const LoadedPicture b = load_picture(options.arguments[1], context);
+  if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
+    for (const LoadedPicture* loaded : {&a, &b}) {
+      if (!loaded->error.empty() && !options.json) {
+        say_error(loaded->error);
+      }
+    }
+    return options.json ? worse(status, answer(json_text(a, b, nullptr))) : status;
+  }
+  const Judgement judgement = judge_pictures(a.picture, b.picture, options, context);
+  ExitCode status = judgement.broken.empty() ? ExitCode::fine : ExitCode::findings;
+  status = worse(status, write_maps(options, a.picture, b.picture, judgement, context));
+  if (options.json) {
+    return worse(status, answer(json_text(a, b, &judgement)));
+  }
+  return options.quiet
+             ? status
+             : worse(status, answer(heading(a, b) + "\n" +
+                                    measures_text(judgement.measures, options.pixel_threshold) +
+                                    verdict_text(judgement)));
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,28 @@
+#pragma once
+// Pictures from files and into files, for commands that compare them.
+
+#include "app/command.h"
+#include "scenefile/asset/image.h"
+
+namespace scenefile::app {
+
+struct LoadedPicture {
+  std::string path;  ///< as given
+  Texture picture;
+  std::string error;  ///< why there is no picture, with the path; empty: there is
+  ExitCode status = ExitCode::fine;
+};
+
+LoadedPicture load_picture(const std::string& path, Context& context);
+
+/// Whether the file holds a picture, by its first bytes; what cannot be read, and standard input,
+/// does not.
+bool is_picture_file(const std::string& path);
+
+/// The bytes of a PNG.
+std::string png_of(const Texture& picture);
+
+/// Writes a PNG. Says what went wrong.
+ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);
+
+}  // namespace scenefile::app

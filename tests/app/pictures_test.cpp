@@ -1,0 +1,165 @@
+// scenefile diff on pictures, and scenefile grade.
+
+#include "app/run_program.h"
+#include "scenefile/asset/image_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// A picture, the same with twice the ambient light, and one of another size.
+struct Pictures : ::testing::Test {
+  Pictures() {
+    scene = folder.write("ball.xml", ball("0.2"));
+    folder.write("brighter.xml", ball("0.4"));
+    draw("ball.xml", "right.png", "64x48");
+    draw("brighter.xml", "wrong.png", "64x48");
+    draw("ball.xml", "small.png", "32x24");
+  }
+
+  static std::string ball(const std::string& ambient) {
+    return scene_with("<ambient r=\"" + ambient + "\" g=\"" + ambient + "\" b=\"" + ambient +
+                      "\"/> <diffuse r=\"1\" g=\"0.5\" b=\"0.2\"/>");
+  }
+
+  void draw(const std::string& from, const std::string& to, const std::string& size) const {
+    const ProgramRun run =
+        in_folder({"render", from, "-o", to, "--size", size, "--profile", "course", "--quiet"});
+    EXPECT_EQ(run.status, 0) << run.err;
+  }
+
+  ProgramRun in_folder(const std::vector<std::string>& words) const {
+    return run_program(words, {.folder = folder.path()});
+  }
+
+  TempFolder folder;
+  std::string scene;
+};
+
+using DiffImages = Pictures;
+using Grade = Pictures;
+
+TEST_F(DiffImages, EqualPictures) {
+  const ProgramRun run = in_folder({"diff", "right.png", "right.png"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("right.png and right.png: 64x48\n"),
+                             HasSubstr("PSNR 99.00 dB"), HasSubstr("\nequal\n")));
+  EXPECT_EQ(in_folder({"diff", "-q", "right.png", "right.png"}).out, "");
+}
+
+TEST_F(DiffImages, TheSceneTellsTheCause) {
+  const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
+  EXPECT_EQ(alone.status, 1);
+  EXPECT_THAT(alone.out, AllOf(HasSubstr("different: the pictures are not equal\n"),
+                               Not(HasSubstr("[ambient]"))));
+  const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, HasSubstr("cause: the ambient term is added twice [ambient]\n"));
+  EXPECT_EQ(run.err, "");
+}
+
+TEST_F(DiffImages, ThresholdsDecide) {
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "5"}).status, 0);
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "60"}).status, 1);
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--max-share", "100"}).status, 0);
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--max-flip", "0.0001"}).status, 1);
+  const ProgramRun bad = in_folder({"diff", "right.png", "wrong.png", "--min-ssim", "2"});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, HasSubstr("--min-ssim: \"2\" is not a number from 0 to 1"));
+}
+
+TEST_F(DiffImages, WritesMaps) {
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--heatmap", "heat.png", "--sheet",
+                       "sheet.png", "-q"})
+                .status,
+            1);
+  const Limits limits;
+  std::uint64_t budget = limits.texture_bytes;
+  std::string error;
+  EXPECT_EQ(decode_image(folder.read("heat.png"), limits, budget, error).width, 64);
+  EXPECT_EQ(decode_image(folder.read("sheet.png"), limits, budget, error).width, 4 * 64 + 5 * 8);
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
+  EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
+}
+
+TEST_F(DiffImages, OtherSizesAndFiles) {
+  const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
+  EXPECT_EQ(sizes.status, 1);
+  EXPECT_THAT(sizes.out, AllOf(HasSubstr("64x48 and 32x24"), HasSubstr("differ in size")));
+  EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);
+  const ProgramRun mixed = in_folder({"diff", "right.png", "ball.xml"});
+  EXPECT_EQ(mixed.status, 1);
+  EXPECT_THAT(mixed.err, HasSubstr("ball.xml: cannot decode: "));
+}
+
+TEST_F(DiffImages, AnswersPrograms) {
+  const ProgramRun run =
+      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"});
+  const rapidjson::Document document = parse_json(run.out);
+  EXPECT_FALSE(document["same"].GetBool());
+  EXPECT_LT(document["psnr_db"].GetDouble(), 60);
+  EXPECT_STREQ(document["causes"][0]["cause"].GetString(), "ambient");
+  EXPECT_GT(document["causes"][0]["explained"].GetDouble(), 0.9);
+  EXPECT_EQ(document["a"]["width"].GetInt(), 64);
+}
+
+TEST_F(Grade, AClass) {
+  for (const char* name : {"references", "class", "class/anna", "class/ben", "class/cleo"}) {
+    std::filesystem::create_directory(folder.path(name));
+  }
+  folder.write("references/ball.png", folder.read("right.png"));
+  folder.write("references/ball.xml", ball("0.2"));
+  folder.write("class/anna/ball.png", folder.read("right.png"));
+  folder.write("class/ben/ball.png", folder.read("wrong.png"));
+  folder.write("class/cleo/ball.png", "no picture");
+  std::filesystem::create_directory(folder.path("class/dan"));
+  const ProgramRun run = in_folder({"grade", "class", "--references", "references", "--report",
+                                    "report.html", "--junit", "junit.xml"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(
+      run.out,
+      AllOf(HasSubstr("anna  1 of 1 passed\n"),
+            HasSubstr("ben   0 of 1 passed\n    ball: differs: "),
+            HasSubstr("cause: the ambient term is added twice"), HasSubstr("ball: unreadable: "),
+            HasSubstr("dan   0 of 1 passed\n    ball: missing: "),
+            HasSubstr("4 students: 1 pictures passed, 1 differ, 1 missing, 1 unreadable\n")));
+  EXPECT_THAT(folder.read("report.html"), HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(folder.read("junit.xml"), HasSubstr("<testsuites tests=\"4\" failures=\"3\">"));
+  const rapidjson::Document document =
+      parse_json(in_folder({"grade", "--json", "class", "--references", "references"}).out);
+  EXPECT_STREQ(document["students"][1]["pictures"][0]["causes"][0]["cause"].GetString(), "ambient");
+}
+
+TEST_F(Grade, OneStudentWhoPasses) {
+  for (const char* name : {"references", "mine"}) {
+    std::filesystem::create_directory(folder.path(name));
+    folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
+  }
+  const ProgramRun run = in_folder({"grade", "mine", "--references", "references"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.out, HasSubstr("mine  1 of 1 passed\n"));
+}
+
+TEST_F(Grade, WhatIsMissing) {
+  EXPECT_EQ(in_folder({"grade", "."}).status, 2);
+  EXPECT_EQ(in_folder({"grade", "nowhere", "--references", "."}).status, 3);
+  std::filesystem::create_directory(folder.path("empty"));
+  const ProgramRun run = in_folder({"grade", ".", "--references", "empty"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("\"empty\" holds no pictures"));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -1,0 +1,85 @@
+#include "scenefile/grade/gradebook.h"
+
+#include "scenefile/grade/markup.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile::grade_test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Gradebook two_students() {
+  Claim claim;
+  claim.cause = Cause::shadows;
+  claim.what = "there are no shadows";
+  claim.evidence = "because";
+  PictureResult good;
+  good.name = "ball";
+  PictureResult bad = good;
+  bad.name = "a<b";
+  bad.verdict = Verdict::differs;
+  bad.reasons = {"PSNR is 31.20 dB, less than 40"};
+  bad.causes = {claim};
+  bad.png = "PNG";
+  PictureResult none = good;
+  none.verdict = Verdict::missing;
+  none.reasons = {"there is no such picture"};
+  return {{{"anna", {good, good}}, {"ben & co", {none, bad}}}};
+}
+
+TEST(Gradebook, Counts) {
+  const Gradebook book = two_students();
+  EXPECT_EQ(book.count(Verdict::passed), 2u);
+  EXPECT_EQ(book.count(Verdict::missing), 1u);
+  EXPECT_FALSE(book.all_passed());
+  EXPECT_TRUE((Gradebook{{book.students[0]}}.all_passed()));
+}
+
+TEST(Gradebook, Text) {
+  EXPECT_EQ(gradebook_text(two_students()),
+            "anna      2 of 2 passed\n"
+            "ben & co  0 of 2 passed\n"
+            "    ball: missing: there is no such picture\n"
+            "    a<b: differs: PSNR is 31.20 dB, less than 40; cause: there are no shadows\n"
+            "2 students: 2 pictures passed, 1 differ, 1 missing, 0 unreadable\n");
+}
+
+TEST(Gradebook, HtmlStandsAloneAndEscapes) {
+  const std::string html = gradebook_html(two_students(), "Ray <1>");
+  EXPECT_THAT(html, AllOf(HasSubstr("<title>Ray &lt;1&gt;</title>"), HasSubstr("ben &amp; co"),
+                          HasSubstr("a&lt;b"), HasSubstr("data:image/png;base64,UE5H"),
+                          HasSubstr("there are no shadows"), HasSubstr("href=\"#p1-1\""),
+                          HasSubstr("id=\"p1-1\"")));
+  EXPECT_THAT(html,
+              AllOf(Not(HasSubstr("http")), Not(HasSubstr("<script")), Not(HasSubstr("a<b"))));
+}
+
+TEST(Gradebook, Junit) {
+  EXPECT_THAT(
+      gradebook_junit(two_students()),
+      AllOf(HasSubstr("<testsuites tests=\"4\" failures=\"2\">"),
+            HasSubstr("<testsuite name=\"ben &amp; co\" tests=\"2\" failures=\"2\">"),
+            HasSubstr("<testcase classname=\"anna\" name=\"ball\"/>"),
+            HasSubstr("<failure type=\"differs\" message=\"PSNR is 31.20 dB, less than 40\">"
+                      "cause: there are no shadows (because)\n</failure>")));
+}
+
+TEST(Gradebook, Base64) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("\xff\xfe"), "//4=");
+}
+
+TEST(Gradebook, MarkupHoldsNothingThatXmlCannot) {
+  EXPECT_EQ(markup("a&\"\x01\n"), "a&amp;&quot;?\n");
+}
+
+}  // namespace
+}  // namespace scenefile::grade_test

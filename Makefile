@@ -88,6 +88,14 @@ laws: ## CORPUS=DIR: every scene of DIR means and looks the same after XML -> JS
 	$(call compile,scenefile_laws)
 	@$(BUILD)/tests/laws/scenefile_laws $(CORPUS)
 
+.PHONY: soak
+soak: ## CORPUS=DIR: one process takes 2,000 files of DIR the whole way; memory and open files must stay
+	@test -n "$(CORPUS)" || { echo "say where the files are: make soak CORPUS=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_soak)
+	@$(BUILD)/tests/soak/scenefile_soak 2000 $(CORPUS)
+
 .PHONY: asan tsan
 asan tsan: ## all tests under a sanitizer
 	@scripts/install-deps core tests

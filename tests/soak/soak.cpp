@@ -1,0 +1,119 @@
+// scenefile_soak COUNT FOLDER...: one process, as a server would run it, takes COUNT files below
+// the folders, good and bad, the whole way: read, check, load, draw small, write in both formats.
+// After every file has been met once, the memory must not grow by more than 1 % and no file may
+// stay open.
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/format/write_scene.h"
+#include "scenefile/io/file.h"
+#include "scenefile/trace/render.h"
+#include "support/load_scene.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace scenefile;
+namespace fs = std::filesystem;
+
+constexpr double most_growth = 0.01;
+// What the allocator may keep in the corners of pages.
+constexpr double slack_bytes = 256 * 1024;
+
+std::vector<std::string> files_below(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files.push_back(entry.path().string());
+    }
+  }
+  return files;
+}
+
+void draw_and_write(const testing_support::LoadedScene& scene) {
+  RenderOptions options;
+  options.width = 16;
+  options.height = 12;
+  options.threads = 2;
+  render(scene.ready.scene, scene.assets, options);
+  Diagnostics diagnostics;
+  write_scene(scene.written, SceneFormat::xml, {}, diagnostics);
+  write_scene(scene.written, SceneFormat::json, {}, diagnostics);
+}
+
+void decode_alone(const std::string& path) {
+  std::string bytes;
+  const Limits limits;
+  if (!read_file(path, limits.file_bytes, bytes).empty()) {
+    return;
+  }
+  std::uint64_t budget = limits.texture_bytes;
+  std::string error;
+  decode_image(bytes, limits, budget, error);
+}
+
+void take(const std::string& path) {
+  const testing_support::LoadedScene scene = testing_support::load_scene(path, true);
+  if (scene.error.empty()) {
+    draw_and_write(scene);
+  } else {
+    decode_alone(path);
+  }
+}
+
+double resident_bytes() {
+  malloc_trim(0);
+  std::ifstream statm("/proc/self/statm");
+  double pages = 0;
+  double resident = 0;
+  statm >> pages >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+std::ptrdiff_t open_files() {
+  return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> files;
+  for (int i = 2; i < argc; ++i) {
+    const std::vector<std::string> more = files_below(argv[i]);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  const auto count = argc > 2 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  if (count == 0 || files.empty()) {
+    std::fputs("usage: scenefile_soak COUNT FOLDER...\n", stderr);
+    return 2;
+  }
+  std::sort(files.begin(), files.end());
+  for (const std::string& file : files) {
+    take(file);
+  }
+  const double memory = resident_bytes();
+  const std::ptrdiff_t handles = open_files();
+  std::mt19937 random(1);
+  for (unsigned long i = 0; i < count; ++i) {
+    take(files[random() % files.size()]);
+  }
+  const double growth = resident_bytes() - memory;
+  const std::ptrdiff_t left_open = open_files() - handles;
+  std::puts(
+      fmt::format(
+          "{} files once, then {} in random order: {:.1f} MB, {:+.2f} % since, {} files left open",
+          files.size(), count, memory * 1e-6, 100 * growth / memory, left_open)
+          .c_str());
+  return growth <= std::max(most_growth * memory, slack_bytes) && left_open == 0 ? 0 : 1;
+}

@@ -249,7 +249,9 @@ JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& t
                              rapidjson::kParseValidateEncodingFlag;
   tape.text = text;
   tape.items.clear();
-  tape.items.reserve(text.size() / 8 + 16);
+  // Not even compact scenes have shorter items. What stays unused is never touched.
+  constexpr std::size_t bytes_of_an_item = 5;
+  tape.items.reserve(text.size() / bytes_of_an_item + 16);
   TextStream stream(text);
   TapeWriter writer(tape, stream, max_depth);
   const rapidjson::ParseResult result = Reader().Parse<flags>(stream, writer);

@@ -271,20 +271,22 @@ float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t ke
   return 1;
 }
 
-std::optional<TextureUse> read_texture(JsonContext& context, const JsonFields& fields,
-                                       std::size_t file) {
+Rare<TextureUse> read_texture(JsonContext& context, const JsonFields& fields, std::size_t file) {
   const std::size_t u = file + 1;
   const std::size_t v = file + 2;
+  if (!fields.has(file) && !fields.has(u) && !fields.has(v)) {
+    return {};
+  }
   if (!fields.has(file)) {
     const std::string why = fmt::format("without \"{}\"", names[file]);
     report_unused(context, fields, u, why);
     report_unused(context, fields, v, why);
-    return std::nullopt;
+    return {};
   }
   std::optional<std::string> name =
       text_value(context, fields.key(file), context.limits.name_bytes);
   if (!name) {
-    return std::nullopt;
+    return {};
   }
   return TextureUse{*std::move(name), read_repeat(context, fields, u),
                     read_repeat(context, fields, v), context.place(fields.key(file))};

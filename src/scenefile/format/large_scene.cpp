@@ -11,7 +11,7 @@ void reserve_nodes(std::vector<Node>& nodes, double progress) {
   }
   const auto size = static_cast<double>(nodes.size());
   const double expected = 1.02 * size / progress;
-  nodes.reserve(static_cast<std::size_t>(std::clamp(expected, 1.25 * size, 4 * size)));
+  nodes.reserve(static_cast<std::size_t>(std::clamp(expected, 1.25 * size, 16 * size)));
 }
 
 bool needs_place(Field color, const glm::vec3& value) {

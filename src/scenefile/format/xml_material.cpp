@@ -123,11 +123,11 @@ bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute&
   return false;
 }
 
-std::optional<TextureUse> read_texture(const Writer& to, bool is_texture) {
+Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
   constexpr std::string_view known[] = {"file", "u", "v"};
   const XmlAttribute* file = find_file(to.context, to.tag);
   if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
-    return std::nullopt;
+    return {};
   }
   TextureUse texture{std::string(file->value), 1, 1, to.tag.location};
   for (const XmlAttribute& attribute : to.tag.attributes) {

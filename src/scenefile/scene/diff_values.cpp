@@ -34,6 +34,9 @@ template <typename T>
 std::string text_of(const std::optional<T>& value) {
   return value ? text_of(*value) : "none";
 }
+std::string text_of(const Rare<TextureUse>& use) {
+  return use ? text_of(*use) : "none";
+}
 
 std::string text_of(const Translate& t) {
   return "translate " + text_of(t.by);

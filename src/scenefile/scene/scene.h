@@ -7,6 +7,7 @@
 // blue, 1 is full.
 
 #include "scenefile/base/location.h"
+#include "scenefile/base/rare.h"
 #include "scenefile/base/shape.h"
 
 #include <glm/glm.hpp>
@@ -97,8 +98,8 @@ struct Material {
   float shininess = 0;  ///< exponent; 0 means no highlight
   float ior = 0;        ///< index of refraction; 0 means not given, and counts as 1
   float blend = 0;      ///< share of the texture in the diffuse color, 0..1
-  std::optional<TextureUse> texture;
-  std::optional<TextureUse> bump_map;
+  Rare<TextureUse> texture;
+  Rare<TextureUse> bump_map;
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -55,6 +55,15 @@ TEST(WritePov, ReportsWhatItOnlyApproaches) {
   EXPECT_TRUE(says(write(scene), pov_approximate));
 }
 
+TEST(WritePov, SaysAThingOnceForAScene) {
+  SceneBuilder scene;
+  scene.add(Shape::cube, {}, scene.material({}));
+  for (int i = 0; i < 3; ++i) {
+    scene.light(LightType::point, {1, 2, 3}, glm::vec3(1)).attenuation = {1, 0, 1};
+  }
+  EXPECT_EQ(write(scene).diagnostics.list().size(), 1u);
+}
+
 TEST(WritePov, ReportsWhatIsLost) {
   SceneBuilder scene;
   RenderMaterial m;

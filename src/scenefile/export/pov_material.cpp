@@ -117,9 +117,19 @@ PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
   return m;
 }
 
+void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics) {
+  const auto& list = diagnostics.list();
+  const bool said = std::any_of(list.begin(), list.end(), [&](const Diagnostic& d) {
+    return d.code == &code && d.message == message;
+  });
+  if (!said) {
+    diagnostics.report(code, {}, std::string(message));
+  }
+}
+
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
   const RenderMaterial& material = *m.material;
-  const auto note = [&](const char* text) { diagnostics.report(pov_approximate, {}, text); };
+  const auto note = [&](std::string_view text) { report_once(pov_approximate, text, diagnostics); };
   if (!gray(material.specular) && material.shininess > 0) {
     note("highlights take the strongest channel of a specular color in all channels");
   }
@@ -130,7 +140,7 @@ void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
     note("glass dims its surface and lets light through to what lies behind it");
   }
   if (m.options.texture && material.bump_map.used()) {
-    diagnostics.report(pov_lost, {}, "a bump map is left out");
+    report_once(pov_lost, "bump maps are left out", diagnostics);
   }
 }
 

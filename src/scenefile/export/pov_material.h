@@ -25,7 +25,10 @@ struct PovMaterial {
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
                          std::span<const std::string> texture_paths, const PovOptions& options);
 
-/// Reports once what of the material POV-Ray says otherwise.
+/// Reports what is the same for many parts of a scene.
+void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics);
+
+/// Reports what of the material POV-Ray says otherwise, each thing once for a scene.
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics);
 
 /// `texture { ... }`. `mapping` takes the unit square of the image, u along x and v along y, to the

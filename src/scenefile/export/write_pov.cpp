@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -159,7 +160,7 @@ class PovWriter {
     return text;
   }
 
-  void note(const char* text) { diagnostics_.report(pov_approximate, {}, text); }
+  void note(std::string_view text) { report_once(pov_approximate, text, diagnostics_); }
 
   const RenderScene& scene_;
   std::span<const Mesh> meshes_;

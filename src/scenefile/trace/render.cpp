@@ -90,7 +90,7 @@ class Renderer {
         preview_(preview),
         result_(result),
         layers_(tracer, camera_, region) {
-    if (tracer.options.denoise && !tracer.course()) {
+    if (tracer.options.denoise && has_noise()) {
       statistics_.resize(std::size_t(region.width()) * region.height());
     }
   }
@@ -116,12 +116,19 @@ class Renderer {
   }
 
  private:
+  bool has_noise() const {
+    const std::vector<RenderLight>& lights = tracer_.scene.lights;
+    const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
+    return !tracer_.course() &&
+           (camera_.has_lens() || std::any_of(lights.begin(), lights.end(), is_area));
+  }
+
   // Calls pixel(x, y, counts) for all pixels.
   template <typename F>
   void for_each_pixel(PassShare share, const F& pixel) {
     for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
       RayCounts counts;
-      SurfaceRecorder recorder(layers_.lights());
+      SurfaceRecorder recorder(tracer_.scene, layers_.lights());
       counts.recorder = records() ? &recorder : nullptr;
       for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {

@@ -15,15 +15,16 @@ struct SurfaceSample {
   glm::dvec3 position{0};  ///< world space
   Color albedo{0};         ///< the D of the lighting equation
   Color lit{0};            ///< diffuse and specular light of all lights
-  Color diffused{0};       ///< the diffuse part of `lit`
+  Color diffused{0};       ///< the diffuse part of `lit` that area lights sent
   Color unshadowed{0};     ///< `lit` without shadows
   int bounces = 0;         ///< most reflections and refractions behind each other
 };
 
 class SurfaceRecorder final : public Recorder {
  public:
-  /// `lights`: whose light is to be kept apart, into RenderScene::lights.
-  explicit SurfaceRecorder(std::vector<std::uint32_t> lights) : lights_(std::move(lights)) {}
+  /// `lights`: whose light is to be kept apart, into RenderScene::lights of the scene.
+  SurfaceRecorder(const RenderScene& scene, std::vector<std::uint32_t> lights)
+      : scene_(scene), lights_(std::move(lights)) {}
 
   /// Starts another pixel.
   void clear();
@@ -48,6 +49,7 @@ class SurfaceRecorder final : public Recorder {
  private:
   bool at_camera_ray() const { return nesting_ == 1; }
 
+  const RenderScene& scene_;
   std::vector<std::uint32_t> lights_;
   std::vector<SurfaceSample> samples_;
   std::vector<Color> light_colors_;  // by sample and light
@@ -57,7 +59,7 @@ class SurfaceRecorder final : public Recorder {
 };
 
 /// Of the samples of one pixel of the fine profile. `sharp`: see denoised(); only direct diffuse
-/// light is taken for noisy then, apart from the texture that it falls on.
+/// light of area lights is taken for noisy then, apart from the texture that it falls on.
 PixelStatistics statistics_of(const std::vector<SurfaceSample>& samples, bool sharp);
 
 }  // namespace scenefile

@@ -96,10 +96,21 @@ soak: ## CORPUS=DIR: one process takes 2,000 files of DIR the whole way; memory 
 	$(call compile,scenefile_soak)
 	@$(BUILD)/tests/soak/scenefile_soak 2000 $(CORPUS)
 
-.PHONY: asan tsan
-asan tsan: ## all tests under a sanitizer
+.PHONY: asan asan-files tsan
+ROOM_TESTS = $(foreach room,$(1),scenefile_$(room)_tests)
+asan: ## all tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	@scripts/install-deps core tests
-	@cmake --preset $@ && cmake --build --preset $@ && ctest --test-dir build/$@ --output-on-failure -j $(JOBS)
+	@cmake --preset asan && cmake --build --preset asan
+	@ctest --preset asan -j $(JOBS)
+asan-files: ## the same for what reads and writes files, and the fuzz targets' seeds and findings
+	@scripts/install-deps core tests
+	@cmake --preset asan && cmake --build --preset asan --target \
+	  scenefile_replays $(call ROOM_TESTS,base scene format asset io)
+	@ctest --preset asan-files -j $(JOBS)
+tsan: ## the tests of what runs in several threads under ThreadSanitizer
+	@scripts/install-deps core tests
+	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app)
+	@ctest --preset tsan -j $(JOBS)
 
 .PHONY: fuzz
 fuzz: ## SECONDS=60: each fuzz target for so long
@@ -110,6 +121,7 @@ fuzz: ## SECONDS=60: each fuzz target for so long
 .PHONY: ci-full
 ci-full: ## what a change may not wait for: sanitizers, killed renders, damaged checkpoints, fuzzing
 	@$(MAKE) $(QUIET) asan
+	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) configure
 	@cmake --build $(PRESET) --target scenefile
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200

@@ -1,5 +1,5 @@
 # Installs the build to a fresh folder, builds the consumer against it as a stranger would, and
-# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -P run.cmake
+# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -DFLAGS=... -P run.cmake
 function(must)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -10,7 +10,7 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 must(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+  -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
 must(${CMAKE_COMMAND} --build ${WORK}/build)
 foreach(scene hello showcase)
   must(${WORK}/build/consumer ${SCENES}/${scene}.xml ${WORK}/${scene}.png)

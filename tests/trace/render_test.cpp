@@ -52,6 +52,49 @@ TEST(Render, ThreadsDoNotChangeABit) {
   }
 }
 
+// Progress, states and previews are taken while other threads write; made for ThreadSanitizer.
+TEST(Render, WatchersDisturbNoNumberOfThreads) {
+  const SceneBuilder b = busy_scene();
+  for (const Profile profile : {Profile::course, Profile::fine}) {
+    RenderOptions options = default_options(profile);
+    options.width = 64;
+    options.height = 48;
+    options.threads = 1;
+    const Image one = render(b.scene, b.assets, options).image;
+    Checkpoints checkpoints;
+    checkpoints.interval_seconds = 0;
+    checkpoints.save = [](const std::string& state) { EXPECT_FALSE(state.empty()); };
+    Preview preview;
+    preview.interval_seconds = 0;
+    preview.show = [](const Image& image) { EXPECT_EQ(image.width, 64); };
+    for (options.threads = 1; options.threads <= 16; ++options.threads) {
+      const RenderResult result = render(
+          b.scene, b.assets, options, [](double) { return true; }, checkpoints, preview);
+      EXPECT_TRUE(one.rgb == result.image.rgb) << options.threads;
+    }
+  }
+}
+
+TEST(Render, LayersAndNoiseAreTheSameForAnyNumberOfThreads) {
+  const SceneBuilder b = busy_scene();
+  RenderOptions options = default_options(Profile::fine);
+  options.width = 64;
+  options.height = 48;
+  options.samples = 4;
+  options.denoise = true;
+  options.layers = {{LayerKind::normal}, {LayerKind::light, 1}, {LayerKind::shadow}};
+  options.threads = 1;
+  const RenderResult one = render(b.scene, b.assets, options);
+  for (const int threads : {2, 5, 16}) {
+    options.threads = threads;
+    const RenderResult result = render(b.scene, b.assets, options);
+    EXPECT_TRUE(one.image.rgb == result.image.rgb) << threads;
+    for (std::size_t i = 0; i < one.layers.size(); ++i) {
+      EXPECT_TRUE(one.layers[i].values == result.layers[i].values) << threads;
+    }
+  }
+}
+
 TEST(Render, SeedChangesTheNoiseAndNothingElse) {
   const SceneBuilder b = busy_scene();
   RenderOptions options = default_options(Profile::fine);

@@ -4,7 +4,6 @@
 
 #include "scenefile/trace/no_denormals.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -23,6 +22,28 @@ constexpr auto between_calls = std::chrono::milliseconds(20);
 
 int columns_of(int width) {
   return (width + tile_side - 1) / tile_side;
+}
+
+// Calls work(i) for 0 to count - 1 from all threads. The atomics say once more what TBB sees to:
+// what came before the work is there in every thread, and its results are there after it.
+// ThreadSanitizer cannot look into TBB and would take all of it for races.
+template <typename Work>
+void for_each_index(std::size_t count, const Work& work) {
+  std::atomic<bool> begun{false};
+  std::atomic<std::size_t> finished{0};
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(threads));
+  begun.store(true, std::memory_order_release);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t(0), count, [&begun, &finished, &work](std::size_t i) {
+      static_cast<void>(begun.load(std::memory_order_acquire));
+      const NoDenormals no_denormals;
+      work(i);
+      finished.fetch_add(1, std::memory_order_release);
+    });
+  });
+  static_cast<void>(finished.load(std::memory_order_acquire));
 }
 
 }  // namespace
@@ -103,8 +124,7 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
   const int rows = (height + tile_side - 1) / tile_side;
   const std::size_t tiles = std::size_t(columns) * rows;
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
-  const auto run_tile = [&](std::size_t index) {
-    const NoDenormals no_denormals;
+  for_each_index(tiles, [&](std::size_t index) {
     const int x0 = static_cast<int>(index % columns) * tile_side;
     const int y0 = static_cast<int>(index / columns) * tile_side;
     const int x1 = std::min(width, x0 + tile_side);
@@ -120,30 +140,12 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
       }
       watch.advance(pixel_share * (x1 - x0));
     }
-  };
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles, 1),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                          run_tile(i);
-                        }
-                      });
   });
 }
 
 void for_each_line(int count, const std::function<void(int)>& work) {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] {
-    tbb::parallel_for(0, count, [&](int i) {
-      const NoDenormals no_denormals;
-      work(i);
-    });
-  });
+  for_each_index(static_cast<std::size_t>(count),
+                 [&](std::size_t line) { work(static_cast<int>(line)); });
 }
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #include "app/diff.h"
 #include "app/judgement.h"
-#include "app/output.h"
 #include "app/load_picture.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
@@ -27,6 +27,9 @@ std::string heading(const LoadedPicture& a, const LoadedPicture& b) {
 }
 
 std::string measures_text(const PictureMeasures& m, int threshold) {
+  if (!m.same_size) {
+    return {};
+  }
   return fmt::format(
       "  PSNR {:.2f} dB, mean difference {:.3f}/255, greatest {}/255\n"
       "  {:.3f} % of the pixels are off by more than {}/255\n"

@@ -95,7 +95,8 @@ TEST_F(DiffImages, WritesMaps) {
 TEST_F(DiffImages, OtherSizesAndFiles) {
   const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
   EXPECT_EQ(sizes.status, 1);
-  EXPECT_THAT(sizes.out, AllOf(HasSubstr("64x48 and 32x24"), HasSubstr("differ in size")));
+  EXPECT_THAT(sizes.out,
+              AllOf(HasSubstr("64x48 and 32x24"), HasSubstr("the size is 32x24, expected 64x48")));
   EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);
   const ProgramRun mixed = in_folder({"diff", "right.png", "ball.xml"});
   EXPECT_EQ(mixed.status, 1);

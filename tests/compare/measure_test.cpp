@@ -48,7 +48,7 @@ TEST(Measure, EachThresholdIsHeldByItself) {
 TEST(Measure, OtherSizes) {
   const PictureMeasures m = measure(blank(4, 4), blank(4, 5));
   EXPECT_FALSE(m.same_size);
-  EXPECT_THAT(broken_thresholds({.max_flip = 1}, m), ElementsAre("the pictures differ in size"));
+  EXPECT_THAT(broken_thresholds({.max_flip = 1}, m), ElementsAre("the size is 4x5, expected 4x4"));
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace scenefile {
 PictureMeasures measure(const Texture& reference, const Texture& test, int threshold,
                         std::vector<float>* flip_errors) {
   PictureMeasures measures;
-  measures.same_size = reference.width == test.width && reference.height == test.height;
+  measures.size = {test.width, test.height};
+  measures.right_size = {reference.width, reference.height};
+  measures.same_size = measures.size == measures.right_size;
   measures.difference = compare_images(reference, test, threshold);
   FlipMap map;
   if (measures.difference.max == 0) {
@@ -41,7 +43,8 @@ std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
     }
   };
   if (!measures.same_size) {
-    broken.emplace_back("the pictures differ in size");
+    broken.push_back(fmt::format("the size is {}x{}, expected {}x{}", measures.size.x,
+                                 measures.size.y, measures.right_size.x, measures.right_size.y));
     return broken;
   }
   if (thresholds == Thresholds{} && measures.difference.max > 0) {

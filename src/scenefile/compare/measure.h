@@ -3,6 +3,8 @@
 
 #include "scenefile/asset/compare_images.h"
 
+#include <glm/glm.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@ namespace scenefile {
 /// psnr_db and ssim.
 struct PictureMeasures {
   bool same_size = true;       ///< false: all others are those of pictures that differ everywhere
+  glm::ivec2 size{0};          ///< of the picture that was tested
+  glm::ivec2 right_size{0};    ///< of the reference
   ImageDifference difference;  ///< PSNR, mean, maximum, share of pixels over the threshold
   double ssim = 1;             ///< ssim.h
   double flip_mean = 0;        ///< flip.h

@@ -69,6 +69,9 @@ std::string table(const Gradebook& book) {
 }
 
 std::string measures_line(const PictureMeasures& m) {
+  if (!m.same_size) {
+    return "not measured";
+  }
   return fmt::format("PSNR {:.2f} dB · SSIM {:.4f} · FLIP {:.4f} · greatest difference {}/255",
                      m.difference.psnr_db, m.ssim, m.flip_mean, m.difference.max);
 }

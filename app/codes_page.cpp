@@ -17,11 +17,12 @@ constexpr std::string_view introduction =
     "Everything that scenefile reports about a scene and its files, by code. `scenefile help CODE` "
     "prints\n"
     "the same text.\n\n"
-    "- **error**: the scene cannot be used. Exit status 1, or 4 for codes that end in `limit`.\n"
+    "- **error**: the scene cannot be used. Exit status 1, or 4 where a **limit** was reached.\n"
     "- **warning**: the scene is used, as the text says. `--deny warnings` or `--deny CODE` makes "
     "it an error.\n"
     "- **note**: worth knowing; does not count.\n"
-    "- **dialect**: a spelling that only some programs read: an error with `--strict`.\n\n"
+    "- **dialect**: a spelling that only some programs read: an error with `--strict`.\n"
+    "- **sometimes a warning** (an error, a note): the text says when.\n\n"
     "`--allow CODE` silences a warning or a note.\n";
 
 // "camera" of "camera.look-zero".
@@ -56,6 +57,18 @@ std::string codes_text() {
   return text + "\n\"scenefile help CODE\" says more.\n";
 }
 
+std::string severities_text(const Code& code) {
+  std::string text(severity_name(code.severity));
+  if (code.otherwise) {
+    text += fmt::format(", sometimes {} {}", *code.otherwise == Severity::error ? "an" : "a",
+                        severity_name(*code.otherwise));
+  }
+  if (code.kind != CodeKind::plain) {
+    text += code.kind == CodeKind::dialect ? ", dialect" : ", limit";
+  }
+  return text;
+}
+
 std::string codes_markdown() {
   std::string text(introduction);
   std::string_view family;
@@ -64,9 +77,8 @@ std::string codes_markdown() {
       family = family_of(*code);
       text += fmt::format("\n## {}\n", family);
     }
-    text += fmt::format("\n### {}\n\n**{}{}**: {}. {}\n", code->name, severity_name(code->severity),
-                        code->dialect ? ", dialect" : "", markdown(code->summary),
-                        markdown(code->help));
+    text += fmt::format("\n### {}\n\n**{}**: {}. {}\n", code->name, severities_text(*code),
+                        markdown(code->summary), markdown(code->help));
   }
   return text;
 }

@@ -11,10 +11,10 @@ namespace scenefile::app {
 
 namespace {
 
-// Limits have codes of their own, in every room. A denied warning is none.
+// A denied warning about a limit is an error like others.
 bool is_limit(const Diagnostic& d) {
   return d.code->severity == Severity::error && d.severity == Severity::error &&
-         d.code->name.ends_with("limit");
+         d.code->kind == CodeKind::limit;
 }
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
@@ -31,7 +31,7 @@ void apply_policy(const Options& options, Diagnostics& diagnostics) {
     if (contains(options.allowed_codes, code.name)) {
       return std::nullopt;
     }
-    const bool strict = options.deny_warnings || (options.strict && code.dialect);
+    const bool strict = options.deny_warnings || (options.strict && code.kind == CodeKind::dialect);
     const bool raised =
         (severity == Severity::warning && strict) || contains(options.denied_codes, code.name);
     return raised ? Severity::error : severity;

@@ -118,8 +118,9 @@ std::string command_text(const Command& command) {
 }
 
 std::string code_text(const Code& code) {
-  return fmt::format("{}: {} ({}{})\n\n{}\n", code.name, code.summary, severity_name(code.severity),
-                     code.dialect ? ", an error with --strict" : "", wrapped(code.help, 0));
+  return fmt::format("{}: {} ({}{})\n\n{}\n", code.name, code.summary, severities_text(code),
+                     code.kind == CodeKind::dialect ? ": an error with --strict" : "",
+                     wrapped(code.help, 0));
 }
 
 ExitCode run_help(const Options& options, Context& /*context*/) {

@@ -10,9 +10,8 @@
 #include "scenefile/trace/layers.h"
 
 #include <algorithm>
-#include <set>
-
 #include <array>
+#include <set>
 
 namespace scenefile::app {
 
@@ -153,7 +152,11 @@ void add_code(Json& json, const Code& code) {
   json.begin_object();
   json.add("name", code.name);
   json.add("severity", severity_name(code.severity));
-  json.add("dialect", code.dialect);
+  if (code.otherwise) {
+    json.add("otherwise", severity_name(*code.otherwise));
+  }
+  json.add("dialect", code.kind == CodeKind::dialect);
+  json.add("limit", code.kind == CodeKind::limit);
   json.add("summary", code.summary);
   json.add("help", code.help);
   json.end_object();

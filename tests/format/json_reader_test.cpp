@@ -274,6 +274,15 @@ TEST(JsonReader, MisspeltKeysAreSuggested) {
                                   "\"diffuse\"?"),
             std::string::npos)
       << r.all_messages();
+  EXPECT_EQ(r.count(json_misspelt_key), 1u);
+  EXPECT_TRUE(r.diagnostics.has_errors());
+}
+
+TEST(JsonReader, AKeyBesideItsLikeIsAnExtension) {
+  const Reading r =
+      read_primitive(R"({"type": "cube", "diffuse2": [1, 1, 1], "diffuse": [1, 0, 0]})");
+  EXPECT_EQ(r.count(json_unknown_key), 1u);
+  EXPECT_FALSE(r.diagnostics.has_errors());
 }
 
 TEST(JsonReader, WrongTypesNameKeyExpectationAndFinding) {

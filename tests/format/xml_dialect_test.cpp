@@ -247,7 +247,7 @@ TEST(XmlDialect, EveryAssumptionIsMarkedAsADialect) {
         with_material("<diffuse x=\"1\" y=\"1\" z=\"1\"/>")}) {
     const Reading reading = read(text);
     ASSERT_EQ(reading.diagnostics.list().size(), 1u);
-    EXPECT_TRUE(reading.diagnostics.list()[0].code->dialect);
+    EXPECT_TRUE(reading.diagnostics.list()[0].code->kind == CodeKind::dialect);
   }
 }
 

@@ -126,3 +126,65 @@ TEST(Diff, StopsWhenAsked) {
   }
   EXPECT_EQ(diff(a, b, 7).size(), 7u);
 }
+
+namespace {
+
+// The sample as another author would group it: each object in a group of its own, one more around
+// all, the light where it stands, nothing named that need not be.
+Scene regrouped() {
+  Scene scene = fine_scene();
+  scene.nodes[0].name.clear();
+  scene.nodes[0].lights.clear();
+  scene.nodes[0].primitives.clear();
+  const NodeId lit = add_group(scene, 0, {translate(3, 3, 3)});
+  scene.nodes[lit].lights = {fine_scene().nodes[0].lights[0]};
+  scene.nodes[lit].lights[0].position = {0, 0, 0};
+  const NodeId all = add_group(scene, 0, {});
+  add_primitive(scene, all, {}, Shape::cube);
+  add_primitive(scene, all, {}, Shape::sphere);
+  add_primitive(scene, all, {}, Shape::sphere);
+  const NodeId arm = add_group(scene, all, {translate(1, 0, 0)});
+  add_primitive(scene, add_group(scene, arm, {}));
+  const NodeId lamp = add_template(scene, "lamp");
+  add_primitive(scene, lamp, {}, Shape::cone);
+  add_instance(scene, add_group(scene, all, {}), "lamp");
+  return scene;
+}
+
+template <typename Change>
+std::vector<std::string> regrouped_texts(Change change) {
+  Scene changed = regrouped();
+  change(changed);
+  const SceneDiff diff = diff_meaning(sample(), changed);
+  EXPECT_EQ(diff.same_meaning, diff.differences.empty());
+  std::vector<std::string> result;
+  for (const SceneDifference& difference : diff.differences) {
+    result.push_back(difference_text(difference));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST(DiffMeaning, GroupingIsNoDifference) {
+  EXPECT_THAT(regrouped_texts([](Scene&) {}), IsEmpty());
+}
+
+TEST(DiffMeaning, NamesOneChangeBetweenScenesThatAreGroupedApart) {
+  EXPECT_THAT(regrouped_texts([](Scene& s) {
+                s.nodes[5].primitives[0].material.diffuse = {1, 0, 0};
+              }),
+              ElementsAre("root: sphere 2: diffuse: default -> 1 0 0"));
+  EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[6].transforms = {translate(1, 2, 0)}; }),
+              ElementsAre("root: sphere 3: transforms: translate 1 0 0 -> translate 1 2 0"));
+  EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[1].transforms = {translate(3, 3, 4)}; }),
+              ElementsAre("point light 1: position: 3 3 3 -> 3 3 4"));
+  EXPECT_THAT(regrouped_texts([](Scene& s) { s.camera.emplace().height_angle_deg = 60; }),
+              ElementsAre("camera: heightangle: default -> 60"));
+  EXPECT_THAT(regrouped_texts([](Scene& s) {
+                s.nodes[s.nodes[s.templates[0]].children[0]].primitives[0].material.shininess = 9;
+              }),
+              ElementsAre("lamp: cone 1: shininess: default -> 9"));
+  EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[3].primitives.clear(); }),
+              ElementsAre("root: cube 1: only in the first: cube"));
+}

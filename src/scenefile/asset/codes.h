@@ -23,37 +23,64 @@ inline constexpr Code texture_limit{
     "texture.limit", Severity::warning, "a texture is larger than the limits allow",
     "The object is shaded with its diffuse color instead. The limits keep a small file that "
     "unpacks to a huge image from using up the memory. Make the image smaller, or raise the "
-    "limit."};
+    "limit.",
+    CodeKind::limit};
 
 inline constexpr Code mesh_missing{
-    "mesh.missing", Severity::error, "a mesh file cannot be read",
+    "mesh.missing",
+    Severity::error,
+    "a mesh file cannot be read",
     "Paths are looked up beside the scene, in the folders mesh, meshes, model, models next to it "
     "and its parent, and in each --asset-root. With --allow-missing the scene is drawn without "
-    "it."};
+    "it.",
+    CodeKind::plain,
+    Severity::warning};
 
 inline constexpr Code mesh_unusable{
-    "mesh.unusable", Severity::error, "a mesh file has errors",
+    "mesh.unusable",
+    Severity::error,
+    "a mesh file has errors",
     "The findings above, in the mesh file itself, say what is wrong and where. With "
-    "--allow-missing the scene is drawn without the mesh."};
+    "--allow-missing the scene is drawn without the mesh.",
+    CodeKind::plain,
+    Severity::warning};
 
 inline constexpr Code mesh_not_obj{
-    "mesh.not-obj", Severity::error, "a file is not a Wavefront OBJ file",
+    "mesh.not-obj",
+    Severity::error,
+    "a file is not a Wavefront OBJ file",
     "Meshes are read from the text format of Wavefront: lines that begin with v, vt, vn and f. "
-    "Other formats (PLY, STL, FBX, glTF, binary .obj object code) have to be converted."};
+    "Other formats (PLY, STL, FBX, glTF, binary .obj object code) have to be converted. A warning "
+    "with --allow-missing.",
+    CodeKind::plain,
+    Severity::warning};
 
-inline constexpr Code mesh_number{
-    "mesh.number", Severity::error, "a coordinate is missing or is not a finite number",
-    "v and vn need three numbers, vt one to three. nan and inf are not numbers that can be drawn."};
+inline constexpr Code mesh_number{"mesh.number",
+                                  Severity::error,
+                                  "a coordinate is missing or is not a finite number",
+                                  "v and vn need three numbers, vt one to three. nan and inf are "
+                                  "not numbers that can be drawn. A warning with --allow-missing.",
+                                  CodeKind::plain,
+                                  Severity::warning};
 
 inline constexpr Code mesh_index{
-    "mesh.index", Severity::error, "a face names a vertex, uv or normal that does not exist",
+    "mesh.index",
+    Severity::error,
+    "a face names a vertex, uv or normal that does not exist",
     "The corners of a face are written v, v/vt, v//vn or v/vt/vn, where each is the number of a "
-    "line of that kind, counted from 1, or from the end when negative (-1 is the last so far)."};
+    "line of that kind, counted from 1, or from the end when negative (-1 is the last so far). A "
+    "warning with --allow-missing.",
+    CodeKind::plain,
+    Severity::warning};
 
 inline constexpr Code mesh_limit{
-    "mesh.limit", Severity::error, "a mesh is larger than the limits allow",
+    "mesh.limit",
+    Severity::error,
+    "a mesh is larger than the limits allow",
     "The number of triangles and their memory are bounded over all meshes of a scene. Reduce the "
-    "mesh, or raise the limit."};
+    "mesh, or raise the limit. A warning with --allow-missing.",
+    CodeKind::limit,
+    Severity::warning};
 
 inline constexpr Code mesh_short_face{"mesh.short-face", Severity::warning,
                                       "a face has fewer than three corners",

@@ -19,6 +19,13 @@ namespace scenefile {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
+/// What is special about a kind of finding.
+enum class CodeKind : std::uint8_t {
+  plain,
+  dialect,  ///< a spelling of a dialect: an error under `--strict`
+  limit     ///< a limit was reached; as an error it has an exit status of its own
+};
+
 /// A kind of finding. Each is one constant in the `codes.h` of the room that reports it; its
 /// address is its identity, its name is stable across versions.
 struct Code {
@@ -26,7 +33,9 @@ struct Code {
   Severity severity;         ///< unless a report says otherwise
   std::string_view summary;  ///< one line: what is wrong
   std::string_view help;     ///< why it matters and what to do
-  bool dialect = false;      ///< a spelling of a dialect: an error under `--strict`
+  CodeKind kind = CodeKind::plain;
+  /// The other severity that some reports give it; `help` says when.
+  std::optional<Severity> otherwise = std::nullopt;
 };
 
 /// One finding.

@@ -49,17 +49,19 @@ inline constexpr Code xml_entity{
 inline constexpr Code xml_nesting_limit{
     "xml.nesting-limit", Severity::error, "elements are nested too deeply",
     "The deepest scene known has fewer than 50 levels. Declare parts as masters and use them by "
-    "name."};
-inline constexpr Code xml_attribute_limit{"xml.attribute-limit", Severity::error,
-                                          "an element has too many attributes",
-                                          "No element of the format has more than five."};
+    "name.",
+    CodeKind::limit};
+inline constexpr Code xml_attribute_limit{
+    "xml.attribute-limit", Severity::error, "an element has too many attributes",
+    "No element of the format has more than five.", CodeKind::limit};
 inline constexpr Code xml_length_limit{
     "xml.length-limit", Severity::error, "a name, a value or a comment is too long",
     "The limits hold every scene known with room to spare; text of this length is damage or an "
-    "attack."};
+    "attack.",
+    CodeKind::limit};
 inline constexpr Code xml_light_limit{
     "xml.light-limit", Severity::error, "the file has too many lights",
-    "The format text allows 8 lights. More are read, up to this limit."};
+    "The format text allows 8 lights. More are read, up to this limit.", CodeKind::limit};
 
 // Names of elements.
 
@@ -68,7 +70,7 @@ inline constexpr Code xml_root_element{
     "A scene is one element <scenefile> that holds everything else."};
 inline constexpr Code xml_name_case{
     "xml.name-case", Severity::warning, "a name is written in another case",
-    "Names of the format are lower case, and most programs insist on it.", true};
+    "Names of the format are lower case, and most programs insist on it.", CodeKind::dialect};
 inline constexpr Code xml_unknown_element{
     "xml.unknown-element", Severity::warning, "an element is not part of the format",
     "It was left out with everything in it. Extensions of other programs are not followed."};
@@ -81,18 +83,23 @@ inline constexpr Code xml_misspelt_transblock{
     "xml.misspelt-transblock", Severity::warning, "a transblock is misspelt",
     "Only transblocks may stand in a tree, so it was read as one. Other programs may refuse it or "
     "leave it out.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_misplaced_element{
     "xml.misplaced-element", Severity::warning, "an element stands where it means nothing",
     "The format knows the element, but not in this place. It was left out with everything in it."};
 inline constexpr Code xml_ignored_element{
-    "xml.ignored-element", Severity::warning, "an element of some readers has no effect",
-    "Some programs read it; the format text does not name it and nothing here depends on it."};
+    "xml.ignored-element",
+    Severity::warning,
+    "an element of some readers has no effect",
+    "Some programs read it; the format text does not name it and nothing here depends on it. A "
+    "note where nothing could depend on it at all.",
+    CodeKind::plain,
+    Severity::note};
 inline constexpr Code xml_alias_element{
     "xml.alias-element", Severity::warning, "an element has its other name",
     "The format text uses two names for the same thing; the one suggested is the one that all "
     "programs read.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_duplicate_element{"xml.duplicate-element", Severity::warning,
                                             "something is given twice", "The later one counts."};
 inline constexpr Code xml_second_camera{"xml.second-camera", Severity::warning,
@@ -118,19 +125,23 @@ inline constexpr Code xml_alias_attribute{
     "xml.alias-attribute", Severity::warning, "an attribute has another name",
     "Some programs go by the order of attributes and not by their names, so files with other names "
     "exist. Programs that go by names refuse them.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_positional_attributes{
     "xml.positional-attributes", Severity::warning, "attributes were read by their order",
     "None of the names that the format gives these attributes is there. Some programs go by the "
     "order alone; those that go by names refuse the file.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_color_alpha{
     "xml.color-alpha", Severity::note, "a color has a fourth part",
     "Colors have three parts; `transparent` says how much light passes through."};
 inline constexpr Code xml_number{
-    "xml.number", Severity::error, "a value is not a number",
+    "xml.number",
+    Severity::error,
+    "a value is not a number",
     "Numbers are decimal with a point, such as -0.5, 3 or 1e-3. With --compat course the longest "
-    "part at the front that is a number counts, with a warning, as in old programs."};
+    "part at the front that is a number counts, with a warning, as in old programs.",
+    CodeKind::plain,
+    Severity::warning};
 inline constexpr Code xml_number_range{
     "xml.number-range", Severity::error, "a number is too large",
     "It does not fit a single precision number, whose largest is about 3.4e38."};
@@ -152,9 +163,13 @@ inline constexpr Code xml_focus_at_position{
 inline constexpr Code xml_light_type{"xml.light-type", Severity::error,
                                      "a light has an unknown type",
                                      "The types are point, directional, spot and area."};
-inline constexpr Code xml_light_id{"xml.light-id", Severity::warning,
-                                   "the id of a light is not a whole number",
-                                   "The id has no effect; programs that use it expect 0 to 7."};
+inline constexpr Code xml_light_id{
+    "xml.light-id",
+    Severity::warning,
+    "the id of a light is not a whole number",
+    "The id has no effect; programs that use it expect 0 to 7. A note where the id is missing.",
+    CodeKind::plain,
+    Severity::note};
 inline constexpr Code xml_light_default{
     "xml.light-default", Severity::warning, "a light lacks a part",
     "The format text demands it. The default that the message names is used."};
@@ -189,8 +204,13 @@ inline constexpr Code xml_duplicate_name{
     "xml.duplicate-name", Severity::error, "a name is declared twice",
     "Names of trees must be unique, or it is open which one an instance means."};
 inline constexpr Code xml_reserved_root{
-    "xml.reserved-root", Severity::error, "the name root is used for something else",
-    "It belongs to the main tree of the scene, which cannot be a part of itself."};
+    "xml.reserved-root",
+    Severity::error,
+    "the name root is used for something else",
+    "It belongs to the main tree of the scene, which cannot be a part of itself. A warning where a "
+    "tree inside another one has it.",
+    CodeKind::plain,
+    Severity::warning};
 inline constexpr Code xml_no_root{"xml.no-root", Severity::warning,
                                   "the scene has no tree named root",
                                   "What is drawn is <object type=\"tree\" name=\"root\">; all "
@@ -200,13 +220,13 @@ inline constexpr Code xml_master_after_root{
     "xml.master-after-root", Severity::warning, "a master is declared after the root",
     "The root says that all masters have been declared. Programs that read in one pass refuse the "
     "file.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_nested_master{"xml.nested-master", Severity::warning,
                                         "an instance names a tree inside another tree",
                                         "The format text lets every name be used again, but most "
                                         "programs know only the trees at the top "
                                         "of the file. Declare it there.",
-                                        true};
+                                        CodeKind::dialect};
 inline constexpr Code xml_instance_children{
     "xml.instance-children", Severity::warning, "an instance has content of its own",
     "It stands for a master as that was declared; what it contains was left out."};
@@ -216,7 +236,7 @@ inline constexpr Code xml_object_without_transblock{
     "xml.object-without-transblock", Severity::warning, "an object stands in no transblock",
     "Each object must be immediately surrounded by a transblock. It was read as if it were in one "
     "without transformations.",
-    true};
+    CodeKind::dialect};
 inline constexpr Code xml_transblock_without_object{"xml.transblock-without-object",
                                                     Severity::warning, "a transblock has no object",
                                                     "Nothing is drawn for it."};
@@ -239,17 +259,21 @@ inline constexpr Code xml_rotate_axis{"xml.rotate-axis", Severity::warning,
 inline constexpr Code xml_matrix_rows{
     "xml.matrix-rows", Severity::error, "a matrix does not have four rows",
     "A matrix has four elements, one a row, with four numbers each."};
-inline constexpr Code xml_matrix_not_affine{"xml.matrix-not-affine", Severity::warning,
-                                            "the last row of a matrix is not 0 0 0 1",
-                                            "Objects are moved by affine maps. A last row of 0 0 0 "
-                                            "w divides the matrix by w; anything else "
-                                            "in it has no effect. A translation belongs into the "
-                                            "last column: a matrix with one in the last "
-                                            "row was written column by column."};
+inline constexpr Code xml_matrix_not_affine{
+    "xml.matrix-not-affine",
+    Severity::warning,
+    "the last row of a matrix is not 0 0 0 1",
+    "Objects are moved by affine maps. A last row of 0 0 0 "
+    "w divides the matrix by w; anything else "
+    "in it has no effect. A translation belongs into the "
+    "last column: a matrix with one in the last "
+    "row was written column by column. An error where dividing is impossible.",
+    CodeKind::plain,
+    Severity::error};
 inline constexpr Code xml_texture_blend{
     "xml.texture-blend", Severity::warning, "a texture carries its blend itself",
     "The sketch of the format text puts a number on the texture; all programs read it from an "
     "element <blend>.",
-    true};
+    CodeKind::dialect};
 
 }  // namespace scenefile

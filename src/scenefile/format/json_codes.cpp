@@ -17,6 +17,7 @@ constexpr const Code* all[] = {
     &json_look_and_focus,
     &json_matrix_order,
     &json_missing_key,
+    &json_misspelt_key,
     &json_no_groups,
     &json_no_light,
     &json_number,

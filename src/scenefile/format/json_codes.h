@@ -24,11 +24,15 @@ inline constexpr Code json_trailing_comma{
 inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
                                    "JSON has no comments. Remove it, or say it in a \"name\"."};
 inline constexpr Code json_number{
-    "json.number", Severity::error, "a number that JSON cannot say",
+    "json.number",
+    Severity::error,
+    "a number that JSON cannot say",
     "JSON numbers have digits on both sides of the point and no leading zero or plus: 0.6 instead "
     "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal. "
     "With --compat "
-    "course, a digit that is missing beside the point counts as 0, with a warning."};
+    "course, a digit that is missing beside the point counts as 0, with a warning.",
+    CodeKind::plain,
+    Severity::warning};
 inline constexpr Code json_number_range{
     "json.number-range", Severity::error, "a number that is too large",
     "Values are kept in single precision, which ends at about 3.4e38."};
@@ -48,7 +52,8 @@ inline constexpr Code json_after_end{
 inline constexpr Code json_limit{
     "json.limit", Severity::error, "a limit is reached",
     "Limits keep a mistaken or hostile file from taking all memory and time. They hold every scene "
-    "of the course with room to spare, and can be raised."};
+    "of the course with room to spare, and can be raised.",
+    CodeKind::limit};
 
 inline constexpr Code json_type{
     "json.wrong-type", Severity::error, "a value of the wrong type",
@@ -67,9 +72,12 @@ inline constexpr Code json_missing_key{
     "The schema requires this key, and other readers refuse the file without it."};
 inline constexpr Code json_unknown_key{
     "json.unknown-key", Severity::warning, "an unknown key",
-    "The key is none of the format: a spelling mistake, or an extension of somebody's own reader. "
-    "It "
-    "is ignored with all that it holds. The course's reader refuses the file."};
+    "The key is none of the format but an extension of somebody's own reader. It is ignored with "
+    "all that it holds. The course's reader refuses the file."};
+inline constexpr Code json_misspelt_key{
+    "json.misspelt-key", Severity::error, "a key that is probably misspelt",
+    "The key is nearly that of another one, which the object lacks. Ignoring it would give a "
+    "picture that its author did not mean. The course's reader refuses the file."};
 inline constexpr Code json_duplicate_key{
     "json.duplicate-key", Severity::warning, "a key that occurs twice",
     "In one object each key may stand once. The last one counts, as in most programs; what the "
@@ -93,9 +101,14 @@ inline constexpr Code json_no_light{
     "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
     "\"groups\"; a light stands at the origin of the group that holds its list."};
 inline constexpr Code json_primitive_type{
-    "json.unknown-primitive-type", Severity::warning, "a primitive of unknown type",
+    "json.unknown-primitive-type",
+    Severity::warning,
+    "a primitive of unknown type",
     "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of somebody's "
-    "own reader. The primitive is left out. The course's reader refuses the file."};
+    "own reader. The primitive is left out. The course's reader refuses the file. An error where "
+    "the type cannot be the name of one.",
+    CodeKind::plain,
+    Severity::error};
 inline constexpr Code json_area_light{
     "json.area-light", Severity::note, "an area light",
     "Area lights belong to the format, but the course's JSON reader does not know them and refuses "

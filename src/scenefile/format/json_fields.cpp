@@ -100,6 +100,7 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
     : context_(context), object_(object), vocabulary_(vocabulary) {
   const JsonTape& tape = context.tape;
   std::size_t count = 0;
+  std::vector<JsonIndex> unknown;
   for (JsonIndex key = object + 1; key < tape.end(object); key = tape.end(key + 1)) {
     if (++count > context.limits.attributes) {
       context.report(
@@ -108,11 +109,32 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
                       context.limits.attributes, quoted(tape.string(key))));
       break;
     }
-    add(key);
+    if (!add(key)) {
+      unknown.push_back(key);
+    }
+  }
+  unknown_ = unknown.size();
+  for (const JsonIndex key : unknown) {
+    report_unknown(key);
   }
 }
 
-void JsonFields::add(JsonIndex key) {
+// Nearly a key that the object lacks is a mistake; an extension would be named apart from those it
+// stands beside.
+void JsonFields::report_unknown(JsonIndex key) const {
+  const std::string name = context_.tape.string(key);
+  const std::string_view near =
+      nearest_name(std::string_view(name).substr(0, 64), vocabulary_.keys);
+  const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), near);
+  const bool misspelt = known != vocabulary_.keys.end() &&
+                        !has(static_cast<std::size_t>(known - vocabulary_.keys.begin()));
+  context_.report(misspelt ? json_misspelt_key : json_unknown_key, key,
+                  fmt::format("unknown key {} in {}{}", quoted(name), vocabulary_.what,
+                              misspelt ? fmt::format("; did you mean \"{}\"?", near) : ""));
+}
+
+// False: the vocabulary does not have it.
+bool JsonFields::add(JsonIndex key) {
   std::string_view name = context_.tape.raw(key);
   std::string decoded;
   if (name.find('\\') != std::string_view::npos) {
@@ -121,12 +143,7 @@ void JsonFields::add(JsonIndex key) {
   }
   const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), name);
   if (known == vocabulary_.keys.end()) {
-    ++unknown_;
-    const std::string_view near = nearest_name(name.substr(0, 64), vocabulary_.keys);
-    context_.report(json_unknown_key, key,
-                    fmt::format("unknown key {} in {}{}", quoted(name), vocabulary_.what,
-                                near.empty() ? "" : fmt::format("; did you mean \"{}\"?", near)));
-    return;
+    return false;
   }
   JsonIndex& slot = keys_[static_cast<std::size_t>(known - vocabulary_.keys.begin())];
   if (slot != 0) {
@@ -136,6 +153,7 @@ void JsonFields::add(JsonIndex key) {
                                 quoted(name), vocabulary_.what, first));
   }
   slot = key;
+  return true;
 }
 
 bool JsonFields::require(std::size_t key) const {

@@ -62,7 +62,8 @@ class JsonFields {
   bool require(std::size_t key) const;
 
  private:
-  void add(JsonIndex key);
+  bool add(JsonIndex key);
+  void report_unknown(JsonIndex key) const;
 
   JsonContext& context_;
   JsonIndex object_;

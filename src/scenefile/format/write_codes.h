@@ -14,7 +14,8 @@ inline constexpr Code write_light_moved{
 inline constexpr Code write_light_limit{
     "write.light-limit", Severity::error, "too many lights",
     "In XML, lights in a template are written once for each copy. The limit on how many keeps this "
-    "within bounds; it can be raised."};
+    "within bounds; it can be raised.",
+    CodeKind::limit};
 inline constexpr Code write_light_turned{
     "write.light-turned", Severity::warning, "an area light that XML cannot place so",
     "In XML an area light has a direction, a width and a height, and no way to say how it is "
@@ -62,7 +63,8 @@ inline constexpr Code write_character{
 inline constexpr Code write_nesting{
     "write.nesting-limit", Severity::error, "the file would be nested too deeply",
     "Readers limit how deep a file may be nested. What the other format says flat may need several "
-    "levels here."};
+    "levels here.",
+    CodeKind::limit};
 
 /// All of the above, by name.
 std::span<const Code* const> write_codes();

@@ -85,7 +85,8 @@ inline constexpr Code light_limit{
     "light.count-limit", Severity::error, "too many lights",
     "Every lit point asks every light. The limit keeps a mistaken or hostile file from taking "
     "hours; "
-    "it can be raised. Lights in a template count once for each copy."};
+    "it can be raised. Lights in a template count once for each copy.",
+    CodeKind::limit};
 inline constexpr Code light_duplicate_id{
     "light.duplicate-id", Severity::warning, "two lights with one id",
     "Programs that store lights by id keep only one of them. All are used here."};
@@ -250,7 +251,8 @@ inline constexpr Code tree_template_unused{
 inline constexpr Code tree_nesting_limit{
     "tree.nesting-limit", Severity::error, "templates nested too deeply",
     "Templates can hold copies of templates. The limit on how many lie inside each other keeps "
-    "rendering within its memory; it can be raised."};
+    "rendering within its memory; it can be raised.",
+    CodeKind::limit};
 
 /// All of the above, by name.
 std::span<const Code* const> scene_codes();

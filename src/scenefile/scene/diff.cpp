@@ -1,8 +1,9 @@
 #include "scenefile/scene/diff.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/scene/check_parts.h"
 #include "scenefile/scene/diff_align.h"
+#include "scenefile/scene/diff_drawn.h"
+#include "scenefile/scene/diff_list.h"
 #include "scenefile/scene/diff_values.h"
 #include "scenefile/scene/node_path.h"
 #include "scenefile/scene/prepare.h"
@@ -10,28 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t seed, std::uint64_t value) {
-  const std::uint64_t x = (seed ^ value) * 0x9e3779b97f4a7c15u;
-  return x ^ (x >> 29);
-}
-
-std::uint64_t hash_of(const Values& values) {
-  std::uint64_t hash = values.size();
-  for (const Value& value : values) {
-    hash = mixed(hash, std::hash<std::string_view>{}(value.name));
-    hash = mixed(hash, std::hash<std::string>{}(value.text));
-  }
-  return hash;
-}
 
 // The heads of trees and all nodes below them, parents first; each once.
 std::vector<NodeId> parents_first(const Scene& scene) {
@@ -123,152 +108,52 @@ class Side {
   std::vector<std::uint64_t> hashes_;
 };
 
-std::string_view label_of(const Light& light) {
-  return light_type_name(light.type);
-}
-std::string_view label_of(const Primitive& primitive) {
-  return shape_name(primitive.shape);
-}
-
-// "sphere, diffuse 1 0 0": an item in full.
-template <typename Item>
-std::string description(const Item& item) {
-  std::string text(label_of(item));
-  for (const Value& value : values_of(item)) {
-    if (value.name != "type") {
-      text += fmt::format(", {} {}", value.name, value.text);
-    }
-  }
-  return text;
-}
-
-std::string place_text(std::size_t index) {
-  return fmt::format("place {}", index + 1);
-}
-
 class Comparison {
  public:
-  Comparison(const Scene& a, const Scene& b, std::size_t most) : a_(a), b_(b), most_(most) {}
+  Comparison(const Scene& a, const Scene& b, std::size_t most) : a_(a), b_(b), list_(most) {}
 
   std::vector<SceneDifference> run() {
     const Scene& a = a_.scene;
     const Scene& b = b_.scene;
     if (a.name != b.name) {
-      add("scene name", quoted(a.name), quoted(b.name), {}, {});
+      list_.add("scene name", quoted(a.name), quoted(b.name), {}, {});
     }
-    compare_values("global data: ", values_of(a.global), values_of(b.global), a.global.location,
-                   b.global.location);
+    list_.compare_values("global data: ", values_of(a.global), values_of(b.global),
+                         a.global.location, b.global.location);
     compare_cameras(a.camera, b.camera);
     if (a_.has(a.root) && b_.has(b.root)) {
       pending_.emplace_back(a.root, b.root);
     }
     compare_nodes(a.templates, b.templates);
-    while (!pending_.empty() && differences_.size() < most_) {
+    while (!pending_.empty() && !list_.full()) {
       const auto [in_a, in_b] = pending_.back();
       pending_.pop_back();
       if (a_.hash(in_a) != b_.hash(in_b)) {
         compare(in_a, in_b);
       }
     }
-    return std::move(differences_);
+    return list_.take();
   }
 
  private:
-  void add_at(std::string where, std::string a, std::string b, Location in_a, Location in_b) {
-    if (differences_.size() < most_) {
-      differences_.push_back({std::move(where), std::move(a), std::move(b), in_a, in_b});
-    }
-  }
-
-  // `what` is said of the node that is being compared, or of the scene where there is none.
-  void add(const std::string& what, std::string a, std::string b, Location in_a, Location in_b) {
-    add_at(node_ == no_node ? what : a_.path(node_) + ": " + what, std::move(a), std::move(b), in_a,
-           in_b);
-  }
-
   void compare_cameras(const std::optional<Camera>& a, const std::optional<Camera>& b) {
     const Location in_a = a.value_or(Camera{}).location;
     const Location in_b = b.value_or(Camera{}).location;
     if (a && b) {
-      compare_values("camera: ", values_of(*a), values_of(*b), in_a, in_b);
+      list_.compare_values("camera: ", values_of(*a), values_of(*b), in_a, in_b);
     } else if (a || b) {
-      add("camera", a ? "given" : "not given", b ? "given" : "not given", in_a, in_b);
+      list_.add("camera", a ? "given" : "not given", b ? "given" : "not given", in_a, in_b);
     }
   }
 
   void compare(NodeId in_a, NodeId in_b) {
     const Node& a = a_.scene.nodes[in_a];
     const Node& b = b_.scene.nodes[in_b];
-    node_ = in_a;
-    compare_values("", values_of(a), values_of(b), a.location, b.location);
-    compare_items(a.lights, b.lights);
-    compare_items(a.primitives, b.primitives);
+    const std::string where = a_.path(in_a) + ": ";
+    list_.compare_values(where, values_of(a), values_of(b), a.location, b.location);
+    list_.compare_items(where, a.lights, b.lights);
+    list_.compare_items(where, a.primitives, b.primitives);
     compare_nodes(a.children, b.children);
-  }
-
-  void compare_values(const std::string& what, const Values& a, const Values& b, Location in_a,
-                      Location in_b) {
-    const auto find = [](const Values& values, std::string_view name) {
-      for (const Value& value : values) {
-        if (value.name == name) {
-          return value.text;
-        }
-      }
-      return std::string("default");
-    };
-    for (const Value& value : a) {
-      const std::string other = find(b, value.name);
-      if (value.text != other) {
-        add(what + std::string(value.name), value.text, other, in_a, in_b);
-      }
-    }
-    for (const Value& value : b) {
-      if (find(a, value.name) == "default") {
-        add(what + std::string(value.name), "default", value.text, in_a, in_b);
-      }
-    }
-  }
-
-  template <typename Item>
-  static std::vector<AlignItem> align_items(const std::vector<Item>& items) {
-    std::vector<AlignItem> result;
-    for (const Item& item : items) {
-      result.push_back({hash_of(values_of(item)), std::string(label_of(item))});
-    }
-    return result;
-  }
-
-  // "sphere 2" for each item: numbered by kind, from 1, as a reader would count them.
-  template <typename Item>
-  static std::vector<std::string> names(const std::vector<Item>& items) {
-    std::map<std::string_view, std::size_t> counts;
-    std::vector<std::string> result;
-    for (const Item& item : items) {
-      result.push_back(fmt::format("{} {}", label_of(item), ++counts[label_of(item)]));
-    }
-    return result;
-  }
-
-  // Lights or primitives of a node.
-  template <typename Item>
-  void compare_items(const std::vector<Item>& a, const std::vector<Item>& b) {
-    const std::vector<std::string> names_a = names(a);
-    const std::vector<std::string> names_b = names(b);
-    for (const AlignedPair& pair : align(align_items(a), align_items(b))) {
-      if (!pair.b) {
-        const Item& item = a[*pair.a];
-        add(names_a[*pair.a], description(item), "", item.location, {});
-      } else if (!pair.a) {
-        const Item& item = b[*pair.b];
-        add(names_b[*pair.b], "", description(item), {}, item.location);
-      } else if (!pair.equal) {
-        compare_values(names_a[*pair.a] + ": ", values_of(a[*pair.a]), values_of(b[*pair.b]),
-                       a[*pair.a].location, b[*pair.b].location);
-      } else if (pair.moved) {
-        add(names_a[*pair.a], place_text(*pair.a), place_text(*pair.b), a[*pair.a].location,
-            b[*pair.b].location);
-      }
-    }
   }
 
   void compare_nodes(const std::vector<NodeId>& all_of_a, const std::vector<NodeId>& all_of_b) {
@@ -278,15 +163,15 @@ class Comparison {
     for (const AlignedPair& pair : align(a_.items(a), b_.items(b))) {
       if (!pair.b) {
         const NodeId id = a[*pair.a];
-        add_at(a_.path(id), a_.description(id), "", a_.location(id), {});
+        list_.add(a_.path(id), a_.description(id), "", a_.location(id), {});
       } else if (!pair.a) {
         const NodeId id = b[*pair.b];
-        add_at(b_.path(id), "", b_.description(id), {}, b_.location(id));
+        list_.add(b_.path(id), "", b_.description(id), {}, b_.location(id));
       } else if (!pair.equal) {
         pending_.emplace_back(a[*pair.a], b[*pair.b]);
       } else if (pair.moved) {
-        add_at(a_.path(a[*pair.a]), place_text(*pair.a), place_text(*pair.b),
-               a_.location(a[*pair.a]), b_.location(b[*pair.b]));
+        list_.add(a_.path(a[*pair.a]), place_text(*pair.a), place_text(*pair.b),
+                  a_.location(a[*pair.a]), b_.location(b[*pair.b]));
       }
     }
     // The first child is to be compared first.
@@ -295,9 +180,7 @@ class Comparison {
 
   Side a_;
   Side b_;
-  std::size_t most_;
-  NodeId node_ = no_node;
-  std::vector<SceneDifference> differences_;
+  DifferenceList list_;
   std::vector<std::pair<NodeId, NodeId>> pending_;
 };
 
@@ -315,7 +198,13 @@ SceneDiff diff_meaning(const Scene& a, const Scene& b, std::size_t most) {
   result.equal = a == b;
   result.same_meaning = result.equal || same_meaning(a, b);
   if (!result.same_meaning) {
+    // Of two ways to say it the shorter one: scenes that are grouped alike differ in few places,
+    // others (in another format, say) only in what they draw.
     result.differences = diff(a, b, most);
+    std::vector<SceneDifference> drawn = diff_drawn(a, b, most);
+    if (!drawn.empty() && drawn.size() < result.differences.size()) {
+      result.differences = std::move(drawn);
+    }
   }
   return result;
 }

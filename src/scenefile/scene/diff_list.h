@@ -1,0 +1,94 @@
+#pragma once
+// Differences between values and between lists of items, in words. Internal to the room.
+
+#include "scenefile/scene/diff.h"
+#include "scenefile/scene/diff_align.h"
+#include "scenefile/scene/diff_values.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile {
+
+/// Of equal values, equal numbers.
+std::uint64_t hash_of(const Values& values);
+/// Goes on with a number from hash_of().
+std::uint64_t mixed(std::uint64_t seed, std::uint64_t value);
+
+std::string_view label_of(const Light& light);
+std::string_view label_of(const Primitive& primitive);
+
+/// "sphere, diffuse 1 0 0".
+std::string described(std::string_view label, const Values& values);
+/// "place 2" for the second one.
+std::string place_text(std::size_t index);
+/// "sphere 2" for each of the labels: numbered by label, from 1, as a reader would count them.
+std::vector<std::string> numbered(const std::vector<std::string_view>& labels);
+
+/// A list of at most so many differences.
+class DifferenceList {
+ public:
+  explicit DifferenceList(std::size_t most) : most_(most) {}
+
+  bool full() const { return differences_.size() >= most_; }
+  std::vector<SceneDifference> take() { return std::move(differences_); }
+
+  void add(std::string where, std::string a, std::string b, Location in_a, Location in_b);
+
+  /// Values that differ; `where` stands before the name of each, such as "root: sphere 1: ".
+  void compare_values(const std::string& where, const Values& a, const Values& b, Location in_a,
+                      Location in_b);
+
+  /// Lights or primitives of one place.
+  template <typename Item>
+  void compare_items(const std::string& where, const std::vector<Item>& a,
+                     const std::vector<Item>& b) {
+    const std::vector<std::string> names_a = names(a);
+    const std::vector<std::string> names_b = names(b);
+    for (const AlignedPair& pair : align(align_items(a), align_items(b))) {
+      if (!pair.b) {
+        const Item& item = a[*pair.a];
+        add(where + names_a[*pair.a], described(label_of(item), values_of(item)), "", item.location,
+            {});
+      } else if (!pair.a) {
+        const Item& item = b[*pair.b];
+        add(where + names_b[*pair.b], "", described(label_of(item), values_of(item)), {},
+            item.location);
+      } else if (!pair.equal) {
+        compare_values(where + names_a[*pair.a] + ": ", values_of(a[*pair.a]),
+                       values_of(b[*pair.b]), a[*pair.a].location, b[*pair.b].location);
+      } else if (pair.moved) {
+        add(where + names_a[*pair.a], place_text(*pair.a), place_text(*pair.b), a[*pair.a].location,
+            b[*pair.b].location);
+      }
+    }
+  }
+
+ private:
+  template <typename Item>
+  static std::vector<AlignItem> align_items(const std::vector<Item>& items) {
+    std::vector<AlignItem> result;
+    for (const Item& item : items) {
+      result.push_back({hash_of(values_of(item)), std::string(label_of(item))});
+    }
+    return result;
+  }
+
+  template <typename Item>
+  static std::vector<std::string> names(const std::vector<Item>& items) {
+    std::vector<std::string_view> labels;
+    for (const Item& item : items) {
+      labels.push_back(label_of(item));
+    }
+    return numbered(labels);
+  }
+
+  std::size_t most_;
+  std::vector<SceneDifference> differences_;
+};
+
+}  // namespace scenefile

@@ -1,13 +1,12 @@
 // Files that are cut, damaged, or lie about their size.
 
 #include "asset/sample_files.h"
+#include "support/cpu_time.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <zlib.h>
-
-#include <chrono>
 
 namespace scenefile {
 namespace {
@@ -127,9 +126,9 @@ TEST(HostileImage, PngTextsAreNotUnpacked) {
   for (int i = 0; i < 60; ++i) {
     bytes += text;
   }
-  const auto start = std::chrono::steady_clock::now();
+  const double start = cpu_seconds();
   EXPECT_EQ(decode(bytes + whole.substr(33)).error, "");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+  EXPECT_LT(cpu_seconds() - start, 1);
 }
 
 TEST(HostileImage, JpegThatLiesAboutItsSize) {

@@ -10,6 +10,7 @@
 #include "scenefile/trace/accelerator.h"
 
 #include "scenefile/trace/group_bounds.h"
+#include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/ray_box.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
@@ -330,6 +331,7 @@ void test_part(Query& q, const Group& group, std::uint32_t index, const Ray& ray
 }
 
 void group_bounds_callback(const RTCBoundsFunctionArguments* arguments) {
+  const HandOver hand_over;
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
   const FloatBox& box = group.boxes[arguments->primID];
   *arguments->bounds_o = {box.min[0], box.min[1], box.min[2], 0.0f,
@@ -697,7 +699,9 @@ RTCScene Accelerator::Impl::commit(RTCGeometry geometry, RTCSceneFlags flags) {
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
+  HandOver::give();
   rtcCommitScene(scene);
+  HandOver::collect();
   return scene;
 }
 

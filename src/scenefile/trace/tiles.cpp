@@ -2,6 +2,7 @@
 
 #include "scenefile/trace/tiles.h"
 
+#include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/no_denormals.h"
 
 #include <tbb/global_control.h>
@@ -24,26 +25,20 @@ int columns_of(int width) {
   return (width + tile_side - 1) / tile_side;
 }
 
-// Calls work(i) for 0 to count - 1 from all threads. The atomics say once more what TBB sees to:
-// what came before the work is there in every thread, and its results are there after it.
-// ThreadSanitizer cannot look into TBB and would take all of it for races.
+// Calls work(i) for 0 to count - 1 from all threads.
 template <typename Work>
 void for_each_index(std::size_t count, const Work& work) {
-  std::atomic<bool> begun{false};
-  std::atomic<std::size_t> finished{0};
   const auto threads =
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   tbb::task_arena arena(static_cast<int>(threads));
-  begun.store(true, std::memory_order_release);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t(0), count, [&begun, &finished, &work](std::size_t i) {
-      static_cast<void>(begun.load(std::memory_order_acquire));
-      const NoDenormals no_denormals;
-      work(i);
-      finished.fetch_add(1, std::memory_order_release);
-    });
-  });
-  static_cast<void>(finished.load(std::memory_order_acquire));
+  const auto piece = [&work](std::size_t i) {
+    const HandOver hand_over;
+    const NoDenormals no_denormals;
+    work(i);
+  };
+  HandOver::give();
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), count, piece); });
+  HandOver::collect();
 }
 
 }  // namespace

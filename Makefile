@@ -143,6 +143,14 @@ tidy: ## clang-tidy all sources
 	@$(MAKE) $(QUIET) configure-tests
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
+.PHONY: bench
+bench: ## CPU time and memory of whole runs against POV-Ray; CORPUS=DIR: also on the course's scenes
+	@scripts/install-deps core bench
+	@$(MAKE) $(QUIET) configure
+	@grep -qs SCENEFILE_BENCH:BOOL=ON $(BUILD)/CMakeCache.txt || cmake $(PRESET) -DSCENEFILE_BENCH=ON > /dev/null
+	@cmake --build $(PRESET) --target scenefile scenefile_bench_psnr
+	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)")
+
 .PHONY: docs
 docs: build ## write docs/diagnostics.md anew, from the codes of the program
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md

@@ -174,17 +174,69 @@ bool nearest(const Span& span, double shift, double t_min, double t_max, ShapeHi
   return false;
 }
 
-// For directions whose square neither overflows nor underflows.
-bool intersect_moderate(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
+// The face at which the first of equal crossings lies; `toward` where the ray leaves.
+Face face_of(const dvec3& crossings, double t, const dvec3& toward) {
+  constexpr Face low[3] = {Face::neg_x, Face::neg_y, Face::neg_z};
+  constexpr Face high[3] = {Face::pos_x, Face::pos_y, Face::pos_z};
+  const int axis = crossings.x == t ? 0 : crossings.y == t ? 1 : 2;
+  return toward[axis] > 0 ? high[axis] : low[axis];
+}
+
+// The same as by cube_span, without its branches, for rays that are along no face: which way they
+// go is as good as random.
+bool intersect_cube(const dvec3& p, const dvec3& d, double t_min, double t_max, ShapeHit& hit) {
+  const dvec3 a = (-radius - p) / d;
+  const dvec3 b = (radius - p) / d;
+  const dvec3 near = glm::min(a, b);
+  const dvec3 far = glm::max(a, b);
+  const double enter = std::max(std::max(near.x, near.y), near.z);
+  const double exit = std::min(std::min(far.x, far.y), far.z);
+  if (!(enter <= exit && exit > t_min && enter < t_max)) {
+    return false;
+  }
+  if (enter > t_min) {
+    hit = {enter, face_of(near, enter, -d)};
+    return true;
+  }
+  if (exit < t_max) {
+    hit = {exit, face_of(far, exit, d)};
+    return true;
+  }
+  return false;
+}
+
+// Whether a ray surely stays outside of the sphere around a round shape. Cheap, and wide enough
+// for what the rounding of the tests proper could make a hit.
+bool passes_by(Shape shape, const Ray& ray, double length2, double t_min) {
+  const double reach2 = shape == Shape::sphere ? 0.26 : 0.52;
+  const double distance2 = glm::dot(ray.origin, ray.origin);
+  if (!(distance2 < 1e12)) {
+    return false;
+  }
+  const dvec3 w = glm::cross(ray.origin, ray.direction);
+  const bool departs = t_min >= 0 && distance2 > reach2 && glm::dot(ray.origin, ray.direction) > 0;
+  return departs || glm::dot(w, w) > reach2 * length2;
+}
+
+// For directions whose square, length2, neither overflows nor underflows.
+bool intersect_moderate(Shape shape, const Ray& ray, double length2, double t_min, double t_max,
+                        ShapeHit& hit) {
   const dvec3& d = ray.direction;
   // Nothing cancels in slabs, and rays that were exactly on an edge stay there.
   if (shape == Shape::cube) {
-    const double sum = glm::dot(ray.origin, d);
-    return std::isfinite(sum) && nearest(cube_span(ray.origin, d), 0, t_min, t_max, hit);
+    if (!std::isfinite(glm::dot(ray.origin, d))) {
+      return false;
+    }
+    return d.x != 0 && d.y != 0 && d.z != 0
+               ? intersect_cube(ray.origin, d, t_min, t_max, hit)
+               : nearest(cube_span(ray.origin, d), 0, t_min, t_max, hit);
+  }
+  if (passes_by(shape, ray, length2, t_min)) {
+    return false;
   }
   const dvec3 center(0, shape == Shape::cone ? 0.5 : 0, 0);
   const dvec3 origin = ray.origin - center;
-  const double shift = -glm::dot(origin, d) / glm::dot(d, d);
+  const double shift = -glm::dot(origin, d) / length2;
   const dvec3 p = origin + shift * d;
   // No point of a shape is farther than sqrt(5/4) from its center; also refuses what is not finite.
   if (!(glm::dot(p, p) <= 1.5)) {
@@ -203,8 +255,8 @@ bool intersect_extreme(Shape shape, const Ray& ray, double t_min, double t_max, 
     scaled.direction[axis] = std::ldexp(ray.direction[axis], -exponent);
   }
   ShapeHit found;
-  if (!intersect_moderate(shape, scaled, std::ldexp(t_min, exponent), std::ldexp(t_max, exponent),
-                          found)) {
+  if (!intersect_moderate(shape, scaled, glm::dot(scaled.direction, scaled.direction),
+                          std::ldexp(t_min, exponent), std::ldexp(t_max, exponent), found)) {
     return false;
   }
   found.t = std::ldexp(found.t, -exponent);
@@ -220,7 +272,7 @@ bool intersect_extreme(Shape shape, const Ray& ray, double t_min, double t_max, 
 bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
   const double length2 = glm::dot(ray.direction, ray.direction);
   const bool moderate = length2 > 1e-100 && length2 < 1e100;
-  return moderate ? intersect_moderate(shape, ray, t_min, t_max, hit)
+  return moderate ? intersect_moderate(shape, ray, length2, t_min, t_max, hit)
                   : intersect_extreme(shape, ray, t_min, t_max, hit);
 }
 

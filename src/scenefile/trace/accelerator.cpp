@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -84,9 +85,21 @@ using BaseContext = RTCRayQueryContext;
 using BaseContext = RTCIntersectContext;
 #endif
 
+// std::nextafter(value, infinity), without a call.
+template <typename Bits, typename Float>
+Float next_above(Float value) {
+  if (!(value < std::numeric_limits<Float>::infinity())) {
+    return value;
+  }
+  if (value == 0) {
+    return std::numeric_limits<Float>::denorm_min();
+  }
+  const auto bits = std::bit_cast<Bits>(value);
+  return std::bit_cast<Float>(value > 0 ? bits + 1 : bits - 1);
+}
+
 float next_up(double value) {
-  const auto f = static_cast<float>(value);
-  return std::nextafter(f, std::numeric_limits<float>::infinity());
+  return next_above<std::int32_t>(static_cast<float>(value));
 }
 
 // The group or mesh that is being traversed: its ray, and Embree's copy of that, whose t is
@@ -291,7 +304,7 @@ void search_mesh(Query& q, const Part& part, const Ray& ray) {
 void test_shape(Query& q, const Part& part, const Ray& ray) {
   // Up to and including the best t, for the decision between equals.
   ShapeHit hit;
-  const double end = q.shadow ? q.best : std::nextafter(q.best, infinity);
+  const double end = q.shadow ? q.best : next_above<std::int64_t>(q.best);
   if (!intersect(part.shape, ray, q.t_min, end, hit)) {
     return;
   }

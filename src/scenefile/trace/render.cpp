@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <utility>
 
 namespace scenefile {
 
@@ -166,7 +167,8 @@ class Renderer {
         std::copy_n(&colors[i].x, 3, &picture_.image.rgb[3 * i]);
       }
     }
-    result_.image = cut(picture_.image, region_, crop);
+    result_.image =
+        crop == region_ ? std::move(picture_.image) : cut(picture_.image, region_, crop);
     result_.layers = layers_.cut(crop);
   }
 
@@ -277,12 +279,12 @@ RenderResult render(const RenderScene& scene, const Assets& assets, const Render
   result.status = tracer.status();
   const PixelRegion crop = crop_of(tracer.options);
   const PixelRegion region = region_of(tracer.options);
-  result.image = Image(crop.width(), crop.height());
   PictureState picture(region.width(), region.height(), has_two_passes(tracer.options));
   if (!checkpoints.resume.empty() && !picture.restore(checkpoints.resume)) {
     result.status = RenderStatus::not_resumed;
   }
   if (result.status != RenderStatus::complete) {
+    result.image = Image(crop.width(), crop.height());
     return result;
   }
   const Clock::time_point built = Clock::now();

@@ -5,6 +5,8 @@
 #include "scenefile/io/file.h"
 #include "scenefile/trace/layers.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 namespace scenefile::app {
@@ -19,8 +21,8 @@ ImageFormat format_of(const std::string& path) {
 
 // "x.depth.png" of "x.png".
 std::string layer_file(const std::string& output, const Layer& layer) {
-  std::string path = output;
-  return path.insert(output.rfind('.'), "." + layer_name(layer));
+  const std::size_t point = output.rfind('.');
+  return fmt::format("{}.{}{}", output.substr(0, point), layer_name(layer), output.substr(point));
 }
 
 bool has_layer_files(const Options& options) {

@@ -42,11 +42,15 @@ class Writer {
     if (element.children.empty() && roll(2) == 0) {
       return text + "/>";
     }
-    text += ">" + between();
+    text += '>';
+    text += between();
     for (const Element& child : element.children) {
       text += write(child) + between();
     }
-    return text + "</" + element.name + blanks(0) + ">";
+    text += "</";
+    text += element.name;
+    text += blanks(0);
+    return text += '>';
   }
 
  private:

@@ -24,7 +24,9 @@ struct Golden {
 };
 
 // Names the test's parameter in reports.
-void PrintTo(const Golden& golden, std::ostream* out) { *out << golden.name; }
+void PrintTo(const Golden& golden, std::ostream* out) {
+  *out << golden.name;
+}
 
 // Other processors round and fuse differently, and a last bit can move an edge by a sample.
 constexpr double least_db = 45;
@@ -73,7 +75,7 @@ TEST_P(GoldenPicture, IsAsAccepted) {
 
 INSTANTIATE_TEST_SUITE_P(Ours, GoldenPicture, testing::ValuesIn(goldens), [](const auto& i) {
   std::string name = i.param.name;
-  name.replace(name.find('-'), 1, "_");
+  name[name.find('-')] = '_';
   return name;
 });
 

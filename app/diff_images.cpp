@@ -1,4 +1,5 @@
 #include "app/diff.h"
+#include "app/json.h"
 #include "app/judgement.h"
 #include "app/load_picture.h"
 #include "app/output.h"
@@ -51,9 +52,7 @@ std::string verdict_text(const Judgement& judgement) {
 
 std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Judgement* judgement) {
   Json json;
-  json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("command", "diff");
+  begin_document(json, "diff");
   for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
     json.begin_object(key);
     json.add("file", loaded->path);

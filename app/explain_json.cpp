@@ -156,7 +156,7 @@ class Document {
   void add_surface(const SurfaceRecord& s) {
     json_.begin_object("surface");
     add_object(s.object);
-    json_.add("shape", name_of(shape_names, s.shape));
+    json_.add("shape", word_of(s.shape));
     if (s.shape == Shape::mesh) {
       json_.add("mesh", scene_.mesh_files[s.mesh].name);
       json_.add("triangle", s.triangle);
@@ -201,7 +201,7 @@ class Document {
     const RenderLight& light = scene_.lights[record.light];
     json_.begin_object();
     json_.add("light", record.light);
-    json_.add("type", name_of(light_names, light.type));
+    json_.add("type", word_of(light.type));
     json_.add("line", names_.at(light.source).location.line);
     if (record.unlit != Unlit::no) {
       json_.add("unlit", name_of(unlit_names, record.unlit));

@@ -1,6 +1,7 @@
 #include "app/explain_report.h"
 #include "app/names.h"
 #include "app/output.h"
+#include "scenefile/base/components.h"
 #include "scenefile/base/text.h"
 #include "scenefile/explain/object_names.h"
 
@@ -186,8 +187,6 @@ class Explanation {
     return item;
   }
 
-  static double largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
-
   static std::string way_text(const RayRecord& ray) {
     std::string text = fmt::format("from {} along {}", vector_text(ray.ray.origin),
                                    vector_text(ray.ray.direction));
@@ -229,8 +228,7 @@ class Explanation {
 
   Item surface_item(const SurfaceRecord& s) const {
     Item item{
-        fmt::format("meets {} {} at t = {:.6g}", shape_names[static_cast<std::size_t>(s.shape)],
-                    bold(object(s.object)), s.t),
+        fmt::format("meets {} {} at t = {:.6g}", word_of(s.shape), bold(object(s.object)), s.t),
         {}};
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     add(s.shape == Shape::mesh
@@ -284,10 +282,8 @@ class Explanation {
   Item light_item(const LightRecord& record, const SurfaceRecord& s, std::uint32_t ray) const {
     const RenderLight& light = scene_.lights[record.light];
     const WayPoint at = names_.at(light.source);
-    Item item{fmt::format(
-                  "{}{} {}",
-                  bold(fmt::format("{} light", light_names[static_cast<std::size_t>(light.type)])),
-                  place(at.location), color(record.contribution)),
+    Item item{fmt::format("{}{} {}", bold(fmt::format("{} light", word_of(light.type))),
+                          place(at.location), color(record.contribution)),
               {}};
     add_remarks(item, ray, record.light);
     if (record.taken == 1 && record.samples.size() == 1) {

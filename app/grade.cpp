@@ -1,7 +1,8 @@
 #include "app/command.h"
+#include "app/json.h"
 #include "app/judgement.h"
-#include "app/output.h"
 #include "app/load_picture.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
@@ -163,9 +164,7 @@ class Grader {
 
 std::string json_text(const Gradebook& book) {
   Json json;
-  json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("command", "grade");
+  begin_document(json, "grade");
   json.add("passed", book.all_passed());
   json.begin_array("students");
   for (const StudentResult& student : book.students) {

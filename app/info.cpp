@@ -2,7 +2,6 @@
 #include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
-#include "app/names.h"
 #include "app/output.h"
 #include "app/tree.h"
 #include "scenefile/base/text.h"
@@ -84,8 +83,8 @@ std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   const SceneSummary& s = report.summary;
   std::string text = escaped(shown_name(scene.path)) + "\n";
   append_line(text, "camera", camera_text(scene.written));
-  append_line(text, "lights", counts_text(s.lights, light_names));
-  append_line(text, "objects", counts_text(s.primitives, shape_names));
+  append_line(text, "lights", counts_text(s.lights, light_words));
+  append_line(text, "objects", counts_text(s.primitives, shape_words));
   append_line(text, "drawn", virtual_text(s.virtual_primitives));
   append_line(text, "nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
   append_line(text, "templates",

@@ -6,6 +6,7 @@
 #include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/base/report.h"
+#include "scenefile/explain/object_names.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
 
@@ -17,6 +18,13 @@ namespace scenefile::app {
 
 namespace {
 
+void add_location(Json& json, Location location) {
+  if (location.known()) {
+    json.add("line", location.line);
+    json.add("column", location.column);
+  }
+}
+
 void add_finding(Json& json, const Diagnostic& d) {
   json.begin_object();
   json.add("code", d.code->name);
@@ -25,10 +33,7 @@ void add_finding(Json& json, const Diagnostic& d) {
   if (!d.file.empty()) {
     json.add("file", d.file);
   }
-  if (d.location.known()) {
-    json.add("line", d.location.line);
-    json.add("column", d.location.column);
-  }
+  add_location(json, d.location);
   json.end_object();
 }
 
@@ -92,8 +97,8 @@ void add_summary(Json& json, const SceneSummary& s) {
   json.add("nodes", s.nodes);
   json.add("depth", s.depth);
   json.add("transforms", s.transforms);
-  add_counts(json, "primitives", s.primitives, shape_names);
-  add_counts(json, "lights", s.lights, light_names);
+  add_counts(json, "primitives", s.primitives, shape_words);
+  add_counts(json, "lights", s.lights, light_words);
   json.add("templates", s.templates);
   json.add("instances", s.instances);
   json.add("instance_nesting", s.instance_nesting);
@@ -141,10 +146,7 @@ void add_side(Json& json, std::string_view name, const std::string& text, Locati
   }
   json.begin_object(name);
   json.add("text", text);
-  if (location.known()) {
-    json.add("line", location.line);
-    json.add("column", location.column);
-  }
+  add_location(json, location);
   json.end_object();
 }
 
@@ -213,15 +215,16 @@ namespace {
 // Which number in the layer object-id stands for which object.
 void add_object_ids(Json& json, const LoadedScene& scene) {
   json.begin_array("objects");
+  const ObjectNames names(scene.written, scene.ready.sources);
   std::set<std::uint32_t> listed;
   for (const RenderGroup& group : scene.ready.scene.groups) {
     for (const RenderPrimitive& primitive : group.primitives) {
       if (listed.insert(primitive.source).second) {
-        const Source& source = scene.ready.sources[primitive.source];
+        const WayPoint object = names.at(primitive.source);
         json.begin_object();
         json.add("id", primitive.source + 1);
-        json.add("node", node_path(scene.written, source.node));
-        json.add("line", source.location.line);
+        json.add("node", object.path);
+        json.add("line", object.location.line);
         json.end_object();
       }
     }
@@ -319,8 +322,7 @@ std::string convert_json(const LoadedScene& scene, const ConvertReport& report) 
   json.key("scene");
   add_scene(json, scene);
   json.add("output", report.output);
-  static constexpr std::array<std::string_view, 3> formats{"xml", "json", "pov"};
-  json.add("format", formats[static_cast<std::size_t>(report.format)]);
+  json.add("format", format_words[static_cast<std::size_t>(report.format)]);
   json.add("written", report.error.empty());
   if (!report.error.empty()) {
     json.add("error", report.error);

@@ -2,6 +2,7 @@
 
 #include "app/codes.h"
 #include "app/limit_table.h"
+#include "app/names.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/number.h"
@@ -109,9 +110,8 @@ std::string set_features(Options& options, const std::string& value) {
 }
 
 std::string set_to(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 3> words{"xml", "json", "pov"};
   std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
+  std::string wrong = set_choice(value, format_words, index);
   options.to = static_cast<ConvertTo>(index);
   return wrong;
 }

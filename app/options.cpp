@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include "app/command.h"
+#include "app/names.h"
 #include "app/option_table.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
@@ -75,10 +76,7 @@ std::string missing_value(std::string_view words) {
 // ".xml" for "a/B.XML"; empty without one.
 std::string lower_case_extension(std::string_view path) {
   const std::size_t dot = path.find_last_of("./");
-  std::string extension(dot == std::string_view::npos || path[dot] == '/' ? "" : path.substr(dot));
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension;
+  return dot == std::string_view::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot));
 }
 
 std::string check_output(const std::string& output) {
@@ -129,15 +127,16 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
 std::string choose_format(Options& options) {
   const std::string& output = options.arguments[1];
   if (!options.to.has_value()) {
-    static constexpr std::array<std::string_view, 3> extensions{".xml", ".json", ".pov"};
+    const std::string extension = lower_case_extension(output);
     const auto found =
-        std::find(extensions.begin(), extensions.end(), lower_case_extension(output));
-    if (found == extensions.end()) {
+        std::find_if(format_words.begin(), format_words.end(),
+                     [&](std::string_view word) { return extension == fmt::format(".{}", word); });
+    if (found == format_words.end()) {
       return fmt::format(
           "the name {} does not say the format; end it in .xml, .json or .pov, or give --to",
           quoted(output, 400));
     }
-    options.to = static_cast<ConvertTo>(found - extensions.begin());
+    options.to = static_cast<ConvertTo>(found - format_words.begin());
   }
   if (options.to != ConvertTo::pov && (options.features || options.max_depth)) {
     return "--features and --max-depth are for POV-Ray files; scene files do not hold them";

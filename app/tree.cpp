@@ -1,6 +1,5 @@
 #include "app/tree.h"
 
-#include "app/names.h"
 #include "scenefile/base/text.h"
 
 #include <fmt/format.h>
@@ -58,8 +57,8 @@ std::string node_text(const Scene& scene, const Visit& visit) {
   if (!node.instance_of.empty()) {
     parts.push_back("copy of " + escaped(node.instance_of));
   }
-  append_kinds(parts, node.primitives, shape_names, "", [](const Primitive& p) { return p.shape; });
-  append_kinds(parts, node.lights, light_names, " light", [](const Light& l) { return l.type; });
+  append_kinds(parts, node.primitives, shape_words, "", [](const Primitive& p) { return p.shape; });
+  append_kinds(parts, node.lights, light_words, " light", [](const Light& l) { return l.type; });
   const std::string name = node.name.empty() ? fmt::format("#{}", visit.place) : escaped(node.name);
   return fmt::format("{}{}{}{}", std::string(2 * std::min(visit.depth, max_indent), ' '), name,
                      parts.empty() ? "" : ": ", fmt::format("{}", fmt::join(parts, ", ")));

@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace scenefile {
 
 namespace {
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 std::size_t sequence_length(unsigned char lead) {
   if (lead < 0x80) {
@@ -95,6 +100,17 @@ std::string escaped(std::string_view text, std::size_t max_characters) {
 
 std::string quoted(std::string_view text, std::size_t max_characters) {
   return '"' + escaped(text, max_characters) + '"';
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), lower);
+  return result;
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 }  // namespace scenefile

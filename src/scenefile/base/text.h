@@ -24,6 +24,12 @@ struct CodePoint {
 /// The first character of the text: strict UTF-8, no overlong forms, no surrogates.
 CodePoint first_code_point(std::string_view text);
 
+/// ASCII letters to lower case.
+std::string lower_case(std::string_view text);
+
+/// Whether the texts are equal but for the case of ASCII letters.
+bool equal_ignoring_case(std::string_view a, std::string_view b);
+
 /// How many characters the text has; a byte that is not UTF-8 counts as one.
 std::size_t count_code_points(std::string_view text);
 

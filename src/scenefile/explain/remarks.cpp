@@ -1,5 +1,7 @@
 #include "scenefile/explain/remarks.h"
 
+#include "scenefile/base/components.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,10 +16,6 @@ namespace {
 constexpr double acne_distance = 1e-2;
 
 constexpr double half_step = 0.5 / 255;
-
-double largest(const Color& c) {
-  return std::max({c.x, c.y, c.z});
-}
 
 class Remarks {
  public:

@@ -1,20 +1,17 @@
 #include "scenefile/export/pov_material.h"
 
+#include "scenefile/base/components.h"
+#include "scenefile/base/text.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/pov_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace scenefile {
 
 namespace {
-
-float largest(const glm::vec3& c) {
-  return std::max({c.x, c.y, c.z});
-}
 
 float mean(const glm::vec3& c) {
   return (c.x + c.y + c.z) / 3;
@@ -46,18 +43,13 @@ glm::vec3 ambient_of_pigment(const PovMaterial& m) {
 }
 
 std::string_view image_kind(std::string_view path) {
-  std::string extension(path.substr(std::min(path.size(), path.rfind('.') + 1)));
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == "jpg" || extension == "jpeg") {
-    return "jpeg";
-  }
-  for (const std::string_view kind : {"gif", "tga", "bmp"}) {
-    if (extension == kind) {
+  const std::string_view extension = path.substr(path.rfind('.') + 1);
+  for (const std::string_view kind : {"jpeg", "gif", "tga", "bmp"}) {
+    if (equal_ignoring_case(extension, kind)) {
       return kind;
     }
   }
-  return "png";
+  return equal_ignoring_case(extension, "jpg") ? "jpeg" : "png";
 }
 
 std::string image(const PovMaterial& m, std::string_view mapping) {

@@ -19,10 +19,6 @@ namespace {
 // Directional lights of POV-Ray have a place; beyond it they do not shine.
 constexpr double far_away = 1e6;
 
-double degrees(double radians) {
-  return radians * 57.29577951308232;
-}
-
 class PovWriter {
  public:
   PovWriter(const RenderScene& scene, std::span<const Mesh> meshes,
@@ -101,8 +97,9 @@ class PovWriter {
   std::string spot(const RenderLight& light) {
     note("the edge of a spot light falls off by the cosine of the angle, not by the angle");
     return fmt::format(" spotlight point_at {} radius {} falloff {} tightness 0",
-                       pov_vector(light.position + light.direction), degrees(light.inner_angle),
-                       degrees(light.outer_angle));
+                       pov_vector(light.position + light.direction),
+                       glm::degrees(double(light.inner_angle)),
+                       glm::degrees(double(light.outer_angle)));
   }
 
   // POV-Ray fades by 2 / (1 + (d / distance)^power). That is 1 / (a + b d^power) for the right

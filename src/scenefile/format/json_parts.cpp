@@ -171,13 +171,12 @@ constexpr std::string_view names[] = {"type",      "color",    "name",  "attenua
                                       "direction", "penumbra", "angle", "width",
                                       "height"};
 constexpr JsonVocabulary vocabulary{"a light", names};
-constexpr std::string_view types[] = {"point", "directional", "spot", "area"};
 
 // The format text: without a type a light is a point light. What has no color either is none.
 std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
                                      JsonIndex item) {
   if (fields.has(type)) {
-    return read_type(context, fields, "light", types, json_light_type);
+    return read_type(context, fields, "light", light_words, json_light_type);
   }
   if (fields.has(color)) {
     context.report(json_light_default, item,
@@ -190,7 +189,7 @@ std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fie
 }
 
 void report_unused_keys(JsonContext& context, const JsonFields& fields, LightType kind) {
-  const std::string why = fmt::format("on a {} light", types[static_cast<std::size_t>(kind)]);
+  const std::string why = fmt::format("on a {} light", light_words[static_cast<std::size_t>(kind)]);
   if (kind == LightType::point) {
     report_unused(context, fields, direction, why);
   }
@@ -212,7 +211,7 @@ void report_default(JsonContext& context, const JsonFields& fields, JsonIndex it
   if (!fields.has(key)) {
     context.report(json_light_default, item,
                    fmt::format("a {} light must have the key \"{}\"; {} is used",
-                               types[static_cast<std::size_t>(kind)], names[key], value));
+                               light_words[static_cast<std::size_t>(kind)], names[key], value));
   }
 }
 
@@ -253,7 +252,6 @@ constexpr std::string_view names[] = {"type",     "meshFile",    "ambient",     
                                       "textureV", "bumpMapFile", "bumpMapU",    "bumpMapV"};
 constexpr JsonVocabulary vocabulary{"a primitive", names};
 static_assert(std::size(names) <= JsonFields::max_keys);
-constexpr std::string_view types[] = {"cube", "cone", "cylinder", "sphere", "mesh"};
 
 // The course's reader takes anything that is no number for 1.
 float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t key) {
@@ -390,7 +388,7 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   }
   const JsonFields fields(context, item, primitive::vocabulary);
   const std::optional<std::size_t> type =
-      read_type(context, fields, "primitive", primitive::types, json_primitive_type);
+      read_type(context, fields, "primitive", shape_words, json_primitive_type);
   if (!type) {
     return std::nullopt;
   }

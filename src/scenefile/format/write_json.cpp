@@ -3,6 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
+#include "scenefile/format/write_parts.h"
 #include "scenefile/format/write_text.h"
 
 #include <fmt/format.h>
@@ -16,9 +17,6 @@
 namespace scenefile {
 
 namespace {
-
-constexpr std::string_view shape_names[] = {"cube", "cone", "cylinder", "sphere", "mesh"};
-constexpr std::string_view light_names[] = {"point", "directional", "spot", "area"};
 
 // Members and elements, one a line; vectors on one line. An empty key adds an element to an array.
 class JsonPrinter {
@@ -41,9 +39,9 @@ class JsonPrinter {
     out_ += level.bracket == '{' ? '}' : ']';
   }
 
-  void number(std::string_view key, float value) {
+  void value(std::string_view key, float v) {
     begin(key);
-    out_ += number_text(value);
+    out_ += number_text(v);
   }
   void numbers(std::string_view key, std::initializer_list<float> values) {
     begin(key);
@@ -58,6 +56,7 @@ class JsonPrinter {
     deepest_ = std::max(deepest_, open_.size() + 1);
   }
   void vector(std::string_view key, const glm::vec3& v) { numbers(key, {v.x, v.y, v.z}); }
+  void color(std::string_view key, const glm::vec3& c) { vector(key, c); }
   void string(std::string_view key, std::string_view value, Location place) {
     begin(key);
     if (!append_json(out_, value)) {
@@ -65,6 +64,8 @@ class JsonPrinter {
                           fmt::format("{} holds bytes that are not UTF-8", quoted(value)));
     }
   }
+  void texture(const TextureUse& use) { image("textureFile", "textureU", "textureV", use); }
+  void bump_map(const TextureUse& use) { image("bumpMapFile", "bumpMapU", "bumpMapV", use); }
 
   /// Whether values were nested deeper than readers allow; there is no use in going on then.
   bool too_deep() const { return deepest_ > limits_.nesting; }
@@ -75,6 +76,12 @@ class JsonPrinter {
     char bracket;
     bool empty;
   };
+
+  void image(std::string_view file, std::string_view u, std::string_view v, const TextureUse& use) {
+    string(file, use.file, use.location);
+    value(u, use.repeat_u);
+    value(v, use.repeat_v);
+  }
 
   void new_line() {
     out_ += '\n';
@@ -102,11 +109,11 @@ class JsonPrinter {
 
 void print_global(JsonPrinter& to, const Global& global) {
   to.open("globalData", '{');
-  to.number("ambientCoeff", global.ambient);
-  to.number("diffuseCoeff", global.diffuse);
-  to.number("specularCoeff", global.specular);
+  to.value("ambientCoeff", global.ambient);
+  to.value("diffuseCoeff", global.diffuse);
+  to.value("specularCoeff", global.specular);
   if (global.transparent) {
-    to.number("transparentCoeff", *global.transparent);
+    to.value("transparentCoeff", *global.transparent);
   }
   to.close();
 }
@@ -116,17 +123,17 @@ void print_camera(JsonPrinter& to, const Camera& camera) {
   to.vector("position", camera.position);
   to.vector("up", camera.up);
   to.vector("look", camera.look);
-  to.number("heightAngle", camera.height_angle_deg);
+  to.value("heightAngle", camera.height_angle_deg);
   if (camera.aperture != 0 || camera.focal_length != 0) {
-    to.number("aperture", camera.aperture);
-    to.number("focalLength", camera.focal_length);
+    to.value("aperture", camera.aperture);
+    to.value("focalLength", camera.focal_length);
   }
   to.close();
 }
 
 void print_light(JsonPrinter& to, const Light& light) {
   to.open("", '{');
-  to.string("type", light_names[static_cast<std::size_t>(light.type)], light.location);
+  to.string("type", word_of(light.type), light.location);
   if (!light.name.empty()) {
     to.string("name", light.name, light.location);
   }
@@ -134,19 +141,7 @@ void print_light(JsonPrinter& to, const Light& light) {
   if (light.type != LightType::directional) {
     to.vector("attenuationCoeff", light.attenuation);
   }
-  if (light.type != LightType::point) {
-    to.vector("direction", light.direction);
-  }
-  if (light.type == LightType::spot) {
-    to.number("penumbra", light.penumbra_deg);
-    if (light.angle_deg) {
-      to.number("angle", *light.angle_deg);
-    }
-  }
-  if (light.type == LightType::area) {
-    to.number("width", light.width);
-    to.number("height", light.height);
-  }
+  print_beam(to, light);
   to.close();
 }
 
@@ -171,48 +166,9 @@ void print_map(JsonPrinter& to, const Matrix& matrix) {
   to.close();
 }
 
-struct TextureKeys {
-  std::string_view file, u, v;
-};
-
-void print_texture(JsonPrinter& to, const TextureKeys& keys, const TextureUse& texture) {
-  to.string(keys.file, texture.file, texture.location);
-  to.number(keys.u, texture.repeat_u);
-  to.number(keys.v, texture.repeat_v);
-}
-
-// What is not the default.
-void print_material(JsonPrinter& to, const Material& material) {
-  const Material defaults;
-  const auto color = [&](std::string_view key, glm::vec3 Material::*member) {
-    if (material.*member != defaults.*member) {
-      to.vector(key, material.*member);
-    }
-  };
-  const auto value = [&](std::string_view key, float Material::*member) {
-    if (material.*member != defaults.*member) {
-      to.number(key, material.*member);
-    }
-  };
-  color("diffuse", &Material::diffuse);
-  color("ambient", &Material::ambient);
-  color("specular", &Material::specular);
-  value("shininess", &Material::shininess);
-  color("reflective", &Material::reflective);
-  color("transparent", &Material::transparent);
-  value("ior", &Material::ior);
-  if (material.texture) {
-    print_texture(to, {"textureFile", "textureU", "textureV"}, *material.texture);
-  }
-  value("blend", &Material::blend);
-  if (material.bump_map) {
-    print_texture(to, {"bumpMapFile", "bumpMapU", "bumpMapV"}, *material.bump_map);
-  }
-}
-
 void print_primitive(JsonPrinter& to, const Primitive& primitive) {
   to.open("", '{');
-  to.string("type", shape_names[static_cast<std::size_t>(primitive.shape)], primitive.location);
+  to.string("type", word_of(primitive.shape), primitive.location);
   if (primitive.shape == Shape::mesh) {
     to.string("meshFile", primitive.mesh_file, primitive.location);
   }
@@ -332,9 +288,7 @@ std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& di
   GroupPrinter(to, scene).print_root();
   to.close();
   if (to.too_deep()) {
-    diagnostics.report(
-        write_nesting, {},
-        fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
+    report_nesting(limits, diagnostics);
     return {};
   }
   return to.take() + "\n";

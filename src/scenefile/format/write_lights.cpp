@@ -17,12 +17,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view type_names[] = {"point", "directional", "spot", "area"};
-
-std::string_view name_of(LightType type) {
-  return type_names[static_cast<std::size_t>(type)];
-}
-
 // A direction that comes out as `wanted`, to the bit, when it is made a unit vector again. The
 // wanted one itself may miss by a rounding.
 glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
@@ -166,7 +160,7 @@ class WorldLights {
     if (!ready || !is_finite(*ready)) {
       diagnostics_.report(
           write_light_dark, light.location,
-          fmt::format("the {} light lights nothing and is left out", name_of(light.type)));
+          fmt::format("the {} light lights nothing and is left out", word_of(light.type)));
       return;
     }
     lights_.push_back(placed(light, *ready));

@@ -1,6 +1,7 @@
 #include "scenefile/format/write_text.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/format/write_codes.h"
 
 #include <fmt/format.h>
 
@@ -80,6 +81,12 @@ bool append_json(std::string& out, std::string_view text) {
   });
   out += '"';
   return all_said;
+}
+
+void report_nesting(const Limits& limits, Diagnostics& diagnostics) {
+  diagnostics.report(
+      write_nesting, {},
+      fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
 }
 
 }  // namespace scenefile

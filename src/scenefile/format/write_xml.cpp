@@ -3,6 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
+#include "scenefile/format/write_parts.h"
 #include "scenefile/format/write_text.h"
 
 #include <fmt/format.h>
@@ -15,9 +16,6 @@
 namespace scenefile {
 
 namespace {
-
-constexpr std::string_view shape_names[] = {"cube", "cone", "cylinder", "sphere", "mesh"};
-constexpr std::string_view light_names[] = {"point", "directional", "spot", "area"};
 
 // Elements and attributes, one element a line.
 class XmlPrinter {
@@ -66,12 +64,19 @@ class XmlPrinter {
   void color(std::string_view element, const glm::vec3& c) {
     begin(element).attribute("r", c.r).attribute("g", c.g).attribute("b", c.b).leaf();
   }
+  void texture(const TextureUse& use) { image("texture", use); }
+  void bump_map(const TextureUse& use) { image("bumpmap", use); }
 
   /// Whether elements were nested deeper than readers allow; there is no use in going on then.
   bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
  private:
+  void image(std::string_view element, const TextureUse& use) {
+    begin(element).attribute("file", use.file, use.location);
+    attribute("u", use.repeat_u).attribute("v", use.repeat_v).leaf();
+  }
+
   const Limits& limits_;
   Diagnostics& diagnostics_;
   std::string out_;
@@ -109,9 +114,7 @@ void print_light(XmlPrinter& to, const Light& light) {
   if (light.id) {
     to.begin("id").attribute("v", fmt::format("{}", *light.id), light.location).leaf();
   }
-  to.begin("type")
-      .attribute("v", light_names[static_cast<std::size_t>(light.type)], light.location)
-      .leaf();
+  to.begin("type").attribute("v", word_of(light.type), light.location).leaf();
   to.color("color", light.color);
   const bool directional = light.type == LightType::directional;
   if (!directional || light.attenuation != Light().attenuation) {
@@ -121,19 +124,7 @@ void print_light(XmlPrinter& to, const Light& light) {
   if (!directional) {
     to.vector("position", light.position);
   }
-  if (light.type != LightType::point) {
-    to.vector("direction", light.direction);
-  }
-  if (light.type == LightType::spot) {
-    to.value("penumbra", light.penumbra_deg);
-    if (light.angle_deg) {
-      to.value("angle", *light.angle_deg);
-    }
-  }
-  if (light.type == LightType::area) {
-    to.value("width", light.width);
-    to.value("height", light.height);
-  }
+  print_beam(to, light);
   to.end();
 }
 
@@ -159,43 +150,9 @@ void print_map(XmlPrinter& to, const Matrix& matrix) {
   to.end();
 }
 
-void print_texture(XmlPrinter& to, std::string_view element, const TextureUse& texture) {
-  to.begin(element).attribute("file", texture.file, texture.location);
-  to.attribute("u", texture.repeat_u).attribute("v", texture.repeat_v).leaf();
-}
-
-// What is not the default.
-void print_material(XmlPrinter& to, const Material& material) {
-  const Material defaults;
-  const auto color = [&](std::string_view element, glm::vec3 Material::*member) {
-    if (material.*member != defaults.*member) {
-      to.color(element, material.*member);
-    }
-  };
-  const auto value = [&](std::string_view element, float Material::*member) {
-    if (material.*member != defaults.*member) {
-      to.value(element, material.*member);
-    }
-  };
-  color("diffuse", &Material::diffuse);
-  color("ambient", &Material::ambient);
-  color("specular", &Material::specular);
-  value("shininess", &Material::shininess);
-  color("reflective", &Material::reflective);
-  color("transparent", &Material::transparent);
-  value("ior", &Material::ior);
-  if (material.texture) {
-    print_texture(to, "texture", *material.texture);
-  }
-  value("blend", &Material::blend);
-  if (material.bump_map) {
-    print_texture(to, "bumpmap", *material.bump_map);
-  }
-}
-
 void print_primitive(XmlPrinter& to, const Primitive& primitive) {
   to.begin("object").attribute("type", "primitive", primitive.location);
-  to.attribute("name", shape_names[static_cast<std::size_t>(primitive.shape)], primitive.location);
+  to.attribute("name", word_of(primitive.shape), primitive.location);
   if (primitive.shape == Shape::mesh) {
     to.attribute("filename", primitive.mesh_file, primitive.location);
   }
@@ -291,9 +248,7 @@ std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& dia
   TreePrinter(to, scene).print(scene.root);
   to.end();
   if (to.too_deep()) {
-    diagnostics.report(
-        write_nesting, {},
-        fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
+    report_nesting(limits, diagnostics);
     return {};
   }
   return to.take();

@@ -30,6 +30,4 @@ std::string element_text(std::string_view name);
 /// "; did you mean X?", or nothing when X is empty. `mark` surrounds X: "<>" or "".
 std::string did_you_mean(std::string_view name, std::string_view mark = "");
 
-bool equal_ignoring_case(std::string_view a, std::string_view b);
-
 }  // namespace scenefile

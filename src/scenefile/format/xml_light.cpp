@@ -45,28 +45,22 @@ constexpr FieldName light_names[] = {{"id", l_id},
                                      {"width", l_width},
                                      {"height", l_height}};
 
-constexpr std::array<std::string_view, 4> type_names = {"point", "directional", "spot", "area"};
-
-std::string_view name_of(LightType type) {
-  return type_names[static_cast<std::size_t>(type)];
-}
-
 void read_type(const XmlContext& context, Location place, std::string_view word,
                LightDraft& draft) {
-  for (std::size_t i = 0; i < type_names.size(); ++i) {
-    if (!equal_ignoring_case(word, type_names[i])) {
+  for (std::size_t i = 0; i < light_words.size(); ++i) {
+    if (!equal_ignoring_case(word, light_words[i])) {
       continue;
     }
     draft.light.type = static_cast<LightType>(i);
-    if (word != type_names[i]) {
+    if (word != light_words[i]) {
       context.diagnostics.report(
           xml_name_case, place,
-          fmt::format("light type {} was read as {}", quoted(word), type_names[i]));
+          fmt::format("light type {} was read as {}", quoted(word), light_words[i]));
     }
     return;
   }
   draft.type_known = false;
-  const std::string_view near = nearest_name(word, type_names);
+  const std::string_view near = nearest_name(word, light_words);
   context.diagnostics.report(
       xml_light_type, place,
       fmt::format(
@@ -99,7 +93,7 @@ void report_unused(const XmlContext& context, const LightDraft& draft) {
     if (!used && draft.seen.has(field)) {
       context.diagnostics.report(
           xml_light_unused, draft.seen.place(field),
-          fmt::format("<{}> has no effect on a {} light", name, name_of(type)));
+          fmt::format("<{}> has no effect on a {} light", name, word_of(type)));
     }
   };
   unless(type != LightType::directional, l_position, "position");
@@ -116,7 +110,7 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
     if (!draft.seen.has(field)) {
       context.diagnostics.report(xml_light_default, draft.light.location,
                                  fmt::format("the {} light has no <{}>; the default {} is used",
-                                             name_of(type), name, value));
+                                             word_of(type), name, value));
     }
   };
   if (type != LightType::directional) {

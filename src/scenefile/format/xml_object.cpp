@@ -15,8 +15,6 @@ namespace scenefile {
 namespace {
 
 constexpr std::array<std::string_view, 3> type_names = {"tree", "master", "primitive"};
-constexpr std::array<std::string_view, 5> shape_names = {"cube", "cone", "cylinder", "sphere",
-                                                         "mesh"};
 
 // The index of the name, in any case; names.size(): it is none of them.
 template <std::size_t N>
@@ -179,9 +177,9 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                    "<object type=\"primitive\"> lacks attribute name, the shape");
     return std::nullopt;
   }
-  const std::size_t i = index_of(shape_names, name->value);
-  if (i == shape_names.size()) {
-    const std::string_view near = nearest_name(name->value, shape_names);
+  const std::size_t i = index_of(shape_words, name->value);
+  if (i == shape_words.size()) {
+    const std::string_view near = nearest_name(name->value, shape_words);
     const std::string shape = quoted(name->value);
     if (near.empty()) {
       context.report(xml_unknown_shape, *name,
@@ -192,7 +190,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
     }
     return std::nullopt;
   }
-  report_case(context, *name, shape_names[i]);
+  report_case(context, *name, shape_words[i]);
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {
     context.report(xml_missing_attribute, tag, "the mesh lacks attribute filename");
@@ -201,7 +199,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
   if (shape != Shape::mesh && !object.filename.empty()) {
     context.diagnostics.report(
         xml_unknown_attribute, object.filename_place,
-        fmt::format("the file name has no effect: a {} is no mesh", shape_names[i]));
+        fmt::format("the file name has no effect: a {} is no mesh", shape_words[i]));
   }
   return shape;
 }

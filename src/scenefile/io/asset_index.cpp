@@ -1,5 +1,6 @@
 #include "scenefile/io/asset_index.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/io/asset_name.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "scenefile/io/asset_name.h"
 
+#include "scenefile/base/text.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -41,16 +43,6 @@ std::string_view without_file_scheme(std::string_view text) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') {
-      c = static_cast<char>(c - 'A' + 'a');
-    }
-  }
-  return result;
-}
 
 std::string_view reject_name(std::string_view written) {
   if (written.empty()) {

@@ -26,7 +26,4 @@ std::string join_parts(const std::vector<std::string>& parts, std::size_t first)
 /// First part of the longest ending of the name that goes nowhere up: behind the last "..".
 std::size_t first_plain_part(const AssetName& name);
 
-/// ASCII letters to lower case.
-std::string lower_case(std::string_view text);
-
 }  // namespace scenefile

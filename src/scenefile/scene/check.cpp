@@ -96,22 +96,6 @@ std::string vector_text(const glm::vec3& v) {
   return fmt::format("{} {} {}", number_text(v.x), number_text(v.y), number_text(v.z));
 }
 
-std::string_view shape_name(Shape shape) {
-  switch (shape) {
-    case Shape::cube:
-      return "cube";
-    case Shape::cone:
-      return "cone";
-    case Shape::cylinder:
-      return "cylinder";
-    case Shape::sphere:
-      return "sphere";
-    case Shape::mesh:
-      return "mesh";
-  }
-  return {};
-}
-
 std::string_view light_type_name(LightType type) {
   switch (type) {
     case LightType::point:

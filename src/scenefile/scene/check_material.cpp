@@ -142,7 +142,7 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
 
 void check_primitive(const Primitive& primitive, NodeId node, const Global& global,
                      Reporter& reporter) {
-  const Subject subject{shape_name(primitive.shape), primitive.location, node};
+  const Subject subject{word_of(primitive.shape), primitive.location, node};
   const Material& m = primitive.material;
   if (primitive.shape == Shape::mesh && primitive.mesh_file.empty()) {
     reporter.report(tree_mesh_unnamed, subject, Field::mesh_file,

@@ -1,6 +1,7 @@
 #pragma once
 // The parts that check() is made of. Internal to the room.
 
+#include "scenefile/base/components.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/scene/field_places.h"
@@ -55,13 +56,9 @@ std::string vector_text(const glm::vec3& v);
 inline bool finite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
-inline float largest(const glm::vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
 inline float smallest(const glm::vec3& v) {
   return std::min({v.x, v.y, v.z});
 }
-std::string_view shape_name(Shape shape);
 std::string_view light_type_name(LightType type);
 
 void check_global(const Global& global, Reporter& reporter);

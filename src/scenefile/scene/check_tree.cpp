@@ -243,7 +243,7 @@ void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents
                     Field::transparent,
                     fmt::format("the {} is transparent, but the file gives no transparentcoeff; "
                                 "0.5 is used (0 in the profile course)",
-                                shape_name(contents.transparent->shape)));
+                                word_of(contents.transparent->shape)));
   }
 }
 

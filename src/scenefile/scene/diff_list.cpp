@@ -28,7 +28,7 @@ std::string_view label_of(const Light& light) {
 }
 
 std::string_view label_of(const Primitive& primitive) {
-  return shape_name(primitive.shape);
+  return word_of(primitive.shape);
 }
 
 std::string described(std::string_view label, const Values& values) {

@@ -127,7 +127,7 @@ Values values_of(const Light& light) {
 }
 
 Values values_of(const Primitive& primitive) {
-  Values values{{"type", std::string(shape_name(primitive.shape))}};
+  Values values{{"type", std::string(word_of(primitive.shape))}};
   add(values, "file", primitive.mesh_file, std::string());
   add(values, primitive.material);
   return values;

@@ -56,9 +56,7 @@ class ViewCheck {
  private:
   // "the sphere of line 12".
   std::string text_of(const RenderPrimitive& primitive) const {
-    static constexpr std::array<std::string_view, 5> names{"cube", "cone", "cylinder", "sphere",
-                                                           "mesh"};
-    const std::string_view name = names[static_cast<std::size_t>(primitive.shape)];
+    const std::string_view name = word_of(primitive.shape);
     const Location place = question_.place_of(primitive.source);
     return place.known() ? fmt::format("the {} of line {}", name, place.line)
                          : fmt::format("a {}", name);

@@ -1,5 +1,6 @@
 #include "scenefile/trace/fine_samples.h"
 
+#include "scenefile/base/components.h"
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
@@ -18,10 +19,6 @@ constexpr std::uint32_t light_samples = 4;
 constexpr double settled_error = 1.0 / 256;
 
 constexpr double visible_difference = 1.0 / 16;
-
-double largest(const Color& c) {
-  return std::max({c.x, c.y, c.z});
-}
 
 }  // namespace
 

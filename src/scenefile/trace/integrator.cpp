@@ -1,5 +1,6 @@
 #include "scenefile/trace/integrator.h"
 
+#include "scenefile/base/components.h"
 #include "scenefile/trace/optics.h"
 #include "scenefile/trace/recorder.h"
 #include "scenefile/trace/sequence.h"
@@ -45,10 +46,6 @@ struct Branches {
   Color mirror{0};
   Color glass{0};
 };
-
-double largest(const Color& c) {
-  return std::max({c.x, c.y, c.z});
-}
 
 class Integrator {
  public:

@@ -1,0 +1,218 @@
+#include "scenefile/format/camera_slots.h"
+
+#include "scenefile/format/json_parser.h"
+#include "scenefile/format/xml_tokens.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+/// An attribute of a tag; the value without its quotes.
+struct Attribute {
+  std::string_view name;
+  NumberSlot value;
+};
+
+std::vector<Attribute> attributes_of(std::string_view text, const XmlToken& token) {
+  const std::vector<std::string_view> parts = tag_parts(token.of(text));
+  std::vector<Attribute> attributes;
+  for (std::size_t i = 1; i + 2 < parts.size(); i += 2) {
+    const auto offset = static_cast<std::size_t>(parts[i + 1].data() - text.data());
+    attributes.push_back({parts[i], {offset + 1, parts[i + 1].size() - 2}});
+  }
+  return attributes;
+}
+
+std::string_view name_of(std::string_view text, const XmlToken& token) {
+  std::string_view name = tag_parts(token.of(text)).front();
+  name.remove_prefix(name.starts_with("</") ? 2 : 1);
+  return name;
+}
+
+// By name; the reader takes three attributes with other names in their order.
+std::optional<VectorSlots> vector_in(std::span<const Attribute> attributes) {
+  constexpr std::string_view names[] = {"x", "y", "z"};
+  VectorSlots slots;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (const Attribute& attribute : attributes) {
+      if (attribute.name == names[i]) {
+        slots[i] = attribute.value;
+        ++found;
+      }
+    }
+  }
+  if (found == 0 && attributes.size() == 3) {
+    return VectorSlots{attributes[0].value, attributes[1].value, attributes[2].value};
+  }
+  return found == 3 ? std::optional(slots) : std::nullopt;
+}
+
+std::optional<NumberSlot> number_in(std::span<const Attribute> attributes) {
+  for (const std::string_view name : {"v", "value", "val", "n"}) {
+    for (const Attribute& attribute : attributes) {
+      if (attribute.name == name) {
+        return attribute.value;
+      }
+    }
+  }
+  return attributes.size() == 1 ? std::optional(attributes.front().value) : std::nullopt;
+}
+
+void take_part(std::string_view text, const XmlToken& token, CameraSlots& slots) {
+  const std::string_view name = name_of(text, token);
+  const std::vector<Attribute> attributes = attributes_of(text, token);
+  if (name == "pos") {
+    slots.position = vector_in(attributes);
+  } else if (name == "look") {
+    slots.look = vector_in(attributes);
+  } else if (name == "focus") {
+    slots.focus = vector_in(attributes);
+  } else if (name == "up") {
+    slots.up = vector_in(attributes);
+  } else if (name == "heightangle" || name == "angle") {
+    slots.height_angle = number_in(attributes);
+  }
+}
+
+// The line end and the blanks before a tag, nothing where something else stands in its line.
+std::string indent_before(std::string_view text, std::size_t offset) {
+  std::size_t begin = offset;
+  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {
+    --begin;
+  }
+  if (begin == 0 || text[begin - 1] != '\n') {
+    return {};
+  }
+  --begin;
+  begin -= begin > 0 && text[begin - 1] == '\r' ? 1 : 0;
+  return std::string(text.substr(begin, offset - begin));
+}
+
+/// Walks the tokens of a file and remembers its last camera.
+class CameraSearch {
+ public:
+  explicit CameraSearch(std::string_view text) : text_(text) { globals_.missing = true; }
+
+  void take(const XmlToken& token) {
+    const bool opens = token.kind == XmlTokenKind::start || token.kind == XmlTokenKind::empty;
+    if (opens) {
+      open(token);
+    }
+    depth_ += token.kind == XmlTokenKind::start ? 1 : 0;
+    depth_ -= token.kind == XmlTokenKind::end ? 1 : 0;
+    if (token.kind == XmlTokenKind::end || token.kind == XmlTokenKind::empty) {
+      close(token);
+    }
+  }
+
+  CameraSlots result() const { return found_ ? camera_ : globals_; }
+
+ private:
+  void open(const XmlToken& token) {
+    if (depth_ == 1) {
+      block_ = name_of(text_, token);
+      block_indent_ = indent_before(text_, token.begin);
+      if (block_ == "cameradata") {
+        found_ = true;
+        camera_ = {};
+        camera_.indent = block_indent_.empty() ? "" : block_indent_ + "  ";
+        if (token.kind == XmlTokenKind::start) {
+          camera_.end = token.end;
+        }
+      }
+    } else if (depth_ == 2 && block_ == "cameradata") {
+      take_part(text_, token, camera_);
+      camera_.indent = indent_before(text_, token.begin);
+    }
+  }
+
+  // An element has ended, and depth_ is that of its neighbors.
+  void close(const XmlToken& token) {
+    if (depth_ == 1 && block_ == "globaldata") {
+      globals_.end = token.end;
+      globals_.indent = block_indent_;
+    } else if (depth_ == 2 && block_ == "cameradata") {
+      camera_.end = token.end;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t depth_ = 0;
+  std::string_view block_;
+  std::string block_indent_;
+  bool found_ = false;
+  CameraSlots camera_;
+  CameraSlots globals_;
+};
+
+// The value of the last member of that name; 0: there is none.
+JsonIndex member(const JsonTape& tape, JsonIndex object, std::string_view name) {
+  JsonIndex found = 0;
+  if (!tape.is_object(object)) {
+    return found;
+  }
+  for (JsonIndex key = object + 1; key < tape.end(object); key = tape.end(key + 1)) {
+    if (tape.string(key) == name) {
+      found = key + 1;
+    }
+  }
+  return found;
+}
+
+std::optional<NumberSlot> json_number(const JsonTape& tape, JsonIndex value) {
+  if (value == 0 || !tape.is_number(value)) {
+    return std::nullopt;
+  }
+  return NumberSlot{tape.items[value].offset, tape.items[value].extent};
+}
+
+std::optional<VectorSlots> json_vector(const JsonTape& tape, JsonIndex value) {
+  if (value == 0 || !tape.is_array(value) || tape.items[value].extent != 3) {
+    return std::nullopt;
+  }
+  VectorSlots slots;
+  for (JsonIndex i = 0; i < 3; ++i) {
+    const std::optional<NumberSlot> slot = json_number(tape, value + 1 + i);
+    if (!slot) {
+      return std::nullopt;
+    }
+    slots[i] = *slot;
+  }
+  return slots;
+}
+
+}  // namespace
+
+CameraSlots xml_camera_slots(std::string_view text) {
+  CameraSearch search(text);
+  for (const XmlToken& token : xml_tokens(text)) {
+    search.take(token);
+  }
+  return search.result();
+}
+
+CameraSlots json_camera_slots(std::string_view text) {
+  CameraSlots slots;
+  JsonTape tape;
+  constexpr std::uint32_t deep = 1 << 20;  // read_scene() has looked at the real limit
+  if (parse_json(text, deep, tape).fault != JsonFault::none) {
+    return slots;
+  }
+  const JsonIndex camera = member(tape, 0, "cameraData");
+  if (camera == 0) {
+    return slots;
+  }
+  slots.position = json_vector(tape, member(tape, camera, "position"));
+  slots.look = json_vector(tape, member(tape, camera, "look"));
+  slots.focus = json_vector(tape, member(tape, camera, "focus"));
+  slots.up = json_vector(tape, member(tape, camera, "up"));
+  slots.height_angle = json_number(tape, member(tape, camera, "heightAngle"));
+  return slots;
+}
+
+}  // namespace scenefile

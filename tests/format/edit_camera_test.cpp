@@ -1,0 +1,162 @@
+#include "scenefile/format/edit_camera.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace scenefile {
+
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string xml_with(const std::string& camera) {
+  return "<?xml version='1.0'?>\n<!-- mine -->\n<scenefile>\n"
+         "  <globaldata><ambientcoeff v=\"1\"/><diffusecoeff v=\"1\"/><specularcoeff v=\"1\"/>"
+         "</globaldata>\n" +
+         camera +
+         "\n  <object type=\"tree\" name=\"root\">\n    <transblock>\n"
+         "      <object type=\"primitive\" name=\"sphere\"><diffuse r=\"1\" g=\"0\" b=\"0\"/>"
+         "</object>\n    </transblock>\n  </object>\n</scenefile>\n";
+}
+
+const std::string block =
+    "\t<cameradata> <!-- keep -->\r\n\t\t<pos z='3.50' x = \"1.0\"  y=\"2\" />\n"
+    "    <look x=\"0\" y=\"0\" z=\"-1\"></look>\n"
+    "    <up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45.0\"/>\n  </cameradata>";
+
+Camera camera_at(glm::vec3 position, glm::vec3 look = {0, 0, -1}, float angle = 45) {
+  Camera camera;
+  camera.position = position;
+  camera.look = look;
+  camera.up = {0, 1, 0};
+  camera.height_angle_deg = angle;
+  return camera;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(EditCamera, ChangesTheNumbersThatDifferAndNothingElse) {
+  const std::string text = xml_with(block);
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3.5F}), {}).bytes, text);
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2.25F, 3.5F}), {}).bytes,
+            replaced(text, "y=\"2\" />", "y=\"2.25\" />"));
+  EXPECT_EQ(
+      edit_camera(text, camera_at({1, 2, 3.5F}, {-1, 0, 0}, 30), {}).bytes,
+      replaced(replaced(text, "<look x=\"0\" y=\"0\" z=\"-1\">", "<look x=\"-1\" y=\"0\" z=\"0\">"),
+               "45.0", "30"));
+}
+
+TEST(EditCamera, FocusIsAPoint) {
+  const std::string text = xml_with(replaced(block, "<look x=\"0\" y=\"0\" z=\"-1\"></look>",
+                                             "<focus x=\"1\" y=\"2\" z=\"0\"/>"));
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 7}, {0, 0, -7}), {}).bytes,
+            replaced(text, "'3.50'", "'7'"));
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3.5F}, {0, 1, 0.5F}), {}).bytes,
+            replaced(text, "<focus x=\"1\" y=\"2\" z=\"0\"/>", "<focus x=\"1\" y=\"3\" z=\"4\"/>"));
+}
+
+TEST(EditCamera, OtherSpellings) {
+  const std::string text = xml_with(
+      "<cameradata><pos a=\"1\" b=\"2\" c=\"3\"/><look x=\"0\" y=\"0\" z=\"-1\"/>"
+      "<up x=\"0\" y=\"1\" z=\"0\"/><angle value=\"45\"/></cameradata>");
+  const CameraEdit edit = edit_camera(text, camera_at({1, 2, 4}, {0, 0, -1}, 60), {});
+  EXPECT_EQ(edit.bytes, replaced(replaced(text, "c=\"3\"", "c=\"4\""), "\"45\"", "\"60\""));
+}
+
+TEST(EditCamera, TheLastCameraCounts) {
+  const std::string text = xml_with(block + "\n" + block);
+  const CameraEdit edit = edit_camera(text, camera_at({1, 9, 3.5F}), {});
+  EXPECT_EQ(edit.bytes, xml_with(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
+}
+
+TEST(EditCamera, WhatIsMissingIsAddedLikeItsNeighbors) {
+  const std::string text = xml_with(
+      "  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look x=\"0\" y=\"0\" "
+      "z=\"-1\"></look>\n  </cameradata>");
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3}), {}).bytes, text);
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3}, {0, 0, -1}, 50), {}).bytes,
+            replaced(text, "</look>", "</look>\n    <heightangle v=\"50\"/>"));
+  const std::string empty = xml_with("  <cameradata>\n  </cameradata>");
+  EXPECT_THAT(edit_camera(empty, camera_at({1, 2, 3}), {}).bytes,
+              HasSubstr("<cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look"));
+}
+
+TEST(EditCamera, AFileWithoutCameraGetsOne) {
+  const CameraEdit edit = edit_camera(xml_with(""), camera_at({1, 2, 3}), {});
+  EXPECT_EQ(edit.bytes,
+            replaced(xml_with(""), "</globaldata>",
+                     "</globaldata>\n  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n"
+                     "    <look x=\"0\" y=\"0\" z=\"-1\"/>\n    <up x=\"0\" y=\"1\" z=\"0\"/>\n"
+                     "    <heightangle v=\"45\"/>\n  </cameradata>"));
+}
+
+const std::string json =
+    "\xEF\xBB\xBF{ \"name\": \"a\",\n  \"globalData\": {\"ambientCoeff\":1, \"diffuseCoeff\":1,"
+    " \"specularCoeff\":1},\n  \"cameraData\": {\"position\": [1.0, 2 ,3], \"up\":[0,1,0],\n"
+    "     \"heightAngle\": 4.5e1, \"look\": [0.0, 0, -1]},\n  \"groups\": [\n"
+    "    {\"primitives\": [{\"type\":\"sphere\"}]}\n  ]\n}\n";
+
+TEST(EditCamera, Json) {
+  EXPECT_EQ(edit_camera(json, camera_at({1, 2, 3}), {}).bytes, json);
+  EXPECT_EQ(edit_camera(json, camera_at({1, -2.5F, 3}, {0, 0, -1}, 20), {}).bytes,
+            replaced(replaced(json, "2 ,", "-2.5 ,"), "4.5e1", "20"));
+}
+
+TEST(EditCamera, JsonFocus) {
+  const std::string text = replaced(json, "\"look\": [0.0, 0, -1]", "\"focus\": [1, 2, 0]");
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 5}, {0, 0, -5}), {}).bytes,
+            replaced(text, ",3]", ",5]"));
+}
+
+TEST(EditCamera, RefusesWhatItCannotSay) {
+  const Camera camera = camera_at({1, 2, 3});
+  EXPECT_THAT(edit_camera("<scenefile>", camera, {}).refused, HasSubstr("errors"));
+  EXPECT_EQ(edit_camera("<scenefile>", camera, {}).bytes, "");
+  EXPECT_THAT(
+      edit_camera("<scenefile><object type=\"tree\" name=\"root\"/></scenefile>", camera, {})
+          .refused,
+      HasSubstr("<globaldata>"));
+  std::string wide = "\xFF\xFE";
+  for (const char c : xml_with(block)) {
+    wide += {c, '\0'};
+  }
+  EXPECT_THAT(edit_camera(wide, camera, {}).refused, HasSubstr("UTF-16"));
+  const std::string repaired = replaced(json, "4.5e1", "45.");
+  const ReadOptions compat{.compat_course = true, .limits = {}};
+  EXPECT_THAT(edit_camera(repaired, camera_at({4, 2, 3}), compat).refused, HasSubstr("no JSON"));
+}
+
+TEST(EditCamera, LatinLettersStay) {
+  std::string text = "<?xml version='1.0' encoding='iso-8859-1'?><!-- \xE9 -->" +
+                     xml_with(block).substr(xml_with(block).find("<scenefile>"));
+  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 4}), {}).bytes, replaced(text, "3.50", "4"));
+}
+
+// Whatever the camera, it is what the file says afterwards, and back again gives the same bytes.
+RC_GTEST_PROP(EditCamera, ThereAndBack, ()) {
+  const auto part = [] { return static_cast<float>(*rc::gen::inRange(-9999, 9999)) / 64; };
+  Camera camera = camera_at({part(), part(), part()}, {part(), part(), part()});
+  RC_PRE(glm::length(camera.look) > 0.5F && std::abs(camera.look.x) > 0.1F);
+  camera.height_angle_deg = 1 + std::abs(part());
+  RC_PRE(camera.height_angle_deg < 170);
+  const std::string text = *rc::gen::element(xml_with(block), json);
+  const Camera before = camera_at(text == json ? glm::vec3{1, 2, 3} : glm::vec3{1, 2, 3.5F});
+  const CameraEdit there = edit_camera(text, camera, {});
+  RC_ASSERT(there.refused.empty());
+  Diagnostics found;
+  RC_ASSERT(*read_scene(there.bytes, {}, found).camera == camera);
+  const CameraEdit again = edit_camera(there.bytes, camera, {});
+  RC_ASSERT(again.bytes == there.bytes);
+  const CameraEdit back = edit_camera(there.bytes, before, {});
+  const CameraEdit twice = edit_camera(back.bytes, camera, {});
+  RC_ASSERT(twice.bytes == there.bytes);
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/xml_plain.h"
 #include "scenefile/format/xml_scene_builder.h"
 #include "scenefile/format/xml_values.h"
 
@@ -233,7 +234,29 @@ bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
   return true;
 }
 
+namespace {
+
+// Nothing, and nothing reported, when the text is not plain.
+std::optional<Scene> read_plain(std::string_view text, const ReadOptions& options,
+                                Diagnostics& diagnostics) {
+  Diagnostics findings = diagnostics;
+  TextCursor places(text);
+  SceneBuilder builder({options, findings, places});
+  const PlainEnd end = read_plain_events(text, options.limits, places, builder);
+  if (end == PlainEnd::not_plain) {
+    return std::nullopt;
+  }
+  Scene scene = builder.finish(end == PlainEnd::complete);
+  diagnostics = std::move(findings);
+  return scene;
+}
+
+}  // namespace
+
 Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
+  if (std::optional<Scene> scene = read_plain(text, options, diagnostics)) {
+    return std::move(*scene);
+  }
   TextCursor places(text);
   SceneBuilder builder({options, diagnostics, places});
   const bool complete = read_events(text, options.limits, places, builder, diagnostics);

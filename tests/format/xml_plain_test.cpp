@@ -1,0 +1,190 @@
+// The reader of plain XML says what Expat says, or nothing.
+
+#include "scenefile/format/xml_plain.h"
+
+#include "format/write_random_scene.h"
+#include "scenefile/format/write_scene.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace scenefile::testing {
+namespace {
+
+// Writes down all that it is told.
+class Log : public XmlHandler {
+ public:
+  explicit Log(const TextCursor& places) : places_(places) {}
+
+  bool start(const XmlTag& tag) override {
+    said += fmt::format("{}:{} {:.6f} <{}", tag.location.line, tag.location.column,
+                        places_.progress(), tag.name);
+    for (const XmlAttribute& attribute : tag.attributes) {
+      said += fmt::format(" {}=[{}]", attribute.name, attribute.value);
+    }
+    said += ">\n";
+    return tag.name != "stop";
+  }
+  void end() override { said += "end\n"; }
+  void text(std::string_view characters, Location) override {
+    said += fmt::format("text {}\n", characters);
+  }
+
+  std::string said;
+
+ private:
+  const TextCursor& places_;
+};
+
+struct Told {
+  PlainEnd end = PlainEnd::complete;
+  std::string said;
+};
+
+Told plain(std::string_view text, const Limits& limits) {
+  TextCursor places(text);
+  Log log(places);
+  const PlainEnd end = read_plain_events(text, limits, places, log);
+  return {end, log.said};
+}
+
+// Whether Expat says the same, or has to be asked.
+bool agrees_with_expat(const std::string& text, const Limits& limits) {
+  const Told told = plain(text, limits);
+  if (told.end == PlainEnd::not_plain) {
+    return true;
+  }
+  TextCursor places(text);
+  Log log(places);
+  Diagnostics diagnostics;
+  const bool whole = read_events(text, limits, places, log, diagnostics);
+  return whole == (told.end == PlainEnd::complete) && log.said == told.said &&
+         diagnostics.list().empty();
+}
+
+PlainEnd end_of(std::string_view text, const Limits& limits = {}) {
+  return plain(text, limits).end;
+}
+
+TEST(XmlPlain, WhatIsPlain) {
+  for (const std::string_view text :
+       {"<a/>", "<a></a>", "<a ></a\n>", " \r\n<a b = '1'\tc=\"\"/>\n", "<!-- x - > --><a/><!---->",
+        "<?xml version=\"1.0\"?><a/>", "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<a/>",
+        "<a:b_ c.d-2='>\"'/>", "<!-- \u00e4 \U0001F600 --><a b='\u00e4'/>"}) {
+    EXPECT_EQ(end_of(text), PlainEnd::complete) << text;
+    EXPECT_TRUE(agrees_with_expat(std::string(text), {})) << text;
+  }
+}
+
+TEST(XmlPlain, WhatIsNotIsLeftToExpat) {
+  for (const std::string_view text : {"",
+                                      " ",
+                                      "<",
+                                      ">",
+                                      "</a>",
+                                      "<a>",
+                                      "<a",
+                                      "<a/",
+                                      "<a/><b/>",
+                                      "<a></b>",
+                                      "<a/>x",
+                                      "x<a/>",
+                                      "<a>x</a>",
+                                      "<a><![CDATA[]]></a>",
+                                      "<a b=\"&lt;\"/>",
+                                      "<a b='1' b='2'/>",
+                                      "<a b='1'c='2'/>",
+                                      "<a b=1/>",
+                                      "<a b/>",
+                                      "<a b='<'/>",
+                                      "<a b='\n'/>",
+                                      "<a b='\t'/>",
+                                      "<a b='>",
+                                      "<a / >",
+                                      "< a/>",
+                                      "<a/ >",
+                                      "<1/>",
+                                      "<a b='\x01'/>",
+                                      "<a b='\xFF'/>",
+                                      "<a b='\xEF\xBF\xBF'/>",
+                                      "<!DOCTYPE a><a/>",
+                                      "<?x y?><a/>",
+                                      " <?xml version=\"1.0\"?><a/>",
+                                      "<?xml version=\"1.0\" encoding=\"_\"?><a/>",
+                                      "<?xml version='1.0'?><a/>",
+                                      "<!-- -- --><a/>",
+                                      "<!-- --->-><a/>",
+                                      "<!-->-><a/>",
+                                      "<!-- <a/>",
+                                      "<!-x--><a/>",
+                                      "<\u00e4/>",
+                                      "<a></>"}) {
+    EXPECT_EQ(end_of(text), PlainEnd::not_plain) << text;
+  }
+}
+
+TEST(XmlPlain, LimitsAreLeftToExpat) {
+  Limits limits;
+  limits.nesting = 2;
+  limits.name_bytes = 3;
+  limits.value_bytes = 4;
+  limits.attributes = 1;
+  EXPECT_EQ(end_of("<abc><b abc='1234'/></abc>", limits), PlainEnd::complete);
+  for (const std::string_view text :
+       {"<a><b><c/></b></a>", "<abcd/>", "<a abcd='1'/>", "<a b='12345'/>", "<a b='1' c='2'/>"}) {
+    EXPECT_EQ(end_of(text, limits), PlainEnd::not_plain) << text;
+  }
+}
+
+TEST(XmlPlain, TheHandlerMayStop) {
+  EXPECT_EQ(end_of("<a><stop></a>"), PlainEnd::stopped);
+}
+
+RC_GTEST_PROP(XmlPlainLaws, WrittenScenesArePlain, ()) {
+  const Scene scene = RandomScene(*rc::gen::arbitrary<unsigned>(), 3, false).make();
+  Diagnostics diagnostics;
+  const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
+  RC_ASSERT(agrees_with_expat(text, {}));
+  RC_CLASSIFY(end_of(text) == PlainEnd::complete);
+}
+
+// With pieces of markup in the wrong places, and with limits that are narrow.
+RC_GTEST_PROP(XmlPlainLaws, WhatItSaysIsWhatExpatSays, ()) {
+  const auto piece = rc::gen::element<std::string>(
+      "<a>", "</a>", "<a/>", "<b c='1'>", "</b>", "<b c=\"1\" d='2'/>", " ", "\n", "\r", "<!--",
+      "-->", "--", "-", ">", "<", "/", "=", "\"", "'", "&", "x", "c='1'", " d=''", "<stop>", "?>",
+      "<?xml version=\"1.0\"?>", "\u00e4", "\xEF\xBF\xBE", "\xC3", "\x7F", "\x02", "]]>",
+      "<![CDATA[");
+  std::string text;
+  for (const std::string& part : *rc::gen::container<std::vector<std::string>>(piece)) {
+    text += part;
+  }
+  Limits limits;
+  limits.nesting = *rc::gen::inRange(1u, 5u);
+  RC_ASSERT(agrees_with_expat(text, {}));
+  RC_ASSERT(agrees_with_expat("<a>" + text + "</a>", limits));
+  RC_ASSERT(agrees_with_expat("<!--" + text + "--><a/>", {}));
+  RC_ASSERT(agrees_with_expat("<a b='" + text + "'/>", {}));
+}
+
+RC_GTEST_PROP(XmlPlainLaws, OneByteMayChangeEverything, ()) {
+  const Scene scene = RandomScene(*rc::gen::arbitrary<unsigned>(), 2, false).make();
+  Diagnostics diagnostics;
+  const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
+  for (int i = 0; i < 50; ++i) {
+    std::string changed = text;
+    const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+    changed[at] =
+        *rc::gen::weightedOneOf<char>({{1, rc::gen::arbitrary<char>()},
+                                       {2, rc::gen::elementOf(std::string("<>/='\"& \n-!?a0"))}});
+    RC_ASSERT(agrees_with_expat(changed, {}));
+  }
+}
+
+}  // namespace
+}  // namespace scenefile::testing

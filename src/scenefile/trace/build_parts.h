@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/parts.h"
+
+namespace scenefile {
+
+/// The parts of a scene with their structures in `scenes`. What is returned is complete when that
+/// is good() and the scene is not too deep.
+AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets,
+                              const AcceleratorOptions& options, EmbreeScenes& scenes,
+                              Parts& parts);
+
+}  // namespace scenefile

@@ -1,0 +1,350 @@
+// The only file that knows Embree.
+
+#include "scenefile/trace/embree_scenes.h"
+
+#include "scenefile/trace/hand_over.h"
+#include "scenefile/trace/next_above.h"
+#include "scenefile/trace/ray_box.h"
+
+#if SCENEFILE_EMBREE_MAJOR == 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+#if SCENEFILE_EMBREE_MAJOR == 4
+using BaseContext = RTCRayQueryContext;
+#else
+using BaseContext = RTCIntersectContext;
+#endif
+
+// The ray in the space of the group or mesh, and Embree's copy of it, whose t is
+// (t - shift) * scale.
+struct Level {
+  const Ray* ray = nullptr;
+  double shift = 0;
+  double scale = 1;
+
+  float embree_t(double t) const { return next_up((t - shift) * scale); }
+};
+
+// One group or mesh that is searched. Embree hands the context to every callback; the rest follows
+// it in memory.
+struct Search {
+  BaseContext base;
+  Query* query = nullptr;
+  Level level;
+  const Part* mesh_part = nullptr;
+  bool mesh_crossed = false;
+};
+
+// Some versions hand it to filters as const.
+Search& search_of(const BaseContext* context) {
+  return *reinterpret_cast<Search*>(const_cast<BaseContext*>(context));
+}
+
+// Embree takes coordinates beyond this for infinite, and ends the process.
+bool in_embree_range(const glm::vec3& v) {
+  constexpr float largest = 1.8e18f;
+  return std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest;
+}
+
+// Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
+// single precision good however far away the origin is. False: the ray misses the box.
+bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& extent, Level& level,
+                  RTCRay& out) {
+  double enter = t_min;
+  double leave = t_max;
+  if (!clip_to_box(ray, extent.bounds, enter, leave)) {
+    return false;
+  }
+  const double length = glm::length(ray.direction);
+  if (!(length > 1e-30 && length < 1e30)) {
+    return false;
+  }
+  level = {&ray, enter - 1e-6 * extent.diagonal / length, extent.scale};
+  const glm::vec3 origin(extent.scale * (ray.origin + level.shift * ray.direction));
+  const glm::vec3 direction(ray.direction);
+  if (!in_embree_range(origin) || !in_embree_range(direction)) {
+    return false;
+  }
+  out = {origin.x,    origin.y,    origin.z,
+         0.0f,        direction.x, direction.y,
+         direction.z, 0.0f,        level.embree_t(t_max),
+         0xffffffffu, 0,           0};
+  return true;
+}
+
+void embree_intersect(RTCScene scene, Search& s, RTCRayHit& ray) {
+#if SCENEFILE_EMBREE_MAJOR == 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.context = &s.base;
+  rtcIntersect1(scene, &ray, &arguments);
+#else
+  rtcIntersect1(scene, &s.base, &ray);
+#endif
+}
+
+void embree_occluded(RTCScene scene, Search& s, RTCRay& ray) {
+#if SCENEFILE_EMBREE_MAJOR == 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &s.base;
+  rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &s.base, &ray);
+#endif
+}
+
+void search_scene(Search& s, RTCScene scene, const RTCRay& start) {
+#if SCENEFILE_EMBREE_MAJOR == 4
+  rtcInitRayQueryContext(&s.base);
+#else
+  rtcInitIntersectContext(&s.base);
+#endif
+  if (s.query->shadow) {
+    RTCRay ray = start;
+    embree_occluded(scene, s, ray);
+    return;
+  }
+  RTCRayHit ray;
+  ray.ray = start;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree_intersect(scene, s, ray);
+}
+
+void group_bounds_callback(const RTCBoundsFunctionArguments* arguments) {
+  const HandOver hand_over;
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  const FloatBox& box = group.boxes[arguments->primID];
+  *arguments->bounds_o = {box.min[0], box.min[1], box.min[2], 0.0f,
+                          box.max[0], box.max[1], box.max[2], 0.0f};
+}
+
+void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) {
+    return;
+  }
+  Search& s = search_of(arguments->context);
+  Query& q = *s.query;
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  test_part(q, group, arguments->primID, *s.level.ray);
+  auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
+  const float end = q.overwhelmed ? -1.0f : s.level.embree_t(q.best * q.reach);
+  if (end < ray.ray.tfar) {
+    ray.ray.tfar = end;
+    ray.hit.geomID = arguments->geomID;
+    ray.hit.primID = arguments->primID;
+  }
+}
+
+void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
+  if (arguments->valid[0] == 0) {
+    return;
+  }
+  Search& s = search_of(arguments->context);
+  Query& q = *s.query;
+  const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  test_part(q, group, arguments->primID, *s.level.ray);
+  if (q.blocked) {
+    reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -std::numeric_limits<float>::infinity();
+  }
+}
+
+std::uint32_t triangle_of(const MeshScene& mesh, std::uint32_t primitive) {
+  return mesh.triangles.empty() ? primitive : mesh.triangles[primitive];
+}
+
+struct TriangleHit {
+  double t = 0;
+  double b1 = 0;
+  double b2 = 0;
+};
+
+// Where the ray meets the triangle's plane; Embree has found that it is inside. Weights are
+// clamped because at an edge the two precisions disagree.
+bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, TriangleHit& hit) {
+  const auto& corners = mesh.triangles[index];
+  const glm::dvec3 p0(mesh.positions[corners[0]]);
+  const glm::dvec3 e1 = glm::dvec3(mesh.positions[corners[1]]) - p0;
+  const glm::dvec3 e2 = glm::dvec3(mesh.positions[corners[2]]) - p0;
+  const glm::dvec3 normal = glm::cross(e1, e2);
+  const double facing = glm::dot(normal, ray.direction);
+  hit.t = glm::dot(normal, p0 - ray.origin) / facing;
+  if (!std::isfinite(hit.t)) {
+    return false;
+  }
+  const glm::dvec3 q = glm::cross(p0 - ray.origin, ray.direction);
+  hit.b1 = glm::clamp(glm::dot(q, e2) / facing, 0.0, 1.0);
+  hit.b2 = glm::clamp(-glm::dot(q, e1) / facing, 0.0, 1.0 - hit.b1);
+  return true;
+}
+
+void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
+  Search& s = search_of(arguments->context);
+  Query& q = *s.query;
+  const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
+  const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
+  TriangleHit hit;
+  const bool met = meet_triangle(*mesh.mesh, triangle, *s.level.ray, hit);
+  const double t = hit.t * q.mesh_scale;
+  if (!met || !(t > q.t_min) || !improves(q, t, triangle)) {
+    arguments->valid[0] = 0;
+    return;
+  }
+  accept(q, *s.mesh_part, t);
+  q.triangle = triangle;
+  q.b1 = hit.b1;
+  q.b2 = hit.b2;
+  // A little beyond the hit, so that triangles at the same distance are offered too.
+  const double beyond = hit.t + 1e-6 * std::abs(hit.t - s.level.shift);
+  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = s.level.embree_t(beyond);
+}
+
+void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
+  Search& s = search_of(arguments->context);
+  Query& q = *s.query;
+  const auto& mesh = *static_cast<const MeshScene*>(arguments->geometryUserPtr);
+  const auto& candidate = *reinterpret_cast<const RTCHit*>(arguments->hit);
+  TriangleHit hit;
+  const std::uint32_t triangle = triangle_of(mesh, candidate.primID);
+  const bool met = meet_triangle(*mesh.mesh, triangle, *s.level.ray, hit);
+  const double t = hit.t * q.mesh_scale;
+  if (met && t > q.t_min && t < q.best) {
+    s.mesh_crossed = true;
+  } else {
+    arguments->valid[0] = 0;
+  }
+}
+
+RTCGeometry parts_geometry(RTCDevice device, Group& group) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.parts.size()));
+  rtcSetGeometryUserData(geometry, &group);
+  rtcSetGeometryBoundsFunction(
+      geometry, [](const RTCBoundsFunctionArguments* a) { group_bounds_callback(a); }, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, group_intersect_callback);
+  rtcSetGeometryOccludedFunction(geometry, group_occluded_callback);
+  return geometry;
+}
+
+// Copied, not shared: Embree reads a little past the last vertex.
+void set_vertices(RTCGeometry geometry, const MeshScene& mesh) {
+  const std::vector<glm::vec3>& positions = mesh.mesh->positions;
+  void* const vertices = rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positions.size());
+  if (vertices != nullptr) {
+    const auto scale = static_cast<float>(mesh.extent.scale);
+    std::transform(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices),
+                   [&](const glm::vec3& p) { return scale * p; });
+  }
+}
+
+void set_triangles(RTCGeometry geometry, const MeshScene& mesh) {
+  using Corners = std::array<std::uint32_t, 3>;
+  const std::vector<Corners>& all = mesh.mesh->triangles;
+  if (mesh.triangles.empty()) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, all.data(), 0,
+                               sizeof(Corners), all.size());
+    return;
+  }
+  void* const corners = rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Corners), mesh.triangles.size());
+  if (corners != nullptr) {
+    std::transform(mesh.triangles.begin(), mesh.triangles.end(), static_cast<Corners*>(corners),
+                   [&](std::uint32_t index) { return all[index]; });
+  }
+}
+
+RTCGeometry mesh_geometry(RTCDevice device, MeshScene& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  set_vertices(geometry, mesh);
+  set_triangles(geometry, mesh);
+  rtcSetGeometryUserData(geometry, &mesh);
+  rtcSetGeometryIntersectFilterFunction(geometry, mesh_intersect_filter);
+  rtcSetGeometryOccludedFilterFunction(geometry, mesh_occluded_filter);
+  return geometry;
+}
+
+}  // namespace
+
+struct EmbreeScenes::State {
+  RTCDevice device = nullptr;
+  std::vector<RTCScene> scenes;
+
+  // Takes the geometry over.
+  RTCScene commit(RTCGeometry geometry, RTCSceneFlags flags) {
+    RTCScene scene = rtcNewScene(device);
+    scenes.push_back(scene);
+    rtcSetSceneFlags(scene, flags);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    HandOver::give();
+    rtcCommitScene(scene);
+    HandOver::collect();
+    return scene;
+  }
+};
+
+// Eight-wide trees: measured up to a quarter faster than the default.
+EmbreeScenes::EmbreeScenes() : state_(std::make_unique<State>()) {
+  state_->device = rtcNewDevice("frequency_level=simd256");
+}
+
+EmbreeScenes::~EmbreeScenes() {
+  for (RTCScene scene : state_->scenes) {
+    rtcReleaseScene(scene);
+  }
+  if (state_->device != nullptr) {
+    rtcReleaseDevice(state_->device);
+  }
+}
+
+bool EmbreeScenes::good() const {
+  return state_->device != nullptr && rtcGetDeviceError(state_->device) == RTC_ERROR_NONE;
+}
+
+void EmbreeScenes::add(Group& group) {
+  group.scene = state_->commit(parts_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
+}
+
+// Robust: without it rays slip through between triangles.
+void EmbreeScenes::add(MeshScene& mesh) {
+  mesh.scene = state_->commit(mesh_geometry(state_->device, mesh), RTC_SCENE_FLAG_ROBUST);
+}
+
+void search_group_scene(Query& q, const Group& group, const Ray& ray) {
+  Search search;
+  search.query = &q;
+  RTCRay start;
+  const double t_min = q.mesh_distances ? 0 : q.t_min;
+  if (start_in_box(t_min, q.best * q.reach, ray, group.extent, search.level, start)) {
+    search_scene(search, group.scene, start);
+  }
+}
+
+bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray) {
+  const MeshScene& mesh = q.parts->meshes[part.target];
+  Search search;
+  search.query = &q;
+  search.mesh_part = &part;
+  RTCRay start;
+  if (start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.extent, search.level,
+                   start)) {
+    search_scene(search, mesh.scene, start);
+  }
+  return search.mesh_crossed;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,103 @@
+#include "scenefile/trace/search.h"
+
+#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/next_above.h"
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+// A shadow ray met an object.
+void obstruct(Query& q, std::uint32_t material) {
+  if (q.transmission == nullptr) {
+    q.blocked = true;
+    return;
+  }
+  q.density += q.transmission->density(material);
+  q.blocked = Transmission::blocks(q.density);
+}
+
+void search_mesh(Query& q, const Part& part, const Ray& ray) {
+  q.mesh_scale = q.mesh_distances ? glm::length(ray.direction) : 1;
+  if (mesh_scene_crossed(q, part, ray)) {
+    obstruct(q, part.material);
+  }
+}
+
+void test_shape(Query& q, const Part& part, const Ray& ray) {
+  // Up to and including the best t, for the decision between equals.
+  ShapeHit hit;
+  const double end = q.shadow ? q.best : next_above<std::int64_t>(q.best);
+  if (!intersect(part.shape, ray, q.t_min, end, hit)) {
+    return;
+  }
+  if (q.shadow) {
+    obstruct(q, part.material);
+  } else if (improves(q, hit.t, 0)) {
+    accept(q, part, hit.t);
+    q.face = hit.face;
+    q.triangle = 0;
+  }
+}
+
+void enter_instance(Query& q, const Part& part, const Ray& ray) {
+  if (++q.entered > max_instances_entered) {
+    q.overwhelmed = true;
+    q.blocked = true;
+    q.best = -std::numeric_limits<double>::infinity();
+    return;
+  }
+  ++q.depth;
+  search_group(q, q.parts->groups[part.target], ray);
+  --q.depth;
+}
+
+}  // namespace
+
+bool improves(const Query& q, double t, std::uint32_t triangle) {
+  if (t != q.best || !q.found) {
+    return t < q.best;
+  }
+  for (std::uint32_t i = 0; i <= std::min(q.depth, q.found_depth); ++i) {
+    if (q.path[i] != q.found_path[i]) {
+      return q.path[i] > q.found_path[i];
+    }
+  }
+  return triangle > q.triangle;
+}
+
+void accept(Query& q, const Part& part, double t) {
+  q.found = true;
+  q.best = t;
+  q.part = &part;
+  q.found_depth = q.depth;
+  std::copy_n(q.path.begin(), q.depth + 1, q.found_path.begin());
+}
+
+void search_group(Query& q, const Group& group, const Ray& ray) {
+  if (group.scene != nullptr) {
+    search_group_scene(q, group, ray);
+    return;
+  }
+  for (std::uint32_t i = 0; i < group.parts.size() && !q.blocked; ++i) {
+    test_part(q, group, i, ray);
+  }
+}
+
+void test_part(Query& q, const Group& group, std::uint32_t index, const Ray& ray) {
+  const Part& part = group.parts[index];
+  const Ray local = transform(part.part_from_group, ray);
+  q.path[q.depth] = index;
+  switch (part.kind) {
+    case PartKind::shape:
+      return test_shape(q, part, local);
+    case PartKind::mesh:
+      return search_mesh(q, part, local);
+    case PartKind::group:
+      return enter_instance(q, part, local);
+  }
+}
+
+}  // namespace scenefile

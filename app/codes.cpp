@@ -5,6 +5,7 @@
 #include "scenefile/format/codes.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/trace/codes.h"
+#include "scenefile/view/codes.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +18,8 @@ namespace {
 std::vector<const Code*> collect() {
   // One a line, so that additions do not meet.
   std::vector<const Code*> codes{
-      &convert_comments,
-      &convert_file_left_behind,
-      &convert_file_renamed,
-      &render_no_directional_light,
+      &convert_comments, &convert_file_left_behind,    &convert_file_renamed, &gl_copies_left_out,
+      &gl_not_drawn,     &render_no_directional_light,
   };
   for (const auto& room :
        {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes()}) {

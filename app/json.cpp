@@ -255,6 +255,23 @@ void add_layers(Json& json, const LoadedScene& scene, const RenderOptions& optio
   }
 }
 
+void add_work(Json& json, const RenderReport& report) {
+  json.add("engine", report.gl.renderer.empty() ? "trace" : "gl");
+  if (!report.gl.renderer.empty()) {
+    json.add("renderer", report.gl.renderer);
+    json.add("draw_calls", std::uint64_t{report.gl.draw_calls});
+    json.add("shadow_maps", std::uint64_t{report.gl.shadow_maps});
+    json.add("objects", report.gl.objects);
+    json.add("triangles", report.gl.triangles);
+    return;
+  }
+  json.add("primary_rays", report.stats.primary_rays);
+  json.add("shadow_rays", report.stats.shadow_rays);
+  json.add("secondary_rays", report.stats.secondary_rays);
+  json.add("build_seconds", report.stats.build_seconds);
+  json.add("trace_seconds", report.stats.trace_seconds);
+}
+
 }  // namespace
 
 void add_render_options(Json& json, const RenderOptions& options) {
@@ -284,11 +301,7 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   }
   add_render_options(json, options);
   add_layers(json, scene, options);
-  json.add("primary_rays", report.stats.primary_rays);
-  json.add("shadow_rays", report.stats.shadow_rays);
-  json.add("secondary_rays", report.stats.secondary_rays);
-  json.add("build_seconds", report.stats.build_seconds);
-  json.add("trace_seconds", report.stats.trace_seconds);
+  add_work(json, report);
   json.add("seconds", report.seconds);
   json.end_object();
   return json.text();

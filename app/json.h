@@ -1,6 +1,7 @@
 #pragma once
 // The answers of the commands as JSON documents.
 
+#include "app/gl_picture.h"
 #include "app/load.h"
 #include "app/option_table.h"
 #include "scenefile/base/diagnostics.h"
@@ -35,6 +36,7 @@ struct RenderReport {
   std::string error;   ///< empty: the picture was written
   double seconds = 0;  ///< wall time of everything
   RenderStats stats;
+  GlReport gl;  ///< of --engine gl
 };
 std::string render_json(const LoadedScene& scene, const RenderReport& report);
 

@@ -86,6 +86,14 @@ std::string set_profile(Options& options, const std::string& value) {
   return wrong;
 }
 
+std::string set_engine(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 2> words{"trace", "gl"};
+  std::size_t index = 0;
+  std::string wrong = set_choice(value, words, index);
+  options.engine = index == 1 ? Engine::gl : Engine::trace;
+  return wrong;
+}
+
 std::string set_mode(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 3> words{"ray", "intersect", "normals"};
   static constexpr std::array<Mode, 4> modes{Mode::ray, Mode::intersect, Mode::normals, Mode::ray};
@@ -264,6 +272,10 @@ constexpr std::array table{
         "middle).",
         for_explain,
         [](Options& o, const std::string& v) { return set_number(v, 0U, 0x7fffffffU, o.sample); }},
+    OptionRow{"--engine", "", "NAME",
+              "trace (default): the ray tracer. gl: OpenGL, without a window and in a moment, but "
+              "without mirrors, bent light and lens.",
+              for_render, set_engine},
     OptionRow{"--profile", "", "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's reference pictures; implies --compat course.",
@@ -277,9 +289,12 @@ constexpr std::array table{
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
               for_tracing | for_pictures, set_mode},
-    OptionRow{"--samples", "", "N", "Most samples a pixel, for the profile fine (default 16).",
-              for_tracing,
-              [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
+    OptionRow{
+        "--samples", "", "N",
+        "Most samples a pixel, for the profile fine (default 16; with --engine gl 4, of 1, 4, 16, "
+        "64).",
+        for_tracing,
+        [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
     OptionRow{
         "--fresnel", "", "",
         "Glass mirrors the share of light that Fresnel's equations say, for the profile fine.",

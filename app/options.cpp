@@ -144,8 +144,39 @@ std::string choose_format(Options& options) {
   return {};
 }
 
+// OpenGL has no rays, so it has none of their options.
+std::string check_gl(const Options& options) {
+  const struct {
+    bool given;
+    std::string_view name;
+  } rays_only[] = {{options.max_depth.has_value(), "--max-depth"},
+                   {options.seed.has_value(), "--seed"},
+                   {options.fresnel, "--fresnel"},
+                   {options.threads != 0, "--threads"},
+                   {!options.checkpoint.empty(), "--checkpoint"},
+                   {!options.preview.empty(), "--preview"},
+                   {!options.layers.empty(), "--aov"},
+                   {options.crop.has_value(), "--crop"},
+                   {options.denoise, "--denoise"}};
+  for (const auto& [given, name] : rays_only) {
+    if (given) {
+      return fmt::format("{} is for the ray tracer: leave it out, or --engine gl", name);
+    }
+  }
+  const int samples = options.samples.value_or(4);
+  return samples == 1 || samples == 4 || samples == 16 || samples == 64
+             ? std::string()
+             : fmt::format("--samples: OpenGL takes 1, 4, 16 or 64 samples a pixel, not {}",
+                           samples);
+}
+
 // What the options of render cannot see alone.
 std::string check_render(const Options& options) {
+  if (options.engine == Engine::gl) {
+    if (std::string wrong = check_gl(options); !wrong.empty()) {
+      return wrong;
+    }
+  }
   if (const std::optional<PixelRegion>& crop = options.crop;
       crop.has_value() && (crop->x1 > options.width || crop->y1 > options.height)) {
     return fmt::format("--crop: {},{},{},{} reaches out of the picture of {}x{}", crop->x0,

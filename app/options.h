@@ -21,6 +21,9 @@ struct PixelPlace {
   int y = 0;
 };
 
+/// Who draws.
+enum class Engine : std::uint8_t { trace, gl };
+
 /// What a scene can be written as.
 enum class ConvertTo : std::uint8_t { xml, json, pov };
 
@@ -30,6 +33,7 @@ struct Options {
   std::string output;
   int width = 1024;
   int height = 768;
+  Engine engine = Engine::trace;
   Profile profile = Profile::fine;
   bool profile_given = false;
   Mode mode = Mode::ray;

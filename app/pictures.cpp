@@ -85,6 +85,10 @@ Outcome write_pictures(const Options& options, const RenderResult& result, Conte
   return outcome;
 }
 
+Outcome write_8bit_picture(const Options& options, const Image& image, Context& context) {
+  return write_image(options.output, image, Rounding::nearest, context);
+}
+
 Preview preview_of(const Options& options) {
   Preview preview;
   if (options.preview.empty()) {

@@ -14,6 +14,9 @@ std::vector<std::string> picture_files(const Options& options);
 /// Writes them all.
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
 
+/// Writes one whose values are already those of 8-bit pixels.
+Outcome write_8bit_picture(const Options& options, const Image& image, Context& context);
+
 /// Writes pictures on the way to options.preview; does nothing where that is empty. A failure is
 /// said once and stops nothing.
 Preview preview_of(const Options& options);

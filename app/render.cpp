@@ -95,14 +95,21 @@ Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& rep
   return outcome;
 }
 
-std::string summary_text(const RenderReport& report) {
+std::string work_text(const RenderReport& report) {
+  if (!report.gl.renderer.empty()) {
+    return fmt::format("{} draw calls for {} objects", report.gl.draw_calls, report.gl.objects);
+  }
   const std::uint64_t rays =
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;
-  return fmt::format("{}: {}x{}, {:.2f} s, {:.2f} million rays\n",
+  return fmt::format("{:.2f} million rays", static_cast<double>(rays) / 1e6);
+}
+
+std::string summary_text(const RenderReport& report) {
+  return fmt::format("{}: {}x{}, {:.2f} s, {}\n",
                      report.output == "-" ? "<stdout>" : escaped(report.output),
                      report.options.crop ? report.options.crop->width() : report.options.width,
                      report.options.crop ? report.options.crop->height() : report.options.height,
-                     report.seconds, static_cast<double>(rays) / 1e6);
+                     report.seconds, work_text(report));
 }
 
 }  // namespace
@@ -115,15 +122,20 @@ ExitCode run_render(const Options& options, Context& context) {
   RenderReport report;
   report.options = render_options(options);
   report.output = options.output;
-  const LoadedScene scene = load_for_tracing(options, report.options, context);
+  LoadedScene scene = load_for_tracing(options, report.options, context);
   Outcome outcome{status_of(scene), {}};
+  Image drawn;
+  if (options.engine == Engine::gl && outcome.status == ExitCode::fine) {
+    outcome = draw_with_gl(options, scene, drawn, report.gl, context);
+  }
   if (!options.json) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
                       wants_color(Stream::chatter)));
   }
   if (outcome.status == ExitCode::fine) {
-    outcome = draw(options, scene, report, context);
-  } else {
+    outcome = options.engine == Engine::gl ? write_8bit_picture(options, drawn, context)
+                                           : draw(options, scene, report, context);
+  } else if (outcome.error.empty()) {
     outcome.error = "the scene cannot be used";
   }
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();

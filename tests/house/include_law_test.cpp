@@ -28,6 +28,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"io", {"base"}},
     {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
+    {"view", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
 };
 
@@ -38,7 +39,7 @@ const std::map<std::string, std::string> third_party = {
     {"png.h", "asset/png_file.cpp"},         {"jpeglib.h", "asset/jpeg_file.cpp"},
     {"tinyexr.h", "asset/exr_file.cpp"},     {"embree3/", "trace/embree_scenes.cpp"},
     {"embree4/", "trace/embree_scenes.cpp"}, {"tbb/", "trace/tiles.cpp"},
-    {"oneapi/", "trace/tiles.cpp"},
+    {"oneapi/", "trace/tiles.cpp"},          {"EGL/", "view/headless.cpp"},
 };
 
 struct Include {

@@ -1,0 +1,57 @@
+#include "app/gl_picture.h"
+
+#include "scenefile/view/headless.h"
+
+#include <fmt/format.h>
+
+namespace scenefile::app {
+
+namespace {
+
+// Samples of a pixel where nobody asks for a number.
+int default_samples(const RenderOptions& options) {
+  if (options.profile == Profile::fine) {
+    return 4;
+  }
+  return options.features.super_sample ? 16 : 1;
+}
+
+DrawOptions draw_options(const Options& options) {
+  const RenderOptions render = render_options(options);
+  DrawOptions result;
+  const bool ray = render.mode == Mode::ray;
+  result.mode = render.mode == Mode::normals ? DrawMode::normals : DrawMode::shaded;
+  result.course = render.profile == Profile::course;
+  result.shadows = ray && render.features.shadows;
+  result.textures = ray && render.features.texture;
+  result.texture_filter = render.features.texture_filter;
+  result.transparency = ray && render.features.refract;
+  result.directional_only = result.course && render.mode == Mode::intersect;
+  result.samples = options.samples.value_or(default_samples(render));
+  return result;
+}
+
+}  // namespace
+
+Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, GlReport& report,
+                     Context& context) {
+  context.phase = "drawing with OpenGL";
+  std::string error;
+  const auto gl = HeadlessContext::create(error);
+  const auto device = gl == nullptr ? nullptr : GlDevice::create(gl->get_proc_address(), error);
+  if (device == nullptr) {
+    return {ExitCode::environment, fmt::format("--engine gl: {}", error)};
+  }
+  const RenderScene& ready = scene.ready.scene;
+  UploadOptions upload_options;
+  upload_options.flat_meshes = options.profile == Profile::course;
+  Drawing drawing = upload(*device, ready, scene.assets, upload_options, scene.diagnostics);
+  DrawStats stats;
+  image = draw_image(*device, drawing, ready.camera, draw_options(options), options.width,
+                     options.height, error, &stats);
+  report = {device->renderer(), stats.draw_calls, stats.shadow_maps, stats.objects,
+            stats.triangles};
+  return {error.empty() ? ExitCode::fine : ExitCode::environment, error};
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,18 @@
+#pragma once
+// The findings of drawing with OpenGL.
+
+#include "scenefile/base/diagnostics.h"
+
+namespace scenefile {
+
+inline constexpr Code gl_copies_left_out{
+    "gl.copies-left-out", Severity::warning, "more copies of templates than OpenGL is given",
+    "Templates are copied out for OpenGL, so copies take memory and time; those at the end of the "
+    "scene are not drawn. The ray tracer (render without --engine gl) keeps them as instances and "
+    "draws all."};
+inline constexpr Code gl_not_drawn{
+    "gl.not-drawn", Severity::note, "what only the ray tracer draws",
+    "OpenGL draws what the camera sees directly. Mirrors stay without their reflection, light goes "
+    "straight through glass, and the lens is a pinhole; render without --engine gl has them."};
+
+}  // namespace scenefile

@@ -1,0 +1,98 @@
+#include "scenefile/view/programs.h"
+
+#include "scenefile/view/light_table.h"
+#include "scenefile/view/shaders.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace scenefile {
+
+namespace {
+
+// WebGL2 has the same text behind "#version 300 es" and precisions.
+std::string preamble(const ProgramKey& key) {
+  std::string text = "#version 410 core\n";
+  const auto define = [&](const char* name, int value) {
+    text += fmt::format("#define {} {}\n", name, value);
+  };
+  define("MODE", static_cast<int>(key.output));
+  define("TABLE_WIDTH", table_width);
+  define("MATERIAL_TEXELS", material_texels);
+  define("EMITTER_TEXELS", emitter_texels);
+  if (key.textured) {
+    define("TEXTURED", 1);
+  }
+  return text;
+}
+
+}  // namespace
+
+Programs::~Programs() {
+  for (const auto& [key, program] : programs_) {
+    gl_.DeleteProgram(program.name);
+  }
+}
+
+gl::Name Programs::compile(gl::Enum stage, const std::string& text) {
+  const gl::Name shader = gl_.CreateShader(stage);
+  const char* const data = text.c_str();
+  gl_.ShaderSource(shader, 1, &data, nullptr);
+  gl_.CompileShader(shader);
+  int compiled = 0;
+  gl_.GetShaderiv(shader, gl::COMPILE_STATUS, &compiled);
+  if (compiled == 0) {
+    std::array<char, 1024> log{};
+    gl_.GetShaderInfoLog(shader, log.size(), nullptr, log.data());
+    error_ = log.data();
+  }
+  return shader;
+}
+
+Program Programs::build(const ProgramKey& key) {
+  Program program;
+  const gl::Name name = gl_.CreateProgram();
+  const gl::Name vertex = compile(gl::VERTEX_SHADER, preamble(key) + scene_vert);
+  const gl::Name fragment = compile(gl::FRAGMENT_SHADER, preamble(key) + scene_frag);
+  gl_.AttachShader(name, vertex);
+  gl_.AttachShader(name, fragment);
+  gl_.LinkProgram(name);
+  gl_.DeleteShader(vertex);
+  gl_.DeleteShader(fragment);
+  int linked = 0;
+  gl_.GetProgramiv(name, gl::LINK_STATUS, &linked);
+  if (linked == 0) {
+    if (error_.empty()) {
+      std::array<char, 1024> log{};
+      gl_.GetProgramInfoLog(name, log.size(), nullptr, log.data());
+      error_ = log.data();
+    }
+    gl_.DeleteProgram(name);
+    return program;
+  }
+  const auto location = [&](const char* uniform) { return gl_.GetUniformLocation(name, uniform); };
+  gl_.UseProgram(name);
+  gl_.Uniform1i(location("image"), unit_image);
+  gl_.Uniform1i(location("materials"), unit_materials);
+  gl_.Uniform1i(location("emitters"), unit_emitters);
+  return {name,
+          location("clip_from_world"),
+          location("emitter_count"),
+          location("quadric"),
+          location("transparent"),
+          location("passing"),
+          location("depth_axis"),
+          location("lookup")};
+}
+
+const Program& Programs::use(const ProgramKey& key) {
+  const auto [found, fresh] = programs_.try_emplace(key);
+  if (fresh) {
+    found->second = build(key);
+  }
+  gl_.UseProgram(found->second.name);
+  return found->second;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,73 @@
+#pragma once
+// Shader programs, compiled when they are first needed. Internal to the room.
+
+#include "scenefile/view/gl_functions.h"
+
+#include <glm/glm.hpp>
+
+#include <compare>
+#include <map>
+#include <string>
+
+namespace scenefile {
+
+/// What the fragment shader writes; the numbers are those of shaders/scene.frag.
+enum class Output : std::uint8_t {
+  shaded,
+  flat_color,
+  normals,
+  uv,
+  depth,
+  object_color,
+  object_number,
+  box
+};
+
+struct ProgramKey {
+  Output output = Output::shaded;
+  bool textured = false;
+
+  auto operator<=>(const ProgramKey&) const = default;
+};
+
+struct Program {
+  gl::Name name = 0;
+  int clip_from_world = -1;
+  int emitter_count = -1;
+  int quadric = -1;
+  int transparent = -1;
+  int passing = -1;
+  int depth_axis = -1;
+  int lookup = -1;
+};
+
+/// Texture units of the samplers.
+inline constexpr int unit_image = 0;
+inline constexpr int unit_materials = 1;
+inline constexpr int unit_emitters = 2;
+
+/// Texels of a material, and how many of both kinds lie beside each other in a row of their table.
+inline constexpr int material_texels = 5;
+inline constexpr int table_width = 256;
+
+class Programs {
+ public:
+  explicit Programs(const gl::Functions& functions) : gl_(functions) {}
+  ~Programs();
+  Programs(const Programs&) = delete;
+  Programs& operator=(const Programs&) = delete;
+
+  /// The program, in use. Its name is 0 where the driver refuses it; error() says why.
+  const Program& use(const ProgramKey& key);
+  const std::string& error() const { return error_; }
+
+ private:
+  Program build(const ProgramKey& key);
+  gl::Name compile(gl::Enum stage, const std::string& text);
+
+  const gl::Functions& gl_;
+  std::map<ProgramKey, Program> programs_;
+  std::string error_;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,63 @@
+#pragma once
+// What a drawing keeps on the card. Internal to the room.
+
+#include "scenefile/view/expand.h"
+#include "scenefile/view/gl_objects.h"
+#include "scenefile/view/vertices.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+/// Triangles on the card, and their edges once someone wants them.
+struct Geometry {
+  gl::VertexArray array;
+  gl::Buffer vertices;
+  gl::Buffer triangles;
+  gl::Buffer lines;
+  gl::Size triangle_indices = 0;
+  gl::Size line_indices = 0;
+};
+
+/// Levels of detail of round shapes: segments about the axis.
+inline constexpr std::array<int, 5> level_segments{12, 24, 48, 96, 192};
+
+/// A cube has one level, kept as the first.
+inline constexpr std::size_t levels = level_segments.size();
+
+/// What an instance of a geometry tells the vertex shader: row by row, the map to the world
+/// relative to the eye; material, tint, number of the object.
+struct InstanceRecord {
+  std::array<glm::vec4, 3> rows;
+  glm::vec4 object{0};
+};
+
+struct Drawing::State {
+  GlDevice::State* device = nullptr;
+  ExpandedScene scene;
+  RenderGlobal global;
+  std::vector<RenderLight> lights;
+  std::vector<RenderMaterial> materials;
+  std::vector<gl::Texture>
+      textures;  ///< by RenderTexture::file; empty where the file is not loaded
+  gl::Texture material_table;
+  gl::Texture emitter_table;
+  gl::Buffer instances;
+  std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
+  std::vector<Geometry> meshes;
+  std::vector<std::vector<std::uint32_t>> mesh_triangles;  ///< indices of `meshes`
+};
+
+/// The geometry of an object at a level of detail, made when it is first asked for. `with_lines`:
+/// its edges too.
+const Geometry& geometry_of(const gl::Functions& functions, Drawing::State& drawing, Shape shape,
+                            std::uint32_t mesh, std::size_t level, bool with_lines);
+
+/// Uploads rows of `texels` vec4 each as a table that the shaders index by number.
+void fill_table(const gl::Functions& functions, gl::Texture& table, int texels,
+                const std::vector<glm::vec4>& values);
+
+}  // namespace scenefile

@@ -1,0 +1,202 @@
+// The lighting equation of docs/rendering.md at one pixel.
+//
+// The triangles of round shapes are taken for where the surface about is: the point is moved along
+// the ray of the pixel onto the exact surface, and normal and uv are found there.
+
+#define SHADED 0
+#define FLAT_COLOR 1
+#define NORMALS 2
+#define UV 3
+#define DEPTH 4
+#define OBJECT_COLOR 5
+#define OBJECT_NUMBER 6
+#define BOX 7
+
+centroid in vec3 on_object;
+centroid in vec3 from_eye;
+centroid in vec3 mesh_normal;
+centroid in vec2 mesh_uv;
+flat in vec3 eye_object;
+flat in mat3 world_from_normal;
+flat in vec4 identity;
+
+layout(location = 0) out vec4 color;
+
+uniform sampler2D materials;  // MATERIAL_TEXELS for each
+uniform sampler2D emitters;   // EMITTER_TEXELS for each
+uniform int emitter_count;
+uniform vec3 quadric;      // x^2 + z^2 + a y^2 + b y + c = 0 is the round side
+uniform float transparent; // kt
+uniform int passing;       // 1: give the light that passes through the object, not its own
+uniform vec4 depth_axis;   // where it is 0 with a point of the world, depth is nearest; 1: farthest
+
+const float pi = 3.14159265358979;
+
+vec4 material(int texel) {
+  int index = int(identity.x);
+  return texelFetch(materials, ivec2(index % TABLE_WIDTH * MATERIAL_TEXELS + texel, index / TABLE_WIDTH), 0);
+}
+
+vec4 emitter(int index, int texel) {
+  return texelFetch(emitters, ivec2(index % TABLE_WIDTH * EMITTER_TEXELS + texel, index / TABLE_WIDTH), 0);
+}
+
+struct Point {
+  vec3 object;
+  vec3 world;   // relative to the eye
+  vec3 normal;  // object space, any length
+};
+
+// The nearer crossing of the pixel's ray with the quadric, counted from the triangle.
+Point find_point() {
+  Point point = Point(on_object, from_eye, mesh_normal);
+  vec3 p = on_object;
+  vec3 way = p - eye_object;
+  vec3 slope = vec3(p.x, quadric.x * p.y + 0.5 * quadric.y, p.z);
+  float a = dot(way, vec3(way.x, quadric.x * way.y, way.z));
+  float b = dot(slope, way);
+  float c = p.x * p.x + p.z * p.z + (quadric.x * p.y + quadric.y) * p.y + quadric.z;
+  float root = b + (b < 0.0 ? -1.0 : 1.0) * sqrt(max(b * b - a * c, 0.0));
+  float t = abs(root) > 1e-20 ? -c / root : 0.0;
+  t *= identity.w;
+  point.object = p + t * way;
+  point.world += t * from_eye;
+  if (identity.w > 0.5) {
+    point.normal = vec3(point.object.x, quadric.x * point.object.y + 0.5 * quadric.y, point.object.z);
+  }
+  return point;
+}
+
+#if defined(TEXTURED) || MODE == UV
+vec2 find_uv(Point point) {
+  if (identity.w < 0.5) {
+    return mesh_uv;
+  }
+  vec3 p = point.object;
+  float phi = atan(p.z, p.x);
+  float v = quadric.x > 0.5 ? asin(clamp(2.0 * p.y, -1.0, 1.0)) / pi : p.y;
+  return vec2((phi < 0.0 ? 0.0 : 1.0) - phi / (2.0 * pi), v + 0.5);
+}
+#endif
+
+#ifdef TEXTURED
+uniform sampler2D image;
+uniform int lookup;  // 0 nearest, 1 the course's filter, 2 nearest averaged over the pixel, 3 filtered
+
+// Change of uv with a step on the surface.
+vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
+  if (identity.w < 0.5) {
+    return mesh_step;
+  }
+  vec3 p = point.object;
+  float u = (step.x * p.z - step.z * p.x) / max(dot(p.xz, p.xz), 1e-12) / (2.0 * pi);
+  float v = quadric.x > 0.5 ? 2.0 / pi * step.y / sqrt(max(1.0 - 4.0 * p.y * p.y, 1e-6)) : step.y;
+  return vec2(u, v);
+}
+
+// Moves a place between texel middles toward the nearer one, so that only `width` texels around
+// their border are interpolated.
+vec2 sharpened(vec2 p, vec2 width) {
+  vec2 low = floor(p - 0.5) + 0.5;
+  return low + clamp((p - low - 0.5) / width + 0.5, 0.0, 1.0);
+}
+
+vec3 texture_color(Point point) {
+  vec4 repeats = material(4);
+  vec2 size = vec2(textureSize(image, 0));
+  vec2 scale = repeats.xy * size;
+  vec2 uv = find_uv(point);
+  vec2 p = vec2(uv.x, 1.0 - uv.y) * scale;
+  vec2 along_x = uv_step(point, dFdx(point.object), dFdx(mesh_uv)) * scale;
+  vec2 along_y = uv_step(point, dFdy(point.object), dFdy(mesh_uv)) * scale;
+  along_x.y = -along_x.y;
+  along_y.y = -along_y.y;
+  if (lookup < 2) {
+    vec2 place = lookup == 1 ? p + 0.5 : floor(p) + 0.5;
+    return textureLod(image, place / size, 0.0).rgb;
+  }
+  float x = length(along_x);
+  float y = length(along_y);
+  vec2 major = x > y ? along_x : along_y;
+  float longer = max(x, y);
+  float width = max(max(min(x, y), longer / 16.0), 1.0);
+  float level = log2(width);
+  float taps = clamp(ceil(longer / width), 1.0, 16.0);
+  vec2 border = lookup == 3 || level > 0.0 ? vec2(1.0) : clamp(abs(along_x) + abs(along_y), 1e-4, 1.0);
+  vec3 sum = vec3(0.0);
+  for (float i = 0.5; i < taps; i += 1.0) {
+    vec2 place = p + (i / taps - 0.5) * major;
+    sum += textureLod(image, sharpened(place, border) / size, level).rgb;
+  }
+  return sum / taps;
+}
+#endif
+
+#if MODE == SHADED
+vec3 lit(Point point, vec3 normal) {
+  vec4 ambient = material(0);
+  vec4 diffuse = material(1);
+  vec3 specular = material(2).rgb;
+  float shininess = ambient.w;
+#ifdef TEXTURED
+  diffuse.rgb = mix(diffuse.rgb, texture_color(point), diffuse.w);
+#endif
+  vec3 to_eye = -normalize(point.world);
+  vec3 sum = ambient.rgb;
+  for (int i = 0; i < emitter_count; ++i) {
+    vec4 place = emitter(i, 0);
+    vec4 light = emitter(i, 1);
+    vec4 fading = emitter(i, 2);
+    vec4 axis = emitter(i, 3);
+    vec3 path = place.xyz - place.w * point.world;
+    float distance_to_light = length(path);
+    vec3 to_light = path / distance_to_light;
+    float fade = 1.0 / max(1.0, fading.x + distance_to_light * (fading.y + distance_to_light * fading.z));
+    float angle = acos(clamp(-dot(to_light, axis.xyz), -1.0, 1.0));
+    float t = clamp((angle - fading.w) / max(axis.w - fading.w, 1e-6), 0.0, 1.0);
+    fade *= 1.0 - t * t * (3.0 - 2.0 * t);
+    float cosine = dot(normal, to_light);
+    float mirrored = dot(2.0 * cosine * normal - to_light, to_eye);
+    vec3 share = diffuse.rgb * max(0.0, cosine);
+    if (mirrored > 0.0 && shininess > 0.0) {
+      share += specular * pow(mirrored, shininess);
+    }
+    sum += share * light.rgb * fade;
+  }
+  return sum;
+}
+#endif
+
+// Well-spread colors of whole numbers.
+vec3 number_color(float number) {
+  vec3 turn = fract(number * vec3(0.618034, 0.754878, 0.569840) + vec3(0.1, 0.4, 0.7));
+  return 0.25 + 0.75 * turn;
+}
+
+void main() {
+  Point point = find_point();
+  vec3 normal = normalize(world_from_normal * point.normal);
+#if MODE == SHADED
+  vec3 result = passing == 1 ? transparent * material(3).rgb : lit(point, normal);
+#elif MODE == FLAT_COLOR
+  vec3 result = 0.25 + 0.75 * material(1).rgb;
+#elif MODE == NORMALS
+  vec3 result = 0.5 * (normal + 1.0);
+#elif MODE == UV
+  vec2 uv = find_uv(point);
+  vec3 result = vec3(uv - floor(uv), 0.0);
+#elif MODE == DEPTH
+  vec3 result = vec3(1.0 - clamp(dot(depth_axis, vec4(point.world, 1.0)), 0.0, 1.0));
+#elif MODE == OBJECT_COLOR
+  vec3 result = number_color(identity.z);
+#elif MODE == OBJECT_NUMBER
+  int number = int(identity.z) + 1;
+  vec3 result = vec3(number & 255, (number >> 8) & 255, number >> 16) / 255.0;
+#elif MODE == BOX
+  vec3 result = vec3(0.08, 0.05, 0.03);
+#endif
+#if MODE != OBJECT_NUMBER
+  result = mix(result, vec3(1.0, 0.6, 0.1), identity.y);
+#endif
+  color = vec4(result, 1.0);
+}

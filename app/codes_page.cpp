@@ -63,10 +63,10 @@ std::string severities_text(const Code& code) {
     text += fmt::format(", sometimes {} {}", *code.otherwise == Severity::error ? "an" : "a",
                         severity_name(*code.otherwise));
   }
-  if (code.kind != CodeKind::plain) {
-    text += code.kind == CodeKind::dialect ? ", dialect" : ", limit";
+  if (code.kind == CodeKind::dialect) {
+    return text + ", dialect";
   }
-  return text;
+  return code.kind == CodeKind::limit ? text + ", limit" : text;
 }
 
 std::string codes_markdown() {

@@ -65,13 +65,8 @@ LoadedScene load_scene(const std::string& path, const Options& options, LoadDept
   context.phase = "reading the scene";
   scene.written = read_scene(scene.text, {.compat_course = options.compat_course, .limits = limits},
                              scene.diagnostics);
-  if (!scene.diagnostics.has_errors()) {
-    context.phase = "checking the scene";
-    check(scene.written, limits, scene.diagnostics);
-  }
-  if (scene.diagnostics.has_errors()) {
-    return scene;
-  }
+  context.phase = "checking the scene";
+  check(scene.written, limits, scene.diagnostics);
   context.phase = "preparing the scene";
   scene.ready = prepare(scene.written, limits);
   if (depth != LoadDepth::prepared) {

@@ -27,7 +27,7 @@ struct LoadedScene {
   std::string text;
   IoError unreadable;  ///< why there is no text; empty: there is
   Scene written;
-  Prepared ready;  ///< empty when there are errors
+  Prepared ready;  ///< not to be drawn when there are errors
   Assets assets;
   std::uint64_t asset_fingerprint = 0;  ///< of names and bytes of all files that were loaded
   Diagnostics diagnostics;

@@ -293,8 +293,8 @@ TEST(JsonReader, WrongTypesNameKeyExpectationAndFinding) {
       {R"({"groups": ["x"]})", "must be an object, found the string \"x\""},
       {R"({"name": 5})", "\"name\" must be a string, found the number 5"},
       {R"({"translate": "1 2 3"})", "\"translate\" must be an array of 3 numbers (x, y, z), found"},
-      {R"({"scale": [1, "2", 3]})", "found an array of 3 values"},
-      {R"({"scale": [1, [2], 3]})", "found an array of 3 values"},
+      {R"({"scale": [1, "2", 3]})", "found the string \"2\" in it"},
+      {R"({"scale": [1, [2], 3]})", "found an array of 1 number in it"},
       {R"({"scale": [1]})", "found 1 number"},
       {R"({"rotate": [0, 1, 0]})", "axis x, y, z and degrees), found 3 numbers"},
       {R"({"matrix": [1, 2]})", "\"matrix\" must be 4 rows, each an array of 4 numbers, found"},
@@ -344,7 +344,7 @@ TEST(JsonReader, CompatCourseReadsNumbersWithoutADigit) {
   const std::string text =
       std::string(head) + R"("groups": [{"name": "1. \".5", "translate": [.5, -.25, 2.],
     "scale": [1.,1.,.5], "rotate": [0, 1, 0, 1.5], "lights": 7}]})";
-  EXPECT_EQ(read(text).count(json_number), 1u);
+  EXPECT_EQ(read(text).count(json_number), 5u) << "two are alike";
   ReadOptions options;
   options.compat_course = true;
   const Reading r = read(text, options);

@@ -101,7 +101,8 @@ TEST(LayoutXml, TheEncodingStays) {
     return out;
   };
   for (const bool little : {true, false}) {
-    for (const std::string& start : {std::string(), std::string(little ? "\xFF\xFE" : "\xFE\xFF")}) {
+    for (const std::string& start :
+         {std::string(), std::string(little ? "\xFF\xFE" : "\xFE\xFF")}) {
       EXPECT_EQ(laid_out(wide("<scenefile><a n='*'/></scenefile>", little, start)),
                 wide("<scenefile>\n  <a n='*'/>\n</scenefile>\n", little, start));
     }
@@ -110,7 +111,7 @@ TEST(LayoutXml, TheEncodingStays) {
 
 TEST(LayoutXml, WhatIsNoSceneIsRefused) {
   EXPECT_THAT(faults("<scenefile>\n<a></scenefile>"), ElementsAre("2:4 error xml.syntax"));
-  EXPECT_THAT(faults("<html/>"), ElementsAre("1:1 error xml.root-element"));
+  EXPECT_THAT(faults("<svg/>"), ElementsAre("1:1 error xml.root-element"));
   EXPECT_THAT(faults("<scenefile/><b/>"), ElementsAre("1:13 error xml.syntax"));
   EXPECT_THAT(faults(" "), ElementsAre("1:1 error format.empty"));
   EXPECT_THAT(faults("scene"), ElementsAre("1:1 error format.unknown"));

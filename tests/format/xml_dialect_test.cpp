@@ -237,7 +237,7 @@ TEST(XmlDialect, NamespacesHaveNoEffect) {
                            .diagnostics),
               IsEmpty());
   EXPECT_THAT(findings(read("<s:scenefile xmlns:s=\"urn:x\"/>").diagnostics),
-              ElementsAre("1:1 error xml.root-element"));
+              ElementsAre("1:1 error xml.root-element", "1:1 warning xml.no-root"));
 }
 
 TEST(XmlDialect, EveryAssumptionIsMarkedAsADialect) {

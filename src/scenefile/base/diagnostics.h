@@ -23,7 +23,8 @@ enum class Severity : std::uint8_t { note, warning, error };
 enum class CodeKind : std::uint8_t {
   plain,
   dialect,  ///< a spelling of a dialect: an error under `--strict`
-  limit     ///< a limit was reached; as an error it has an exit status of its own
+  limit,    ///< a limit was reached; as an error it has an exit status of its own
+  absence   ///< something is missing in the whole scene: not said where parts could not be read
 };
 
 /// A kind of finding. Each is one constant in the `codes.h` of the room that reports it; its

@@ -19,7 +19,8 @@ inline constexpr Code format_unknown{"format.unknown", Severity::error,
                                      "the file is neither XML nor JSON",
                                      "The first character that is not white space decides: < is "
                                      "XML, { or [ is JSON. The name of the "
-                                     "file does not matter."};
+                                     "file does not matter. Web pages, archives, meshes and "
+                                     "pictures are told apart."};
 inline constexpr Code format_encoding{
     "format.encoding", Severity::error, "the characters of the file cannot be read",
     "Save the file as UTF-8. UTF-16 is read when it has a byte order mark, ISO-8859-1 and "

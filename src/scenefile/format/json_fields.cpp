@@ -21,21 +21,28 @@ std::size_t count_elements(const JsonTape& tape, JsonIndex array) {
   return count;
 }
 
-bool all_numbers(const JsonTape& tape, JsonIndex array) {
-  for (JsonIndex i = array + 1; i < tape.end(array); i = tape.end(i)) {
-    if (!tape.is_number(i)) {
-      return false;
-    }
+// The first element that is no number; the end of the array when all are.
+JsonIndex first_other(const JsonTape& tape, JsonIndex array) {
+  JsonIndex i = array + 1;
+  while (i < tape.end(array) && tape.is_number(i)) {
+    i = tape.end(i);
   }
-  return true;
+  return i;
+}
+
+bool all_numbers(const JsonTape& tape, JsonIndex array) {
+  return first_other(tape, array) == tape.end(array);
 }
 
 std::string key_name(const JsonContext& context, JsonIndex key) {
   return quoted(context.tape.string(key));
 }
 
-// Reports a number that no float can hold.
+// Reports a number that no float can hold. False too where an error was reported before.
 bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
+  if (context.repaired.is_unknown(context.tape.items[item].offset)) {
+    return false;
+  }
   const std::string_view text = context.tape.raw(item);
   const ParsedNumber number = parse_number(text);
   if (number.error != NumberError::none) {
@@ -70,8 +77,14 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
   if (holds_numbers(tape, value, count)) {
     return true;
   }
-  if (!tape.is_array(value) || !all_numbers(tape, value)) {
+  if (!tape.is_array(value)) {
     report_json_type(context, key, expected);
+    return false;
+  }
+  if (const JsonIndex other = first_other(tape, value); other != tape.end(value)) {
+    context.report(json_type, other,
+                   fmt::format("{} must be {}, found {} in it", key_name(context, key), expected,
+                               describe_json(tape, other)));
     return false;
   }
   const std::size_t found = count_elements(tape, value);
@@ -115,13 +128,13 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
   }
   unknown_ = unknown.size();
   for (const JsonIndex key : unknown) {
-    report_unknown(key);
+    settle_unknown(key);
   }
 }
 
-// Nearly a key that the object lacks is a mistake; an extension would be named apart from those it
-// stands beside.
-void JsonFields::report_unknown(JsonIndex key) const {
+// Nearly a key that the object lacks is a mistake, and read as that key; an extension would be
+// named apart from those it stands beside.
+void JsonFields::settle_unknown(JsonIndex key) {
   const std::string name = context_.tape.string(key);
   const std::string_view near =
       nearest_name(std::string_view(name).substr(0, 64), vocabulary_.keys);
@@ -131,6 +144,9 @@ void JsonFields::report_unknown(JsonIndex key) const {
   context_.report(misspelt ? json_misspelt_key : json_unknown_key, key,
                   fmt::format("unknown key {} in {}{}", quoted(name), vocabulary_.what,
                               misspelt ? fmt::format("; did you mean \"{}\"?", near) : ""));
+  if (misspelt) {
+    keys_[static_cast<std::size_t>(known - vocabulary_.keys.begin())] = key;
+  }
 }
 
 // False: the vocabulary does not have it.

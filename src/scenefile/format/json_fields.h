@@ -51,7 +51,8 @@ class JsonFields {
  public:
   static constexpr std::size_t max_keys = 16;
 
-  /// Reports keys that are unknown or occur twice. `object` is an object.
+  /// Reports keys that are unknown or occur twice. A misspelt key, after an error, is the one that
+  /// was probably meant. `object` is an object.
   JsonFields(JsonContext& context, JsonIndex object, const JsonVocabulary& vocabulary);
 
   bool has(std::size_t key) const { return keys_[key] != 0; }
@@ -63,7 +64,7 @@ class JsonFields {
 
  private:
   bool add(JsonIndex key);
-  void report_unknown(JsonIndex key) const;
+  void settle_unknown(JsonIndex key);
 
   JsonContext& context_;
   JsonIndex object_;

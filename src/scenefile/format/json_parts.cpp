@@ -14,12 +14,10 @@ namespace scenefile {
 
 namespace {
 
-// Takes over a value that could be read; a bad one leaves the default.
+// Takes over a value that could be read.
 template <typename Member, typename Value>
-void assign(Member& member, std::optional<Value> value) {
-  if (value) {
-    member = *std::move(value);
-  }
+void assign(Member& member, const std::optional<Value>& value) {
+  member = value.value_or(Value(not_known));
 }
 
 // Reads values of one object into members and notes where they stand.
@@ -34,6 +32,12 @@ class Assigner {
   }
   void vector(std::size_t key, Field field, glm::vec3& member) {
     read(key, field, member, vector_value);
+  }
+  void required_vector(std::size_t key, Field field, glm::vec3& member) {
+    if (!fields_.require(key)) {
+      member = glm::vec3(not_known);
+    }
+    vector(key, field, member);
   }
   void color(std::size_t key, Field field, glm::vec3& member) {
     read(key, field, member, color_value);
@@ -103,8 +107,8 @@ bool is_identifier(std::string_view name) {
   });
 }
 
-// The place of the "type" of a light or primitive in `names`; nothing, with a report, when it is
-// none of them.
+// The place of the "type" of a light or primitive in `names`, after an error of the one that was
+// probably meant; nothing, with a report, when it is none of them.
 std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fields,
                                      std::string_view what, std::span<const std::string_view> names,
                                      const Code& unknown) {
@@ -129,7 +133,8 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
       fmt::format("unknown {} type {}{}", what, quoted(*name),
                   misspelt ? fmt::format("; did you mean \"{}\"?", near)
                            : fmt::format("; known are {}", fmt::join(names, ", "))));
-  return std::nullopt;
+  const auto meant = std::find(names.begin(), names.end(), near);
+  return misspelt ? std::optional<std::size_t>(meant - names.begin()) : std::nullopt;
 }
 
 namespace global {
@@ -152,9 +157,13 @@ void read_direction(JsonContext& context, JsonIndex object, const JsonFields& fi
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report(json_look_and_focus, second,
                    "cameraData has both \"look\" and \"focus\"; remove one of them");
-  } else if (!fields.has(look) && !fields.has(focus)) {
+    camera.look = glm::vec3(not_known);
+    return;
+  }
+  if (!fields.has(look) && !fields.has(focus)) {
     context.report(json_missing_key, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
+    camera.look = glm::vec3(not_known);
   }
   assigner.vector(look, Field::look, camera.look);
   if (fields.has(focus)) {
@@ -260,7 +269,7 @@ float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t ke
   }
   const JsonIndex at = fields.key(key);
   if (context.tape.is_number(at + 1)) {
-    return number_value(context, at).value_or(1);
+    return number_value(context, at).value_or(not_known);
   }
   context.diagnostics.report(
       json_type, Severity::warning, context.place(at),
@@ -301,6 +310,9 @@ void read_material(JsonContext& context, const JsonFields& fields, Assigner& ass
   assigner.number(ior, Field::ior, material.ior);
   assigner.number(blend, Field::blend, material.blend);
   material.texture = read_texture(context, fields, texture_file);
+  if (fields.has(texture_file) && !material.texture) {
+    material.blend = not_known;  // or rather, whether there is anything to blend
+  }
   material.bump_map = read_texture(context, fields, bump_file);
 }
 }  // namespace primitive
@@ -331,12 +343,11 @@ void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
   Camera& camera = scene.camera.emplace();
   camera.location = context.place(key);
   Assigner assigner(context, fields, camera.location, scene);
-  fields.require(camera::position);
-  fields.require(camera::up);
-  fields.require(camera::height_angle);
-  assigner.vector(camera::position, Field::position, camera.position);
-  assigner.vector(camera::up, Field::up, camera.up);
-  assigner.number(camera::height_angle, Field::height_angle_deg, camera.height_angle_deg);
+  assigner.required_vector(camera::position, Field::position, camera.position);
+  assigner.required_vector(camera::up, Field::up, camera.up);
+  if (fields.require(camera::height_angle)) {
+    assigner.number(camera::height_angle, Field::height_angle_deg, camera.height_angle_deg);
+  }
   camera::read_direction(context, key + 1, fields, assigner, camera);
   assigner.number(camera::aperture, Field::aperture, camera.aperture);
   assigner.number(camera::focal_length, Field::focal_length, camera.focal_length);
@@ -361,7 +372,8 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   light::require_keys(context, fields, item, light.type);
   light::report_unused_keys(context, fields, light.type);
   if (fields.has(light::name)) {
-    assign(light.name, text_value(context, fields.key(light::name), context.limits.name_bytes));
+    light.name =
+        text_value(context, fields.key(light::name), context.limits.name_bytes).value_or("");
   }
   Assigner assigner(context, fields, light.location, scene);
   assigner.color(light::color, Field::color, light.color);
@@ -401,7 +413,11 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
     report_unused(context, fields, primitive::mesh_file, "on any primitive but a mesh");
   } else if (fields.has(primitive::mesh_file)) {
     const JsonIndex key = fields.key(primitive::mesh_file);
-    assign(primitive.mesh_file, text_value(context, key, context.limits.name_bytes));
+    std::optional<std::string> file = text_value(context, key, context.limits.name_bytes);
+    if (!file) {
+      return std::nullopt;
+    }
+    primitive.mesh_file = *std::move(file);
     scene.field_places.push_back({primitive.location, Field::mesh_file, context.place(key)});
   }
   return primitive;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -110,11 +111,14 @@ class SceneReader {
       if (!tape().is_object(item)) {
         continue;
       }
+      bool named = false;
       for (JsonIndex key = item + 1; key < tape().end(item); key = tape().end(key + 1)) {
         if (tape().raw(key) == "name" && tape().is_string(key + 1)) {
           templates_.try_emplace(tape().string(key + 1), place);
+          named = true;
         }
       }
+      lost_template_ = lost_template_ || !named;
     }
   }
 
@@ -192,7 +196,7 @@ class SceneReader {
   bool read_as_instance(NodeId node, const JsonFields& fields, const std::string& name) {
     const auto found = templates_.find(name);
     if (found == templates_.end()) {
-      if (!has_contents(fields)) {
+      if (!has_contents(fields) && !lost_template_) {
         report_unknown_template(fields.key(group::name), name);
       }
       return false;
@@ -305,6 +309,7 @@ class SceneReader {
   Scene scene_;
   std::vector<Frame> frames_;
   std::unordered_map<std::string, std::size_t> templates_;  // by name: place in templateGroups
+  bool lost_template_ = false;       // one whose name could not be read, which may be used
   std::size_t known_templates_ = 0;  // those before this one can be instantiated
 };
 
@@ -318,13 +323,6 @@ bool fits(std::string_view text, const Limits& limits, Diagnostics& diagnostics)
       json_limit, {},
       fmt::format("the text has {} bytes, more than the limit of {}", text.size(), most));
   return false;
-}
-
-void to_original(JsonError& error, const RepairedJson& repaired) {
-  error.offset = repaired.original_offset(error.offset);
-  for (std::size_t& open : error.open) {
-    open = repaired.original_offset(open);
-  }
 }
 
 }  // namespace
@@ -343,9 +341,8 @@ Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& 
     repaired = repair_json_numbers(text, diagnostics);
     error = parse_json(repaired.text, options.limits.nesting, tape);
   }
-  if (error.fault != JsonFault::none) {
-    to_original(error, repaired);
-    report_json_error(error, text, options.limits, diagnostics);
+  if (error.fault != JsonFault::none &&
+      !recover_json(std::move(error), text, options.limits, repaired, tape, diagnostics)) {
     return {};
   }
   return SceneReader(tape, text, repaired, options.limits, diagnostics).read();

@@ -26,17 +26,31 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// How to write over a fault so that reading can go on behind it.
+struct Mend {
+  std::size_t offset = 0;
+  std::string text;        // instead of as many bytes; none: reading cannot go on
+  bool is_number = false;  // stands for a number that is not known
+};
+
 struct Finding {
   const Code* code = &json_syntax;
   std::size_t offset = 0;
   std::string message;
+  Mend mend;
 };
 
 // The first rule that applies explains the fault.
 class Explainer {
  public:
-  Explainer(const JsonError& error, std::string_view text, const Limits& limits)
-      : error_(error), text_(text), limits_(limits), places_(text), at_(error.offset) {}
+  Explainer(const JsonError& error, const RepairedJson& repaired, std::string_view text,
+            const Limits& limits)
+      : error_(error),
+        repaired_(repaired),
+        text_(repaired.text),
+        limits_(limits),
+        places_(text),
+        at_(error.offset) {}
 
   Finding explain() {
     Finding finding;
@@ -47,7 +61,7 @@ class Explainer {
     return finding;
   }
 
-  Location place(std::size_t offset) { return places_.at(offset); }
+  Location place(std::size_t offset) { return places_.at(repaired_.original_offset(offset)); }
 
  private:
   char found() const { return at_ < text_.size() ? text_[at_] : '\0'; }
@@ -161,6 +175,11 @@ class Explainer {
     f.code = &json_comment;
     f.message =
         fmt::format("JSON has no comments; remove what follows {}", found() == '#' ? "#" : two);
+    const std::size_t end =
+        two == "/*" ? text_.find("*/", at_ + 2) : text_.find_first_of("\r\n", at_);
+    if (end != std::string_view::npos) {
+      f.mend = {at_, std::string(end - at_ + (two == "/*" ? 2 : 0), ' ')};
+    }
     return true;
   }
 
@@ -172,11 +191,13 @@ class Explainer {
       f.offset = previous;
       f.message = fmt::format("comma before the closing {}; remove it, or write what should follow",
                               found());
+      f.mend = {previous, " "};
       return true;
     }
     if (found() == ',' && (error_.fault == JsonFault::value || error_.fault == JsonFault::key)) {
       f.message = after_comma ? "two commas in a row; remove one, or write what is missing between"
                               : "a comma before the first member or element; remove it";
+      f.mend = {at_, " "};
       return true;
     }
     return false;
@@ -197,6 +218,7 @@ class Explainer {
     f.message = is_special(word)
                     ? fmt::format("JSON has no {}; write a number", quoted(word))
                     : fmt::format("{} is no JSON number{}", quoted(word), corrected(word));
+    f.mend = {f.offset, "0" + std::string(word.size() - 1, ' '), true};
     return true;
   }
 
@@ -254,6 +276,7 @@ class Explainer {
     const std::string_view word = word_around();
     if (found() == '\'') {
       f.message = "strings and keys stand in double quotes, not in single ones";
+      f.mend = {at_, in_double_quotes()};
     } else if (!word.empty() && error_.fault == JsonFault::key) {
       f.message = fmt::format("the key {} must stand in double quotes", quoted(word));
     } else if (!word.empty() && error_.fault == JsonFault::value) {
@@ -263,6 +286,15 @@ class Explainer {
       return false;
     }
     return true;
+  }
+
+  // What stands in single quotes here, when that can be a string.
+  std::string in_double_quotes() const {
+    const std::size_t end = text_.find_first_of("'\"\\\r\n", at_ + 1);
+    if (end == std::string_view::npos || text_[end] != '\'') {
+      return {};
+    }
+    return fmt::format("\"{}\"", text_.substr(at_ + 1, end - at_ - 1));
   }
 
   static std::string literal(std::string_view word) {
@@ -310,10 +342,25 @@ class Explainer {
       f.message = fmt::format("{} follows behind the end of the scene", found_text());
     } else if (error_.fault == JsonFault::colon && found() == '=') {
       f.message = "a key is followed by a colon, not by =";
+      f.mend = {at_, ":"};
     } else if (found() == ';') {
       f.message = "members and elements are separated by commas, not by semicolons";
+      f.mend = {at_, ","};
+    } else if (lacks_comma()) {
+      f.offset = before();
+      f.message = "a comma is missing behind this";
+      f.mend = {at_ - 1, ","};
     }
     return true;
+  }
+
+  // Whether something goes on behind a blank as if there were a comma.
+  bool lacks_comma() const {
+    const bool in_object = error_.fault == JsonFault::object_comma;
+    const bool in_array = error_.fault == JsonFault::array_comma;
+    const std::string_view starts = in_object ? "\"" : "\"[{-0123456789";
+    return (in_object || in_array) && starts.find(found()) != std::string_view::npos && at_ > 0 &&
+           blanks.find(text_[at_ - 1]) != std::string_view::npos;
   }
 
   std::string_view expected() const {
@@ -332,19 +379,56 @@ class Explainer {
   }
 
   const JsonError& error_;
+  const RepairedJson& repaired_;
   std::string_view text_;
   const Limits& limits_;
   JsonPlaces places_;
   std::size_t at_;
 };
 
+void write_over(const Mend& mend, RepairedJson& repaired) {
+  repaired.text.replace(mend.offset, mend.text.size(), mend.text);
+  if (mend.is_number) {
+    const auto at = std::lower_bound(repaired.unknown.begin(), repaired.unknown.end(), mend.offset);
+    repaired.unknown.insert(at, mend.offset);
+  }
+}
+
 }  // namespace
 
 void report_json_error(const JsonError& error, std::string_view text, const Limits& limits,
                        Diagnostics& diagnostics) {
-  Explainer explainer(error, text, limits);
+  const RepairedJson as_written{std::string(text), {}, {}};
+  Explainer explainer(error, as_written, text, limits);
   Finding finding = explainer.explain();
   diagnostics.report(*finding.code, explainer.place(finding.offset), std::move(finding.message));
+}
+
+bool recover_json(JsonError error, std::string_view text, const Limits& limits,
+                  RepairedJson& repaired, JsonTape& tape, Diagnostics& diagnostics) {
+  constexpr int most_faults = 50;
+  if (repaired.text.empty()) {
+    repaired.text = text;
+  }
+  struct {
+    std::uint32_t line = 0;
+    std::string message;
+  } last;
+  for (int fault = 0; error.fault != JsonFault::none; ++fault) {
+    Explainer explainer(error, repaired, text, limits);
+    Finding finding = explainer.explain();
+    const Location place = explainer.place(finding.offset);
+    if (place.line != last.line || finding.message != last.message) {
+      diagnostics.report(*finding.code, place, finding.message);
+    }
+    last = {place.line, std::move(finding.message)};
+    if (finding.mend.text.empty() || fault == most_faults) {
+      return false;
+    }
+    write_over(finding.mend, repaired);
+    error = parse_json(repaired.text, limits.nesting, tape);
+  }
+  return true;
 }
 
 }  // namespace scenefile

@@ -9,7 +9,9 @@
 
 namespace scenefile {
 
-Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
+namespace {
+
+Scene read(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
   std::string storage;
   const std::optional<std::string_view> decoded = decode_text(text, storage, diagnostics);
   if (!decoded) {
@@ -21,6 +23,15 @@ Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics&
   }
   return *syntax == SceneFormat::xml ? read_xml(*decoded, options, diagnostics)
                                      : read_json(*decoded, options, diagnostics);
+}
+
+}  // namespace
+
+Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
+  const std::size_t errors = diagnostics.count(Severity::error);
+  Scene scene = read(text, options, diagnostics);
+  scene.incomplete = diagnostics.count(Severity::error) != errors;
+  return scene;
 }
 
 }  // namespace scenefile

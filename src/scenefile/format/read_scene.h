@@ -20,7 +20,8 @@ struct ReadOptions {
 
 /// Reads the text of a scene file (UTF-8, or what an XML declaration or byte order mark says).
 /// The first character that is not white space decides the syntax: `<` XML, `{` or `[` JSON.
-/// Opens no other file. Always returns a scene; it must not be used when `diagnostics` has errors.
+/// Opens no other file. Always returns a scene. After errors it is `incomplete`: good for check(),
+/// which finds what else is wrong, and for nothing else.
 /// Codes: format/codes.h.
 Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics);
 

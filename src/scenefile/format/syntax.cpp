@@ -2,12 +2,15 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/other_files.h"
 
 #include <fmt/format.h>
 
 namespace scenefile {
 
 namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
 
 // The place of the character at `offset`; the text in front of it is blank.
 Location after_blanks(std::string_view text, std::size_t offset) {
@@ -21,27 +24,50 @@ Location after_blanks(std::string_view text, std::size_t offset) {
   return place;
 }
 
+// Behind blanks and comments as of C; none: NUL.
+char first_character(std::string_view text) {
+  for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != std::string_view::npos;) {
+    const std::string_view two = text.substr(at, 2);
+    if (two != "//" && two != "/*") {
+      return text[at];
+    }
+    const std::size_t end = two == "//" ? text.find_first_of("\r\n", at) : text.find("*/", at + 2);
+    at = end == std::string_view::npos ? end : end + (two == "//" ? 1 : 2);
+  }
+  return '\0';
+}
+
 }  // namespace
 
 std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) {
     diagnostics.report(
         format_empty, {1, 1},
         text.empty() ? "the file is empty" : "the file is empty but for white space");
     return std::nullopt;
   }
-  if (text[first] == '<') {
-    return SceneFormat::xml;
+  const std::string_view content = text.substr(first);
+  if (const std::string_view other = other_file(content); !other.empty()) {
+    diagnostics.report(format_unknown, after_blanks(text, first),
+                       fmt::format("the file is {}", other));
+    return std::nullopt;
   }
-  if (text[first] == '{' || text[first] == '[') {
-    return SceneFormat::json;
+  // Comments that JSON does not have are for its reader to report.
+  switch (first_character(content)) {
+    case '<':
+      return SceneFormat::xml;
+    case '{':
+    case '[':
+      return SceneFormat::json;
+    default:
+      break;
   }
   diagnostics.report(
       format_unknown, after_blanks(text, first),
       fmt::format("the file starts with {}, so it is no scene file: an XML scene starts with <, a "
                   "JSON scene is an object and starts with {{",
-                  quoted(text.substr(first, 40), 10)));
+                  quoted(content.substr(0, 40), 10)));
   return std::nullopt;
 }
 

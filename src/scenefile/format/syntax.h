@@ -9,8 +9,9 @@
 
 namespace scenefile {
 
-/// By the first character that is not white space: `<` XML, `{` or `[` JSON. Nothing, after an
-/// error, for others. `text` is UTF-8 without a byte order mark.
+/// By the first character that is neither white space nor in a comment as of C: `<` XML, `{` or `[`
+/// JSON. Nothing, after an error that says what the file may be, for others. `text` is UTF-8
+/// without a byte order mark.
 std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -41,11 +41,11 @@ constexpr FieldName camera_names[] = {{"pos", c_pos},
                                       {"focallength", c_focal_length}};
 
 void set(float& member, std::optional<float> value) {
-  member = value.value_or(member);
+  member = value.value_or(not_known);
 }
 
 void set(glm::vec3& member, const std::optional<glm::vec3>& value) {
-  member = value.value_or(member);
+  member = value.value_or(glm::vec3(not_known));
 }
 
 void report_default(const XmlContext& context, const CameraDraft& draft, std::string_view part,
@@ -92,6 +92,7 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
         xml_look_and_focus, focus_last ? focus : look,
         fmt::format("<cameradata> has both <look> and <focus>; the other one is at line {}",
                     (focus_last ? look : focus).line));
+    draft.camera.look = glm::vec3(not_known);
     return;
   }
   const glm::vec3 direction = direction_to(draft.focus, draft.camera.position);
@@ -99,9 +100,8 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
     context.diagnostics.report(
         xml_focus_at_position, focus,
         "<focus> is the position of the camera itself, so there is no direction to look in");
-    return;
   }
-  draft.camera.look = direction;
+  draft.camera.look = direction == glm::vec3(0) ? glm::vec3(not_known) : direction;
 }
 
 void add_places(const CameraDraft& draft, Scene& scene) {
@@ -145,7 +145,7 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
       store(Field::specular);
       break;
     case g_transparent:
-      scene.global.transparent = value ? value : scene.global.transparent;
+      scene.global.transparent = value.value_or(not_known);
       store(Field::transparent);
       break;
   }

@@ -81,6 +81,12 @@ std::string_view nearest_field(std::string_view name, std::span<const FieldName>
   return nearest_name(local_name(name), words);
 }
 
+std::optional<std::size_t> field_of(std::string_view name, std::span<const FieldName> names) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const FieldName& n) { return n.name == name; });
+  return found == names.end() ? std::nullopt : std::optional(found->field);
+}
+
 std::string_view canonical_name(std::span<const FieldName> names, std::size_t field) {
   for (const FieldName& n : names) {
     if (n.field == field && !n.alias) {
@@ -135,7 +141,7 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
     }
   }
   report_unknown_element(context, tag, block, names);
-  return std::nullopt;
+  return is_known(tag.name) ? std::nullopt : field_of(nearest_field(tag.name, names), names);
 }
 
 void expect_no_attributes(const XmlContext& context, const XmlTag& tag) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -59,8 +60,11 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
     }
     return;
   }
-  draft.type_known = false;
   const std::string_view near = nearest_name(word, light_words);
+  const auto meant = std::find(light_words.begin(), light_words.end(), near);
+  draft.type_known = meant != light_words.end();
+  draft.light.type =
+      draft.type_known ? static_cast<LightType>(meant - light_words.begin()) : LightType::point;
   context.diagnostics.report(
       xml_light_type, place,
       fmt::format(
@@ -83,7 +87,7 @@ void read_id(const XmlContext& context, Location place, std::string_view word, L
 
 template <typename Value>
 void set(Value& member, const std::optional<Value>& value) {
-  member = value.value_or(member);
+  member = value.value_or(Value(not_known));
 }
 
 // Values that the light's type has no use for.
@@ -177,10 +181,16 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
   Light& light = draft.light;
   switch (static_cast<LightField>(*field)) {
     case l_id:
-      read_id(context, tag.location, read_word(context, tag).value_or("0"), light);
+      if (const std::optional<std::string_view> word = read_word(context, tag)) {
+        read_id(context, tag.location, *word, light);
+      }
       break;
     case l_type:
-      read_type(context, tag.location, read_word(context, tag).value_or("point"), draft);
+      if (const std::optional<std::string_view> word = read_word(context, tag)) {
+        read_type(context, tag.location, *word, draft);
+      } else {
+        draft.type_known = false;
+      }
       break;
     case l_color:
       set(light.color, read_color(context, tag));
@@ -198,7 +208,7 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
       set(light.penumbra_deg, read_single(context, tag));
       break;
     case l_angle:
-      light.angle_deg = read_single(context, tag);
+      light.angle_deg = read_single(context, tag).value_or(not_known);
       break;
     case l_radius:
       context.report(xml_ignored_element, tag, "<radius> of a light has no effect");

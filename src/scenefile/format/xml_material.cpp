@@ -54,18 +54,14 @@ struct Writer {
     scene.field_places.push_back({primitive.location, field, tag.location});
   }
   void color(glm::vec3& member, Field field) const {
-    if (const std::optional<glm::vec3> value = read_color(context, tag)) {
-      member = *value;
-      if (needs_place(field, *value)) {
-        place(field);
-      }
+    member = read_color(context, tag).value_or(glm::vec3(not_known));
+    if (needs_place(field, member)) {
+      place(field);
     }
   }
   void number(float& member, Field field) const {
-    if (const std::optional<float> value = read_single(context, tag)) {
-      member = *value;
-      place(field);
-    }
+    member = read_single(context, tag).value_or(not_known);
+    place(field);
   }
 };
 
@@ -189,12 +185,20 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
       break;
     case m_texture:
       material.texture = read_texture(to, true);
+      draft.texture_known = material.texture.has_value();
       break;
     case m_bump_map:
       material.bump_map = read_texture(to, false);
       break;
   }
   return true;
+}
+
+void finish_primitive(const PrimitiveDraft& draft, Scene& scene) {
+  if (!draft.texture_known) {
+    // Whether it has anything to blend is not known.
+    scene.nodes[draft.node].primitives.back().material.blend = not_known;
+  }
 }
 
 }  // namespace scenefile

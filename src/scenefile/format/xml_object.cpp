@@ -50,6 +50,7 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   } else {
     context.report(xml_object_type, attribute,
                    fmt::format("unknown object type {}{}", type, did_you_mean(near)));
+    return static_cast<ObjectType>(index_of(type_names, near));
   }
   return std::nullopt;
 }
@@ -83,8 +84,7 @@ Found find_attributes(const XmlTag& tag) {
   return found;
 }
 
-// Reports attributes of other names. True: one is a misspelling of a name that is missing.
-bool report_others(const XmlContext& context, const XmlTag& tag, const Found& found) {
+std::vector<std::string_view> missing_names(const Found& found) {
   std::vector<std::string_view> missing;
   if (found.type == nullptr) {
     missing.push_back("type");
@@ -95,9 +95,13 @@ bool report_others(const XmlContext& context, const XmlTag& tag, const Found& fo
   if (found.is_mesh() && found.filename == nullptr) {
     missing.push_back("filename");
   }
-  bool misspelt = false;
+  return missing;
+}
+
+// Reports attributes of other names; one that is a missing name, misspelt, becomes that.
+void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
   for (const XmlAttribute* attribute : found.others) {
-    const std::string_view near = nearest_name(attribute->name, missing);
+    const std::string_view near = nearest_name(attribute->name, missing_names(found));
     if (near.empty()) {
       report_unknown_attribute(context, tag, *attribute, {});
       continue;
@@ -105,9 +109,8 @@ bool report_others(const XmlContext& context, const XmlTag& tag, const Found& fo
     context.report(xml_misspelt_attribute, *attribute,
                    fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
                                did_you_mean(near)));
-    misspelt = true;
+    (near == "type" ? found.type : near == "name" ? found.name : found.filename) = attribute;
   }
-  return misspelt;
 }
 
 // Moves the file of a mesh to `filename`, however it is named.
@@ -145,19 +148,17 @@ bool name_fits(const XmlContext& context, const XmlAttribute* attribute) {
 std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag) {
   Found found = find_attributes(tag);
   settle_mesh_file(context, found);
-  const bool misspelt = !found.others.empty() && report_others(context, tag, found);
+  settle_others(context, tag, found);
   if (found.type == nullptr) {
-    if (!misspelt) {
-      context.report(xml_missing_attribute, tag,
-                     "<object> lacks attribute type: tree, master or primitive");
-    }
+    context.report(xml_missing_attribute, tag,
+                   "<object> lacks attribute type: tree, master or primitive");
     return std::nullopt;
   }
   const std::optional<ObjectType> type = read_type(context, *found.type);
-  if (!type || misspelt || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
+  if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
     return std::nullopt;
   }
-  ObjectTag object{*type, {}, {}, tag.location, tag.location};
+  ObjectTag object{*type, found.name != nullptr, {}, {}, tag.location, tag.location};
   if (found.name != nullptr) {
     object.name = found.name->value;
     object.name_place = context.places.inside_tag(found.name->name.data());
@@ -171,26 +172,29 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
 
 std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                                 const ObjectTag& object) {
-  const XmlAttribute* name = tag.find("name");
-  if (name == nullptr) {
+  if (!object.has_name) {
     context.report(xml_missing_attribute, tag,
                    "<object type=\"primitive\"> lacks attribute name, the shape");
     return std::nullopt;
   }
-  const std::size_t i = index_of(shape_words, name->value);
+  std::size_t i = index_of(shape_words, object.name);
   if (i == shape_words.size()) {
-    const std::string_view near = nearest_name(name->value, shape_words);
-    const std::string shape = quoted(name->value);
+    const std::string_view near = nearest_name(object.name, shape_words);
+    const std::string shape = quoted(object.name);
     if (near.empty()) {
-      context.report(xml_unknown_shape, *name,
-                     fmt::format("shape {} is not of the format; it is not drawn", shape));
-    } else {
-      context.report(xml_misspelt_shape, *name,
-                     fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
+      context.diagnostics.report(
+          xml_unknown_shape, object.name_place,
+          fmt::format("shape {} is not of the format; it is not drawn", shape));
+      return std::nullopt;
     }
-    return std::nullopt;
+    context.diagnostics.report(xml_misspelt_shape, object.name_place,
+                               fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
+    i = index_of(shape_words, near);
+  } else if (object.name != shape_words[i]) {
+    context.diagnostics.report(
+        xml_name_case, object.name_place,
+        fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]));
   }
-  report_case(context, *name, shape_words[i]);
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {
     context.report(xml_missing_attribute, tag, "the mesh lacks attribute filename");

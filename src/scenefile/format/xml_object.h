@@ -14,6 +14,7 @@ enum class ObjectType : std::uint8_t { tree, master, primitive };
 
 struct ObjectTag {
   ObjectType type = ObjectType::tree;
+  bool has_name = false;
   std::string_view name;      ///< may be empty
   std::string_view filename;  ///< of a mesh
   Location name_place;        ///< of the attribute, else of the tag

@@ -78,6 +78,14 @@ void XmlReferences::move_last_use(NodeId from, NodeId to) {
   }
 }
 
+void XmlReferences::forget_unknown(Scene& scene) const {
+  for (const Use& use : early_uses_) {
+    if (!declared_.contains(scene.nodes[use.node].instance_of)) {
+      scene.nodes[use.node].instance_of.clear();
+    }
+  }
+}
+
 void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location scenefile) {
   const auto is_declared = [&](const Use& use) {
     return declared_.contains(scene.nodes[use.node].instance_of);

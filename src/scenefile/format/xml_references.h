@@ -21,6 +21,9 @@ class XmlReferences {
   void use(Scene& scene, NodeId node, std::string_view name, Location place, bool is_tree);
   /// What was used last by `from` is used by `to` instead.
   void move_last_use(NodeId from, NodeId to);
+  /// Where a part of the file could not be read, which may declare what is used: turns uses of
+  /// names that are not declared into empty nodes.
+  void forget_unknown(Scene& scene) const;
   /// At the end of the file: finds what names mean that were not declared when they were used, and
   /// the root.
   void resolve(const XmlContext& context, Scene& scene, Location scenefile);

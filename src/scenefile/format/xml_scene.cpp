@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_scene.h"
 
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/xml_plain.h"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace scenefile {
@@ -54,10 +56,12 @@ void SceneBuilder::end() {
     case Block::transblock:
       end_transblock(ended);
       break;
+    case Block::primitive:
+      finish_primitive(primitive_, scene_);
+      break;
     case Block::document:
     case Block::scenefile:
     case Block::globals:
-    case Block::primitive:
     case Block::instance:
     case Block::leaf:
       break;
@@ -80,8 +84,16 @@ void SceneBuilder::text(std::string_view characters, Location location) {
 }
 
 Scene SceneBuilder::finish(bool complete) {
-  if (complete) {
+  const bool in_primitive = std::any_of(frames_.begin(), frames_.end(), [](const Frame& frame) {
+    return frame.block == Block::primitive;
+  });
+  if (in_primitive) {
+    scene_.nodes[primitive_.node].primitives.pop_back();
+  }
+  if (complete && !lost_tree_) {
     references_.resolve(context_, scene_, scenefile_);
+  } else {
+    references_.forget_unknown(scene_);
   }
   return std::move(scene_);
 }
@@ -120,13 +132,16 @@ bool SceneBuilder::open(const XmlTag& tag) {
 
 bool SceneBuilder::open_document(const XmlTag& tag) {
   if (!equal_ignoring_case(tag.name, "scenefile")) {
+    constexpr std::string_view scenefile = "scenefile";
+    const std::string_view near = nearest_name(tag.name, {&scenefile, 1});
     context_.report(xml_root_element, tag,
-                    fmt::format("the file is no scene: expected <scenefile>, found {}",
-                                element_text(tag.name)));
-    stopped_ = true;
-    return false;
-  }
-  if (tag.name != "scenefile") {
+                    fmt::format("the file is no scene: expected <scenefile>, found {}{}",
+                                element_text(tag.name), did_you_mean(near, "<>")));
+    if (near.empty()) {
+      stopped_ = true;
+      return false;
+    }
+  } else if (tag.name != "scenefile") {
     context_.report(xml_name_case, tag,
                     fmt::format("{} was read as <scenefile>", element_text(tag.name)));
   }
@@ -187,6 +202,7 @@ bool SceneBuilder::open_light(const XmlTag& tag) {
 bool SceneBuilder::open_top_object(const XmlTag& tag) {
   const std::optional<ObjectTag> object = read_object_tag(context_, tag);
   if (!object) {
+    lost_tree_ = true;
     return false;
   }
   if (object->type != ObjectType::tree) {
@@ -195,6 +211,7 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
                   "transblock of a tree; it was ignored");
   }
   if (object->name.empty()) {
+    lost_tree_ = true;
     return ignore(xml_master_name, tag, "a tree at the top of the file needs a name");
   }
   const bool is_root = object->name == "root";

@@ -93,6 +93,7 @@ class SceneBuilder final : public XmlHandler {
   std::vector<Frame> frames_;
   std::size_t ignored_ = 0;  // elements open inside one that is left out, and itself
   bool stopped_ = false;
+  bool lost_tree_ = false;  // a tree at the top, after an error: its name may be used
   bool text_reported_ = false;
   Location scenefile_;
 

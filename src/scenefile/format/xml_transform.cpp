@@ -87,6 +87,9 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     rotate.axis[i] = read_part(context, tag, parts[static_cast<std::size_t>(i)]);
   }
   rotate.angle_deg = read_part(context, tag, parts[3]);
+  if (std::isnan(rotate.axis.x + rotate.axis.y + rotate.axis.z + rotate.angle_deg)) {
+    return std::nullopt;
+  }
   return Transform{rotate, tag.location};
 }
 

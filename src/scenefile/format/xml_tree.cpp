@@ -157,7 +157,7 @@ bool SceneBuilder::open_primitive(const XmlTag& tag, const ObjectTag& object) {
   if (!shape) {
     return false;
   }
-  primitive_ = {top().node, {}};
+  primitive_ = {top().node, {}, true};
   Primitive& primitive = scene_.nodes[top().node].primitives.emplace_back();
   primitive.shape = *shape;
   primitive.location = tag.location;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,17 @@ std::vector<std::string_view> missing_names(const Signature& signature, const Pa
   return missing;
 }
 
+std::size_t index_of_part(const Signature& signature, std::string_view name) {
+  for (const AttributeForm& form : signature.forms) {
+    for (std::size_t i = 0; i < signature.parts; ++i) {
+      if (form.names[i] == name) {
+        return i;
+      }
+    }
+  }
+  return 0;
+}
+
 bool is_part(const Parts& parts, const XmlAttribute& attribute) {
   return std::find(parts.begin(), parts.end(), &attribute) != parts.end();
 }
@@ -109,16 +121,14 @@ bool is_alpha(const Signature& signature, const XmlAttribute& attribute) {
                      });
 }
 
-// Reports the attributes that hold no part. True: one of them is a missing part, misspelt.
-bool report_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
-                   const Parts& parts) {
-  const std::vector<std::string_view> missing = missing_names(signature, parts);
-  bool misspelt = false;
+// Reports the attributes that hold no part; one that is a missing part, misspelt, becomes it.
+void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+                   Parts& parts) {
   for (const XmlAttribute& attribute : tag.attributes) {
     if (is_part(parts, attribute)) {
       continue;
     }
-    const std::string_view near = nearest_name(attribute.name, missing);
+    const std::string_view near = nearest_name(attribute.name, missing_names(signature, parts));
     if (is_alpha(signature, attribute)) {
       context.report(xml_color_alpha, attribute,
                      fmt::format("attribute {} of {} has no effect: a color has three parts",
@@ -127,12 +137,11 @@ bool report_others(const XmlContext& context, const XmlTag& tag, const Signature
       context.report(xml_misspelt_attribute, attribute,
                      fmt::format("unknown attribute {} of {}{}", escaped(attribute.name, 40),
                                  element_text(tag.name), did_you_mean(near)));
-      misspelt = true;
+      parts[index_of_part(signature, near)] = &attribute;
     } else {
       report_unknown_attribute(context, tag, attribute, {});
     }
   }
-  return misspelt;
 }
 
 // All attributes in their order, as programs read them that do not look at the names.
@@ -197,7 +206,8 @@ std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag
   for (int i = 0; i < 3; ++i) {
     result[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
   }
-  return result;
+  const bool known = !std::isnan(result.x) && !std::isnan(result.y) && !std::isnan(result.z);
+  return known ? std::optional(result) : std::nullopt;
 }
 
 }  // namespace
@@ -228,18 +238,16 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
     }
     return parts;
   }
-  const FoundForm found = find_best_form(tag, signature);
+  FoundForm found = find_best_form(tag, signature);
   if (found.count == 0 && tag.attributes.size() == signature.parts) {
     return by_order(context, tag, signature);
   }
   if (found.dialect) {
     report_alias(context, tag, signature, found.parts);
   }
-  const bool misspelt = report_others(context, tag, signature, found.parts);
-  if (misspelt) {
-    return std::nullopt;
-  }
-  if (found.count < signature.parts && !signature.optional) {
+  settle_others(context, tag, signature, found.parts);
+  const auto end = found.parts.begin() + static_cast<std::ptrdiff_t>(signature.parts);
+  if (!signature.optional && std::find(found.parts.begin(), end, nullptr) != end) {
     report_missing(context, tag, signature, found.parts);
     return std::nullopt;
   }
@@ -259,7 +267,7 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
       break;
     case NumberError::empty:
       context.report(xml_empty_number, attribute, what + " is empty; it counts as 0");
-      break;
+      return 0;
     case NumberError::out_of_range:
       context.report(xml_number_range, attribute,
                      fmt::format("{}: {} is too large for a number", what, value));
@@ -277,12 +285,13 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
                                              value, number_text(static_cast<float>(number.value))));
       return static_cast<float>(number.value);
   }
-  return 0;
+  return not_known;
 }
 
 std::optional<float> read_single(const XmlContext& context, const XmlTag& tag) {
   const std::optional<Parts> parts = find_parts(context, tag, single_signature);
-  return parts ? std::optional(read_number(context, tag, *(*parts)[0])) : std::nullopt;
+  const float value = parts ? read_number(context, tag, *(*parts)[0]) : not_known;
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
@@ -311,7 +320,8 @@ std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag
   for (int i = 0; i < 4; ++i) {
     row[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
   }
-  return row;
+  const bool known = !std::isnan(row.x + row.y + row.z + row.w);
+  return known ? std::optional(row) : std::nullopt;
 }
 
 }  // namespace scenefile

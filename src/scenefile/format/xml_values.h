@@ -3,6 +3,7 @@
 // Internal to the room.
 
 #include "scenefile/format/xml_context.h"
+#include "scenefile/scene/scene.h"
 
 #include <glm/glm.hpp>
 
@@ -33,16 +34,17 @@ using Parts = std::array<const XmlAttribute*, 4>;
 
 /// Finds the parts by their names, else by another form, else by their order, and reports what is
 /// assumed, unknown or missing. Nothing, after an error, when a part that must be there is missing.
+/// After an error about a misspelt name the part is the one that was probably meant.
 std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
                                 const Signature& signature);
 /// The error for parts that are missing.
 void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                     const Parts& parts);
 
-/// The value of a numeric attribute; reports what is wrong with it. 0 after an error.
+/// The value of a numeric attribute; reports what is wrong with it. `not_known` after an error.
 float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute);
 
-/// Each of these gives nothing, after an error, when an attribute is missing.
+/// Each of these gives nothing, after an error, when an attribute is missing or no number.
 std::optional<float> read_single(const XmlContext& context, const XmlTag& tag);
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
 std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& tag);

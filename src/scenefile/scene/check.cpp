@@ -68,6 +68,9 @@ void Reporter::report(const Code& code, const Subject& subject, Field field, std
 }
 
 void Reporter::report_at(const Code& code, Location location, NodeId node, std::string message) {
+  if (scene_.incomplete && (code.kind == CodeKind::absence || &code == &scene_not_finite)) {
+    return;
+  }
   // Nobody reads the paths of findings that are not kept, and there may be very many.
   if (!location.known() && node != no_node && diagnostics_.dropped(code) == 0) {
     if (!paths_) {

@@ -10,7 +10,8 @@ namespace scenefile {
 /// Reports ranges, names, references, loops, degenerate cameras and transforms, limits, and values
 /// that have no effect. Does not open files and does not change the scene. Takes time proportional
 /// to the size of the scene. Findings about objects without a place in a file name their node.
-/// Without errors, prepare() accepts the scene. Codes: scene/codes.h.
+/// Of an incomplete scene it reports what would be reported too if the file had no errors. Without
+/// errors, prepare() accepts the scene. Codes: scene/codes.h.
 void check(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
 
 }  // namespace scenefile

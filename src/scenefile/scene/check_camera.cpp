@@ -34,17 +34,17 @@ void check_coefficient(float value, Field field, std::string_view name, const Su
 void check_directions(const Camera& camera, const Subject& subject, Reporter& reporter) {
   const bool look_finite = reporter.finite(subject, Field::look, "look", camera.look);
   const bool up_finite = reporter.finite(subject, Field::up, "up", camera.up);
-  if (!look_finite || !up_finite) {
-    return;
-  }
-  if (camera.look == glm::vec3(0)) {
+  const bool look_zero = camera.look == glm::vec3(0);
+  const bool up_zero = camera.up == glm::vec3(0);
+  if (look_zero) {
     reporter.report(camera_look_zero, subject, Field::look,
                     "look of the camera is 0 0 0, which is no direction");
-    return;
   }
-  if (camera.up == glm::vec3(0)) {
+  if (up_zero) {
     reporter.report(camera_up_zero, subject, Field::up,
                     "up of the camera is 0 0 0, which is no direction");
+  }
+  if (!look_finite || !up_finite || look_zero || up_zero) {
     return;
   }
   const glm::dvec3 look = glm::normalize(glm::dvec3(camera.look));
@@ -105,7 +105,8 @@ void check_camera(const Camera& camera, Reporter& reporter) {
   }
   check_directions(camera, subject, reporter);
   // The negation catches not-a-number too.
-  if (!(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
+  if (reporter.knows(camera.height_angle_deg) &&
+      !(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
     reporter.report(camera_height_angle, subject, Field::height_angle_deg,
                     fmt::format("heightangle {} is not between 0 and 180 degrees",
                                 number_text(camera.height_angle_deg)));

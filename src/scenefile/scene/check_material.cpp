@@ -58,7 +58,7 @@ void check_highlight(const Material& material, const Subject& subject, Reporter&
     report(material_shininess_negative, "is negative; it counts as 0, no highlight");
   } else if (material.shininess > huge_shininess) {
     report(material_shininess_huge, "makes a highlight too small to see");
-  } else if (material.shininess == 0 && material.specular != glm::vec3(0)) {
+  } else if (material.shininess == 0 && largest(glm::abs(material.specular)) > 0) {
     reporter.report(material_no_shininess, subject, Field::specular,
                     fmt::format("specular {} of the {} has no effect, because its shininess is 0",
                                 vector_text(material.specular), subject.what));

@@ -38,6 +38,8 @@ class Reporter {
   /// A finding about one value of the subject.
   void report(const Code& code, const Subject& subject, Field field, std::string message);
 
+  /// False: the value could not be read.
+  bool knows(float value) const { return !scene_.incomplete || !std::isnan(value); }
   /// Whether the value is finite; reports if not.
   bool finite(const Subject& subject, Field field, std::string_view name, float value);
   bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);

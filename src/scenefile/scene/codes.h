@@ -23,11 +23,13 @@ inline constexpr Code scene_not_finite{
     "computation in a program can."};
 inline constexpr Code scene_empty{"scene.empty", Severity::warning, "nothing to draw",
                                   "The root holds no primitive, neither itself nor through "
-                                  "templates. The picture will be black."};
+                                  "templates. The picture will be black.",
+                                  CodeKind::absence};
 inline constexpr Code scene_no_light{
     "scene.no-light", Severity::warning, "no light shines",
     "Without a light only the ambient term is left: no highlight, no shading, no shadow. Lights "
-    "with a black color count as none. Add a light, or raise the ambient colors if this is meant."};
+    "with a black color count as none. Add a light, or raise the ambient colors if this is meant.",
+    CodeKind::absence};
 
 inline constexpr Code global_negative{
     "global.negative", Severity::warning, "a negative coefficient",
@@ -247,7 +249,7 @@ inline constexpr Code tree_instance_contents{"tree.instance-with-contents", Seve
                                              "both into a group."};
 inline constexpr Code tree_template_unused{
     "tree.unused-template", Severity::note, "a template that is never used",
-    "Nothing in the scene instantiates it, so it is not drawn."};
+    "Nothing in the scene instantiates it, so it is not drawn.", CodeKind::absence};
 inline constexpr Code tree_nesting_limit{
     "tree.nesting-limit", Severity::error, "templates nested too deeply",
     "Templates can hold copies of templates. The limit on how many lie inside each other keeps "

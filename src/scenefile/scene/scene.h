@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -181,6 +182,9 @@ struct FieldPlace {
   Location location;
 };
 
+/// In a scene of a file with errors: a number that could not be read.
+inline constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+
 /// A scene as written. The nodes form a forest: the root and the templates are its trees, every
 /// other node is the child of exactly one node, or of none and then not part of the scene. They lie
 /// in one array so that no depth of nesting can exhaust the stack when a scene is copied or
@@ -195,6 +199,9 @@ struct Scene {
   /// For messages alone, in any order. A value that is not listed is taken to stand where its owner
   /// stands.
   std::vector<FieldPlace> field_places;
+  /// The file had errors: parts may be missing, and numbers may be `not_known`. check() then leaves
+  /// out what it would find for these reasons alone.
+  bool incomplete = false;
 
   /// Same structure and values; neither places in the file nor the order of `nodes` count.
   friend bool operator==(const Scene& a, const Scene& b);

@@ -1,0 +1,63 @@
+#pragma once
+// Numbers for code that is written once for any number of lanes (files named *-inl.h): here one
+// lane, a plain double. Other widths: trace/wide-inl.h. All of them round alike, so that what is
+// computed in lanes is equal to the last bit to what is computed alone.
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile::one {
+
+using F = double;                ///< a number in each lane
+using M = bool;                  ///< yes or no in each lane
+inline constexpr int lanes = 1;  ///< how many
+
+/// The same number in all lanes.
+inline F splat(double x) {
+  return x;
+}
+inline F select(M m, F yes, F no) {
+  return m ? yes : no;
+}
+inline M select(M m, M yes, M no) {
+  return m ? yes : no;
+}
+inline bool any(M m) {
+  return m;
+}
+inline bool none(M m) {
+  return !m;
+}
+inline bool every(M m) {
+  return m;
+}
+inline M no_lanes() {
+  return false;
+}
+inline F root(F x) {
+  return std::sqrt(x);
+}
+inline F down(F x) {
+  return std::floor(x);
+}
+inline F magnitude(F x) {
+  return std::abs(x);
+}
+inline F with_sign_of(F x, F sign) {
+  return std::copysign(x, sign);
+}
+inline F least(F a, F b) {
+  return std::min(a, b);
+}
+inline F greatest(F a, F b) {
+  return std::max(a, b);
+}
+/// Calls f for the numbers of each lane of the mask, 0 elsewhere.
+template <typename Function>
+F each(M m, const Function& f, F x, F y) {
+  return m ? f(x, y) : 0.0;
+}
+
+}  // namespace scenefile::one
+
+#define SCENEFILE_LANES one

@@ -1,0 +1,143 @@
+// Numbers in as many lanes as the instruction set has; base/one_lane.h says what each function is.
+// No guard: included once for each instruction set, where Highway is known.
+
+namespace scenefile::SCENEFILE_LANES {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+inline constexpr int lanes = static_cast<int>(HWY_MAX_LANES_D(D));
+
+struct F {
+  hn::Vec<D> v;
+};
+struct M {
+  hn::Mask<D> m;
+};
+
+inline F splat(double x) {
+  return {hn::Set(D(), x)};
+}
+inline F operator+(F a, F b) {
+  return {hn::Add(a.v, b.v)};
+}
+inline F operator-(F a, F b) {
+  return {hn::Sub(a.v, b.v)};
+}
+inline F operator*(F a, F b) {
+  return {hn::Mul(a.v, b.v)};
+}
+inline F operator/(F a, F b) {
+  return {hn::Div(a.v, b.v)};
+}
+inline F operator-(F a) {
+  return {hn::Neg(a.v)};
+}
+inline M operator<(F a, F b) {
+  return {hn::Lt(a.v, b.v)};
+}
+inline M operator>(F a, F b) {
+  return {hn::Gt(a.v, b.v)};
+}
+inline M operator<=(F a, F b) {
+  return {hn::Le(a.v, b.v)};
+}
+inline M operator>=(F a, F b) {
+  return {hn::Ge(a.v, b.v)};
+}
+inline M operator==(F a, F b) {
+  return {hn::Eq(a.v, b.v)};
+}
+inline M operator!=(F a, F b) {
+  return {hn::Ne(a.v, b.v)};
+}
+inline M operator&(M a, M b) {
+  return {hn::And(a.m, b.m)};
+}
+inline M operator|(M a, M b) {
+  return {hn::Or(a.m, b.m)};
+}
+inline M operator^(M a, M b) {
+  return {hn::Xor(a.m, b.m)};
+}
+inline M operator!(M a) {
+  return {hn::Not(a.m)};
+}
+inline F select(M m, F yes, F no) {
+  return {hn::IfThenElse(m.m, yes.v, no.v)};
+}
+inline M select(M m, M yes, M no) {
+  return (m & yes) | (!m & no);
+}
+inline bool none(M m) {
+  return hn::AllFalse(D(), m.m);
+}
+inline bool any(M m) {
+  return !none(m);
+}
+inline bool every(M m) {
+  return hn::AllTrue(D(), m.m);
+}
+inline M no_lanes() {
+  return {hn::FirstN(D(), 0)};
+}
+/// Lanes 0 to count - 1.
+inline M first_lanes(std::size_t count) {
+  return {hn::FirstN(D(), count)};
+}
+inline F root(F x) {
+  return {hn::Sqrt(x.v)};
+}
+inline F down(F x) {
+  return {hn::Floor(x.v)};
+}
+inline F magnitude(F x) {
+  return {hn::Abs(x.v)};
+}
+inline F with_sign_of(F x, F sign) {
+  return {hn::CopySign(x.v, sign.v)};
+}
+// As std::min and std::max where the arguments are equal.
+inline F least(F a, F b) {
+  return {hn::Min(b.v, a.v)};
+}
+inline F greatest(F a, F b) {
+  return {hn::Max(b.v, a.v)};
+}
+/// From and to memory that is aligned for it.
+inline F load(const double* from) {
+  return {hn::Load(D(), from)};
+}
+inline void store(F x, double* to) {
+  hn::Store(x.v, D(), to);
+}
+/// A bit for each lane.
+inline unsigned bits(M m) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(D(), m.m, bytes);
+  return bytes[0];
+}
+inline M of_bits(unsigned mask) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(mask)};
+  return {hn::LoadMaskBits(D(), bytes)};
+}
+/// The next larger number of each positive one; infinity stays.
+inline F above(F x) {
+  const hn::RebindToSigned<D> integers;
+  const F next{hn::BitCast(D(), hn::Add(hn::BitCast(integers, x.v), hn::Set(integers, 1)))};
+  return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
+}
+template <typename Function>
+F each(M m, const Function& f, F x, F y) {
+  alignas(64) double xs[lanes];
+  alignas(64) double ys[lanes];
+  store(x, xs);
+  store(y, ys);
+  const unsigned mask = bits(m);
+  for (int i = 0; i < lanes; ++i) {
+    xs[i] = (mask >> i & 1) != 0 ? f(xs[i], ys[i]) : 0.0;
+  }
+  return load(xs);
+}
+
+}  // namespace scenefile::SCENEFILE_LANES

@@ -35,11 +35,17 @@ const std::map<std::string, std::set<std::string>> may_know = {
 // Every library but the standard one and glm lives in one .cpp of one room. fmt, which only makes
 // text, is free to every .cpp; operating system headers belong to io.
 const std::map<std::string, std::string> third_party = {
-    {"expat.h", "format/xml_reader.cpp"},    {"rapidjson/", "format/json_parser.cpp"},
-    {"png.h", "asset/png_file.cpp"},         {"jpeglib.h", "asset/jpeg_file.cpp"},
-    {"tinyexr.h", "asset/exr_file.cpp"},     {"embree3/", "trace/embree_scenes.cpp"},
-    {"embree4/", "trace/embree_scenes.cpp"}, {"tbb/", "trace/tiles.cpp"},
-    {"oneapi/", "trace/tiles.cpp"},          {"EGL/", "view/headless.cpp"},
+    {"expat.h", "format/xml_reader.cpp"},
+    {"rapidjson/", "format/json_parser.cpp"},
+    {"png.h", "asset/png_file.cpp"},
+    {"jpeglib.h", "asset/jpeg_file.cpp"},
+    {"tinyexr.h", "asset/exr_file.cpp"},
+    {"embree3/", "trace/embree_scenes.cpp"},
+    {"embree4/", "trace/embree_scenes.cpp"},
+    {"tbb/", "trace/tiles.cpp"},
+    {"oneapi/", "trace/tiles.cpp"},
+    {"EGL/", "view/headless.cpp"},
+    {"hwy/", "trace/wave.cpp"},
 };
 
 struct Include {

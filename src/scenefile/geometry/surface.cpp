@@ -1,3 +1,6 @@
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/normals-inl.h"
 #include "scenefile/geometry/shapes.h"
 
 #include <algorithm>
@@ -12,15 +15,14 @@ using glm::dvec3;
 
 constexpr double pi = 3.14159265358979323846;
 
-// The direction of a point about the y axis; on the axis, that of +x.
-struct Around {
-  double cosine, sine;
-  double distance;  // from the axis
-};
+using one::Around;
 
 Around around_axis(const dvec3& p) {
-  const double distance = std::sqrt(p.x * p.x + p.z * p.z);
-  return distance > 0 ? Around{p.x / distance, p.z / distance, distance} : Around{1, 0, 0};
+  return one::around_axis(one::splat3(p));
+}
+
+dvec3 vector_of(const one::V3& v) {
+  return {v.x, v.y, v.z};
 }
 
 double around_u(const Around& around) {
@@ -43,7 +45,7 @@ Surface sphere_surface(const dvec3& p) {
   const double up = std::sin(latitude);
   const double out = std::cos(latitude);
   Surface s;
-  s.normal = dvec3(out * around.cosine, up, out * around.sine);
+  s.normal = vector_of(one::sphere_normal(one::splat3(p), around));
   s.uv = dvec2(around_u(around), unit_interval(latitude / pi + 0.5));
   s.tangent_u = around_tangent(around, around.distance > 0 ? 0.5 * out : 0);
   s.tangent_v = 0.5 * pi * dvec3(-up * around.cosine, out, -up * around.sine);
@@ -53,7 +55,7 @@ Surface sphere_surface(const dvec3& p) {
 Surface cylinder_side(const dvec3& p) {
   const Around around = around_axis(p);
   Surface s;
-  s.normal = dvec3(around.cosine, 0, around.sine);
+  s.normal = vector_of(one::cylinder_normal(around));
   s.uv = dvec2(around_u(around), unit_interval(p.y + 0.5));
   s.tangent_u = around_tangent(around, 0.5);
   s.tangent_v = dvec3(0, 1, 0);
@@ -63,9 +65,7 @@ Surface cylinder_side(const dvec3& p) {
 Surface cone_side(const dvec3& p) {
   const Around around = around_axis(p);
   Surface s;
-  if (around.distance > 0) {
-    s.normal = dvec3(2 * around.cosine, 1, 2 * around.sine) / std::sqrt(5.0);
-  }
+  s.normal = vector_of(one::cone_normal(around));
   s.uv = dvec2(around_u(around), unit_interval(p.y + 0.5));
   s.tangent_u = around_tangent(around, around.distance);
   s.tangent_v = dvec3(-0.5 * around.cosine, 1, -0.5 * around.sine);

@@ -119,6 +119,10 @@ glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max
   return q.blocked ? glm::dvec3(0) : Transmission::factor(q.density);
 }
 
+const Parts& Accelerator::parts() const {
+  return impl_->parts;
+}
+
 bool Accelerator::overwhelmed() const {
   return impl_->overwhelmed.load(std::memory_order_relaxed);
 }

@@ -14,6 +14,8 @@
 
 namespace scenefile {
 
+struct Parts;
+
 /// Where a ray met a surface.
 struct Hit {
   double t = 0;  ///< in lengths of the ray's direction
@@ -101,6 +103,9 @@ class Accelerator {
   /// What is left of light along the ray at t_min < t < t_max; each object in the way counts once.
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,
                            const Transmission& transmission) const;
+
+  /// What is searched, for those who search it otherwise. Of no groups when it is empty.
+  const Parts& parts() const;
 
   /// A ray crossed more instances than is sane (templates that overlap without end) and was given
   /// up; pictures made with it are wrong.

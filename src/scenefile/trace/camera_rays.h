@@ -7,6 +7,17 @@
 
 namespace scenefile {
 
+/// A camera without its lens.
+struct Pinhole {
+  glm::dvec3 position{0};
+  glm::dvec3 u{1, 0, 0};  ///< to the right, unit length
+  glm::dvec3 v{0, 1, 0};  ///< up
+  glm::dvec3 w{0, 0, 1};  ///< against the view direction
+  double middle_x = 0;    ///< of the picture, pixels
+  double middle_y = 0;
+  double pixel = 1;  ///< width of a pixel at unit distance
+};
+
 /// From points of the picture to rays.
 class CameraRays {
  public:
@@ -16,16 +27,15 @@ class CameraRays {
   /// the ray leaves the lens, in apertures along u and v; pinholes ignore it. Unit direction.
   Ray ray(const glm::dvec2& pixel, const glm::dvec2& lens) const;
 
-  bool has_lens() const { return has_lens_; }
+  bool has_lens() const { return aperture_ > 0 && focal_length_ > 0; }
   /// Width of a pixel at unit distance.
-  double pixel_spread() const { return 2 * half_height_ / height_; }
+  double pixel_spread() const { return pinhole_.pixel; }
+  const Pinhole& pinhole() const { return pinhole_; }
 
  private:
-  RenderCamera camera_;
-  double width_;
-  double height_;
-  double half_height_;  // of the picture, at unit distance
-  bool has_lens_;
+  Pinhole pinhole_;
+  double aperture_;
+  double focal_length_;
 };
 
 }  // namespace scenefile

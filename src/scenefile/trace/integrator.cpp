@@ -18,29 +18,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Fine profile: light that can change the picture by less is not followed.
 constexpr double min_weight = 1.0 / 1024;
 
-// A ray and all that come of it are at most so many. Physical materials stay far below; the bound
-// is for scenes whose mirrors and glass give back more than they get.
-constexpr std::uint32_t rays_of_a_sample = 4096;
-
-// The transparent object that a ray is in, and those around it.
-struct Inside {
-  const Hit* object = nullptr;
-  const Inside* around = nullptr;
-};
-
-// A ray on its way.
-struct Path {
-  Ray ray;
-  RayCone cone;
-  SampleKey key;
-  double start = 0;  // smallest t of a hit
-  RayKind kind = RayKind::camera;
-  int depth = 0;                            // reflections and refractions so far
-  double weight = 1;                        // share of the pixel that the ray can still change
-  std::uint32_t budget = rays_of_a_sample;  // rays that it may still become, itself included
-  const Inside* inside = nullptr;
-};
-
 // What mirrored and refracted light is multiplied by.
 struct Branches {
   Color mirror{0};
@@ -321,6 +298,10 @@ Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone
   path.ray = ray;
   path.cone = cone;
   path.key = key;
+  return trace_path(tracer, path, counts);
+}
+
+Color trace_path(const Tracer& tracer, const Path& path, RayCounts& counts) {
   return Integrator(tracer, counts).trace(path);
 }
 

@@ -2,7 +2,7 @@
 // Rays followed through mirrors and glass: the color that one camera ray sees.
 
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/shade.h"
+#include "scenefile/trace/path.h"
 
 namespace scenefile {
 
@@ -15,5 +15,8 @@ Color trace_sample(const Tracer& tracer, const CameraRays& camera, const glm::dv
 /// What a camera ray sees, in the mode and profile of the tracer. `direction` of unit length.
 Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone,
                        const SampleKey& key, RayCounts& counts);
+
+/// What a ray sees, with all that comes of it, in the ray tracing modes.
+Color trace_path(const Tracer& tracer, const Path& path, RayCounts& counts);
 
 }  // namespace scenefile

@@ -23,6 +23,9 @@ double attenuation(const glm::vec3& coefficients, double distance);
 /// angle, a smoothstep of the angle (or a straight line) down to 0 at the outer.
 double spot_factor(const RenderLight& light, double cosine, bool linear = false);
 
+/// `cosine` to the power `shininess`, both positive: how bright a highlight is.
+double highlight(double cosine, double shininess);
+
 /// `on_light` in [0, 1]^2 chooses a point of an area light. Returns false when nothing arrives: the
 /// point is outside a spot's cone, behind an area light, or at the light itself.
 bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,

@@ -6,10 +6,13 @@
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/preview_picture.h"
 #include "scenefile/trace/tiles.h"
+#include "scenefile/trace/wave.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <utility>
 
 namespace scenefile {
@@ -76,6 +79,46 @@ PixelRegion crop_of(const RenderOptions& options) {
 PixelRegion region_of(const RenderOptions& options) {
   const int neighbors = has_two_passes(options) ? 1 : 0;
   return grown(crop_of(options), neighbors + (options.denoise ? denoise_reach : 0), options);
+}
+
+// The memory of waves that no thread uses now.
+class WavePool {
+ public:
+  WavePointer take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) {
+      return make_wave();
+    }
+    WavePointer wave = std::move(free_.back());
+    free_.pop_back();
+    return wave;
+  }
+
+  void give(WavePointer wave) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(wave));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<WavePointer> free_;
+};
+
+// Calls f(x, y) for the pixels of a tile such that those called one after the other are near each
+// other: blocks of 4 x 2.
+template <typename F>
+void for_each_in_blocks(const Tile& tile, const F& f) {
+  constexpr int block_width = 4;
+  constexpr int block_height = 2;
+  for (int y0 = tile.y0; y0 < tile.y1; y0 += block_height) {
+    for (int x0 = tile.x0; x0 < tile.x1; x0 += block_width) {
+      for (int y = y0; y < std::min(y0 + block_height, tile.y1); ++y) {
+        for (int x = x0; x < std::min(x0 + block_width, tile.x1); ++x) {
+          f(x, y);
+        }
+      }
+    }
+  }
 }
 
 // Draws the region of the picture. Coordinates are those of the picture.
@@ -187,8 +230,34 @@ class Renderer {
   }
 
   void run_course() {
+    if (!records() && !tracer_.options.features.super_sample && takes_waves(tracer_, camera_)) {
+      run_waves();
+      return;
+    }
     for_each_pixel({0, 1}, [&](int x, int y, RayCounts& counts) {
       put(x, y, course_pixel(tracer_, camera_, x, y, counts));
+    });
+  }
+
+  void run_waves() {
+    const WaveScene scene(tracer_, camera_);
+    WavePool pool;
+    for_each_piece(picture_.pieces, {0, 1}, watch_, [&](const Tile& tile) {
+      RayCounts counts;
+      WavePointer wave = pool.take();
+      std::array<glm::dvec2, wave_samples> points;
+      std::array<Color, wave_samples> colors;
+      int count = 0;
+      for_each_in_blocks(tile, [&](int x, int y) {
+        points[count++] = glm::dvec2(x + region_.x0, y + region_.y0) + 0.5;
+      });
+      trace_wave(scene, points.data(), count, *wave, colors.data(), counts);
+      count = 0;
+      for_each_in_blocks(
+          tile, [&](int x, int y) { put(x + region_.x0, y + region_.y0, colors[count++]); });
+      pool.give(std::move(wave));
+      counts_.add(counts);
+      return !given_up();
     });
   }
 

@@ -6,14 +6,10 @@
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace scenefile {
 
 namespace {
-
-// The course profile looks at the middles of so many cells along each side of an area light.
-constexpr std::uint32_t course_light_side = 4;
 
 // The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
@@ -89,7 +85,7 @@ struct Reflector {
     const double mirrored = highlight_cosine(light.to_light, cosine);
     Color shining(0);
     if (mirrored > 0 && point.material->shininess > 0) {
-      shining = specular * std::pow(mirrored, double(point.material->shininess));
+      shining = specular * highlight(mirrored, double(point.material->shininess));
     }
     const Color share = diffused + shining;
     const Color color =
@@ -142,13 +138,12 @@ struct Reflector {
   }
 };
 
-// The course's ray caster knows only directional lights.
-bool shines(const Tracer& tracer, const RenderLight& light) {
+}  // namespace
+
+bool shines_in(const Tracer& tracer, const RenderLight& light) {
   return !(tracer.options.mode == Mode::intersect && tracer.course()) ||
          light.type == LightType::directional;
 }
-
-}  // namespace
 
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
             const SampleKey& key, RayCounts& counts) {
@@ -169,7 +164,7 @@ Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& directi
   }
   for (std::uint32_t i = 0; i < tracer.scene.lights.size(); ++i) {
     const RenderLight& light = tracer.scene.lights[i];
-    if (shines(tracer, light)) {
+    if (shines_in(tracer, light)) {
       color += reflector.lit_by_light(light, i, key, counts);
     } else if (counts.recorder != nullptr) {
       counts.recorder->light_of_other_mode(i);

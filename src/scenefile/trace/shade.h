@@ -14,6 +14,12 @@ struct SampleKey {
   std::uint32_t light_samples = 1;  ///< points on each area light (fine profile)
 };
 
+/// The course profile looks at the middles of so many cells along each side of an area light.
+inline constexpr std::uint32_t course_light_side = 4;
+
+/// Whether the light counts in this mode: the course's ray caster knows only directional lights.
+bool shines_in(const Tracer& tracer, const RenderLight& light);
+
 /// Ambient, diffuse and specular light that the point sends back against `direction`, the unit
 /// direction of the ray that found it. Replaces the shading normal by the bumped one.
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,

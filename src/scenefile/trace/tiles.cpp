@@ -18,11 +18,11 @@ namespace scenefile {
 
 namespace {
 
-constexpr int tile_side = 16;
 constexpr auto between_calls = std::chrono::milliseconds(20);
 
-int columns_of(int width) {
-  return (width + tile_side - 1) / tile_side;
+// How many are side by side.
+int tiles_of(int size) {
+  return (size + tile_side - 1) / tile_side;
 }
 
 // Calls work(i) for 0 to count - 1 from all threads.
@@ -99,10 +99,10 @@ bool Watch::advance(double share) {
 }
 
 Pieces::Pieces(int width, int height)
-    : width_(width), height_(height), done_(std::size_t(columns_of(width)) * height) {}
+    : width_(width), height_(height), done_(std::size_t(tiles_of(width)) * tiles_of(height)) {}
 
 std::size_t Pieces::at(int x, int y) const {
-  return std::size_t(y) * columns_of(width_) + x / tile_side;
+  return std::size_t(y / tile_side) * tiles_of(width_) + x / tile_side;
 }
 
 void Pieces::restart() {
@@ -115,26 +115,21 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
                     const std::function<bool(const Tile&)>& work) {
   const int width = pieces.width();
   const int height = pieces.height();
-  const int columns = columns_of(width);
-  const int rows = (height + tile_side - 1) / tile_side;
-  const std::size_t tiles = std::size_t(columns) * rows;
+  const int columns = tiles_of(width);
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
-  for_each_index(tiles, [&](std::size_t index) {
+  for_each_index(pieces.count(), [&](std::size_t index) {
     const int x0 = static_cast<int>(index % columns) * tile_side;
     const int y0 = static_cast<int>(index / columns) * tile_side;
-    const int x1 = std::min(width, x0 + tile_side);
-    const int y1 = std::min(height, y0 + tile_side);
-    for (int y = y0; y < y1 && !watch.stopped(); ++y) {
-      const std::size_t piece = pieces.at(x0, y);
-      if (pieces.done(piece)) {
-        watch.count(pixel_share * (x1 - x0));
-        continue;
-      }
-      if (work({x0, y, x1, y + 1})) {
-        pieces.finish(piece);
-      }
-      watch.advance(pixel_share * (x1 - x0));
+    const Tile tile{x0, y0, std::min(width, x0 + tile_side), std::min(height, y0 + tile_side)};
+    const double done = pixel_share * (tile.x1 - tile.x0) * (tile.y1 - tile.y0);
+    if (pieces.done(index)) {
+      watch.count(done);
+      return;
     }
+    if (!watch.stopped() && work(tile)) {
+      pieces.finish(index);
+    }
+    watch.advance(done);
   });
 }
 

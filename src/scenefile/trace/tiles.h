@@ -25,6 +25,9 @@ class ThreadLimit {
   std::unique_ptr<State> state_;
 };
 
+/// Of the tiles that a picture is cut into.
+inline constexpr int tile_side = 16;
+
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1.
 struct Tile {
   int x0 = 0;
@@ -33,7 +36,7 @@ struct Tile {
   int y1 = 0;
 };
 
-/// Which parts of a pass over a picture are done. A piece is a row of a tile.
+/// Which parts of a pass over a picture are done. A piece is a tile of tile_side pixels.
 class Pieces {
  public:
   Pieces(int width, int height);

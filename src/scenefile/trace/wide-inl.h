@@ -6,7 +6,7 @@ namespace scenefile::SCENEFILE_LANES {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<double, 8>;
-inline constexpr int lanes = static_cast<int>(HWY_MAX_LANES_D(D));
+inline constexpr int lanes = static_cast<int>(MaxLanes(D()));
 
 struct F {
   hn::Vec<D> v;
@@ -67,7 +67,7 @@ inline F select(M m, F yes, F no) {
   return {hn::IfThenElse(m.m, yes.v, no.v)};
 }
 inline M select(M m, M yes, M no) {
-  return (m & yes) | (!m & no);
+  return (m & yes) | ((!m) & no);
 }
 inline bool none(M m) {
   return hn::AllFalse(D(), m.m);

@@ -1,0 +1,59 @@
+#pragma once
+// Many rays at once: the camera rays of a tile with all that comes of them, in as many lanes as the
+// machine has. What they see is equal to the last bit to what trace_sample() finds for each alone.
+
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/parts.h"
+#include "scenefile/trace/path.h"
+
+#include <memory>
+#include <vector>
+
+namespace scenefile {
+
+/// A wave has at most so many camera rays.
+inline constexpr int wave_samples = 256;
+
+/// What shading asks of a material, multiplied by the coefficients of the scene.
+struct WaveMaterial {
+  double ambient[3];
+  double diffuse[3];
+  double specular[3];
+  double mirror[3];
+  double glass[3];
+  double shininess;
+  double ior;
+  double blend;  ///< of the texture, 0 where there is none
+  const RenderMaterial* material;
+  const Texture* texture;
+  bool mirrors;  ///< rays go on by it
+  bool refracts;
+};
+
+/// What all waves of a picture share.
+struct WaveScene {
+  WaveScene(const Tracer& tracer, const CameraRays& camera);
+
+  const Tracer& tracer;
+  const CameraRays& camera;
+  std::vector<WaveMaterial> materials;
+  bool few_parts = false;  ///< all are shapes, and so few that each is tested
+};
+
+/// Whether pictures of this kind are made of waves. The others are made ray by ray.
+bool takes_waves(const Tracer& tracer, const CameraRays& camera);
+
+/// The memory of one wave, to be used again. Large.
+struct WaveMemory;
+struct WaveDeleter {
+  void operator()(WaveMemory* memory) const;
+};
+using WavePointer = std::unique_ptr<WaveMemory, WaveDeleter>;
+WavePointer make_wave();
+
+/// What the camera sees at points of the picture: `count` of at most wave_samples colors. `points`
+/// near each other are found faster.
+void trace_wave(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
+                Color* colors, RayCounts& counts);
+
+}  // namespace scenefile

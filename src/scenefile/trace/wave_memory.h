@@ -1,0 +1,91 @@
+#pragma once
+// The arrays of a wave, each with room for whole vectors of lanes.
+
+#include "scenefile/trace/wave.h"
+
+namespace scenefile {
+
+inline constexpr int wave_rays = 512;    ///< on their way at once
+inline constexpr int wave_nodes = 4096;  ///< rays of all generations
+inline constexpr int wave_insides = 1024;
+
+struct WaveVectors {
+  alignas(64) double x[wave_rays];
+  alignas(64) double y[wave_rays];
+  alignas(64) double z[wave_rays];
+};
+
+/// One generation of rays.
+struct WaveRays {
+  int count = 0;
+  WaveVectors origin;
+  WaveVectors direction;
+  alignas(64) double start[wave_rays];
+  std::uint32_t node[wave_rays];
+  int depth[wave_rays];
+  std::uint32_t budget[wave_rays];
+  const Inside* inside[wave_rays];
+};
+
+/// What each ray of a generation hit first.
+struct WaveHits {
+  alignas(64) double t[wave_rays];     ///< infinite: nothing
+  alignas(64) double face[wave_rays];  ///< number of a Face
+  alignas(64) double part[wave_rays];  ///< index in the root group; -1: it is in `others`
+  Hit others[wave_rays];               ///< what is no shape of the root group
+};
+
+/// The points where light is to be found, a selection of the hits.
+struct WavePoints {
+  int count = 0;
+  std::uint32_t ray[wave_rays];  ///< rising
+  const WaveMaterial* material[wave_rays];
+  WaveVectors position;
+  WaveVectors normal;
+  WaveVectors direction;  ///< of the ray
+  alignas(64) double t[wave_rays];
+  WaveVectors diffuse;
+  WaveVectors specular;
+  alignas(64) double shininess[wave_rays];
+  WaveVectors color;
+};
+
+/// What one light sends to the points.
+struct WaveLight {
+  WaveVectors to_light;
+  alignas(64) double end[wave_rays];       ///< of the shadow ray
+  alignas(64) double share[wave_rays];     ///< of the light's color that arrives
+  alignas(64) double cosine[wave_rays];    ///< to the normal, 0 at least
+  alignas(64) double mirrored[wave_rays];  ///< to the highlight
+  std::uint8_t asks[wave_rays];            ///< a bit for each lane: whether anything comes of it
+  std::uint8_t blocked[wave_rays];         ///< a bit for each lane
+};
+
+/// A ray of any generation: what it sees, and where that goes.
+struct WaveNode {
+  Color color{0};      ///< without what follows
+  Color mirrored{0};   ///< by way of a mirror
+  Color refracted{0};  ///< by way of glass
+  Color factor{0};     ///< of what its parent gets
+  std::uint32_t parent = no_index;
+  RayKind kind = RayKind::camera;
+
+  void put(RayKind way, const Color& seen) {
+    (way == RayKind::reflected ? mirrored : refracted) = seen;
+  }
+};
+
+struct WaveMemory {
+  WaveRays rays[2];
+  WaveHits hits;
+  WavePoints points;
+  WavePoints walls;
+  WaveLight light;
+  int node_count = 0;
+  WaveNode nodes[wave_nodes];
+  int inside_count = 0;
+  Hit objects[wave_insides];
+  Inside insides[wave_insides];
+};
+
+}  // namespace scenefile

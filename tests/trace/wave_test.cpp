@@ -1,0 +1,244 @@
+// Rays that are traced together see to the last bit what each sees alone, in every instruction set
+// of the machine.
+
+#include "scenefile/trace/wave.h"
+
+#include "scenefile/trace/integrator.h"
+#include "trace/build_scene.h"
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace scenefile {
+namespace {
+
+using trace_test::SceneBuilder;
+
+/// Whatever the machine has, this instruction set is used while it lives.
+class OnlyTarget {
+ public:
+  explicit OnlyTarget(std::int64_t target) { choose(target); }
+  ~OnlyTarget() { choose(0); }
+  OnlyTarget(const OnlyTarget&) = delete;
+  OnlyTarget& operator=(const OnlyTarget&) = delete;
+
+ private:
+  static void choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+std::vector<std::int64_t> targets() {
+  std::vector<std::int64_t> all = hwy::SupportedAndGeneratedTargets();
+  all.push_back(HWY_STATIC_TARGET);
+  return all;
+}
+
+struct Random {
+  std::mt19937 engine;
+  float in(float low, float high) {
+    return low + (high - low) * float(engine() % 100001) / 100000.0f;
+  }
+  glm::vec3 vector(float low, float high) {
+    const float x = in(low, high);
+    const float y = in(low, high);
+    return {x, y, in(low, high)};
+  }
+};
+
+RenderMaterial some_material(Random& random, const std::vector<std::uint32_t>& textures) {
+  RenderMaterial m;
+  m.ambient = random.vector(0, 0.2f);
+  m.diffuse = random.vector(0, 1);
+  m.specular = random.in(0, 1) < 0.3f ? glm::vec3(0) : random.vector(0, 1);
+  m.shininess = random.in(0, 1) < 0.3f ? random.in(0.1f, 30) : std::floor(random.in(0, 40));
+  m.reflective = random.in(0, 1) < 0.5f ? glm::vec3(0) : random.vector(0, 0.9f);
+  m.transparent = random.in(0, 1) < 0.5f ? glm::vec3(0) : random.vector(0, 0.9f);
+  m.ior = random.in(0.6f, 2);
+  if (random.in(0, 1) < 0.5f) {
+    m.texture = {textures[random.engine() % textures.size()], random.in(0.5f, 3), 2};
+    m.blend = random.in(0, 1);
+  }
+  return m;
+}
+
+void add_lights(SceneBuilder& b, Random& random) {
+  b.light(LightType::directional, glm::normalize(glm::vec3(-1, -2, -0.5f)), {0.4f, 0.3f, 0.2f});
+  b.light(LightType::point, {3, 4, 2}, {0.7f, 0.6f, 0.9f}).attenuation = {0.2f, 0.1f, 0.05f};
+  RenderLight& spot = b.light(LightType::spot, {-2, 5, 3}, {0.8f, 0.9f, 0.5f});
+  spot.direction = glm::normalize(glm::vec3(0.4f, -1, -0.6f));
+  spot.inner_angle = 0.2f;
+  spot.outer_angle = random.in(0.25f, 0.8f);
+  RenderLight& area = b.light(LightType::area, {0, 4, 0}, {0.3f, 0.3f, 0.3f});
+  area.direction = {0, -1, 0};
+  area.half_u = {0.5f, 0, 0};
+  area.half_v = {0, 0, 0.5f};
+}
+
+/// `count` shapes about the origin; some of them far larger or smaller than the others, some along
+/// the axes, some in one place.
+SceneBuilder some_scene(unsigned seed, int count) {
+  Random random{std::mt19937(seed)};
+  SceneBuilder b;
+  const std::vector<std::uint32_t> textures = {b.texture(2, 3, {0, 255, 40, 200, 90, 130}),
+                                               b.texture(1, 1, {77})};
+  const float spread = 0.8f * std::cbrt(float(count));
+  Affine place;
+  for (int i = 0; i < count; ++i) {
+    const auto shape = static_cast<Shape>(random.engine() % 4);
+    if (i % 5 != 4) {
+      place = trace_test::translate(random.vector(-spread, spread)) *
+              trace_test::rotate(i % 3 == 0 ? 0 : random.in(0, 360), {1, 1, 0.5f}) *
+              trace_test::scale(i == 1 ? glm::vec3(30, 0.01f, 30) : random.vector(0.2f, 2));
+    }
+    b.add(shape, place, b.material(some_material(random, textures)));
+  }
+  add_lights(b, random);
+  const float angle = random.in(0, 6.28f);
+  b.look({2.5f * spread * std::sin(angle), random.in(-1, 3), 2.5f * spread * std::cos(angle)},
+         {0, 0, 0});
+  return b;
+}
+
+/// The picture ray by ray.
+std::vector<Color> alone(const Tracer& tracer, RayCounts& counts) {
+  const CameraRays camera = tracer.camera();
+  std::vector<Color> colors;
+  for (int y = 0; y < tracer.options.height; ++y) {
+    for (int x = 0; x < tracer.options.width; ++x) {
+      colors.push_back(trace_sample(tracer, camera, {x + 0.5, y + 0.5}, {0, 0}, {}, {}, counts));
+    }
+  }
+  return colors;
+}
+
+/// The same in waves.
+std::vector<Color> together(const Tracer& tracer, RayCounts& counts) {
+  const CameraRays camera = tracer.camera();
+  const WaveScene scene(tracer, camera);
+  const WavePointer memory = make_wave();
+  std::vector<glm::dvec2> points;
+  for (int y = 0; y < tracer.options.height; ++y) {
+    for (int x = 0; x < tracer.options.width; ++x) {
+      points.emplace_back(x + 0.5, y + 0.5);
+    }
+  }
+  std::vector<Color> colors(points.size());
+  for (std::size_t i = 0; i < points.size(); i += wave_samples) {
+    const auto count = static_cast<int>(std::min<std::size_t>(wave_samples, points.size() - i));
+    trace_wave(scene, &points[i], count, *memory, &colors[i], counts);
+  }
+  return colors;
+}
+
+RenderOptions small(Profile profile = Profile::course) {
+  RenderOptions options = default_options(profile);
+  options.width = 41;
+  options.height = 31;
+  return options;
+}
+
+void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
+  const Tracer tracer(b.scene, b.assets, options);
+  ASSERT_EQ(tracer.status(), RenderStatus::complete);
+  ASSERT_TRUE(takes_waves(tracer, tracer.camera()));
+  RayCounts expected_counts;
+  const std::vector<Color> expected = alone(tracer, expected_counts);
+  for (const std::int64_t target : targets()) {
+    const OnlyTarget only(target);
+    RayCounts counts;
+    const std::vector<Color> colors = together(tracer, counts);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      different += colors[i] == expected[i] ? 0 : 1;
+    }
+    EXPECT_EQ(different, 0u) << hwy::TargetName(target) << ": of " << colors.size();
+    EXPECT_EQ(counts.primary, expected_counts.primary) << hwy::TargetName(target);
+    EXPECT_EQ(counts.shadow, expected_counts.shadow) << hwy::TargetName(target);
+    EXPECT_EQ(counts.secondary, expected_counts.secondary) << hwy::TargetName(target);
+  }
+}
+
+class Wave : public testing::TestWithParam<int> {};
+
+TEST_P(Wave, SeesWhatEachRaySeesAlone) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_equal(some_scene(seed, GetParam()), small());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, Wave, testing::Values(1, 3, 12, 40, 300, 3000));
+
+TEST(WaveOptions, FeaturesMayBeOff) {
+  const SceneBuilder b = some_scene(7, 12);
+  for (bool Features::*feature : {&Features::shadows, &Features::reflect, &Features::refract,
+                                  &Features::texture, &Features::texture_filter}) {
+    RenderOptions options = small();
+    options.features.*feature = false;
+    expect_equal(b, options);
+  }
+  RenderOptions options = small();
+  options.mode = Mode::intersect;
+  expect_equal(b, options);
+}
+
+TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
+  SceneBuilder b = some_scene(3, 12);
+  for (RenderMaterial& m : b.scene.materials) {
+    m.reflective = m.transparent = glm::vec3(0.8f);
+  }
+  RenderOptions options = small();
+  options.max_depth = 8;
+  expect_equal(b, options);
+}
+
+TEST(WaveOptions, InstancesAndMeshes) {
+  SceneBuilder b = some_scene(5, 20);
+  Mesh mesh;
+  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0.5f}, {0, 0, -1}};
+  mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  RenderPrimitive part = b.primitive(Shape::mesh, trace_test::translate({0, 1, 0}), 2);
+  part.mesh = b.mesh(mesh);
+  const RenderGroup inner = b.scene.groups.front();
+  b.scene.groups.emplace_back();
+  b.scene.groups.back().primitives.push_back(part);
+  for (const float x : {-3.0f, 0.0f, 3.0f}) {
+    b.scene.groups.back().instances.push_back(b.instance(0, trace_test::translate({x, 0, x})));
+  }
+  b.scene.root = 1;
+  expect_equal(b, small());
+}
+
+TEST(WaveOptions, EnormousAndTinyScenes) {
+  for (const float size : {1e-9f, 1e-4f, 1e5f, 1e12f}) {
+    SceneBuilder b = some_scene(9, 30);
+    for (RenderPrimitive& p : b.scene.groups.front().primitives) {
+      p.group_from_object = trace_test::scale(glm::vec3(size)) * p.group_from_object;
+    }
+    b.scene.camera.position *= double(size);
+    SCOPED_TRACE(size);
+    expect_equal(b, small());
+  }
+}
+
+TEST(WaveOptions, NothingToSee) {
+  SceneBuilder b;
+  b.light(LightType::point, {0, 3, 0}, {1, 1, 1});
+  b.add(Shape::sphere, trace_test::translate({0, 0, 5}), b.glowing({1, 1, 1}));
+  expect_equal(b, small());
+}
+
+TEST(WaveTargets, TheMachineHasMoreThanOne) {
+  // Else the tests above compare nothing.
+  EXPECT_GT(targets().size(), 1u);
+}
+
+}  // namespace
+}  // namespace scenefile

@@ -210,7 +210,8 @@ inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F lengt
   return nearest(span, crossed, shift, t_min, t_max);
 }
 
-/// Of directions whose square, `length2`, neither overflows nor underflows. See intersect().
+/// Not of meshes. Of directions whose square, `length2`, neither overflows nor underflows. See
+/// intersect().
 inline Crossing crossing(Shape shape, const V3& origin, const V3& direction, F length2, F t_min,
                          F t_max, M active) {
   return shape == Shape::cube

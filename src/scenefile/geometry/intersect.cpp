@@ -46,6 +46,9 @@ bool intersect_extreme(Shape shape, const Ray& ray, double t_min, double t_max, 
 }  // namespace
 
 bool intersect(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
+  if (shape == Shape::mesh) {
+    return false;
+  }
   const double length2 = glm::dot(ray.direction, ray.direction);
   return one::moderate(length2) ? intersect_moderate(shape, ray, length2, t_min, t_max, hit)
                                 : intersect_extreme(shape, ray, t_min, t_max, hit);

@@ -53,7 +53,7 @@ void judge(std::string_view text, const ReadOptions& options) {
     require_safe(prepare(scene, options.limits), options.limits);
   } else {
     require_ready(scene, options.limits);
-    require_rereadable(scene);
+    require_rereadable(scene, text);
   }
 }
 

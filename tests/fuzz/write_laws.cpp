@@ -16,11 +16,11 @@ bool silent(const Diagnostics& diagnostics) {
   return diagnostics.count(Severity::error) + diagnostics.count(Severity::warning) == 0;
 }
 
-void require_rereadable_as(const Scene& scene, SceneFormat format) {
+void require_rereadable_as(const Scene& scene, std::string_view source, SceneFormat format) {
   const Limits limits;
   Diagnostics written(limits);
   const std::string text = write_scene(scene, format, limits, written);
-  require_sound(written, limits, text);
+  require_sound(written, limits, source);
   if (written.has_errors()) {
     return;
   }
@@ -36,9 +36,9 @@ void require_rereadable_as(const Scene& scene, SceneFormat format) {
 
 }  // namespace
 
-void require_rereadable(const Scene& scene) {
-  require_rereadable_as(scene, SceneFormat::xml);
-  require_rereadable_as(scene, SceneFormat::json);
+void require_rereadable(const Scene& scene, std::string_view source) {
+  require_rereadable_as(scene, source, SceneFormat::xml);
+  require_rereadable_as(scene, source, SceneFormat::json);
 }
 
 }  // namespace scenefile::fuzz

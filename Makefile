@@ -118,13 +118,19 @@ fuzz: ## SECONDS=60: each fuzz target for so long
 	@cmake --preset fuzz && cmake --build --preset fuzz --target scenefile_fuzz
 	@tests/fuzz/run build/fuzz $(or $(SECONDS),60)
 
+.PHONY: faults
+faults: ## every call of every command fails once; 50 renders are killed, 200 checkpoints damaged
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	@cmake --build $(PRESET) --target scenefile scenefile_fail_call
+	@tests/faults/sweep.py $(BUILD)/scenefile $(BUILD)/tests/faults/libscenefile_fail_call.so
+	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
+
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: sanitizers, killed renders, damaged checkpoints, fuzzing
+ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, coverage, fuzzing
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
-	@$(MAKE) $(QUIET) configure
-	@cmake --build $(PRESET) --target scenefile
-	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
+	@$(MAKE) $(QUIET) faults
 	@$(MAKE) $(QUIET) fuzz SECONDS=60
 
 .PHONY: portable

@@ -119,6 +119,10 @@ ExitCode run_convert(const Options& options, Context& context) {
   if (status_of(scene) == ExitCode::fine) {
     text = convert(scene, options, context);
   }
+  if (!options.json) {
+    say(findings_of(scene, options.quiet));
+  }
+  context.phase = "writing the file";
   ExitCode status = status_of(scene);
   report.error =
       status == ExitCode::fine ? write_file(report.output, text).text : "the scene cannot be used";
@@ -129,11 +133,10 @@ ExitCode run_convert(const Options& options, Context& context) {
   if (options.json) {
     return report.output == "-" ? status : worse(status, answer(convert_json(scene, report)));
   }
-  say(findings_of(scene, options.quiet));
   if (status_of(scene) == ExitCode::fine && !report.error.empty()) {
     say_error(report.error);
   } else if (status == ExitCode::fine && !options.quiet) {
-    say(summary_text(report));
+    say_afterwards([&] { return summary_text(report); });
   }
   return status;
 }

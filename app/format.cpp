@@ -58,7 +58,7 @@ void report(const Formatted& result, const Options& options) {
   } else if (!result.unwritable.empty()) {
     say_error(result.unwritable.text);
   } else if (result.changed && !options.quiet && result.file.path != "-") {
-    say(fmt::format("{}: formatted\n", escaped(result.file.path, 4096)));
+    say_afterwards([&] { return fmt::format("{}: formatted\n", escaped(result.file.path, 4096)); });
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,16 @@ void say(std::string_view text);
 
 /// "scenefile: " and the text, as one line.
 void say_error(std::string_view text);
+
+/// Says what `text` makes after the work is done: no lack of memory may turn that into a failure.
+template <typename Text>
+void say_afterwards(const Text& text) {
+  try {
+    say(text());
+  } catch (const std::bad_alloc&) {
+    // The work is worth more than the remark.
+  }
+}
 
 /// The name of a scene in messages.
 std::string shown_name(const std::string& path);

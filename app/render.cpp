@@ -146,7 +146,7 @@ ExitCode run_render(const Options& options, Context& context) {
   if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
     say_error(outcome.error);
   } else if (outcome.status == ExitCode::fine && !options.quiet) {
-    say(summary_text(report));
+    say_afterwards([&] { return summary_text(report); });
   }
   return outcome.status;
 }

@@ -16,7 +16,8 @@ namespace {
 using testing_support::TempFolder;
 
 TEST(HandleSignals, EndsWithTheStatusOfTheSignal) {
-  for (const auto& [signal, status] : {std::pair(SIGINT, 130), {SIGTERM, 143}, {SIGHUP, 129}}) {
+  for (const auto& [signal, status] :
+       {std::pair(SIGINT, 130), {SIGTERM, 143}, {SIGHUP, 143}, {SIGXCPU, 4}}) {
     EXPECT_EXIT(
         {
           handle_signals();

@@ -28,6 +28,12 @@ using namespace scenefile;
 namespace fs = std::filesystem;
 
 constexpr double most_growth = 0.01;
+// A sanitizer keeps what was freed, to find uses of it: then memory says nothing.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool memory_counts = false;
+#else
+constexpr bool memory_counts = true;
+#endif
 // What the allocator may keep in the corners of pages.
 constexpr double slack_bytes = 256 * 1024;
 
@@ -115,5 +121,6 @@ int main(int argc, char** argv) {
           "{} files once, then {} in random order: {:.1f} MB, {:+.2f} % since, {} files left open",
           files.size(), count, memory * 1e-6, 100 * growth / memory, left_open)
           .c_str());
-  return growth <= std::max(most_growth * memory, slack_bytes) && left_open == 0 ? 0 : 1;
+  const bool grown = memory_counts && growth > std::max(most_growth * memory, slack_bytes);
+  return grown || left_open != 0 ? 1 : 0;
 }

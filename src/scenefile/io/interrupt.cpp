@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 
 namespace scenefile {
 
@@ -39,8 +40,10 @@ void start_timer(double seconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-void end_by_signal(int signal) {
-  if (deferring && (signal == SIGINT || signal == SIGTERM)) {
+// A terminal that goes away asks for the same as SIGTERM.
+void end_by_signal(int number) {
+  const int signal = number == SIGHUP ? SIGTERM : number;
+  if (deferring) {
     int none = 0;
     if (pending_signal.compare_exchange_strong(none, signal)) {
       start_timer(grace_seconds);
@@ -58,6 +61,13 @@ void end_by_timer(int /*signal*/) {
   // Nobody is left to tell about a failure.
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, timeout_message.data(), std::strlen(timeout_message.data()));
+  end_process(limit_status);
+}
+
+// The system's own limit of CPU time; it would kill a little later.
+void end_by_cpu_limit(int /*signal*/) {
+  constexpr std::string_view line = "scenefile: gave up: the system allows no more CPU time\n";
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
   end_process(limit_status);
 }
 
@@ -79,6 +89,7 @@ void handle_signals() {
     }
   }
   handle(SIGALRM, end_by_timer);
+  handle(SIGXCPU, end_by_cpu_limit);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

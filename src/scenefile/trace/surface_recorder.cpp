@@ -61,7 +61,7 @@ void SurfaceRecorder::light(std::uint32_t index, std::uint32_t taken, const Colo
     if (scene_.lights[index].type == LightType::area) {
       samples_.back().diffused += diffused_ / double(taken);
     }
-    Color* const colors = &light_colors_[(samples_.size() - 1) * lights_.size()];
+    Color* const colors = light_colors_.data() + (samples_.size() - 1) * lights_.size();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
       colors[i] = lights_[i] == index ? contribution : colors[i];
     }

@@ -1,0 +1,200 @@
+#!/usr/bin/env python3
+"""Calls that fail: each command, with each call of the system and each allocation failing in turn.
+
+    sweep.py PROGRAM SHIM [--points N] [--only render,check] [--kinds memory,write] [--seed 1]
+
+SHIM is fail_call.c, built to be preloaded. A run counts the calls of a kind; then each of them (N of them when N is given) fails, once
+alone and once with all that follow. Every run must end by itself with status 0 and the good output, or with 1 to 4, a message,
+the output as it was before, and no other file.
+"""
+import argparse
+import os
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+
+parser = argparse.ArgumentParser()
+parser.add_argument("program")
+parser.add_argument("shim")
+parser.add_argument("--points", type=int)
+parser.add_argument("--only")
+parser.add_argument("--kinds", default="memory,read,write,open,sync,rename,thread")
+parser.add_argument("--seed", type=int, default=1)
+args = parser.parse_args()
+args.program, args.shim = os.path.abspath(args.program), os.path.abspath(args.shim)
+
+OLD = b"what was there before\n"
+SECONDS = 30
+SCENE = """<scenefile>
+  <globaldata><ambientcoeff v="0.5"/><diffusecoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
+  <cameradata><pos x="3" y="3" z="3"/><up x="0" y="1" z="0"/><focus x="0" y="0" z="0"/><heightangle v="45"/></cameradata>
+  <lightdata><id v="0"/><type v="directional"/><direction x="-1" y="-1" z="-1"/><color r="1" g="1" b="1"/></lightdata>
+  <object type="tree" name="twice">
+    <transblock><object type="primitive" name="sphere"><diffuse r="1" g="0" b="0"/></object></transblock>
+  </object>
+  <object type="tree" name="root">
+    <transblock><object type="master" name="twice"/></transblock>
+    <transblock><translate x="1" y="0" z="0"/><object type="master" name="twice"/></transblock>
+    <transblock><object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><blend v="1"/>
+      <texture file="picture.png" u="1" v="1"/></object></transblock>
+    <transblock><object type="primitive" name="mesh" filename="triangle.obj"><diffuse r="1" g="0" b="0"/></object></transblock>
+  </object>
+</scenefile>
+"""
+TRIANGLE = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n"
+
+# Name: words, and the file that is written.
+COMMANDS = {
+    "check": ("check scene.xml", None),
+    "info": ("info scene.xml --files --tree", None),
+    "render": ("render scene.xml -o out.png --size 8x8 --threads 2", "out.png"),
+    "layers": ("render scene.xml -o out.exr --size 8x8 --threads 2 --aov depth --denoise", "out.exr"),
+    "checkpoint": ("render scene.xml -o out.png --size 8x8 --threads 2 --checkpoint kept", "out.png"),
+    "convert": ("convert scene.xml out.json", "out.json"),
+    "convert-pov": ("convert scene.xml out.pov", "out.pov"),
+    "format": ("format --check scene.xml", None),
+    "format-file": ("format out.xml", "out.xml"),
+    "diff": ("diff scene.xml other.xml", None),
+    "diff-pictures": ("diff picture.png other.png --scene scene.xml --sheet out.png --threads 2", "out.png"),
+    "grade": ("grade mine --references right --report out.html --threads 2", "out.html"),
+    "explain": ("explain scene.xml --pixel 4,4 --size 8x8", None),
+}
+
+
+def write(path, data):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "wb") as file:
+        file.write(data if isinstance(data, bytes) else data.encode())
+
+
+def read(path):
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return None
+
+
+def run(folder, words, environment):
+    """The status (None: it hung), what went to standard output and what to standard error."""
+    try:
+        done = subprocess.run([args.program, *words.split()], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
+                              timeout=SECONDS, env=dict(os.environ, **environment))
+        return done.returncode, done.stdout, done.stderr
+    except subprocess.TimeoutExpired as late:
+        return None, late.stdout, late.stderr or b""
+
+
+def make_inputs(folder):
+    write(folder + "/scene.xml", SCENE)
+    write(folder + "/other.xml", SCENE.replace('v="45"', 'v="46"'))
+    write(folder + "/triangle.obj", TRIANGLE)
+    for name, more in (("picture.png", ""), ("other.png", "--features none")):
+        subprocess.run([args.program, *("render scene.xml -q --size 8x8 -o %s %s" % (name, more)).split()], cwd=folder, check=True,
+                       stderr=subprocess.DEVNULL)
+    for place, name in (("right", "picture.png"), ("mine", "other.png")):
+        write("%s/%s/scene.png" % (folder, place), read(folder + "/" + name))
+        write("%s/%s/scene.xml" % (folder, place), SCENE)
+        write("%s/%s/triangle.obj" % (folder, place), TRIANGLE)
+        write("%s/%s/picture.png" % (folder, place), read(folder + "/picture.png"))
+
+
+def old_output(output):
+    """What stands where the output will: format reads it, too."""
+    return SCENE.encode() if output == "out.xml" else OLD
+
+
+def judge(folder, output, good, result):
+    """What is wrong with a run."""
+    status, said, complained = result
+    listing = sorted(os.listdir(folder))
+    now = read(folder + "/" + output) if output else None
+    if status is None:
+        return "it hung"
+    if status < 0 or status > 4 or status == 2:
+        return "status %d" % status
+    if b"terminate called" in complained:
+        return "terminate called"
+    # A picture that cannot be read is a missing texture: a warning, and another picture.
+    warned = b"warning" in complained or (said != good["said"] and b"warning" in said)
+    if status == good["status"] and not warned and (said != good["said"] or now != good["output"]):
+        return "status %d, but another output" % status
+    if status != good["status"] and not complained.strip() and not said.strip():
+        return "no message"
+    if status >= 3 and output and now != old_output(output):
+        return "the output was touched"
+    if listing != good["listing"] and listing != good["before"]:
+        return "left %s" % sorted(set(listing) - set(good["before"]))
+    return ""
+
+
+class Sweep:
+    def __init__(self, folder, name):
+        self.folder, self.name = folder, name
+        self.words, self.output = COMMANDS[name]
+        self.failures = self.runs = 0
+        self.reset()
+        before = sorted(os.listdir(folder))
+        status, said, complained = self.run({})
+        self.good = {"status": status, "said": said, "output": read(folder + "/" + self.output) if self.output else None,
+                     "before": before, "listing": sorted(os.listdir(folder))}
+        if status not in (0, 1):
+            sys.exit("%s fails without a fault: %r" % (name, complained))
+
+    def reset(self):
+        for name in os.listdir(self.folder):
+            if name == "kept" or name.startswith("out") or name.endswith(".tmp"):
+                os.unlink(os.path.join(self.folder, name))
+        if self.output:
+            write(self.folder + "/" + self.output, old_output(self.output))
+
+    def run(self, environment):
+        return run(self.folder, self.words, environment)
+
+    def count(self, kind):
+        self.reset()
+        place = self.folder + ".count"
+        self.run({"LD_PRELOAD": args.shim, "FAIL_CALL": kind + ":1", "FAIL_COUNT": place})
+        return int(read(place) or 0)
+
+    def fail(self, kind, point, more):
+        self.reset()
+        wrong = judge(self.folder, self.output, self.good, self.run({"LD_PRELOAD": args.shim, "FAIL_CALL": "%s:%d%s" % (kind, point, more)}))
+        self.runs += 1
+        if wrong:
+            self.failures += 1
+            print("%s, %s:%d%s: %s" % (self.name, kind, point, more, wrong), flush=True)
+
+    def sweep(self, kind, chance):
+        count = self.count(kind)
+        points = range(1, count + 1)
+        if args.points is not None and args.points < count:
+            points = sorted(chance.sample(points, args.points))
+        for point in points:
+            for more in ("", "+"):
+                self.fail(kind, point, more)
+        return count
+
+
+def main():
+    chance = random.Random(args.seed)
+    failures = runs = 0
+    root = tempfile.mkdtemp()
+    try:
+        for name in args.only.split(",") if args.only else COMMANDS:
+            folder = os.path.join(root, name)
+            make_inputs(folder)
+            sweep = Sweep(folder, name)
+            counts = ["%s %d" % (kind, sweep.sweep(kind, chance)) for kind in args.kinds.split(",")]
+            print("%-13s %5d runs, %d failures; calls: %s" % (name, sweep.runs, sweep.failures, ", ".join(counts)), flush=True)
+            failures += sweep.failures
+            runs += sweep.runs
+    finally:
+        shutil.rmtree(root, ignore_errors=True)
+    print("%d runs, %d failures" % (runs, failures))
+    return 1 if failures or runs == 0 else 0
+
+
+sys.exit(main())

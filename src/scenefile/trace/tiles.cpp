@@ -5,18 +5,15 @@
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/no_denormals.h"
 
-#include <dlfcn.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/scalable_allocator.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <new>
-#include <string_view>
 
 namespace scenefile {
 
@@ -45,23 +42,13 @@ void for_each_index(std::size_t count, const Work& work) {
   HandOver::collect();
 }
 
-// The first use of TBB opens a library of its own. Where memory runs out in that, glibc 2.36 and
-// before crash, unless the thread has room for an error of dlopen already: an earlier one makes it.
-void make_room_for_errors() {
-  static_cast<void>(::dlsym(RTLD_DEFAULT, "scenefile: no symbol"));
-  const char* const error = ::dlerror();
-  if (error != nullptr && std::string_view(error) == "out of memory") {
-    throw std::bad_alloc();
-  }
-}
-
 // TBB gets to know the thread that asks for work. Where memory runs out in that, it counts the
 // thread in but never out, and the end of a global_control waits for ever: so none may live yet.
 void join_tbb() {
-  make_room_for_errors();
-  tbb::task_scheduler_observer observer;
-  observer.observe(true);
-  observer.observe(false);
+  // Names its allocator, so that it comes with the program: else TBB opens it now, and where memory
+  // runs out in that, dlopen of glibc 2.36 crashes.
+  scalable_free(nullptr);
+  tbb::parallel_for(0, 1, [](int) {});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -24,8 +25,8 @@ std::string base_name_of(std::string_view path) {
 bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& files,
            std::vector<std::pair<std::string, int>>& queue, std::size_t& budget) {
   std::error_code error;
-  for (fs::directory_iterator it(folder.first, error), end; !error && it != end;
-       it.increment(error)) {
+  fs::directory_iterator it(folder.first, error);
+  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
     if (budget-- == 0) {
       return false;
     }
@@ -41,6 +42,9 @@ bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& 
     } else if (it->is_regular_file(ignored)) {
       files.push_back(path);
     }
+  }
+  if (error == std::errc::not_enough_memory) {
+    throw std::bad_alloc();
   }
   return true;
 }

@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <climits>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -28,6 +30,9 @@ constexpr std::size_t shown_places = 3;
 // Absolute, without links, "." and ".."; empty when there is no such file.
 std::string canonical(const std::string& path) {
   std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
+  if (real == nullptr && errno == ENOMEM) {
+    throw std::bad_alloc();
+  }
   return real == nullptr ? std::string() : std::string(real.get());
 }
 

@@ -137,16 +137,16 @@ ExitCode diff_images(const Options& options, Context& context) {
     return options.json ? worse(status, answer(json_text(a, b, nullptr))) : status;
   }
   const Judgement judgement = judge_pictures(a.picture, b.picture, options, context);
+  // What is said is ready before something is written, so that nothing can fail afterwards.
+  const std::string text = options.json ? json_text(a, b, &judgement)
+                           : options.quiet
+                               ? std::string()
+                               : heading(a, b) + "\n" +
+                                     measures_text(judgement.measures, options.pixel_threshold) +
+                                     verdict_text(judgement);
   ExitCode status = judgement.broken.empty() ? ExitCode::fine : ExitCode::findings;
   status = worse(status, write_maps(options, a.picture, b.picture, judgement, context));
-  if (options.json) {
-    return worse(status, answer(json_text(a, b, &judgement)));
-  }
-  return options.quiet
-             ? status
-             : worse(status, answer(heading(a, b) + "\n" +
-                                    measures_text(judgement.measures, options.pixel_threshold) +
-                                    verdict_text(judgement)));
+  return text.empty() ? status : worse(status, answer(text));
 }
 
 }  // namespace scenefile::app

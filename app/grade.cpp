@@ -246,15 +246,18 @@ ExitCode run_grade(const Options& given, Context& context) {
   }
   const Gradebook book = grader.run();
   ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
+  // All is ready before something is written, so that nothing can fail afterwards.
+  context.phase = "making the report";
+  const std::string page =
+      options.report.empty() ? std::string() : gradebook_html(book, "Ray tracer grades");
+  const std::string junit = options.junit.empty() ? std::string() : gradebook_junit(book);
+  const std::string text = options.json    ? json_text(book)
+                           : options.quiet ? std::string()
+                                           : safe_lines(gradebook_text(book));
   context.phase = "writing the report";
-  status = worse(
-      status, write_text(options.report,
-                         options.report.empty() ? "" : gradebook_html(book, "Ray tracer grades")));
-  status = worse(status, write_text(options.junit, gradebook_junit(book)));
-  if (options.json) {
-    return worse(status, answer(json_text(book)));
-  }
-  return options.quiet ? status : worse(status, answer(safe_lines(gradebook_text(book))));
+  status = worse(status, write_text(options.report, page));
+  status = worse(status, write_text(options.junit, junit));
+  return text.empty() ? status : worse(status, answer(text));
 }
 
 }  // namespace scenefile::app

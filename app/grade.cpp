@@ -154,7 +154,8 @@ class Grader {
     const Texture a = reduced(reference, width);
     const Texture b = reduced(picture, width);
     const std::array<const Texture*, 3> pictures{&a, &b, &heat};
-    return png_of(side_by_side(pictures));
+    std::string none;  // at this size
+    return png_of(side_by_side(pictures), none);
   }
 
   const Options& options_;

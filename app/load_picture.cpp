@@ -36,16 +36,18 @@ bool is_picture_file(const std::string& path) {
   return path != "-" && read_file(path, Limits{}.file_bytes, bytes).empty() && is_image(bytes);
 }
 
-std::string png_of(const Texture& picture) {
-  std::string error;
+std::string png_of(const Texture& picture, std::string& error) {
   return encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
 }
 
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context) {
   context.phase = "writing a picture";
-  const IoError error = write_file(path, png_of(picture));
+  std::string error;
+  const std::string bytes = png_of(picture, error);
+  error = error.empty() ? write_file(path, bytes).text
+                        : fmt::format("{}: cannot encode: {}", escaped(path, 4096), error);
   if (!error.empty()) {
-    say_error(error.text);
+    say_error(error);
   }
   return error.empty() ? ExitCode::fine : ExitCode::environment;
 }

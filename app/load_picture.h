@@ -19,8 +19,8 @@ LoadedPicture load_picture(const std::string& path, Context& context);
 /// does not.
 bool is_picture_file(const std::string& path);
 
-/// The bytes of a PNG.
-std::string png_of(const Texture& picture);
+/// The bytes of a PNG; none, and why, for a picture that is too large for one.
+std::string png_of(const Texture& picture, std::string& error);
 
 /// Writes a PNG. Says what went wrong.
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);

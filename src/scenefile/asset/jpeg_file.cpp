@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace scenefile {
@@ -25,11 +26,13 @@ struct Decoder {
   jpeg_progress_mgr progress{};
   std::jmp_buf failed{};
   char message[JMSG_LENGTH_MAX] = {};
+  bool out_of_memory = false;
 };
 
 extern "C" void jpeg_failed(j_common_ptr jpeg) {
   auto* decoder = static_cast<Decoder*>(jpeg->client_data);
   (*jpeg->err->format_message)(jpeg, decoder->message);
+  decoder->out_of_memory = jpeg->err->msg_code == JERR_OUT_OF_MEMORY;
   std::longjmp(decoder->failed, 1);
 }
 
@@ -132,6 +135,14 @@ std::unique_ptr<Decoder> make_decoder() {
   return decoder;
 }
 
+void finish(Decoder& decoder, std::string& error) {
+  jpeg_destroy_decompress(&decoder.jpeg);
+  if (decoder.out_of_memory) {
+    throw std::bad_alloc();
+  }
+  error = decoder.message;
+}
+
 bool recognizes(std::string_view bytes) {
   return bytes.substr(0, 3) == "\xff\xd8\xff";
 }
@@ -139,8 +150,7 @@ bool recognizes(std::string_view bytes) {
 bool read_header(std::string_view bytes, ImageHeader& header, std::string& error) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
   const bool fine = read_sizes(*decoder, bytes, header);
-  jpeg_destroy_decompress(&decoder->jpeg);
-  error = decoder->message;
+  finish(*decoder, error);
   return fine;
 }
 
@@ -148,8 +158,7 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
   std::vector<std::uint8_t> cmyk(std::size_t{4} * static_cast<std::size_t>(texture.width));
   const bool fine = read_image(*decoder, bytes, texture, cmyk);
-  jpeg_destroy_decompress(&decoder->jpeg);
-  error = decoder->message;
+  finish(*decoder, error);
   return fine;
 }
 

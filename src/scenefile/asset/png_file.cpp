@@ -7,6 +7,7 @@
 
 #include <array>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <vector>
@@ -17,10 +18,23 @@ namespace {
 
 constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
 
-// The first error of the library, kept where longjmp cannot lose it.
+// What went wrong in the library, kept where longjmp cannot lose it.
 struct Message {
   std::array<char, 160> text{};
+  bool out_of_memory = false;
 };
+
+extern "C" png_voidp png_take(png_structp png, png_alloc_size_t bytes) {
+  void* const memory = std::malloc(bytes);
+  if (memory == nullptr) {
+    static_cast<Message*>(png_get_mem_ptr(png))->out_of_memory = true;
+  }
+  return memory;
+}
+
+extern "C" void png_give(png_structp, png_voidp memory) {
+  std::free(memory);
+}
 
 extern "C" void png_failed(png_structp png, png_const_charp text) {
   auto* message = static_cast<Message*>(png_get_error_ptr(png));
@@ -170,7 +184,8 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
   } else {
     pixels.bytes.swap(texture.rgb);
   }
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &message, png_failed, png_warned);
+  png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &message, png_failed,
+                                             png_warned, &message, png_take, png_give);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info == nullptr) {
     png_destroy_read_struct(&png, nullptr, nullptr);
@@ -187,12 +202,15 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
     texture.rgb.swap(pixels.bytes);
   }
   png_destroy_read_struct(&png, &info, nullptr);
+  if (message.out_of_memory) {
+    throw std::bad_alloc();
+  }
   return fine;
 }
 
 struct Target {
   std::string bytes;
-  bool out_of_memory = false;
+  Message* message;
 };
 
 extern "C" void png_store(png_structp png, png_bytep from, png_size_t count) {
@@ -200,9 +218,9 @@ extern "C" void png_store(png_structp png, png_bytep from, png_size_t count) {
   try {
     target->bytes.append(reinterpret_cast<const char*>(from), count);
   } catch (const std::bad_alloc&) {
-    target->out_of_memory = true;
+    target->message->out_of_memory = true;
   }
-  if (target->out_of_memory) {
+  if (target->message->out_of_memory) {
     png_error(png, "out of memory");
   }
 }
@@ -253,11 +271,11 @@ const Codec png_codec{"PNG", recognizes, read_header, decode};
 
 std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error) {
   Message message;
-  Target target;
+  Target target{{}, &message};
   std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3 *
                                 static_cast<std::size_t>(bits / 8));
-  png_structp png =
-      png_create_write_struct(PNG_LIBPNG_VER_STRING, &message, png_failed, png_warned);
+  png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &message, png_failed,
+                                              png_warned, &message, png_take, png_give);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   if (info == nullptr) {
     png_destroy_write_struct(&png, nullptr);
@@ -266,7 +284,7 @@ std::string encode_png(const Image& image, int bits, Rounding rounding, std::str
   png_set_write_fn(png, &target, png_store, png_flushed);
   const bool fine = write_image(png, info, image, bits, rounding, row);
   png_destroy_write_struct(&png, &info);
-  if (target.out_of_memory) {
+  if (message.out_of_memory) {
     throw std::bad_alloc();
   }
   if (!fine) {

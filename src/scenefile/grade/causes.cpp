@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <new>
 #include <optional>
 
 namespace scenefile {
@@ -55,6 +56,9 @@ std::optional<Texture> drawn(const Trial& trial, const Assets& assets, const Tex
   RenderScene scene = trial.scene;
   scene.camera = thinned_camera(scene.camera, full, thin, step, trial.shift);
   const RenderResult result = render(scene, assets, options);
+  if (result.status == RenderStatus::failed) {
+    throw std::bad_alloc();
+  }
   if (result.status != RenderStatus::complete) {
     return std::nullopt;
   }

@@ -37,6 +37,7 @@ struct ArgumentCount {
 };
 inline constexpr ArgumentCount at_most_one{0, 1};
 inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
+inline constexpr ArgumentCount one_or_two{1, 2};
 inline constexpr ArgumentCount two{2, 2};
 /// Says that memory ran out, without needing any. A limit, where one was asked for.
 ExitCode out_of_memory(const Context& context);
@@ -64,6 +65,7 @@ ExitCode run_explain(const Options& options, Context& context);
 ExitCode run_help(const Options& options, Context& context);
 ExitCode run_info(const Options& options, Context& context);
 ExitCode run_render(const Options& options, Context& context);
+ExitCode run_view(const Options& options, Context& context);
 ExitCode run_version(const Options& options, Context& context);
 
 }  // namespace scenefile::app

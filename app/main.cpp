@@ -93,6 +93,16 @@ constexpr std::array table{
             "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
+    Command{"view", for_view, "SCENE [REFERENCE]", "look at a scene in a window",
+            "Shows the scene, or the scenes of a folder, in a window: fly through it, change the "
+            "file and see the change, select objects, trace rays, compare with a picture. F1 in "
+            "the window lists all keys.",
+            "scenefile view chess.xml\n"
+            "scenefile view chess.xml reference.png\n"
+            "scenefile view scenes/\n"
+            "scenefile view chess.xml --profile course --trace\n"
+            "xvfb-run -a scenefile view chess.xml --screenshot window.png",
+            run_view, one_or_two},
     Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
             "Explains a command, or the code that stands in brackets behind a finding; codes lists "
             "all of "

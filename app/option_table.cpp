@@ -66,6 +66,15 @@ std::string set_size(Options& options, const std::string& value) {
   return wrong.empty() ? set_number(value.substr(cross + 1), 1, most, options.height) : wrong;
 }
 
+std::string set_window(Options& options, const std::string& value) {
+  Options size;
+  std::string wrong = set_size(size, value);
+  options.window = {size.width, size.height};
+  return wrong.empty() && (size.width > 16384 || size.height > 16384)
+             ? fmt::format("{} is larger than 16384x16384", quoted(value))
+             : wrong;
+}
+
 std::string set_pixel(Options& options, const std::string& value) {
   const int most = static_cast<int>(Limits{}.image_side) - 1;
   const std::size_t comma = value.find(',');
@@ -279,16 +288,16 @@ constexpr std::array table{
     OptionRow{"--profile", "", "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's reference pictures; implies --compat course.",
-              for_tracing | for_pictures, set_profile},
+              for_tracing | for_pictures | for_view, set_profile},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
               "course without super-sample.",
-              for_tracing | for_convert | for_pictures, set_features},
+              for_tracing | for_convert | for_pictures | for_view, set_features},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
-              for_tracing | for_pictures, set_mode},
+              for_tracing | for_pictures | for_view, set_mode},
     OptionRow{
         "--samples", "", "N",
         "Most samples a pixel, for the profile fine (default 16; with --engine gl 4, of 1, 4, 16, "
@@ -301,11 +310,11 @@ constexpr std::array table{
         for_tracing, set_flag<&Options::fresnel>},
     OptionRow{"--max-depth", "", "N",
               "Most reflections and refractions behind each other (default: fine 16, course 4).",
-              for_tracing | for_convert | for_pictures,
+              for_tracing | for_convert | for_pictures | for_view,
               [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
     OptionRow{"--threads", "", "N",
               "Threads (default: one a processor). The picture does not depend on it.",
-              for_tracing | for_pictures,
+              for_tracing | for_pictures | for_view,
               [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.threads); }},
     OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
               for_tracing,
@@ -372,6 +381,20 @@ constexpr std::array table{
               "Take away the noise that few samples of area lights and lenses leave, for the "
               "profile fine.",
               for_render, set_flag<&Options::denoise>},
+    OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
+              set_window},
+    OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
+              for_view, set_flag<&Options::live_trace>},
+    OptionRow{"--screenshot", "", "OUT",
+              "Write a picture of the window, a .png, when everything is there, and close it.",
+              for_view, set_png<&Options::screenshot>},
+    OptionRow{"--frames", "", "N", "With --screenshot: draw so many frames before it (default 1).",
+              for_view,
+              [](Options& o, const std::string& v) { return set_number(v, 1, 100000, o.frames); }},
+    OptionRow{"--script", "", "FILE",
+              "Do what the file says in place of a user, then close the window; docs/viewer.md has "
+              "the steps.",
+              for_view, set_name<&Options::script>},
     OptionRow{"--preview", "", "FILE",
               "Write the picture as far as it is to this file, whole, every two seconds.",
               for_render, set_preview},
@@ -379,10 +402,10 @@ constexpr std::array table{
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "
               "number.",
-              for_all_readers | for_pictures, set_compat},
+              for_all_readers | for_pictures | for_view, set_compat},
     OptionRow{"--asset-root", "", "DIR",
               "Look for textures and meshes there too. May be given several times.",
-              for_all_readers | for_pictures,
+              for_all_readers | for_pictures | for_view,
               [](Options& o, const std::string& v) {
                 o.asset_roots.push_back(v);
                 return std::string(v.empty() ? "the name is empty" : "");
@@ -390,9 +413,9 @@ constexpr std::array table{
     OptionRow{"--allow-outside", "", "",
               "Open textures and meshes wherever the scene says, not only in its folder and the "
               "asset roots.",
-              for_all_readers | for_pictures, set_flag<&Options::allow_outside>},
+              for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
-              for_tracing | for_check, set_flag<&Options::allow_missing>},
+              for_tracing | for_check | for_view, set_flag<&Options::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
               set_flag<&Options::assets, false>},
     OptionRow{"--strict", "", "", "Spellings that only some programs read are errors.", for_check,
@@ -411,13 +434,13 @@ constexpr std::array table{
     OptionRow{"--limit", "", "NAME=VALUE",
               "Set a limit on what a file may hold; \"scenefile help limits\" lists them. May be "
               "given several times.",
-              for_all_readers | for_pictures | for_format, set_limit_option},
+              for_all_readers | for_pictures | for_format | for_view, set_limit_option},
     OptionRow{"--max-memory", "", "BYTES",
               "Use no more memory, such as 800M or 4G (default: 80 % of what the system allows).",
-              for_all_readers | for_pictures | for_format, set_max_memory},
+              for_all_readers | for_pictures | for_format | for_view, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
               "Give up with status 4 after so much time, without an output.",
-              for_all_readers | for_pictures | for_format, set_timeout},
+              for_all_readers | for_pictures | for_format | for_view, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",
               for_info, set_flag<&Options::files>},
@@ -433,7 +456,7 @@ constexpr std::array table{
               for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
     OptionRow{"--help", "-h", "", "This text.",
-              for_all_readers | for_pictures | for_format | for_help | for_version,
+              for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
               set_flag<&Options::help>},
 };
 

@@ -19,6 +19,7 @@ inline constexpr unsigned for_diff = 64;
 inline constexpr unsigned for_format = 128;
 inline constexpr unsigned for_explain = 256;
 inline constexpr unsigned for_grade = 512;
+inline constexpr unsigned for_view = 1024;
 /// Pictures against pictures.
 inline constexpr unsigned for_pictures = for_diff | for_grade;
 /// Options of the tracer.

@@ -5,6 +5,7 @@
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/render.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -66,6 +67,12 @@ struct Options {
   std::string scenes;
   std::string report;
   std::string junit;
+
+  std::array<int, 2> window{};  ///< size in pixels; 0: as it was last
+  bool live_trace = false;
+  std::string screenshot;
+  int frames = 1;
+  std::string script;
 
   bool compat_course = false;
   std::vector<std::string> asset_roots;

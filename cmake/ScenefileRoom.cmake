@@ -1,5 +1,5 @@
-# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...])
-# One folder of src/scenefile is one room is one static library target scenefile::NAME. HEADERS are
+# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY])
+# PROGRAM_ONLY: not part of the installed library. One folder of src/scenefile is one room is one static library target scenefile::NAME. HEADERS are
 # the public ones, which are installed; all others are the room's own business.
 include_guard(GLOBAL)
 
@@ -12,7 +12,7 @@ target_compile_options(scenefile_options INTERFACE
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
 
 function(scenefile_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "PROGRAM_ONLY" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target scenefile_${name})
   add_library(${target} STATIC ${ROOM_SOURCES})
   add_library(scenefile::${name} ALIAS ${target})
@@ -23,6 +23,9 @@ function(scenefile_room name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
     $<BUILD_INTERFACE:scenefile_options>)
+  if(ROOM_PROGRAM_ONLY)
+    return()
+  endif()
   install(TARGETS ${target} EXPORT scenefileTargets)
   install(FILES ${ROOM_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scenefile/${name})
 endfunction()

@@ -30,6 +30,8 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"view", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
+    {"viewer",
+     {"base", "scene", "format", "geometry", "asset", "compare", "io", "trace", "view", "explain"}},
 };
 
 // Every library but the standard one and glm lives in one .cpp of one room. fmt, which only makes
@@ -46,6 +48,8 @@ const std::map<std::string, std::string> third_party = {
     {"oneapi/", "trace/tiles.cpp"},
     {"EGL/", "view/headless.cpp"},
     {"hwy/", "trace/wave.cpp"},
+    {"GLFW/", "viewer/window.cpp"},
+    {"GL/", "viewer/gl_picture.cpp"},
 };
 
 struct Include {
@@ -102,6 +106,17 @@ TEST(IncludeLaw, OneThirdPartyLibraryInOneFile) {
       if (i.name.starts_with(library)) {
         EXPECT_EQ(i.file.generic_string(), home) << "includes " << i.name;
       }
+    }
+  }
+}
+
+TEST(IncludeLaw, ImGuiOnlyInThePanelsOfTheWindow) {
+  for (const Include& i : all_includes()) {
+    if (i.name.starts_with("imgui") || i.name.starts_with("backends/")) {
+      const std::string file = i.file.generic_string();
+      EXPECT_TRUE(file == "viewer/window.cpp" ||
+                  (file.starts_with("viewer/gui") && file.ends_with(".cpp")))
+          << file << " includes " << i.name;
     }
   }
 }

@@ -44,6 +44,11 @@ TEST(MemoryLimit, TheDefaultIsWhatAMachineHas) {
   EXPECT_LT(default_memory_limit(), std::uint64_t{1} << 50);
 }
 
+TEST(MemoryInUse, IsThatOfThisProcess) {
+  EXPECT_GT(memory_in_use(), std::uint64_t{1} << 20);
+  EXPECT_LT(memory_in_use(), std::uint64_t{1} << 40);
+}
+
 }  // namespace
 
 }  // namespace scenefile

@@ -108,4 +108,15 @@ void limit_memory([[maybe_unused]] std::uint64_t bytes) {
 #endif
 }
 
+std::uint64_t memory_in_use() {
+  // Pages: in all, then resident.
+  const std::string text = kernel_text("/proc/self/statm");
+  const std::size_t blank = text.find(' ');
+  std::uint64_t pages = 0;
+  if (blank != std::string::npos) {
+    std::from_chars(text.data() + blank + 1, text.data() + text.size(), pages);
+  }
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
 }  // namespace scenefile

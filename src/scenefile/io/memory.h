@@ -17,6 +17,9 @@ std::uint64_t default_memory_limit();
 /// of their own.
 void limit_memory(std::uint64_t bytes);
 
+/// How much memory of the machine the process takes now, in bytes; 0 where that is unknown.
+std::uint64_t memory_in_use();
+
 /// The least limit that the control groups in `membership` (the text of /proc/self/cgroup) and
 /// their parents set, read from files below `root` (/sys/fs/cgroup); UINT64_MAX: none.
 std::uint64_t cgroup_memory_limit(std::string_view membership, const std::string& root);

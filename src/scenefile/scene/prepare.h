@@ -37,6 +37,9 @@ struct Prepared {
 /// safe to use. Takes time and memory proportional to the size of the scene.
 Prepared prepare(const Scene& scene, const Limits& limits);
 
+/// The camera that prepare() makes of a written one; what check() refuses becomes the default.
+RenderCamera ready_camera(const Camera& camera);
+
 /// Names from the root (or template) down to the node, joined by '/'; nameless nodes appear as
 /// `#k`, their place among their siblings from 1. For messages.
 std::string node_path(const Scene& scene, NodeId node);

@@ -1,4 +1,4 @@
-#include "scenefile/scene/prepare_parts.h"
+#include "scenefile/scene/prepare.h"
 
 #include <cmath>
 

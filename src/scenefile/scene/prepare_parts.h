@@ -14,8 +14,6 @@
 
 namespace scenefile {
 
-RenderCamera ready_camera(const Camera& camera);
-
 /// The light with its values made safe, in the space that `space_from_node` leads to; nothing when
 /// it lights nothing because it has no direction or no finite place.
 std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_from_node);

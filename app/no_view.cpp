@@ -1,0 +1,15 @@
+// In place of view.cpp where the program is built without the room viewer.
+
+#include "app/command.h"
+#include "app/output.h"
+
+namespace scenefile::app {
+
+ExitCode run_view(const Options& /*options*/, Context& /*context*/) {
+  say_error(
+      "view: this program was built without a window (SCENEFILE_VIEWER); "
+      "\"scenefile render\" draws into files");
+  return ExitCode::environment;
+}
+
+}  // namespace scenefile::app

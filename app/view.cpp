@@ -1,0 +1,121 @@
+#include "app/command.h"
+#include "app/findings.h"
+#include "app/load.h"
+#include "app/output.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+#include "scenefile/viewer/playlist.h"
+#include "scenefile/viewer/window.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace scenefile::app {
+
+namespace {
+
+// In a thread of the window.
+viewer::OpenedScene open_for_view(const std::string& path, const Options& options) {
+  Context context;
+  LoadedScene loaded =
+      load_scene(path, options, LoadDepth::with_all_assets, options.allow_missing, context);
+  if (loaded.unreadable.empty()) {
+    check_picture(loaded, {});
+  }
+  viewer::OpenedScene opened;
+  if (status_of(loaded) == ExitCode::fine) {
+    for (const AssetFile& file : locate_files(loaded, options)) {
+      opened.files.push_back(file.resolved.path);
+    }
+  }
+  opened.path = path;
+  opened.text = std::move(loaded.text);
+  opened.unreadable = std::move(loaded.unreadable.text);
+  opened.written = std::move(loaded.written);
+  opened.ready = std::move(loaded.ready);
+  opened.assets = std::move(loaded.assets);
+  opened.diagnostics = std::move(loaded.diagnostics);
+  return opened;
+}
+
+// Why there is nothing to look at; empty: there may be.
+std::string missing(const Options& options) {
+  const std::string& scene = options.arguments.front();
+  if (scene != "-" && viewer::scene_at(scene).empty()) {
+    return scene + ": there is no scene in this folder";
+  }
+  if (scene != "-" && !stamp_of(scene).exists) {
+    return scene + ": there is no such file";
+  }
+  if (options.arguments.size() > 1 && !stamp_of(options.arguments[1]).exists) {
+    return options.arguments[1] + ": there is no such file";
+  }
+  return {};
+}
+
+// What is done without a user.
+viewer::Script script_of(const Options& options, std::string& error) {
+  std::string text;
+  if (!options.script.empty()) {
+    error = read_file(options.script, options.limits.file_bytes, text).text;
+  }
+  if (!options.screenshot.empty()) {
+    text +=
+        fmt::format("settle\nframes {}\nscreenshot {}\nquit\n", options.frames, options.screenshot);
+  }
+  return viewer::parse_script(text);
+}
+
+viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
+  viewer::WindowOptions window;
+  window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
+  window.setup.read = {.compat_course = options.compat_course, .limits = options.limits};
+  window.setup.trace = render_options(options);
+  window.scene = options.arguments.front();
+  window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
+  if (script.steps.empty()) {
+    window.settings = viewer::settings_path(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+  }
+  if (options.window[0] != 0) {
+    window.size = {options.window[0], options.window[1]};
+  }
+  if (options.live_trace) {
+    window.ray_tracing = true;
+  }
+  window.script = std::move(script);
+  return window;
+}
+
+}  // namespace
+
+ExitCode run_view(const Options& options, Context& context) {
+  if (const std::string text = missing(options); !text.empty()) {
+    say_error(text);
+    return ExitCode::environment;
+  }
+  std::string error;
+  viewer::Script script = script_of(options, error);
+  if (!error.empty()) {
+    say_error(error);
+    return ExitCode::environment;
+  }
+  if (!script.wrong.empty()) {
+    say_error(fmt::format("{}: {}", options.script, script.wrong));
+    return ExitCode::usage;
+  }
+  const bool unattended = !script.steps.empty();
+  context.phase = "showing the window";
+  const viewer::WindowResult result =
+      viewer::run_window(window_options(options, std::move(script)));
+  if (result.status != viewer::WindowStatus::closed) {
+    const bool no_display = result.status == viewer::WindowStatus::no_display;
+    say_error(result.error +
+              (no_display ? "; \"scenefile render\" draws into files without a screen" : ""));
+    return ExitCode::environment;
+  }
+  return unattended && !result.shown ? ExitCode::findings : ExitCode::fine;
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,115 @@
+#include "scenefile/viewer/actions.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile::viewer {
+
+namespace {
+
+constexpr std::array table{
+    ActionRow{Action::scene_camera, "Home", "Camera", "the scene's own camera"},
+    ActionRow{Action::frame, "F", "Camera", "frame what is selected, or everything"},
+    ActionRow{Action::side_front, "Ctrl+1", "Camera", "from the front (with Shift: from behind)"},
+    ActionRow{Action::side_right, "Ctrl+3", "Camera", "from the right (Shift: left)"},
+    ActionRow{Action::side_top, "Ctrl+7", "Camera", "from above (Shift: below)"},
+    ActionRow{Action::save_view, "Ctrl+S", "Camera", "save the view into the scene's file"},
+    ActionRow{Action::shaded, "1", "Show", "shaded"},
+    ActionRow{Action::wireframe, "2", "Show", "wireframe"},
+    ActionRow{Action::normals, "3", "Show", "normals"},
+    ActionRow{Action::uv, "4", "Show", "texture coordinates"},
+    ActionRow{Action::depth, "5", "Show", "depth"},
+    ActionRow{Action::object_id, "6", "Show", "objects, each in a color"},
+    ActionRow{Action::bounding_boxes, "7", "Show", "overdraw of bounding boxes"},
+    ActionRow{Action::toggle_textures, "T", "Show", "textures"},
+    ActionRow{Action::toggle_shadows, "K", "Show", "shadows"},
+    ActionRow{Action::next_light, "L", "Show", "one light at a time"},
+    ActionRow{Action::all_lights, "Shift+L", "Show", "all lights"},
+    ActionRow{Action::hide_selected, "H", "Show", "hide what is selected, or show it again"},
+    ActionRow{Action::show_all, "Shift+H", "Show", "show everything"},
+    ActionRow{Action::trace, "R", "Picture", "ray tracing when the camera rests"},
+    ActionRow{Action::split, "X", "Picture", "ours beside the reference"},
+    ActionRow{Action::difference, "M", "Picture", "where they differ: heat map, FLIP, reference"},
+    ActionRow{Action::screenshot, "F12", "Picture", "screenshot of the window"},
+    ActionRow{Action::reload, "F5", "Scene", "read the file again"},
+    ActionRow{Action::next_scene, "Page Down", "Scene", "the next scene of the folder"},
+    ActionRow{Action::previous_scene, "Page Up", "Scene", "the scene before it"},
+    ActionRow{Action::outline, "O", "Window", "outline"},
+    ActionRow{Action::messages, "P", "Window", "messages"},
+    ActionRow{Action::statistics, "I", "Window", "figures"},
+    ActionRow{Action::panels, "Tab", "Window", "nothing but the picture"},
+    ActionRow{Action::larger_text, "Ctrl++", "Window", "larger text"},
+    ActionRow{Action::smaller_text, "Ctrl+-", "Window", "smaller text"},
+    ActionRow{Action::full_screen, "F11", "Window", "full screen"},
+    ActionRow{Action::help, "F1", "Window", "this help"},
+    ActionRow{Action::escape, "Escape", "Window", "close the help, or select nothing"},
+    ActionRow{Action::quit, "Ctrl+Q", "Window", "quit"},
+};
+
+constexpr std::array gesture_table{
+    GestureRow{"drag", "turn the scene"},
+    GestureRow{"Shift + drag, middle drag", "move the picture"},
+    GestureRow{"Ctrl + drag", "look around"},
+    GestureRow{"wheel, right drag", "go nearer or away"},
+    GestureRow{"W A S D Q E", "fly; with Shift faster"},
+    GestureRow{"click", "select; its line stands in the outline"},
+    GestureRow{"drop a scene or folder", "open it"},
+    GestureRow{"drop a picture", "compare with it"},
+};
+
+}  // namespace
+
+std::span<const ActionRow> actions() {
+  return table;
+}
+
+std::span<const GestureRow> gestures() {
+  return gesture_table;
+}
+
+const ActionRow& row_of(Action action) {
+  return *std::find_if(table.begin(), table.end(),
+                       [&](const ActionRow& row) { return row.action == action; });
+}
+
+std::string key_text(const KeyPress& key) {
+  std::string text(key.control ? "Ctrl+" : "");
+  text.append(key.shift ? "Shift+" : "").append(key.name);
+  return text;
+}
+
+KeyPress parse_key(std::string_view text) {
+  KeyPress key;
+  const auto take = [&](std::string_view prefix, bool& flag) {
+    // "Ctrl++" is the key +.
+    if (text.size() > prefix.size() && text.starts_with(prefix)) {
+      flag = true;
+      text.remove_prefix(prefix.size());
+    }
+  };
+  take("Ctrl+", key.control);
+  take("Shift+", key.shift);
+  key.name = text;
+  return key;
+}
+
+const ActionRow* action_of(const KeyPress& key) {
+  const auto find = [](const std::string& text) {
+    const auto found = std::find_if(table.begin(), table.end(),
+                                    [&](const ActionRow& row) { return row.key == text; });
+    return found == table.end() ? nullptr : &*found;
+  };
+  if (const ActionRow* const row = find(key_text(key)); row != nullptr) {
+    return row;
+  }
+  if (key.name == "?") {
+    return find("F1");
+  }
+  // The sides of the camera have a meaning of their own with Shift.
+  const ActionRow* const row = find(key_text({key.name, key.control, false}));
+  const bool side =
+      row != nullptr && row->action >= Action::side_front && row->action <= Action::side_top;
+  return side ? row : nullptr;
+}
+
+}  // namespace scenefile::viewer

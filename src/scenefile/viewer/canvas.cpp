@@ -1,0 +1,72 @@
+#include "scenefile/viewer/canvas.h"
+
+#include <cmath>
+#include <utility>
+
+namespace scenefile::viewer {
+
+namespace {
+
+// What is selected is tinted where it is one thing; groups get a box (gui_overlay.cpp).
+std::uint32_t highlighted(const Session& session) {
+  return session.selected ? session.shown->outline.rows[*session.selected].source : no_index;
+}
+
+}  // namespace
+
+std::unique_ptr<Canvas> Canvas::create(GetProcAddress find, std::string& error) {
+  std::unique_ptr<GlDevice> device = GlDevice::create(find, error);
+  return device == nullptr ? nullptr : std::unique_ptr<Canvas>(new Canvas(std::move(device)));
+}
+
+void Canvas::update(Session& session) {
+  if (session.shown != nullptr && session.version != version_) {
+    version_ = session.version;
+    Diagnostics found;
+    const OpenedScene& opened = session.shown->opened;
+    drawing_.emplace(upload(*device_, opened.ready.scene, opened.assets, {}, found));
+    session.drawing_notes.clear();
+    for (const Diagnostic& finding : found.list()) {
+      session.drawing_notes.push_back(finding.message);
+    }
+  }
+  if (session.traced) {
+    traced_.show(quantize(session.traced->image, rounding_of(session.setup.trace.profile)),
+                 session.traced_version);
+  }
+  reference_.show(session.reference, session.reference_version);
+  if (session.comparison) {
+    difference_.show(session.comparison->difference, session.comparison_version);
+    flip_.show(session.comparison->flip, session.comparison_version);
+  }
+}
+
+void Canvas::draw(const Session& session, int framebuffer_height, double scale, bool quick) {
+  if (!drawing_) {
+    return;
+  }
+  DrawOptions options = draw_options(session);
+  options.samples = quick || options.course ? 1 : 4;
+  options.highlighted = highlighted(session);
+  const Box& box = session.picture;
+  DrawTarget target;
+  target.x = static_cast<int>(std::lround(box.at.x * scale));
+  target.width = static_cast<int>(std::lround(box.size.x * scale));
+  target.height = static_cast<int>(std::lround(box.size.y * scale));
+  target.y = framebuffer_height - static_cast<int>(std::lround(box.at.y * scale)) - target.height;
+  stats_ = scenefile::draw(*device_, *drawing_, render_camera(session.camera), options, target);
+}
+
+Texture Canvas::picture_for_reference(const Session& session) {
+  if (!drawing_) {
+    return {};
+  }
+  DrawOptions options = draw_options(session);
+  options.samples = options.course ? 1 : 8;
+  std::string error;
+  const Image image = draw_image(*device_, *drawing_, render_camera(session.camera), options,
+                                 session.reference.width, session.reference.height, error);
+  return error.empty() ? quantize(image, Rounding::nearest) : Texture();
+}
+
+}  // namespace scenefile::viewer

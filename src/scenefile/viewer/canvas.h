@@ -1,0 +1,50 @@
+#pragma once
+// The picture in the window: OpenGL's, the ray tracer's, the reference and their differences.
+// Internal to the room; needs the window's context.
+
+#include "scenefile/view/draw.h"
+#include "scenefile/viewer/gl_picture.h"
+#include "scenefile/viewer/session.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace scenefile::viewer {
+
+class Canvas {
+ public:
+  /// Null, with `error` set, where the context will not do.
+  static std::unique_ptr<Canvas> create(GetProcAddress find, std::string& error);
+
+  /// Takes over what has changed in the session: scenes and pictures go to the graphics card.
+  void update(Session& session);
+
+  /// Draws the scene where the session's picture is, in a framebuffer of this height in pixels;
+  /// `scale` pixels to a unit of the window. `quick`: one sample a pixel.
+  void draw(const Session& session, int framebuffer_height, double scale, bool quick);
+
+  /// What OpenGL makes of the scene at the size of the reference; empty where that is too large.
+  Texture picture_for_reference(const Session& session);
+
+  const GlPicture& traced() const { return traced_; }
+  const GlPicture& reference() const { return reference_; }
+  const GlPicture& difference() const { return difference_; }
+  const GlPicture& flip() const { return flip_; }
+  const DrawStats& stats() const { return stats_; }
+  const std::string& renderer() const { return device_->renderer(); }
+
+ private:
+  explicit Canvas(std::unique_ptr<GlDevice> device) : device_(std::move(device)) {}
+
+  std::unique_ptr<GlDevice> device_;
+  std::optional<Drawing> drawing_;
+  std::uint64_t version_ = 0;  ///< of the scene in `drawing_`
+  GlPicture traced_;
+  GlPicture reference_;
+  GlPicture difference_;
+  GlPicture flip_;
+  DrawStats stats_;
+};
+
+}  // namespace scenefile::viewer

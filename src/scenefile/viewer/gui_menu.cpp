@@ -1,0 +1,150 @@
+// The menus, made of the table of keys, and the status line.
+
+#include "scenefile/base/text.h"
+#include "scenefile/viewer/gui.h"
+#include "scenefile/viewer/gui_colors.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string>
+
+namespace scenefile::viewer {
+
+namespace {
+
+bool is_on(const Session& session, Action action) {
+  switch (action) {
+    case Action::shaded:
+    case Action::wireframe:
+    case Action::normals:
+    case Action::uv:
+    case Action::depth:
+    case Action::object_id:
+    case Action::bounding_boxes:
+      return static_cast<int>(session.mode) ==
+             static_cast<int>(action) - static_cast<int>(Action::shaded);
+    case Action::toggle_textures:
+      return session.settings.textures;
+    case Action::toggle_shadows:
+      return session.settings.shadows;
+    case Action::next_light:
+      return session.only_light.has_value();
+    case Action::trace:
+      return session.settings.ray_tracing;
+    case Action::split:
+      return session.compare == CompareView::split;
+    case Action::difference:
+      return session.compare >= CompareView::reference;
+    case Action::outline:
+      return session.settings.outline;
+    case Action::messages:
+      return session.settings.messages;
+    case Action::statistics:
+      return session.settings.statistics;
+    case Action::full_screen:
+      return session.full_screen;
+    default:
+      return false;
+  }
+}
+
+bool is_possible(const Session& session, Action action) {
+  switch (action) {
+    case Action::split:
+    case Action::difference:
+      return !session.reference.empty();
+    case Action::hide_selected:
+      return session.selected.has_value();
+    case Action::show_all:
+      return !session.hidden.empty();
+    default:
+      return session.shown != nullptr || action >= Action::reload;
+  }
+}
+
+std::string capitalized(std::string_view text) {
+  std::string result(text);
+  if (!result.empty() && result.front() >= 'a' && result.front() <= 'z') {
+    result.front() = static_cast<char>(result.front() - 'a' + 'A');
+  }
+  return result;
+}
+
+void build_group(Session& session, std::string_view group) {
+  for (const ActionRow& row : actions()) {
+    if (row.group == group &&
+        ImGui::MenuItem(capitalized(row.what).c_str(), std::string(row.key).c_str(),
+                        is_on(session, row.action), is_possible(session, row.action))) {
+      perform(session, row.action);
+    }
+  }
+}
+
+void dim_text(const std::string& text) {
+  ImGui::TextDisabled("%s", text.c_str());
+}
+
+// At the right end of the menu bar.
+void build_title(const Session& session) {
+  const std::string text = escaped(scene_name(session), 80);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetFontSize());
+  dim_text(text);
+}
+
+std::string tracing_text(const Session& session) {
+  if (!session.settings.ray_tracing || session.mode != DrawMode::shaded) {
+    return "OpenGL";
+  }
+  if (!session.traced) {
+    return "ray tracing when the camera rests";
+  }
+  const TracedPicture& picture = *session.traced;
+  return picture.complete ? fmt::format("ray traced in {:.1f} s", picture.seconds)
+                          : fmt::format("ray tracing {:.0f} %", 100 * picture.done);
+}
+
+}  // namespace
+
+void build_menu(Session& session) {
+  if (!ImGui::BeginMainMenuBar()) {
+    return;
+  }
+  std::string_view group;
+  for (const ActionRow& row : actions()) {
+    if (row.group != group) {
+      group = row.group;
+      if (ImGui::BeginMenu(std::string(group).c_str())) {
+        build_group(session, group);
+        ImGui::EndMenu();
+      }
+    }
+  }
+  build_title(session);
+  ImGui::EndMainMenuBar();
+}
+
+void build_status(const Session& session, const GuiFrame& frame) {
+  if (session.shown == nullptr) {
+    dim_text(session.loading.busy() ? "reading " + escaped(scene_name(session), 80)
+                                    : "drop a scene into the window");
+    return;
+  }
+  const glm::dvec3& p = session.camera.position;
+  std::string text = fmt::format("{}   {}   camera {:.4g} {:.4g} {:.4g}", mode_text(session),
+                                 tracing_text(session), p.x, p.y, p.z);
+  if (session.comparison && session.compare != CompareView::off) {
+    text += "   " + measures_text(session.comparison->measures);
+  } else if (session.comparing.busy()) {
+    text += "   comparing";
+  }
+  ImGui::AlignTextToFramePadding();
+  dim_text(text);
+  const std::string hint = fmt::format("{}F1 help", session.loading.busy() ? "reading   " : "");
+  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(hint.c_str()).x -
+                  static_cast<float>(14 * frame.scale));
+  dim_text(hint);
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,119 @@
+// What is wrong with the file, with places and excerpts.
+
+#include "scenefile/base/report.h"
+#include "scenefile/base/text.h"
+#include "scenefile/viewer/gui.h"
+#include "scenefile/viewer/gui_colors.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <string_view>
+#include <vector>
+
+namespace scenefile::viewer {
+
+namespace {
+
+ImU32 color_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return rgba(color_error);
+    case Severity::warning:
+      return rgba(color_warning);
+    case Severity::note:
+      return rgba(color_dim);
+  }
+  return rgba(color_text);
+}
+
+void colored(ImU32 color, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+}
+
+// The line of the file; tabs count as one column, so they are drawn as one blank.
+std::string line_of(std::string_view text, std::uint32_t line) {
+  std::size_t begin = 0;
+  for (std::uint32_t i = 1; i < line && begin != std::string_view::npos; ++i) {
+    begin = text.find('\n', begin);
+    begin += begin == std::string_view::npos ? 0 : 1;
+  }
+  if (begin == std::string_view::npos) {
+    return {};
+  }
+  std::string result(text.substr(begin, text.find('\n', begin) - begin));
+  for (char& c : result) {
+    c = c == '\t' ? ' ' : c;
+  }
+  return result;
+}
+
+void build_excerpt(const std::string& text, const Location& location) {
+  constexpr std::size_t most = 160;
+  const std::string line = line_of(text, location.line);
+  const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+  if (blanks == line.size() || location.column <= blanks || location.column > most) {
+    return;
+  }
+  ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
+  ImGui::Indent(ImGui::GetFontSize());
+  colored(rgba(color_dim), escaped(line.substr(blanks), most));
+  colored(rgba(color_accent), std::string(location.column - 1 - blanks, ' ') + "^");
+  ImGui::Unindent(ImGui::GetFontSize());
+  ImGui::PopFont();
+}
+
+void build_finding(const OpenedScene& scene, const Diagnostic& finding, bool excerpt) {
+  const std::string file = finding.file.empty() ? scene.path : finding.file;
+  std::string place = escaped(file_name_of(file), 80);
+  if (finding.location.known()) {
+    place += fmt::format(":{}:{}", finding.location.line, finding.location.column);
+  }
+  colored(color_of(finding.severity), place);
+  ImGui::SameLine();
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(escaped(finding.message, 600).c_str());
+  ImGui::PopTextWrapPos();
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", std::string(finding.code->help).c_str());
+  }
+  if (excerpt && finding.file.empty() && finding.location.known()) {
+    build_excerpt(scene.text, finding.location);
+  }
+}
+
+void build_heading(const Session& session) {
+  const SceneOnShow& scene = session.broken != nullptr ? *session.broken : *session.shown;
+  const std::string verdict = scene.opened.unreadable.empty()
+                                  ? verdict_text(scene.opened.diagnostics, scene_name(session))
+                                  : scene.opened.unreadable;
+  if (session.broken == nullptr) {
+    colored(rgba(color_dim), escaped(verdict, 400));
+    return;
+  }
+  colored(rgba(color_error), escaped(verdict, 400));
+  if (session.shown != nullptr) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("the picture is of the last good version");
+  }
+}
+
+}  // namespace
+
+void build_messages(const Session& session) {
+  build_heading(session);
+  const OpenedScene& opened =
+      session.broken != nullptr ? session.broken->opened : session.shown->opened;
+  int excerpts = session.broken != nullptr ? 3 : 0;
+  for (const Diagnostic* finding : by_place(opened.diagnostics)) {
+    build_finding(opened, *finding, excerpts > 0 && finding->severity == Severity::error);
+    excerpts -= finding->severity == Severity::error ? 1 : 0;
+  }
+  for (const std::string& note : session.drawing_notes) {
+    ImGui::TextDisabled("%s", escaped(note, 400).c_str());
+  }
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,377 @@
+// The scene graph, and what is selected in it.
+
+#include "scenefile/base/text.h"
+#include "scenefile/viewer/gui.h"
+#include "scenefile/viewer/gui_colors.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile::viewer {
+
+namespace {
+
+/// Draws one row; sizes follow the height of the text.
+class RowPainter {
+ public:
+  RowPainter(Session& session, std::uint32_t row)
+      : session_(session),
+        scene_(*session.shown),
+        index_(row),
+        row_(scene_.outline.rows[row]),
+        height_(ImGui::GetTextLineHeight()) {}
+
+  void build() {
+    ImGui::PushID(static_cast<int>(index_));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool selected = session_.selected == index_;
+    const bool clicked = ImGui::Selectable("##row", selected, ImGuiSelectableFlags_AllowItemOverlap,
+                                           {width, height_ + 2});
+    hovered_ = ImGui::IsItemHovered();
+    if (selected && session_.reveal_selected) {
+      ImGui::SetScrollHereY(0.4F);
+      session_.reveal_selected = false;
+    }
+    react(clicked, at, width);
+    paint(at, width);
+    ImGui::PopID();
+  }
+
+ private:
+  bool holds_rows() const { return row_.end > index_ + 1; }
+  float indent() const { return static_cast<float>(row_.depth) * height_ * 0.8F; }
+  float arrow_end() const { return indent() + height_ * 1.1F; }
+
+  void toggle_open() {
+    if (!session_.open_rows.erase(index_)) {
+      session_.open_rows.insert(index_);
+    }
+  }
+
+  void react(bool clicked, const ImVec2& at, float width) {
+    if (hovered_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && holds_rows()) {
+      toggle_open();
+    } else if (clicked && holds_rows() && ImGui::GetIO().MousePos.x < at.x + arrow_end()) {
+      toggle_open();
+    } else if (clicked && ImGui::GetIO().MousePos.x < at.x + width - height_ * 1.3F) {
+      select(session_, index_);
+      session_.reveal_selected = false;
+    }
+  }
+
+  void paint(const ImVec2& at, float width) {
+    hidden_ = is_hidden(session_, index_);
+    const float y = at.y + 1;
+    if (holds_rows()) {
+      paint_arrow({at.x + indent() + height_ * 0.4F, y + height_ * 0.5F});
+    }
+    paint_icon({at.x + arrow_end() + height_ * 0.4F, y + height_ * 0.52F});
+    const float text_x = at.x + arrow_end() + height_ * 1.05F;
+    const float right = paint_right(at, width, y);
+    paint_text(text_x, y, right);
+  }
+
+  void paint_arrow(const ImVec2& c) const {
+    const float r = height_ * 0.24F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    if (session_.open_rows.contains(index_)) {
+      draw.AddTriangleFilled({c.x - r, c.y - r * 0.6F}, {c.x + r, c.y - r * 0.6F},
+                             {c.x, c.y + r * 0.8F}, rgba(color_dim));
+    } else {
+      draw.AddTriangleFilled({c.x - r * 0.6F, c.y - r}, {c.x + r * 0.8F, c.y},
+                             {c.x - r * 0.6F, c.y + r}, rgba(color_dim));
+    }
+  }
+
+  // The color of the material; at least visible.
+  ImU32 material_color() const {
+    if (row_.source == no_index) {
+      return rgba(color_dim);
+    }
+    glm::vec3 c(0.5F);
+    for (const RenderGroup& group : scene_.opened.ready.scene.groups) {
+      const auto found =
+          std::find_if(group.primitives.begin(), group.primitives.end(),
+                       [&](const RenderPrimitive& p) { return p.source == row_.source; });
+      if (found != group.primitives.end()) {
+        const RenderMaterial& m = scene_.opened.ready.scene.materials[found->material];
+        c = glm::clamp(m.diffuse + m.transparent + 0.5F * m.reflective, 0.12F, 1.0F);
+        break;
+      }
+    }
+    return ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1});
+  }
+
+  Shape shape() const {
+    const auto* const found = std::find(shape_words.begin(), shape_words.end(), row_.label);
+    return static_cast<Shape>(std::min<std::ptrdiff_t>(found - shape_words.begin(), 4));
+  }
+
+  void paint_shape(const ImVec2& c, float r) const {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 color = material_color();
+    switch (shape()) {
+      case Shape::sphere:
+        draw.AddCircleFilled(c, r, color, 20);
+        break;
+      case Shape::cube:
+        draw.AddRectFilled({c.x - r * 0.9F, c.y - r * 0.9F}, {c.x + r * 0.9F, c.y + r * 0.9F},
+                           color, 1);
+        break;
+      case Shape::cone:
+        draw.AddTriangleFilled({c.x, c.y - r}, {c.x - r, c.y + r}, {c.x + r, c.y + r}, color);
+        break;
+      case Shape::cylinder:
+        draw.AddRectFilled({c.x - r * 0.65F, c.y - r}, {c.x + r * 0.65F, c.y + r}, color, r * 0.5F);
+        break;
+      case Shape::mesh:
+        draw.AddQuadFilled({c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}, {c.x - r, c.y}, color);
+        break;
+    }
+  }
+
+  void paint_icon(const ImVec2& c) const {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const float r = height_ * 0.32F;
+    const ImU32 line = rgba(color_dim);
+    switch (row_.kind) {
+      case RowKind::primitive:
+        paint_shape(c, r);
+        break;
+      case RowKind::light:
+        draw.AddCircleFilled(c, r * 0.6F, rgba(color_light), 16);
+        for (int i = 0; i < 8; ++i) {
+          const float a = static_cast<float>(i) * 0.785398F;
+          const ImVec2 d{std::cos(a), std::sin(a)};
+          draw.AddLine({c.x + d.x * r * 0.85F, c.y + d.y * r * 0.85F},
+                       {c.x + d.x * r * 1.3F, c.y + d.y * r * 1.3F}, rgba(color_light), 1);
+        }
+        break;
+      case RowKind::camera:
+        draw.AddRectFilled({c.x - r, c.y - r * 0.6F}, {c.x + r * 0.3F, c.y + r * 0.6F}, line, 1);
+        draw.AddTriangleFilled({c.x + r * 0.2F, c.y}, {c.x + r, c.y - r * 0.6F},
+                               {c.x + r, c.y + r * 0.6F}, line);
+        break;
+      case RowKind::copy:
+        draw.AddRect({c.x - r, c.y - r}, {c.x + r * 0.4F, c.y + r * 0.4F}, line, 1);
+        draw.AddRectFilled({c.x - r * 0.4F, c.y - r * 0.4F}, {c.x + r, c.y + r}, line, 1);
+        break;
+      case RowKind::group:
+      case RowKind::templates:
+        draw.AddRect({c.x - r, c.y - r * 0.8F}, {c.x + r, c.y + r * 0.8F}, line, 2);
+        break;
+    }
+  }
+
+  // The line in the file, and the switch; returns where they begin.
+  float paint_right(const ImVec2& at, float width, float y) {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    float x = at.x + width - height_ * 1.2F;
+    if (!sources_in(scene_.outline, index_).empty()) {
+      paint_switch({x + height_ * 0.6F, y + height_ * 0.52F});
+    }
+    if (row_.location.known()) {
+      const std::string line = fmt::format("{}", row_.location.line);
+      x -= ImGui::CalcTextSize(line.c_str()).x + height_ * 0.3F;
+      draw.AddText({x, y}, rgba(color_dim, 150), line.c_str());
+    }
+    return x - height_ * 0.4F;
+  }
+
+  void paint_switch(const ImVec2& c) {
+    const float r = height_ * 0.26F;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool over = hovered_ && std::abs(mouse.x - c.x) < height_ * 0.7F;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 color = rgba(over ? color_accent : color_dim, hidden_ || over ? 255 : 130);
+    if (hidden_) {
+      draw.AddCircle(c, r, color, 16, 1.3F);
+    } else {
+      draw.AddCircleFilled(c, r, color, 16);
+    }
+    if (over) {
+      ImGui::SetTooltip(hidden_ ? "show" : "hide");
+      if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+        toggle_hidden(session_, index_);
+      }
+    }
+  }
+
+  void paint_text(float x, float y, float right) const {
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRect({x, y - 2}, {right, y + height_ + 4}, true);
+    const std::string label = escaped(row_.label, 80);
+    draw.AddText({x, y}, rgba(color_text, hidden_ ? 110 : 255), label.c_str());
+    if (!row_.detail.empty()) {
+      const float after = x + ImGui::CalcTextSize(label.c_str()).x + height_ * 0.5F;
+      draw.AddText({after, y}, rgba(color_dim, hidden_ ? 90 : 220),
+                   escaped(row_.detail, 80).c_str());
+    }
+    draw.PopClipRect();
+  }
+
+  Session& session_;
+  const SceneOnShow& scene_;
+  std::uint32_t index_;
+  const OutlineRow& row_;
+  float height_;
+  bool hovered_ = false;
+  bool hidden_ = false;
+};
+
+// The clipper skips rows that are out of sight; the one to scroll to must not be skipped.
+void scroll_to_selected(Session& session, const std::vector<std::uint32_t>& rows,
+                        float row_height) {
+  if (!session.reveal_selected || !session.selected) {
+    return;
+  }
+  const auto found = std::find(rows.begin(), rows.end(), *session.selected);
+  if (found != rows.end()) {
+    const float y = static_cast<float>(found - rows.begin()) * row_height;
+    const float top = ImGui::GetScrollY();
+    const float height = ImGui::GetWindowHeight();
+    if (y < top || y + row_height > top + height) {
+      ImGui::SetScrollY(std::max(0.0F, y - height * 0.4F));
+    }
+  }
+  session.reveal_selected = false;
+}
+
+void build_rows(Session& session) {
+  const std::vector<std::uint32_t> rows = visible_rows(session.shown->outline, session.open_rows);
+  const float row_height = ImGui::GetTextLineHeight() + 2 + ImGui::GetStyle().ItemSpacing.y;
+  scroll_to_selected(session, rows, row_height);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), row_height);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      RowPainter(session, rows[static_cast<std::size_t>(i)]).build();
+    }
+  }
+}
+
+void value_line(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(ImGui::GetFontSize() * 6);
+  ImGui::TextUnformatted(value.c_str());
+}
+
+void color_line(const char* name, const glm::vec3& color) {
+  if (color == glm::vec3(0)) {
+    return;
+  }
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(ImGui::GetFontSize() * 6);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float size = ImGui::GetTextLineHeight();
+  const glm::vec3 c = glm::clamp(color, 0.0F, 1.0F);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 1}, {at.x + size, at.y + size - 1},
+                                            ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}), 3);
+  ImGui::Dummy({size, size});
+  ImGui::SameLine();
+  ImGui::TextUnformatted(fmt::format("{:.3g} {:.3g} {:.3g}", color.r, color.g, color.b).c_str());
+}
+
+const RenderPrimitive* find_primitive(const RenderScene& scene, std::uint32_t source) {
+  for (const RenderGroup& group : scene.groups) {
+    for (const RenderPrimitive& primitive : group.primitives) {
+      if (primitive.source == source) {
+        return &primitive;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void build_material(const RenderScene& scene, const RenderPrimitive& primitive) {
+  const RenderMaterial& m = scene.materials[primitive.material];
+  color_line("ambient", m.ambient);
+  color_line("diffuse", m.diffuse);
+  color_line("specular", m.specular);
+  color_line("reflective", m.reflective);
+  color_line("transparent", m.transparent);
+  if (m.specular != glm::vec3(0)) {
+    value_line("shininess", fmt::format("{:.4g}", m.shininess));
+  }
+  if (m.transparent != glm::vec3(0)) {
+    value_line("ior", fmt::format("{:.4g}", m.ior));
+  }
+  if (m.texture.used()) {
+    value_line("texture", escaped(file_name_of(scene.texture_files[m.texture.file].name), 60));
+  }
+}
+
+void build_light(const RenderLight& light) {
+  color_line("color", light.color);
+  const auto vector = [](const glm::vec3& v) {
+    return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z);
+  };
+  if (light.type != LightType::directional) {
+    value_line("position", vector(light.position));
+    value_line("attenuation", vector(light.attenuation));
+  }
+  if (light.type != LightType::point) {
+    value_line("direction", vector(light.direction));
+  }
+}
+
+void build_light_of(Session& session, std::uint32_t source) {
+  const RenderScene& scene = session.shown->opened.ready.scene;
+  const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
+                                  [&](const RenderLight& l) { return l.source == source; });
+  if (found == scene.lights.end()) {
+    return;
+  }
+  build_light(*found);
+  const auto index = static_cast<std::uint32_t>(found - scene.lights.begin());
+  bool alone = session.only_light == index;
+  if (ImGui::Checkbox("this light alone", &alone)) {
+    show_only_light(session, alone ? std::optional(index) : std::nullopt);
+  }
+}
+
+void build_inspector(Session& session) {
+  const OutlineRow& row = session.shown->outline.rows[*session.selected];
+  ImGui::TextUnformatted(escaped(row.label, 60).c_str());
+  if (row.location.known()) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s:%u:%u", escaped(scene_name(session), 60).c_str(), row.location.line,
+                        row.location.column);
+  }
+  if (!session.selected_path.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", escaped(session.selected_path, 300).c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::Spacing();
+  if (row.kind == RowKind::light) {
+    build_light_of(session, row.source);
+  } else if (const RenderPrimitive* const primitive =
+                 find_primitive(session.shown->opened.ready.scene, row.source);
+             row.kind == RowKind::primitive && primitive != nullptr) {
+    build_material(session.shown->opened.ready.scene, *primitive);
+  } else if (row.kind == RowKind::camera) {
+    value_line("angle", fmt::format("{:.4g} degrees", session.shown->camera.height_angle_deg));
+  }
+}
+
+}  // namespace
+
+void build_outline(Session& session, const GuiFrame& frame) {
+  const auto inspector = static_cast<float>(session.selected ? 225 * frame.scale : 0);
+  ImGui::BeginChild("rows", {0, -inspector});
+  build_rows(session);
+  ImGui::EndChild();
+  if (session.selected) {
+    ImGui::Separator();
+    ImGui::BeginChild("selected", {0, 0});
+    build_inspector(session);
+    ImGui::EndChild();
+  }
+}
+
+}  // namespace scenefile::viewer

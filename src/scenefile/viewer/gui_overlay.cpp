@@ -1,0 +1,266 @@
+// What lies over the picture.
+
+#include "scenefile/base/text.h"
+#include "scenefile/viewer/gui.h"
+#include "scenefile/viewer/gui_colors.h"
+#include "scenefile/viewer/hidden.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace scenefile::viewer {
+
+namespace {
+
+ImVec2 vec(const glm::dvec2& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
+
+ImTextureID texture(unsigned name) {
+  return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
+}
+
+// The part of a picture from one share of its width to another, where the session's picture is.
+void paint_picture(const Box& box, unsigned name, double from, double to) {
+  if (name == 0 || to <= from) {
+    return;
+  }
+  const glm::dvec2 begin{box.at.x + from * box.size.x, box.at.y};
+  const glm::dvec2 end{box.at.x + to * box.size.x, box.at.y + box.size.y};
+  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, 0}),
+                                           vec({to, 1}));
+}
+
+// A word on a dark ground; `anchor`: where in the text the point is, from 0 to 1.
+void paint_label(const glm::dvec2& at, const std::string& text, const glm::dvec2& anchor,
+                 double scale, unsigned color = color_text) {
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const glm::dvec2 padding = glm::dvec2(9, 5) * scale;
+  const glm::dvec2 whole = glm::dvec2(size.x, size.y) + 2.0 * padding;
+  const glm::dvec2 begin = glm::floor(at - anchor * whole);
+  draw.AddRectFilled(vec(begin), vec(begin + whole), rgba(0x101114, 205),
+                     static_cast<float>(6 * scale));
+  draw.AddText(vec(begin + padding), rgba(color), text.c_str());
+}
+
+void paint_pictures(const Session& session, const GuiFrame& frame) {
+  const Box& box = session.picture;
+  if (shows_traced(session)) {
+    paint_picture(box, frame.traced, 0, 1);
+  }
+  switch (session.compare) {
+    case CompareView::off:
+      break;
+    case CompareView::split:
+      paint_picture(box, frame.reference, session.split, 1);
+      break;
+    case CompareView::reference:
+      paint_picture(box, frame.reference, 0, 1);
+      break;
+    case CompareView::difference:
+      paint_picture(box, session.comparison ? frame.difference : 0, 0, 1);
+      break;
+    case CompareView::flip:
+      paint_picture(box, session.comparison ? frame.flip : 0, 0, 1);
+      break;
+  }
+}
+
+void paint_split(const Session& session, const GuiFrame& frame) {
+  const Box& box = session.picture;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const double x = std::round(box.at.x + session.split * box.size.x);
+  const double middle = box.at.y + box.size.y / 2;
+  const auto s = static_cast<float>(frame.scale);
+  draw.AddLine(vec({x, box.at.y}), vec({x, box.at.y + box.size.y}), rgba(0x000000, 140), 4 * s);
+  draw.AddLine(vec({x, box.at.y}), vec({x, box.at.y + box.size.y}), rgba(0xffffff), 1.5F * s);
+  draw.AddCircleFilled(vec({x, middle}), 11 * s, rgba(0xffffff), 24);
+  for (const double side : {-1.0, 1.0}) {
+    const double tip = x + side * 7.5 * frame.scale;
+    const double back = x + side * 2.5 * frame.scale;
+    draw.AddTriangleFilled(vec({tip, middle}), vec({back, middle - 4 * frame.scale}),
+                           vec({back, middle + 4 * frame.scale}), rgba(0x222222));
+  }
+  const double top = box.at.y + 10 * frame.scale;
+  paint_label({x - 12 * frame.scale, top}, "ours", {1, 0}, frame.scale);
+  paint_label({x + 12 * frame.scale, top}, "reference", {0, 0}, frame.scale);
+}
+
+void paint_comparison(const Session& session, const GuiFrame& frame) {
+  if (session.compare == CompareView::off || session.reference.empty()) {
+    return;
+  }
+  if (session.compare == CompareView::split) {
+    paint_split(session, frame);
+  } else {
+    static constexpr std::array<const char*, 3> names{
+        "reference", "difference: black is none, yellow is all",
+        "FLIP: what an eye notices, black is nothing"};
+    const auto index = static_cast<std::size_t>(session.compare) -
+                       static_cast<std::size_t>(CompareView::reference);
+    paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale, names[index], {0, 0},
+                frame.scale);
+  }
+  if (session.comparison) {
+    const Box& box = session.picture;
+    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
+                measures_text(session.comparison->measures), {0.5, 1}, frame.scale);
+  }
+}
+
+/// From the world to the window.
+class Projection {
+ public:
+  Projection(const RenderCamera& camera, const Box& box)
+      : camera_(camera), box_(box), half_(std::tan(camera.fov_y / 2)) {}
+
+  // The line between two points of the world, as far as it is before the camera.
+  void paint(glm::dvec3 a, glm::dvec3 b, ImU32 color, float width) const {
+    const double near = 1e-4 * glm::length(a - camera_.position) + 1e-9;
+    double depth_a = depth(a);
+    double depth_b = depth(b);
+    if (depth_a < near && depth_b < near) {
+      return;
+    }
+    if (depth_a < near) {
+      a += (b - a) * ((near - depth_a) / (depth_b - depth_a));
+    } else if (depth_b < near) {
+      b += (a - b) * ((near - depth_b) / (depth_a - depth_b));
+    }
+    ImGui::GetBackgroundDrawList()->AddLine(vec(point(a)), vec(point(b)), color, width);
+  }
+
+ private:
+  double depth(const glm::dvec3& p) const { return -glm::dot(p - camera_.position, camera_.w); }
+  glm::dvec2 point(const glm::dvec3& p) const {
+    const glm::dvec3 to = p - camera_.position;
+    const double scale = box_.size.y / (2 * half_ * std::max(depth(p), 1e-9));
+    const glm::dvec2 middle = box_.at + box_.size * 0.5;
+    return glm::clamp(
+        middle + glm::dvec2(glm::dot(to, camera_.u), -glm::dot(to, camera_.v)) * scale, -1e5, 1e5);
+  }
+
+  const RenderCamera camera_;
+  const Box box_;
+  double half_;
+};
+
+void paint_box(const Projection& projection, const Bounds& box, double scale) {
+  const auto corner = [&](int i) {
+    return glm::dvec3((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                      (i & 4) != 0 ? box.max.z : box.min.z);
+  };
+  for (int i = 0; i < 8; ++i) {
+    for (int axis = 1; axis < 8; axis *= 2) {
+      if ((i & axis) == 0) {
+        projection.paint(corner(i), corner(i | axis), rgba(color_accent, 220),
+                         static_cast<float>(1.5 * scale));
+      }
+    }
+  }
+}
+
+// A box around what is selected: the only sign of groups, and of copies behind other things.
+void paint_selection(const Session& session, const GuiFrame& frame) {
+  if (!session.selected || session.compare > CompareView::split) {
+    return;
+  }
+  const SceneOnShow& scene = *session.shown;
+  const Bounds box = bounds_of(scene.opened.ready.scene, scene.opened.assets,
+                               sources_in(scene.outline, *session.selected));
+  if (box.empty()) {
+    return;
+  }
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const Box& picture = session.picture;
+  const double right =
+      session.compare == CompareView::split ? session.split * picture.size.x : picture.size.x;
+  draw.PushClipRect(vec(picture.at), vec(picture.at + glm::dvec2(right, picture.size.y)));
+  paint_box(Projection(render_camera(session.camera), picture), box, frame.scale);
+  draw.PopClipRect();
+}
+
+std::string size_text(std::uint64_t bytes) {
+  return bytes >= 1U << 30 ? fmt::format("{:.2f} GB", static_cast<double>(bytes) / (1U << 30))
+                           : fmt::format("{:.0f} MB", static_cast<double>(bytes) / (1U << 20));
+}
+
+// 25 000, in groups of three.
+std::string count_text(std::uint64_t count) {
+  std::string text = fmt::format("{}", count);
+  for (std::size_t i = text.size(); i > 3;) {
+    i -= 3;
+    text.insert(i, " ");
+  }
+  return text;
+}
+
+void build_statistics(const Session& session, const GuiFrame& frame) {
+  const Box& box = session.picture;
+  const double margin = 12 * frame.scale;
+  ImGui::SetNextWindowPos(vec({box.at.x + box.size.x - margin, box.at.y + margin}), 0, {1, 0});
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  ImGui::Begin("##figures", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const auto line = [](const char* name, const std::string& value) {
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(ImGui::GetFontSize() * 7.5F);
+    ImGui::TextUnformatted(value.c_str());
+  };
+  line("frame", fmt::format("{:.1f} ms, {:.0f} a second", frame.frame_seconds * 1e3,
+                            1 / std::max(frame.frame_seconds, 1e-6)));
+  line("picture", fmt::format("{} x {}", session.pixels.x, session.pixels.y));
+  line("objects", count_text(frame.drawn.objects));
+  line("triangles", count_text(frame.drawn.triangles));
+  line("draw calls",
+       fmt::format("{} + {} shadows", frame.drawn.draw_calls, frame.drawn.shadow_calls));
+  if (session.shown != nullptr) {
+    line("lights", fmt::format("{}", session.shown->opened.ready.scene.lights.size()));
+  }
+  if (frame.memory != 0) {
+    line("memory", size_text(frame.memory));
+  }
+  line("drawn by", frame.renderer);
+  ImGui::End();
+}
+
+void paint_welcome(const Session& session, const GuiFrame& frame) {
+  if (session.shown != nullptr) {
+    return;
+  }
+  const bool reading = session.loading.busy();
+  const std::string text = reading ? "reading " + escaped(scene_name(session))
+                           : session.broken != nullptr
+                               ? scene_name(session) + " cannot be drawn yet"
+                               : "drop a scene here";
+  paint_label(session.picture.at + session.picture.size * 0.5, text, {0.5, 0.5}, frame.scale,
+              color_dim);
+}
+
+}  // namespace
+
+void build_overlay(Session& session, const GuiFrame& frame) {
+  paint_pictures(session, frame);
+  paint_selection(session, frame);
+  paint_comparison(session, frame);
+  paint_welcome(session, frame);
+  if (session.settings.statistics && !session.picture_only) {
+    build_statistics(session, frame);
+  }
+  if (session.notice) {
+    const Box& box = session.picture;
+    paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 58 * frame.scale),
+                escaped(session.notice->text, 300), {0.5, 0.5}, frame.scale,
+                session.notice->bad ? color_error : color_good);
+  }
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,74 @@
+#include "scenefile/viewer/hidden.h"
+
+#include "scenefile/geometry/mesh.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace scenefile::viewer {
+
+namespace {
+
+template <typename Item>
+void remove_hidden(std::vector<Item>& items, const Hidden& hidden) {
+  items.erase(std::remove_if(items.begin(), items.end(),
+                             [&](const Item& item) { return hidden.contains(item.source); }),
+              items.end());
+}
+
+Bounds primitive_bounds(const RenderPrimitive& primitive, const Assets& assets) {
+  const DAffine group_from_object(primitive.group_from_object);
+  if (primitive.shape != Shape::mesh) {
+    return shape_bounds(primitive.shape, group_from_object);
+  }
+  return primitive.mesh < assets.meshes.size()
+             ? transform(group_from_object, bounds(assets.meshes[primitive.mesh]))
+             : Bounds{};
+}
+
+}  // namespace
+
+RenderScene without_hidden(const RenderScene& scene, const Hidden& hidden,
+                           std::optional<std::uint32_t> only_light) {
+  RenderScene shown = scene;
+  if (only_light && *only_light < scene.lights.size()) {
+    shown.lights = {scene.lights[*only_light]};
+  }
+  if (hidden.empty()) {
+    return shown;
+  }
+  remove_hidden(shown.lights, hidden);
+  for (RenderGroup& group : shown.groups) {
+    remove_hidden(group.primitives, hidden);
+    remove_hidden(group.instances, hidden);
+  }
+  return shown;
+}
+
+Bounds bounds_of(const RenderScene& scene, const Assets& assets,
+                 const std::set<std::uint32_t>& sources) {
+  // By group, in its space; a group stands behind all that it holds. An instance that is asked for
+  // counts with everything in it.
+  std::vector<Bounds> chosen(scene.groups.size());
+  std::vector<Bounds> all(scene.groups.size());
+  for (std::size_t g = 0; g < scene.groups.size(); ++g) {
+    for (const RenderPrimitive& primitive : scene.groups[g].primitives) {
+      const Bounds box = primitive_bounds(primitive, assets);
+      all[g] = unite(all[g], box);
+      if (sources.contains(primitive.source)) {
+        chosen[g] = unite(chosen[g], box);
+      }
+    }
+    for (const RenderInstance& instance : scene.groups[g].instances) {
+      const DAffine map(instance.group_from_instance);
+      const Bounds inside = transform(map, all[instance.group]);
+      all[g] = unite(all[g], inside);
+      chosen[g] = unite(chosen[g], sources.contains(instance.source)
+                                       ? inside
+                                       : transform(map, chosen[instance.group]));
+    }
+  }
+  return scene.root < chosen.size() ? chosen[scene.root] : Bounds{};
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,54 @@
+#include "scenefile/viewer/picker.h"
+
+#include "scenefile/trace/accelerator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile::viewer {
+
+struct Picker::Impl {
+  Impl(const RenderScene& scene, const Assets& assets)
+      : accelerator(scene, assets, {.instances = Instances::named}) {}
+
+  Accelerator accelerator;
+};
+
+Picker::Picker(const RenderScene& scene, const Assets& assets)
+    : impl_(std::make_unique<Impl>(scene, assets)) {}
+Picker::~Picker() = default;
+
+Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspect) {
+  const double half = std::tan(camera.fov_y / 2);
+  const glm::dvec3 direction = -camera.w + camera.u * ((2 * point.x - 1) * half * aspect) +
+                               camera.v * ((1 - 2 * point.y) * half);
+  return {camera.position, glm::normalize(direction)};
+}
+
+std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden) const {
+  constexpr int most_hidden = 64;  // behind each other
+  const Accelerator& accelerator = impl_->accelerator;
+  if (accelerator.status() != AcceleratorStatus::ready) {
+    return std::nullopt;
+  }
+  double from = 0;
+  Hit hit;
+  for (int i = 0; i < most_hidden && accelerator.closest(ray, from, 1e300, hit); ++i) {
+    Pick pick;
+    pick.source = hit.source;
+    pick.instances = accelerator.instances_of_closest(ray, from, 1e300);
+    pick.distance = hit.t;
+    pick.point = ray.origin + ray.direction * hit.t;
+    const bool is_hidden =
+        hidden.contains(pick.source) ||
+        std::any_of(pick.instances.begin(), pick.instances.end(),
+                    [&](std::uint32_t source) { return hidden.contains(source); });
+    if (!is_hidden) {
+      return pick;
+    }
+    from = hit.t + 1e-7 * std::max(1.0, hit.t);
+  }
+  return std::nullopt;
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,63 @@
+#pragma once
+// What a hand would do at the window, written down: for tests and for pictures of the program.
+//
+// One step a line; empty lines and those that begin with # count for nothing. Places are in pixels
+// of the window, from its top left.
+//
+//     key Ctrl+S            press and release a key
+//     hold W 10             hold a key for so many frames
+//     move 400 300          the pointer goes there
+//     press left            or middle, right
+//     release left
+//     drag left 400 300 500 320 10      from, to, in so many frames
+//     click 400 300
+//     wheel -2
+//     drop PATH             a file or folder falls into the window
+//     frames 5              draw so many frames
+//     settle                draw until nothing is on its way: files, rays, comparisons
+//     screenshot OUT.png
+//     copy FROM TO          as an editor would that saves the scene
+//     quit
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile::viewer {
+
+enum class StepKind : std::uint8_t {
+  key,
+  hold,
+  move,
+  press,
+  release,
+  wheel,
+  drop,
+  frames,
+  settle,
+  screenshot,
+  copy,
+  quit,
+};
+
+/// What the step does not use is as here.
+struct ScriptStep {
+  StepKind kind = StepKind::frames;
+  std::string text;   ///< key, or path
+  std::string other;  ///< the second path
+  double x = 0;       ///< pixels; wheel: steps upward in y
+  double y = 0;
+  int number = 1;  ///< frames, or the button: 0 left, 1 right, 2 middle
+  std::uint32_t line = 0;
+};
+
+struct Script {
+  std::vector<ScriptStep> steps;
+  std::string wrong;  ///< "line 3: ...", one line; empty: the script is good
+};
+
+/// Steps that take several frames become several steps: at most one a frame is done.
+Script parse_script(std::string_view text);
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,289 @@
+#include "scenefile/viewer/session.h"
+
+#include "scenefile/io/folder.h"
+#include "scenefile/viewer/hidden.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scenefile::viewer {
+
+namespace {
+
+constexpr double watch_interval = 0.25;
+constexpr double rest = 0.25;  // of the camera, before rays are traced
+constexpr double notice_seconds = 4;
+
+bool at_rest(const Session& session) {
+  return session.pointer.drag == Drag::none && session.held.empty() &&
+         session.now - session.moved_at >= rest;
+}
+
+bool wants_trace(const Session& session) {
+  return session.settings.ray_tracing && session.shown != nullptr &&
+         session.mode == DrawMode::shaded;
+}
+
+RenderOptions trace_options(const Session& session) {
+  RenderOptions options = session.setup.trace;
+  const glm::ivec2 size = session.reference.empty()
+                              ? session.pixels
+                              : glm::ivec2(session.reference.width, session.reference.height);
+  options.width = std::max(1, size.x);
+  options.height = std::max(1, size.y);
+  options.samples = session.settings.samples;
+  options.features.shadows = options.features.shadows && session.settings.shadows;
+  options.features.texture = options.features.texture && session.settings.textures;
+  return options;
+}
+
+void start_trace(Session& session) {
+  RenderScene scene =
+      without_hidden(session.shown->opened.ready.scene, session.hidden, session.only_light);
+  scene.camera = render_camera(session.camera);
+  session.trace.start(std::move(scene), session.shown, session.shown->opened.assets,
+                      trace_options(session), session.setup.wake);
+  session.trace_started = true;
+}
+
+bool tick_trace(Session& session) {
+  if (!wants_trace(session)) {
+    return false;
+  }
+  if (!session.trace_started && at_rest(session)) {
+    start_trace(session);
+  }
+  std::optional<TracedPicture> picture = session.trace.take();
+  if (!picture) {
+    return false;
+  }
+  if (!picture->failed.empty()) {
+    say(session, picture->failed, true);
+    return true;
+  }
+  session.traced = std::move(picture);
+  ++session.traced_version;
+  return true;
+}
+
+bool tick_comparison(Session& session) {
+  if (session.compare != CompareView::off && !session.compare_started && shows_traced(session) &&
+      session.traced->complete) {
+    compare_with(session,
+                 quantize(session.traced->image, rounding_of(session.setup.trace.profile)));
+  }
+  std::optional<Comparison> done = session.comparing.take();
+  if (!done) {
+    return false;
+  }
+  session.comparison = std::move(done);
+  ++session.comparison_version;
+  return true;
+}
+
+bool tick_flight(Session& session, double seconds) {
+  if (session.held.empty() || session.shown == nullptr) {
+    return false;
+  }
+  const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };
+  const glm::dvec3 direction{down("D") - down("A"), down("E") - down("Q"), down("W") - down("S")};
+  const Bounds& box = session.shown->bounds;
+  const double size = box.empty() ? 1 : glm::length(box.max - box.min);
+  const double reach = glm::length(session.camera.pivot - session.camera.position);
+  const double speed = 0.5 * std::clamp(reach, 0.02 * size, size) * (session.fast ? 4 : 1);
+  if (direction != glm::dvec3(0)) {
+    set_camera(session, moved(session.camera, direction * (speed * std::min(seconds, 0.1))));
+  }
+  return true;
+}
+
+bool tick_notice(Session& session) {
+  if (session.notice && session.now >= session.notice->until) {
+    session.notice.reset();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool tick_files(Session& session);  // session_files.cpp
+
+bool tick(Session& session, double now) {
+  const double seconds = now - session.now;
+  session.now = now;
+  bool news = tick_files(session);
+  news = tick_flight(session, seconds) || news;
+  news = tick_trace(session) || news;
+  news = tick_comparison(session) || news;
+  return tick_notice(session) || news;
+}
+
+bool settled(const Session& session) {
+  const bool tracing = wants_trace(session) && !(session.trace_started && !session.trace.busy() &&
+                                                 session.traced && session.traced->complete);
+  const bool comparing = session.compare != CompareView::off && !session.reference.empty() &&
+                         (!session.compare_started || session.comparing.busy());
+  return !session.loading.busy() && !session.load_again && !tracing && !comparing &&
+         session.held.empty();
+}
+
+double next_tick(const Session& session) {
+  double seconds = watch_interval;
+  if (!session.held.empty()) {
+    return 0;
+  }
+  if (wants_trace(session) && !session.trace_started) {
+    seconds = std::min(seconds, session.moved_at + rest - session.now);
+  }
+  if (session.notice) {
+    seconds = std::min(seconds, session.notice->until - session.now);
+  }
+  if (session.comparing.busy() || session.loading.busy()) {
+    seconds = std::min(seconds, 0.05);
+  }
+  return std::max(seconds, 0.01);
+}
+
+void picture_changed(Session& session) {
+  session.moved_at = session.now;
+  session.trace.stop();
+  session.trace_started = false;
+  session.traced.reset();
+  session.compare_started = false;
+}
+
+void set_camera(Session& session, const ViewCamera& camera) {
+  const glm::dvec3 away = camera.pivot - camera.position;
+  const bool finite = std::isfinite(glm::length(camera.position)) && glm::length(away) > 0;
+  if (finite && !(camera == session.camera)) {
+    session.camera = camera;
+    picture_changed(session);
+  }
+}
+
+void say(Session& session, std::string text, bool bad) {
+  session.notice = Notice{std::move(text), bad, session.now + (bad ? 2 : 1) * notice_seconds};
+}
+
+void show_only_light(Session& session, std::optional<std::uint32_t> light) {
+  session.only_light = light;
+  picture_changed(session);
+}
+
+void select(Session& session, std::optional<std::uint32_t> row) {
+  session.selected = row;
+  session.selected_path.clear();
+  if (row && session.shown != nullptr) {
+    for (const std::uint32_t around : rows_around(session.shown->outline, *row)) {
+      session.open_rows.insert(around);
+    }
+    session.reveal_selected = true;
+  }
+}
+
+bool is_hidden(const Session& session, std::uint32_t row) {
+  const std::set<std::uint32_t> sources = sources_in(session.shown->outline, row);
+  return !sources.empty() && std::all_of(sources.begin(), sources.end(), [&](std::uint32_t source) {
+    return session.hidden.contains(source);
+  });
+}
+
+void toggle_hidden(Session& session, std::uint32_t row) {
+  const bool show = is_hidden(session, row);
+  for (const std::uint32_t source : sources_in(session.shown->outline, row)) {
+    if (show) {
+      session.hidden.erase(source);
+    } else {
+      session.hidden.insert(source);
+    }
+  }
+  picture_changed(session);
+}
+
+bool wants_picture(const Session& session) {
+  return session.compare != CompareView::off && !session.reference.empty() &&
+         session.shown != nullptr && !session.compare_started && !wants_trace(session) &&
+         !session.comparing.busy() && at_rest(session);
+}
+
+void compare_with(Session& session, Texture ours) {
+  if (session.comparing.busy() || session.reference.empty()) {
+    return;
+  }
+  session.compare_started = true;
+  session.comparing.start(
+      [reference = session.reference, ours = std::move(ours), wake = session.setup.wake] {
+        Comparison comparison = compare_pictures(reference, ours);
+        wake();
+        return comparison;
+      });
+}
+
+double picture_aspect(const Session& session, const glm::dvec2& room) {
+  return session.reference.empty()
+             ? room.x / room.y
+             : static_cast<double>(session.reference.width) / session.reference.height;
+}
+
+Box picture_box(const Session& session, const Box& room) {
+  const double aspect = picture_aspect(session, room.size);
+  Box box = room;
+  if (aspect * room.size.y > room.size.x) {
+    box.size.y = std::max(1.0, room.size.x / aspect);
+  } else {
+    box.size.x = std::max(1.0, room.size.y * aspect);
+  }
+  box.at = glm::floor(room.at + (room.size - box.size) * 0.5);
+  return box;
+}
+
+bool shows_traced(const Session& session) {
+  return wants_trace(session) && session.traced && session.traced->image.width > 0;
+}
+
+DrawOptions draw_options(const Session& session) {
+  DrawOptions options;
+  options.mode = session.mode;
+  options.shadows = session.settings.shadows && session.setup.trace.features.shadows;
+  options.textures = session.settings.textures && session.setup.trace.features.texture;
+  options.course = session.setup.trace.profile == Profile::course;
+  options.directional_only = options.course && session.setup.trace.mode == Mode::intersect;
+  const RenderScene& scene = session.shown->opened.ready.scene;
+  options.lights.assign(scene.lights.size(), !session.only_light);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (session.only_light == i) {
+      options.lights[i] = true;
+    }
+    if (session.hidden.contains(scene.lights[i].source)) {
+      options.lights[i] = false;
+    }
+  }
+  if (!session.hidden.empty()) {
+    options.objects.assign(*session.hidden.rbegin() + std::size_t{1}, true);
+    for (const std::uint32_t source : session.hidden) {
+      options.objects[source] = false;
+    }
+  }
+  return options;
+}
+
+std::string scene_name(const Session& session) {
+  return session.path == "-" ? "<stdin>" : file_name_of(session.path);
+}
+
+std::string mode_text(const Session& session) {
+  static constexpr std::array<std::string_view, 7> names{
+      "shaded", "wireframe", "normals",       "texture coordinates",
+      "depth",  "objects",   "bounding boxes"};
+  std::string text(names[static_cast<std::size_t>(session.mode)]);
+  if (session.only_light) {
+    text += fmt::format(", light {} alone", *session.only_light + 1);
+  }
+  return text;
+}
+
+}  // namespace scenefile::viewer

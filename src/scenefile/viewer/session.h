@@ -1,0 +1,196 @@
+#pragma once
+// All that the window shows and knows, without a window: plain data, and functions for what happens
+// to it. A window (window.h) draws it and tells it what the user does; tests do the same by hand.
+//
+// Places are in pixels of the window as the mouse counts them (screen coordinates), from its top
+// left. Times are seconds of any clock that does not go back.
+
+#include "scenefile/format/read_scene.h"
+#include "scenefile/trace/render.h"
+#include "scenefile/view/draw.h"
+#include "scenefile/viewer/actions.h"
+#include "scenefile/viewer/background.h"
+#include "scenefile/viewer/camera_control.h"
+#include "scenefile/viewer/comparison.h"
+#include "scenefile/viewer/file_watch.h"
+#include "scenefile/viewer/live_trace.h"
+#include "scenefile/viewer/opened_scene.h"
+#include "scenefile/viewer/outline.h"
+#include "scenefile/viewer/picker.h"
+#include "scenefile/viewer/settings.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace scenefile::viewer {
+
+/// What the program decides before the window opens.
+struct SessionSetup {
+  LoadScene load;
+  ReadOptions read;              ///< as `load` reads, for saving the view
+  RenderOptions trace;           ///< of the ray tracer; size and samples are the window's
+  std::function<void()> wake{};  ///< called from other threads when tick() has something to do
+};
+
+/// A scene that can be drawn, with what is made of it once.
+struct SceneOnShow {
+  OpenedScene opened;
+  Camera camera;  ///< of the file, or the default
+  Outline outline;
+  Bounds bounds;
+  std::unique_ptr<const Picker> picker;
+};
+
+/// One line for the user, for a while.
+struct Notice {
+  std::string text;
+  bool bad = false;
+  double until = 0;
+};
+
+struct Box {
+  glm::dvec2 at{0};    ///< its top left
+  glm::dvec2 size{1};  ///< above zero
+
+  bool holds(const glm::dvec2& p) const {
+    return p.x >= at.x && p.y >= at.y && p.x < at.x + size.x && p.y < at.y + size.y;
+  }
+};
+
+/// What a pressed button does until it is released.
+enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split };
+
+struct Pointer {
+  glm::dvec2 at{0};
+  glm::dvec2 pressed_at{0};
+  Drag drag = Drag::none;
+  bool moved = false;     ///< since it was pressed: no click any more
+  glm::dvec3 grasped{0};  ///< what lay under it, for zooming; world space
+};
+
+struct Session {
+  SessionSetup setup;
+  Settings settings;
+  double now = 0;
+
+  // The scene.
+  std::string path;                           ///< of the newest one that was asked for
+  std::shared_ptr<const SceneOnShow> shown;   ///< the last good one; null: there was none yet
+  std::uint64_t version = 0;                  ///< another one for each scene that is shown
+  std::string known_text;                     ///< the bytes of its file
+  std::shared_ptr<const SceneOnShow> broken;  ///< the newest version, where it cannot be drawn
+  Background<std::shared_ptr<SceneOnShow>> loading;
+  bool load_again = false;  ///< when what is loading is done
+  FileWatch watch;
+  double watched_at = 0;
+
+  // The view.
+  ViewCamera home;
+  ViewCamera camera;
+  double moved_at = 0;   ///< when the picture became another one
+  Box picture;           ///< where the picture is, by the window
+  glm::ivec2 pixels{1};  ///< its size on the screen, by the window
+  Pointer pointer;
+  std::set<std::string> held;  ///< keys of flying that are down
+  bool fast = false;           ///< Shift is down
+
+  // What is shown of it.
+  DrawMode mode = DrawMode::shaded;
+  std::optional<std::uint32_t> only_light;  ///< into RenderScene::lights
+  Hidden hidden;
+  std::optional<std::uint32_t> selected;  ///< row of the outline
+  std::string selected_path;              ///< the way to the object that was clicked, or the node
+  std::set<std::uint32_t> open_rows;      ///< rows of the outline that show what they hold
+  bool reveal_selected = false;           ///< the outline is to scroll there
+
+  // Ray tracing.
+  LiveTrace trace;
+  bool trace_started = false;           ///< for the picture as it is
+  std::optional<TracedPicture> traced;  ///< of the picture as it is
+  std::uint64_t traced_version = 0;     ///< another one for each picture in `traced`
+
+  // The reference.
+  std::string reference_path;
+  Texture reference;  ///< empty: none
+  std::uint64_t reference_version = 0;
+  CompareView compare = CompareView::off;
+  double split = 0.5;            ///< share of the picture that is ours
+  bool compare_started = false;  ///< for the picture as it is
+  Background<Comparison> comparing;
+  std::optional<Comparison> comparison;  ///< of the picture as it is, or the one before
+  std::uint64_t comparison_version = 0;
+
+  // The window.
+  bool help = false;
+  bool full_screen = false;
+  bool quit = false;
+  bool picture_only = false;   ///< no panels
+  double messages_height = 0;  ///< of what the messages panel holds, by the window
+  std::string screenshot;      ///< a file that the window is to write; empty: none
+  std::optional<Notice> notice;
+  std::vector<std::string> drawing_notes;  ///< what the drawing has to say of the scene
+};
+
+/// Starts reading the scene, or the first one of a folder.
+void open_scene(Session& session, const std::string& path);
+/// Takes a picture for the reference. False, with a notice, where it is none.
+bool open_reference(Session& session, const std::string& path);
+/// Files or folders that fall into the window: pictures become the reference, anything else a
+/// scene.
+void drop(Session& session, const std::vector<std::string>& paths);
+
+/// Time goes on: takes over what other threads have done, looks at the files, flies. True: there is
+/// something new to see.
+bool tick(Session& session, double now);
+/// Whether nothing is on its way.
+bool settled(const Session& session);
+/// When tick() wants to be called again, in seconds from now; large where only wake() matters.
+double next_tick(const Session& session);
+
+void perform(Session& session, Action action, const KeyPress& key = {});
+
+/// A key goes down. False: it does nothing here.
+bool key_pressed(Session& session, const KeyPress& key);
+void key_released(Session& session, const std::string& name);
+
+/// 0 left, 1 right, 2 middle.
+void pointer_pressed(Session& session, int button, const KeyPress& with);
+void pointer_moved(Session& session, const glm::dvec2& to);
+void pointer_released(Session& session);
+/// Steps upward; nearer to what lies under the pointer.
+void wheel_turned(Session& session, double steps);
+
+void set_camera(Session& session, const ViewCamera& camera);
+/// The picture is another one: what was traced and compared does not count any more.
+void picture_changed(Session& session);
+void select(Session& session, std::optional<std::uint32_t> row);
+/// Switches a row of the outline with all that it holds off, or on again.
+void toggle_hidden(Session& session, std::uint32_t row);
+bool is_hidden(const Session& session, std::uint32_t row);
+void show_only_light(Session& session, std::optional<std::uint32_t> light);
+void say(Session& session, std::string text, bool bad = false);
+
+/// Ours and the reference have one size: ours is asked for where the ray tracer does not give it.
+/// True: the window is to draw `compare_size()` pixels and hand them to compare_with().
+bool wants_picture(const Session& session);
+void compare_with(Session& session, Texture ours);
+
+/// Width by height of the picture: that of the reference where there is one.
+double picture_aspect(const Session& session, const glm::dvec2& room);
+/// The picture, as large as fits the middle of the room.
+Box picture_box(const Session& session, const Box& room);
+/// Whether the tracer's picture is what is seen.
+bool shows_traced(const Session& session);
+/// What is drawn, for OpenGL.
+DrawOptions draw_options(const Session& session);
+
+/// What the title and the status line say.
+std::string scene_name(const Session& session);
+std::string mode_text(const Session& session);
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,263 @@
+// What the keys and the menus do.
+
+#include "scenefile/io/folder.h"
+#include "scenefile/trace/bounds.h"
+#include "scenefile/viewer/hidden.h"
+#include "scenefile/viewer/playlist.h"
+#include "scenefile/viewer/save_view.h"
+#include "scenefile/viewer/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace scenefile::viewer {
+
+namespace {
+
+void frame(Session& session) {
+  const SceneOnShow& scene = *session.shown;
+  Bounds box;
+  if (session.selected) {
+    box = bounds_of(scene.opened.ready.scene, scene.opened.assets,
+                    sources_in(scene.outline, *session.selected));
+  }
+  const double aspect = session.picture.size.x / session.picture.size.y;
+  set_camera(session, framing(session.camera, box.empty() ? scene.bounds : box, aspect));
+}
+
+void save(Session& session) {
+  const Camera camera = camera_of(session.camera, session.shown->camera);
+  SavedView saved = save_view(session.path, session.known_text, camera, session.setup.read);
+  const std::string name = scene_name(session);
+  if (!saved.refused.empty()) {
+    say(session, fmt::format("the view is not saved: {}", saved.refused), true);
+  } else if (saved.text == session.known_text) {
+    say(session, fmt::format("{} says this view already", name));
+  } else {
+    session.known_text = std::move(saved.text);
+    session.home = session.camera;
+    say(session, fmt::format("the view is saved: the camera of {}", name));
+  }
+}
+
+void go_to_neighbor(Session& session, int steps) {
+  const std::string path = session.path == "-" ? "" : neighbor_of(session.path, steps);
+  if (path.empty() || path == session.path) {
+    say(session, "there is no other scene in this folder");
+    return;
+  }
+  open_scene(session, path);
+}
+
+void next_light(Session& session) {
+  const std::size_t count = session.shown->opened.ready.scene.lights.size();
+  const std::uint32_t next = session.only_light ? *session.only_light + 1 : 0;
+  show_only_light(session, next < count ? std::optional(next) : std::nullopt);
+}
+
+// Split, and off again.
+void split(Session& session) {
+  if (session.reference.empty()) {
+    say(session,
+        "there is no reference; drop a picture into the window, or name one: "
+        "scenefile view SCENE REFERENCE.png",
+        true);
+    return;
+  }
+  session.compare = session.compare == CompareView::split ? CompareView::off : CompareView::split;
+}
+
+// Around the ways to see the difference.
+void difference(Session& session) {
+  if (session.reference.empty()) {
+    split(session);
+    return;
+  }
+  switch (session.compare) {
+    case CompareView::off:
+    case CompareView::split:
+      session.compare = CompareView::difference;
+      break;
+    case CompareView::difference:
+      session.compare = CompareView::flip;
+      break;
+    case CompareView::flip:
+      session.compare = CompareView::reference;
+      break;
+    case CompareView::reference:
+      session.compare = CompareView::off;
+      break;
+  }
+}
+
+// The first name that is free: chess-view.png, chess-view-2.png, ...
+std::string free_name(const Session& session) {
+  std::string stem = session.path == "-" ? "scene" : file_name_of(session.path);
+  stem = stem.substr(0, stem.rfind('.'));
+  for (int i = 1;; ++i) {
+    const std::string name = i == 1 ? stem + "-view.png" : fmt::format("{}-view-{}.png", stem, i);
+    if (!stamp_of(name).exists) {
+      return name;
+    }
+  }
+}
+
+void set_mode(Session& session, Action action) {
+  session.mode = static_cast<DrawMode>(static_cast<int>(action) - static_cast<int>(Action::shaded));
+  picture_changed(session);
+}
+
+void set_text_scale(Session& session, double factor) {
+  session.settings.text_scale =
+      static_cast<float>(std::clamp(session.settings.text_scale * factor, 0.5, 4.0));
+}
+
+void escape(Session& session) {
+  if (session.help) {
+    session.help = false;
+  } else if (session.full_screen) {
+    session.full_screen = false;
+  } else {
+    select(session, std::nullopt);
+  }
+}
+
+bool needs_scene(Action action) {
+  return action <= Action::hide_selected && action != Action::toggle_textures &&
+         action != Action::toggle_shadows;
+}
+
+void perform_on_scene(Session& session, Action action, const KeyPress& key) {
+  const bool other = key.shift;
+  switch (action) {
+    case Action::scene_camera:
+      set_camera(session, session.home);
+      break;
+    case Action::frame:
+      frame(session);
+      break;
+    case Action::side_front:
+      set_camera(session, seen_from(session.camera, other ? Side::back : Side::front));
+      break;
+    case Action::side_right:
+      set_camera(session, seen_from(session.camera, other ? Side::left : Side::right));
+      break;
+    case Action::side_top:
+      set_camera(session, seen_from(session.camera, other ? Side::bottom : Side::top));
+      break;
+    case Action::save_view:
+      save(session);
+      break;
+    case Action::next_light:
+      next_light(session);
+      break;
+    case Action::all_lights:
+      show_only_light(session, std::nullopt);
+      break;
+    case Action::hide_selected:
+      if (session.selected) {
+        toggle_hidden(session, *session.selected);
+      }
+      break;
+    default:
+      set_mode(session, action);
+      break;
+  }
+}
+
+void perform_on_picture(Session& session, Action action) {
+  Settings& settings = session.settings;
+  switch (action) {
+    case Action::toggle_textures:
+      settings.textures = !settings.textures;
+      picture_changed(session);
+      break;
+    case Action::toggle_shadows:
+      settings.shadows = !settings.shadows;
+      picture_changed(session);
+      break;
+    case Action::show_all:
+      session.hidden.clear();
+      picture_changed(session);
+      break;
+    case Action::trace:
+      settings.ray_tracing = !settings.ray_tracing;
+      picture_changed(session);
+      break;
+    case Action::split:
+      split(session);
+      break;
+    case Action::difference:
+      difference(session);
+      break;
+    case Action::reload:
+      open_scene(session, session.path);
+      break;
+    case Action::next_scene:
+      go_to_neighbor(session, 1);
+      break;
+    case Action::previous_scene:
+      go_to_neighbor(session, -1);
+      break;
+    default:
+      break;
+  }
+}
+
+void perform_on_window(Session& session, Action action) {
+  Settings& settings = session.settings;
+  switch (action) {
+    case Action::screenshot:
+      session.screenshot = free_name(session);
+      break;
+    case Action::panels:
+      session.picture_only = !session.picture_only;
+      break;
+    case Action::outline:
+      settings.outline = !settings.outline;
+      break;
+    case Action::messages:
+      settings.messages = !settings.messages;
+      break;
+    case Action::statistics:
+      settings.statistics = !settings.statistics;
+      break;
+    case Action::larger_text:
+      set_text_scale(session, 1.1);
+      break;
+    case Action::smaller_text:
+      set_text_scale(session, 1 / 1.1);
+      break;
+    case Action::full_screen:
+      session.full_screen = !session.full_screen;
+      break;
+    case Action::help:
+      session.help = !session.help;
+      break;
+    case Action::escape:
+      escape(session);
+      break;
+    case Action::quit:
+      session.quit = true;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+void perform(Session& session, Action action, const KeyPress& key) {
+  if (needs_scene(action)) {
+    if (session.shown != nullptr) {
+      perform_on_scene(session, action, key);
+    }
+  } else if (action < Action::screenshot) {
+    perform_on_picture(session, action);
+  } else {
+    perform_on_window(session, action);
+  }
+}
+
+}  // namespace scenefile::viewer

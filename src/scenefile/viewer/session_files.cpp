@@ -1,0 +1,225 @@
+// What comes from files and goes there.
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+#include "scenefile/trace/bounds.h"
+#include "scenefile/viewer/playlist.h"
+#include "scenefile/viewer/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace scenefile::viewer {
+
+namespace {
+
+constexpr double watch_interval = 0.25;
+constexpr std::uint32_t rows_open_at_first = 40;
+
+// In a thread of its own.
+std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string& path) {
+  auto scene = std::make_shared<SceneOnShow>();
+  scene->opened = load_scene(path);
+  const OpenedScene& opened = scene->opened;
+  scene->camera = opened.written.camera.value_or(Camera{});
+  if (opened.usable()) {
+    scene->outline = make_outline(opened.written, opened.ready);
+    scene->bounds = scene_bounds(opened.ready.scene, opened.assets);
+    scene->picker = std::make_unique<Picker>(opened.ready.scene, opened.assets);
+  }
+  return scene;
+}
+
+void start_loading(Session& session) {
+  if (session.loading.busy()) {
+    session.load_again = true;
+    return;
+  }
+  session.load_again = false;
+  session.loading.start(
+      [load_scene = session.setup.load, path = session.path, wake = session.setup.wake] {
+        std::shared_ptr<SceneOnShow> scene = load(load_scene, path);
+        wake();
+        return scene;
+      });
+}
+
+void watch_files(Session& session, const SceneOnShow& scene) {
+  std::vector<std::string> paths = scene.opened.files;
+  if (session.path != "-") {
+    paths.push_back(session.path);
+  }
+  if (!session.reference_path.empty()) {
+    paths.push_back(session.reference_path);
+  }
+  session.watch.watch(std::move(paths));
+}
+
+ViewCamera home_of(const SceneOnShow& scene) {
+  ViewCamera home = view_of(scene.camera, pivot_distance(scene.camera, scene.bounds));
+  const Ray middle = ray_through(render_camera(home), {0.5, 0.5}, 1);
+  if (const std::optional<Pick> pick = scene.picker->pick(middle)) {
+    home = view_of(scene.camera, pick->distance);
+  }
+  return home;
+}
+
+// A version of the same file: what the user has set up stays as far as it has a meaning.
+void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& after) {
+  const bool same_rows = before.outline.rows.size() == after.outline.rows.size() &&
+                         before.opened.ready.sources.size() == after.opened.ready.sources.size();
+  if (!same_rows) {
+    session.hidden.clear();
+    session.selected.reset();
+    session.open_rows.clear();
+  }
+  if (session.only_light && *session.only_light >= after.opened.ready.scene.lights.size()) {
+    session.only_light.reset();
+  }
+}
+
+void start_state(Session& session) {
+  session.hidden.clear();
+  session.selected.reset();
+  session.selected_path.clear();
+  session.open_rows.clear();
+  session.only_light.reset();
+}
+
+void open_first_rows(Session& session) {
+  const Outline& outline = session.shown->outline;
+  for (std::uint32_t row = 0; row < outline.rows.size(); ++row) {
+    if (outline.rows[row].depth == 0 || outline.rows.size() <= rows_open_at_first) {
+      session.open_rows.insert(row);
+    }
+  }
+}
+
+void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
+  const bool same_file =
+      session.shown != nullptr && session.shown->opened.path == scene->opened.path;
+  const bool at_home = session.shown == nullptr || session.camera == session.home;
+  if (same_file) {
+    keep_state(session, *session.shown, *scene);
+  } else {
+    start_state(session);
+  }
+  session.shown = std::move(scene);
+  ++session.version;
+  session.known_text = session.shown->opened.text;
+  session.home = home_of(*session.shown);
+  if (!same_file || at_home) {
+    session.camera = session.home;
+  }
+  if (session.open_rows.empty()) {
+    open_first_rows(session);
+  }
+  session.broken = nullptr;
+  session.comparison.reset();
+  picture_changed(session);
+}
+
+void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
+  if (scene->opened.path != session.path) {
+    return;  // another one has been asked for meanwhile
+  }
+  watch_files(session, *scene);
+  if (scene->opened.usable()) {
+    show(session, std::move(scene));
+  } else {
+    session.broken = std::move(scene);
+  }
+}
+
+// False: what the file holds is no picture.
+bool read_reference(Session& session, const std::string& path, std::string& error) {
+  const Limits limits;
+  std::string bytes;
+  error = read_file(path, limits.file_bytes, bytes).text;
+  if (!error.empty()) {
+    return false;
+  }
+  std::uint64_t budget = limits.texture_bytes;
+  Texture picture = decode_image(bytes, limits, budget, error);
+  if (picture.empty()) {
+    error = fmt::format("{}: {}", path, error);
+    return false;
+  }
+  session.reference = std::move(picture);
+  ++session.reference_version;
+  session.comparison.reset();
+  picture_changed(session);
+  return true;
+}
+
+bool is_picture(const std::string& path) {
+  std::string bytes;
+  return read_file(path, std::numeric_limits<std::uint64_t>::max(), bytes).empty() &&
+         is_image(bytes);
+}
+
+}  // namespace
+
+bool tick_files(Session& session) {
+  bool news = false;
+  if (std::optional<std::shared_ptr<SceneOnShow>> loaded = session.loading.take()) {
+    accept(session, std::move(*loaded));
+    news = true;
+    if (session.load_again) {
+      start_loading(session);
+    }
+  }
+  if (session.now - session.watched_at >= watch_interval) {
+    session.watched_at = session.now;
+    if (session.watch.changed()) {
+      std::string ignored;
+      if (!session.reference_path.empty()) {
+        read_reference(session, session.reference_path, ignored);
+      }
+      start_loading(session);
+      news = true;
+    }
+  }
+  return news;
+}
+
+void open_scene(Session& session, const std::string& path) {
+  const std::string scene = path == "-" ? path : scene_at(path);
+  if (scene.empty()) {
+    say(session, path + ": there is no scene in this folder", true);
+    return;
+  }
+  session.path = scene;
+  start_loading(session);
+}
+
+bool open_reference(Session& session, const std::string& path) {
+  std::string error;
+  if (!read_reference(session, path, error)) {
+    say(session, error, true);
+    return false;
+  }
+  session.reference_path = path;
+  if (session.compare == CompareView::off) {
+    session.compare = CompareView::split;
+  }
+  if (session.shown != nullptr) {
+    watch_files(session, session.broken != nullptr ? *session.broken : *session.shown);
+  }
+  return true;
+}
+
+void drop(Session& session, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    if (!is_folder(path) && !is_scene_name(path) && is_picture(path)) {
+      open_reference(session, path);
+    } else {
+      open_scene(session, path);
+    }
+  }
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,166 @@
+// What the hands do.
+
+#include "scenefile/explain/object_names.h"
+#include "scenefile/viewer/session.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scenefile::viewer {
+
+namespace {
+
+constexpr double degrees_per_height = 180;  // of a drag over the whole picture
+constexpr double click_slack = 4;           // pixels
+constexpr double split_slack = 8;
+
+constexpr std::array<std::string_view, 6> flying_keys{"W", "A", "S", "D", "Q", "E"};
+
+bool is_flying_key(const KeyPress& key) {
+  return !key.control &&
+         std::find(flying_keys.begin(), flying_keys.end(), key.name) != flying_keys.end();
+}
+
+bool near_split(const Session& session, const glm::dvec2& at) {
+  const Box& box = session.picture;
+  return session.compare == CompareView::split && !session.reference.empty() && at.y >= box.at.y &&
+         at.y < box.at.y + box.size.y &&
+         std::abs(at.x - (box.at.x + session.split * box.size.x)) <= split_slack;
+}
+
+Ray ray_under(const Session& session, const glm::dvec2& at) {
+  const Box& box = session.picture;
+  return ray_through(render_camera(session.camera), (at - box.at) / box.size,
+                     box.size.x / box.size.y);
+}
+
+// What lies under the pointer, or a point as far away as the pivot.
+glm::dvec3 point_under(const Session& session) {
+  const Ray ray = ray_under(session, session.pointer.at);
+  if (const std::optional<Pick> pick = session.shown->picker->pick(ray, session.hidden)) {
+    return pick->point;
+  }
+  return ray.origin + ray.direction * glm::length(session.camera.pivot - session.camera.position);
+}
+
+void select_under(Session& session) {
+  const SceneOnShow& scene = *session.shown;
+  const Ray ray = ray_under(session, session.pointer.at);
+  const std::optional<Pick> pick = scene.picker->pick(ray, session.hidden);
+  if (!pick || pick->source >= scene.outline.row_of_source.size()) {
+    select(session, std::nullopt);
+    return;
+  }
+  const std::uint32_t row = scene.outline.row_of_source[pick->source];
+  select(session, row != no_index ? std::optional(row) : std::nullopt);
+  const ObjectNames names(scene.opened.written, scene.opened.ready.sources);
+  session.selected_path = names.text({pick->source, pick->instances});
+}
+
+Drag drag_of(const Session& session, int button, const KeyPress& with) {
+  if (button == 0 && near_split(session, session.pointer.at)) {
+    return Drag::split;
+  }
+  switch (button) {
+    case 0:
+      return with.shift ? Drag::pan : with.control ? Drag::look : Drag::orbit;
+    case 1:
+      return Drag::zoom;
+    default:
+      return Drag::pan;
+  }
+}
+
+void drag_by(Session& session, const glm::dvec2& by) {
+  const glm::dvec2 share = by / session.picture.size.y;
+  const glm::dvec2 degrees = share * degrees_per_height;
+  switch (session.pointer.drag) {
+    case Drag::none:
+      break;
+    case Drag::orbit:
+      set_camera(session, orbited(session.camera, degrees.x, -degrees.y));
+      break;
+    case Drag::look:
+      set_camera(session, turned(session.camera, -degrees.x / 2, degrees.y / 2));
+      break;
+    case Drag::pan:
+      set_camera(session, panned(session.camera, share.x, -share.y));
+      break;
+    case Drag::zoom:
+      set_camera(session, zoomed(session.camera, std::exp(3 * share.y), session.pointer.grasped));
+      break;
+    case Drag::split:
+      session.split = std::clamp(
+          (session.pointer.at.x - session.picture.at.x) / session.picture.size.x, 0.0, 1.0);
+      break;
+  }
+}
+
+}  // namespace
+
+bool key_pressed(Session& session, const KeyPress& key) {
+  session.fast = key.shift;
+  if (is_flying_key(key)) {
+    session.held.insert(key.name);
+    return true;
+  }
+  if (const ActionRow* const row = action_of(key); row != nullptr) {
+    perform(session, row->action, key);
+    return true;
+  }
+  return false;
+}
+
+void key_released(Session& session, const std::string& name) {
+  if (name == "Shift") {
+    session.fast = false;
+  }
+  session.held.erase(name);
+}
+
+void pointer_pressed(Session& session, int button, const KeyPress& with) {
+  Pointer& pointer = session.pointer;
+  if (session.shown == nullptr || pointer.drag != Drag::none) {
+    return;
+  }
+  pointer.drag = drag_of(session, button, with);
+  pointer.pressed_at = pointer.at;
+  pointer.moved = false;
+  if (pointer.drag == Drag::zoom) {
+    pointer.grasped = point_under(session);
+  }
+}
+
+void pointer_moved(Session& session, const glm::dvec2& to) {
+  Pointer& pointer = session.pointer;
+  const glm::dvec2 by = to - pointer.at;
+  if (pointer.drag != Drag::none && !pointer.moved) {
+    // A click that trembles is no drag; a drag begins where the button went down.
+    if (glm::length(to - pointer.pressed_at) < click_slack && pointer.drag != Drag::split) {
+      return;
+    }
+    pointer.moved = true;
+  }
+  pointer.at = to;
+  if (pointer.drag != Drag::none) {
+    drag_by(session, by);
+  }
+}
+
+void pointer_released(Session& session) {
+  Pointer& pointer = session.pointer;
+  const bool click = pointer.drag == Drag::orbit && !pointer.moved;
+  pointer.drag = Drag::none;
+  if (click && session.picture.holds(pointer.at)) {
+    select_under(session);
+  }
+}
+
+void wheel_turned(Session& session, double steps) {
+  if (session.shown != nullptr) {
+    set_camera(session, zoomed(session.camera, std::pow(0.88, steps), point_under(session)));
+  }
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,142 @@
+#include "scenefile/viewer/settings.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace scenefile::viewer {
+
+namespace {
+
+/// A setting as a number; flags are 0 and 1.
+struct Row {
+  std::string_view name;
+  double least;
+  double most;
+  double (*get)(const Settings&);
+  void (*set)(Settings&, double);
+};
+
+template <auto member>
+constexpr Row row(std::string_view name, double least, double most) {
+  return {name, least, most, [](const Settings& s) { return static_cast<double>(s.*member); },
+          [](Settings& s, double value) {
+            using Member = std::remove_reference_t<decltype(s.*member)>;
+            if constexpr (std::is_same_v<Member, bool>) {
+              s.*member = value != 0;
+            } else {
+              s.*member = static_cast<Member>(value);
+            }
+          }};
+}
+
+constexpr std::array table{
+    row<&Settings::window_width>("window_width", 320, 16384),
+    row<&Settings::window_height>("window_height", 240, 16384),
+    row<&Settings::panel_width>("panel_width", 120, 2000),
+    row<&Settings::text_scale>("text_scale", 0.5, 4),
+    row<&Settings::outline>("outline", 0, 1),
+    row<&Settings::messages>("messages", 0, 1),
+    row<&Settings::statistics>("statistics", 0, 1),
+    row<&Settings::shadows>("shadows", 0, 1),
+    row<&Settings::textures>("textures", 0, 1),
+    row<&Settings::ray_tracing>("ray_tracing", 0, 1),
+    row<&Settings::samples>("samples", 1, 4096),
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) {
+    return {};
+  }
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// False: the line is damaged.
+bool parse_line(std::string_view line, Settings& settings) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) {
+    return false;
+  }
+  const std::string_view name = trimmed(line.substr(0, equals));
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const Row& r) { return r.name == name; });
+  if (found == table.end()) {
+    return !name.empty();
+  }
+  const ParsedNumber number = parse_number(line.substr(equals + 1));
+  if (number.error != NumberError::none) {
+    return false;
+  }
+  found->set(settings, std::clamp(number.value, found->least, found->most));
+  return true;
+}
+
+}  // namespace
+
+std::string settings_text(const Settings& settings) {
+  std::string text = "# scenefile view\n";
+  for (const Row& r : table) {
+    text += fmt::format("{} = {}\n", r.name, number_text(static_cast<float>(r.get(settings))));
+  }
+  return text;
+}
+
+bool parse_settings(const std::string& text, Settings& settings) {
+  Settings result = settings;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+    if (!line.empty() && line.front() != '#' && !parse_line(line, result)) {
+      return false;
+    }
+    begin = end + 1;
+  }
+  settings = result;
+  return true;
+}
+
+std::string settings_path(const char* xdg_config_home, const char* home) {
+  const std::string_view config = xdg_config_home != nullptr ? xdg_config_home : "";
+  if (config.starts_with('/')) {
+    return fmt::format("{}/scenefile/view.ini", config);
+  }
+  const std::string_view folder = home != nullptr ? home : "";
+  return folder.empty() ? std::string() : fmt::format("{}/.config/scenefile/view.ini", folder);
+}
+
+Settings load_settings(const std::string& path, std::string& note) {
+  constexpr std::uint64_t most = 1 << 16;
+  Settings settings;
+  if (path.empty() || !stamp_of(path).exists) {
+    return settings;
+  }
+  std::string text;
+  if (const IoError error = read_file(path, most, text); !error.empty()) {
+    note = "the settings cannot be read: " + error.text;
+  } else if (!parse_settings(text, settings)) {
+    note = path + " is damaged; the settings are the defaults";
+  }
+  return settings;
+}
+
+std::string save_settings(const std::string& path, const Settings& settings) {
+  if (path.empty()) {
+    return {};
+  }
+  IoError error = make_folder(folder_of(path));
+  if (error.empty()) {
+    error = write_file(path, settings_text(settings));
+  }
+  return error.text;
+}
+
+}  // namespace scenefile::viewer

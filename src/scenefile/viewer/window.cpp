@@ -1,0 +1,533 @@
+#include "scenefile/viewer/window.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/memory.h"
+#include "scenefile/viewer/canvas.h"
+#include "scenefile/viewer/gui.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace scenefile::viewer {
+
+namespace {
+
+// ImGui takes a few frames to come to rest after something has happened.
+constexpr int frames_after_event = 3;
+// Above this a moving picture gets one sample a pixel.
+constexpr double slow_frame = 0.06;
+
+struct NamedKey {
+  int code;
+  const char* name;
+};
+constexpr std::array named_keys{
+    NamedKey{GLFW_KEY_HOME, "Home"},
+    NamedKey{GLFW_KEY_ESCAPE, "Escape"},
+    NamedKey{GLFW_KEY_TAB, "Tab"},
+    NamedKey{GLFW_KEY_PAGE_UP, "Page Up"},
+    NamedKey{GLFW_KEY_PAGE_DOWN, "Page Down"},
+    NamedKey{GLFW_KEY_EQUAL, "+"},
+    NamedKey{GLFW_KEY_KP_ADD, "+"},
+    NamedKey{GLFW_KEY_KP_SUBTRACT, "-"},
+    NamedKey{GLFW_KEY_LEFT_SHIFT, "Shift"},
+    NamedKey{GLFW_KEY_RIGHT_SHIFT, "Shift"},
+};
+
+// Letters by what stands on the key, so that other keyboards are right too.
+std::string key_name(int key, int scancode) {
+  const auto found = std::find_if(named_keys.begin(), named_keys.end(),
+                                  [&](const NamedKey& named) { return named.code == key; });
+  if (found != named_keys.end()) {
+    return found->name;
+  }
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) {
+    return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
+  }
+  if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) {
+    return std::string(1, static_cast<char>('0' + key - GLFW_KEY_0));
+  }
+  const char* const name = glfwGetKeyName(key, scancode);
+  if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
+    return {};
+  }
+  return std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
+}
+
+KeyPress key_press(int key, int scancode, int modifiers) {
+  KeyPress press{key_name(key, scancode), (modifiers & GLFW_MOD_CONTROL) != 0,
+                 (modifiers & GLFW_MOD_SHIFT) != 0};
+  if (press.shift && press.name == "/") {
+    press = {"?", press.control, false};
+  } else if (press.name == "+") {
+    press.shift = false;
+  }
+  return press;
+}
+
+std::string last_glfw_error;
+
+void remember_error(int /*code*/, const char* text) {
+  last_glfw_error = text;
+}
+
+/// GLFW, ImGui and the canvas, from the opening of the window to its end.
+class Window {
+ public:
+  explicit Window(const WindowOptions& options) : options_(options) {}
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  WindowResult open();
+  WindowResult run();
+
+ private:
+  bool create_window();
+  void create_gui();
+  void install_callbacks();
+  void open_files();
+
+  // What happens, by hand or by script.
+  void on_key(const KeyPress& key, bool down);
+  void on_pointer(const glm::dvec2& at);
+  void on_button(int button, bool down, const KeyPress& with);
+  void on_wheel(double steps);
+  void on_drop(const std::vector<std::string>& paths);
+  void stir() { frames_due_ = frames_after_event; }
+
+  bool scripted() const { return !options_.script.steps.empty(); }
+  bool do_step();
+  bool do_step(const ScriptStep& step);
+  bool copy_file(const ScriptStep& step);
+
+  void wait();
+  void follow_session();
+  void draw_frame(bool best);
+  void begin_gui_frame();
+  GuiFrame gui_frame() const;
+  bool write_screenshot(const std::string& path);
+  void remember_settings();
+
+  static Window& of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+  }
+
+  const WindowOptions& options_;
+  Session session_;
+  GLFWwindow* window_ = nullptr;
+  bool glfw_ready_ = false;
+  bool gui_ready_ = false;
+  std::unique_ptr<Canvas> canvas_;
+  double gui_scale_ = 0;
+  glm::ivec2 framebuffer_{1};
+  int frames_due_ = frames_after_event;
+  double frame_seconds_ = 0;
+  bool drawn_quickly_ = false;
+  bool full_screen_ = false;
+  std::array<int, 4> windowed_{};  // place and size before the full screen
+  std::size_t step_ = 0;
+  int step_frames_ = 0;
+  double step_since_ = 0;
+  std::array<bool, 3> buttons_{};
+  glm::dvec2 pointer_{-1};
+  std::string failure_;
+};
+
+Window::~Window() {
+  canvas_.reset();
+  if (gui_ready_) {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+  }
+  if (window_ != nullptr) {
+    glfwDestroyWindow(window_);
+  }
+  if (glfw_ready_) {
+    glfwTerminate();
+  }
+}
+
+bool Window::create_window() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_VISIBLE, options_.hidden ? GLFW_FALSE : GLFW_TRUE);
+  const Settings& settings = session_.settings;
+  window_ = glfwCreateWindow(settings.window_width, settings.window_height, "scenefile", nullptr,
+                             nullptr);
+  return window_ != nullptr;
+}
+
+void Window::create_gui() {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // the settings are ours
+  install_callbacks();
+  ImGui_ImplGlfw_InitForOpenGL(window_, false);
+  ImGui_ImplOpenGL3_Init("#version 410 core");
+  gui_ready_ = true;
+}
+
+WindowResult Window::open() {
+  std::string note;
+  session_.settings = load_settings(options_.settings, note);
+  if (options_.size) {
+    session_.settings.window_width = options_.size->x;
+    session_.settings.window_height = options_.size->y;
+  }
+  session_.settings.ray_tracing = options_.ray_tracing.value_or(session_.settings.ray_tracing);
+  glfwSetErrorCallback(remember_error);
+  glfw_ready_ = glfwInit() == GLFW_TRUE;
+  if (!glfw_ready_) {
+    return {WindowStatus::no_display, "no window can be opened: " + last_glfw_error};
+  }
+  if (!create_window()) {
+    return {WindowStatus::failed, "no window with OpenGL 4.1 can be opened: " + last_glfw_error};
+  }
+  glfwSetWindowUserPointer(window_, this);
+  glfwMakeContextCurrent(window_);
+  glfwSwapInterval(scripted() ? 0 : 1);
+  std::string error;
+  canvas_ = Canvas::create(glfwGetProcAddress, error);
+  if (canvas_ == nullptr) {
+    return {WindowStatus::failed, error};
+  }
+  create_gui();
+  session_.setup = options_.setup;
+  session_.setup.wake = glfwPostEmptyEvent;
+  session_.now = glfwGetTime();
+  if (!note.empty()) {
+    say(session_, note, true);
+  }
+  open_files();
+  return {};
+}
+
+void Window::open_files() {
+  if (!options_.reference.empty()) {
+    open_reference(session_, options_.reference);
+  }
+  open_scene(session_, options_.scene);
+}
+
+void Window::install_callbacks() {
+  glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, modifiers);
+    if (action != GLFW_REPEAT) {
+      of(w).on_key(key_press(key, scancode, modifiers), action == GLFW_PRESS);
+    }
+  });
+  glfwSetCharCallback(window_, ImGui_ImplGlfw_CharCallback);
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w).on_pointer({x, y});
+  });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    of(w).on_button(button, action == GLFW_PRESS, key_press(0, 0, modifiers));
+  });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    of(w).on_wheel(y);
+  });
+  glfwSetCursorEnterCallback(window_, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetWindowFocusCallback(window_, ImGui_ImplGlfw_WindowFocusCallback);
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    of(w).on_drop({paths, paths + count});
+  });
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).stir(); });
+}
+
+void Window::on_key(const KeyPress& key, bool down) {
+  stir();
+  if (ImGui::GetIO().WantTextInput) {
+    return;
+  }
+  if (down) {
+    key_pressed(session_, key);
+  } else {
+    key_released(session_, key.name);
+  }
+}
+
+void Window::on_pointer(const glm::dvec2& at) {
+  stir();
+  pointer_ = at;
+  pointer_moved(session_, at);
+}
+
+void Window::on_button(int button, bool down, const KeyPress& with) {
+  stir();
+  if (button > 2) {
+    return;
+  }
+  buttons_[static_cast<std::size_t>(button)] = down;
+  if (!down) {
+    pointer_released(session_);
+  } else if (!ImGui::GetIO().WantCaptureMouse) {
+    pointer_pressed(session_, button, with);
+  }
+}
+
+void Window::on_wheel(double steps) {
+  stir();
+  if (!ImGui::GetIO().WantCaptureMouse) {
+    wheel_turned(session_, steps);
+  }
+}
+
+void Window::on_drop(const std::vector<std::string>& paths) {
+  stir();
+  drop(session_, paths);
+}
+
+// As an editor would that writes a new file in the place of the old one.
+bool Window::copy_file(const ScriptStep& step) {
+  std::string bytes;
+  IoError error = read_file(step.text, options_.setup.read.limits.file_bytes, bytes);
+  if (error.empty()) {
+    error = write_file(step.other, bytes);
+  }
+  failure_ = error.text;
+  return error.empty();
+}
+
+// True: the step is done.
+bool Window::do_step(const ScriptStep& step) {
+  constexpr double file_seconds = 0.8;  // until a change of a file has surely been seen
+  switch (step.kind) {
+    case StepKind::key:
+      on_key(parse_key(step.text), true);
+      on_key(parse_key(step.text), false);
+      return true;
+    case StepKind::hold:
+      on_key(parse_key(step.text), true);
+      if (step_frames_ >= step.number) {
+        on_key(parse_key(step.text), false);
+      }
+      return step_frames_ >= step.number;
+    case StepKind::move:
+      on_pointer({step.x, step.y});
+      return true;
+    case StepKind::press:
+    case StepKind::release:
+      on_button(step.number, step.kind == StepKind::press, {});
+      return true;
+    case StepKind::wheel:
+      on_wheel(step.y);
+      return true;
+    case StepKind::drop:
+      on_drop({step.text});
+      return true;
+    case StepKind::frames:
+      return step_frames_ >= step.number;
+    case StepKind::settle:
+      return step_frames_ > frames_after_event && glfwGetTime() - step_since_ > file_seconds &&
+             settled(session_);
+    case StepKind::screenshot:
+      draw_frame(true);
+      write_screenshot(step.text);
+      return true;
+    case StepKind::copy:
+      return copy_file(step);
+    case StepKind::quit:
+      session_.quit = true;
+      return true;
+  }
+  return true;
+}
+
+// One step a frame. False: the script is at its end, or has failed.
+bool Window::do_step() {
+  const std::vector<ScriptStep>& steps = options_.script.steps;
+  if (step_ >= steps.size()) {
+    return false;
+  }
+  if (do_step(steps[step_])) {
+    ++step_;
+    step_frames_ = 0;
+    step_since_ = glfwGetTime();
+  } else {
+    ++step_frames_;
+  }
+  stir();
+  return failure_.empty();
+}
+
+void Window::wait() {
+  if (scripted() || frames_due_ > 0) {
+    glfwPollEvents();
+  } else {
+    glfwWaitEventsTimeout(next_tick(session_));
+  }
+}
+
+// Title and full screen are the window's to change.
+void Window::follow_session() {
+  glfwSetWindowTitle(window_, fmt::format("{} - scenefile", scene_name(session_)).c_str());
+  if (session_.full_screen == full_screen_) {
+    return;
+  }
+  full_screen_ = session_.full_screen;
+  if (full_screen_) {
+    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  } else {
+    glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3],
+                         0);
+  }
+}
+
+void Window::begin_gui_frame() {
+  float density = 1;
+  glfwGetWindowContentScale(window_, &density, nullptr);
+  const double scale = density * session_.settings.text_scale;
+  if (scale != gui_scale_) {
+    gui_scale_ = scale;
+    const std::string note = set_gui_style(scale);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    if (!note.empty()) {
+      say(session_, note, true);
+    }
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  if (scripted()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {static_cast<float>(pointer_.x), static_cast<float>(pointer_.y)};
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+    io.DeltaTime = 1.0F / 60;
+  }
+  ImGui::NewFrame();
+}
+
+GuiFrame Window::gui_frame() const {
+  GuiFrame frame;
+  frame.scale = gui_scale_;
+  frame.frame_seconds = frame_seconds_;
+  frame.memory = memory_in_use();
+  frame.renderer = canvas_->renderer();
+  frame.drawn = canvas_->stats();
+  frame.traced = canvas_->traced().name();
+  frame.reference = canvas_->reference().name();
+  frame.difference = canvas_->difference().name();
+  frame.flip = canvas_->flip().name();
+  return frame;
+}
+
+void Window::draw_frame(bool best) {
+  const double start = glfwGetTime();
+  glm::ivec2 size(1);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  glfwGetFramebufferSize(window_, &framebuffer_.x, &framebuffer_.y);
+  canvas_->update(session_);
+  begin_gui_frame();
+  build_gui(session_, gui_frame(), glm::max(size, glm::ivec2(1)));
+  ImGui::Render();
+  const double scale = static_cast<double>(framebuffer_.x) / std::max(size.x, 1);
+  session_.pixels = glm::max(glm::ivec2(glm::round(session_.picture.size * scale)), glm::ivec2(1));
+  clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);
+  const bool moving = session_.now - session_.moved_at < 0.2;
+  drawn_quickly_ = !best && moving && (drawn_quickly_ || frame_seconds_ > slow_frame);
+  if (session_.shown != nullptr && !shows_traced(session_)) {
+    canvas_->draw(session_, framebuffer_.y, scale, drawn_quickly_);
+  }
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (!best) {
+    glfwSwapBuffers(window_);
+    frame_seconds_ = glfwGetTime() - start;
+  }
+}
+
+bool Window::write_screenshot(const std::string& path) {
+  const Texture picture = read_window(framebuffer_.x, framebuffer_.y);
+  std::string error;
+  const std::string bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
+  if (error.empty()) {
+    error = write_file(path, bytes).text;
+  }
+  if (!error.empty()) {
+    say(session_, error, true);
+    failure_ = scripted() ? error : "";
+    return false;
+  }
+  return true;
+}
+
+void Window::remember_settings() {
+  Settings settings = session_.settings;
+  if (!full_screen_) {
+    glfwGetWindowSize(window_, &settings.window_width, &settings.window_height);
+  }
+  if (!scripted()) {
+    save_settings(options_.settings, settings);
+  }
+}
+
+WindowResult Window::run() {
+  while (!session_.quit && glfwWindowShouldClose(window_) == GLFW_FALSE) {
+    wait();
+    if (tick(session_, glfwGetTime()) || (drawn_quickly_ && frames_due_ == 0)) {
+      stir();
+    }
+    if (scripted() && !do_step()) {
+      break;
+    }
+    if (wants_picture(session_)) {
+      compare_with(session_, canvas_->picture_for_reference(session_));
+    }
+    if (frames_due_ > 0) {
+      --frames_due_;
+      draw_frame(false);
+      follow_session();
+    }
+    if (!session_.screenshot.empty()) {
+      const std::string path = std::exchange(session_.screenshot, {});
+      draw_frame(true);
+      if (write_screenshot(path)) {
+        say(session_, "written: " + path);
+      }
+      stir();
+    }
+  }
+  remember_settings();
+  WindowResult result;
+  result.shown = session_.shown != nullptr && session_.broken == nullptr;
+  if (!failure_.empty()) {
+    result.status = WindowStatus::failed;
+    result.error = fmt::format(
+        "the script, line {}: {}",
+        options_.script.steps[std::min(step_, options_.script.steps.size()) - 1].line, failure_);
+  }
+  return result;
+}
+
+}  // namespace
+
+WindowResult run_window(const WindowOptions& options) {
+  Window window(options);
+  WindowResult result = window.open();
+  return result.status == WindowStatus::closed ? window.run() : result;
+}
+
+}  // namespace scenefile::viewer

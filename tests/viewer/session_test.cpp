@@ -1,0 +1,326 @@
+// The window without a window: what hands do, and what becomes of it.
+
+#include "scenefile/viewer/session.h"
+
+#include "io/temp_folder.h"
+#include "scenefile/asset/image_file.h"
+#include "viewer/test_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+namespace scenefile::viewer {
+
+namespace {
+
+using ::testing::HasSubstr;
+using testing_support::TempFolder;
+
+struct SessionTest : ::testing::Test {
+  SessionTest() {
+    session.setup.load = testing::open_file;
+    session.setup.wake = [] {};
+    session.setup.trace = default_options(Profile::fine);
+    session.settings.samples = 1;
+    session.picture = {{0, 0}, {400, 300}};
+    session.pixels = {40, 30};
+    open_scene(session, path);
+    settle();
+  }
+
+  // Time goes on by itself, faster than the clock on the wall.
+  void pass(double seconds) {
+    for (double end = time + seconds; time < end; time += 0.05) {
+      tick(session, time);
+    }
+  }
+  void settle() {
+    pass(0.8);
+    for (int i = 0; i < 400 && !settled(session); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      pass(0.05);
+    }
+    EXPECT_TRUE(settled(session));
+  }
+  void rewrite(const std::string& from, const std::string& to) {
+    std::string text = folder.read("a.xml");
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    folder.write("a.xml", text.replace(text.find(from), from.size(), to));
+    settle();
+  }
+  void click(double x, double y) {
+    pointer_moved(session, {x, y});
+    pointer_pressed(session, 0, {});
+    pointer_released(session);
+  }
+  void drag(double x, double y, const KeyPress& with = {}, int button = 0) {
+    pointer_moved(session, {200, 150});
+    pointer_pressed(session, button, with);
+    pointer_moved(session, {200 + x, 150 + y});
+    pointer_released(session);
+  }
+  std::string selected() const {
+    return session.selected ? session.shown->outline.rows[*session.selected].label : "";
+  }
+  std::string write_picture(const std::string& name, int width, int height) {
+    std::string error;
+    return folder.write(
+        name, encode_image(Image(width, height), ImageFormat::png8, Rounding::nearest, error));
+  }
+  const RenderScene& scene() const { return session.shown->opened.ready.scene; }
+
+  TempFolder folder;
+  std::string path = folder.write("a.xml", testing::scene_text);
+  Session session;
+  double time = 0;
+};
+
+TEST_F(SessionTest, OpensAtTheCameraOfTheScene) {
+  ASSERT_NE(session.shown, nullptr);
+  EXPECT_EQ(session.camera.position, glm::dvec3(0, 0, 6));
+  EXPECT_EQ(session.camera, session.home);
+  EXPECT_EQ(scene_name(session), "a.xml");
+}
+
+TEST_F(SessionTest, AClickSelectsWhatIsThere) {
+  click(140, 150);
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_THAT(session.selected_path, HasSubstr("root"));
+  click(260, 150);
+  EXPECT_EQ(selected(), "cube");
+  click(140, 245);
+  EXPECT_EQ(selected(), "cone");
+  EXPECT_THAT(session.selected_path, HasSubstr(" > "));
+  EXPECT_TRUE(session.open_rows.contains(session.shown->outline.rows[*session.selected].parent));
+  click(200, 20);
+  EXPECT_EQ(selected(), "");
+}
+
+TEST_F(SessionTest, WhatIsHiddenIsNotPicked) {
+  click(140, 150);
+  perform(session, Action::hide_selected);
+  EXPECT_FALSE(session.hidden.empty());
+  EXPECT_FALSE(draw_options(session).objects[*session.hidden.begin()]);
+  click(140, 150);
+  EXPECT_EQ(selected(), "");
+  perform(session, Action::show_all);
+  click(140, 150);
+  EXPECT_EQ(selected(), "sphere");
+}
+
+TEST_F(SessionTest, HandsMoveTheCamera) {
+  drag(50, 0);
+  EXPECT_LT(session.camera.position.x, -1);
+  EXPECT_NEAR(glm::length(session.camera.position - session.home.pivot), 6, 1);
+  perform(session, Action::scene_camera);
+  EXPECT_EQ(session.camera, session.home);
+  drag(0, 40, {"", false, true});
+  EXPECT_GT(session.camera.position.y, 0.1);
+  perform(session, Action::scene_camera);
+  drag(40, 0, {"", true, false});
+  EXPECT_EQ(session.camera.position, session.home.position);
+  perform(session, Action::scene_camera);
+  drag(0, -40, {}, 1);
+  EXPECT_LT(session.camera.position.z, 6);
+  perform(session, Action::scene_camera);
+  wheel_turned(session, 3);
+  EXPECT_LT(session.camera.position.z, 6);
+}
+
+TEST_F(SessionTest, AHandThatTremblesClicks) {
+  pointer_moved(session, {140, 150});
+  pointer_pressed(session, 0, {});
+  pointer_moved(session, {142, 151});
+  pointer_released(session);
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_EQ(session.camera, session.home);
+}
+
+TEST_F(SessionTest, KeysFlyAsLongAsTheyAreDown) {
+  EXPECT_TRUE(key_pressed(session, parse_key("W")));
+  pass(0.5);
+  const double z = session.camera.position.z;
+  EXPECT_LT(z, 6);
+  key_released(session, "W");
+  pass(0.5);
+  EXPECT_EQ(session.camera.position.z, z);
+  EXPECT_TRUE(key_pressed(session, parse_key("Home")));
+  EXPECT_EQ(session.camera, session.home);
+  EXPECT_FALSE(key_pressed(session, parse_key("Ctrl+J")));
+}
+
+TEST_F(SessionTest, AChangedFileKeepsTheCameraAndTheSelection) {
+  drag(50, 0);
+  click(200, 150);
+  const ViewCamera before = session.camera;
+  select(session, session.shown->outline.row_of_source[0]);
+  const std::uint64_t version = session.version;
+  rewrite("r=\"1\" g=\"0\" b=\"0\"", "r=\"0\" g=\"0\" b=\"0.5\"");
+  EXPECT_EQ(session.version, version + 1);
+  EXPECT_EQ(session.camera, before);
+  EXPECT_TRUE(session.selected.has_value());
+}
+
+TEST_F(SessionTest, ACameraThatWasNotMovedFollowsTheFile) {
+  rewrite("z=\"6\"", "z=\"9\"");
+  EXPECT_EQ(session.camera.position.z, 9);
+}
+
+TEST_F(SessionTest, ABrokenFileKeepsTheLastGoodPicture) {
+  const auto before = session.shown;
+  rewrite("<diffuse r=\"1\"", "<difuse r=\"1\"");
+  EXPECT_EQ(session.shown, before);
+  ASSERT_NE(session.broken, nullptr);
+  EXPECT_TRUE(session.broken->opened.diagnostics.has_errors());
+  rewrite("<difuse", "<diffuse");
+  EXPECT_EQ(session.broken, nullptr);
+  EXPECT_NE(session.shown, before);
+}
+
+TEST_F(SessionTest, AFileThatIsGoneAndComesBack) {
+  std::filesystem::rename(path, path + "~");
+  settle();
+  ASSERT_NE(session.broken, nullptr);
+  EXPECT_NE(session.broken->opened.unreadable, "");
+  std::filesystem::rename(path + "~", path);
+  settle();
+  EXPECT_EQ(session.broken, nullptr);
+}
+
+TEST_F(SessionTest, SavesTheView) {
+  drag(0, 0, {}, 0);
+  perform(session, Action::save_view);
+  EXPECT_THAT(session.notice->text, HasSubstr("already"));
+  EXPECT_EQ(folder.read("a.xml"), testing::scene_text);
+  wheel_turned(session, 2);
+  perform(session, Action::save_view);
+  EXPECT_THAT(session.notice->text, HasSubstr("saved"));
+  EXPECT_THAT(folder.read("a.xml"), HasSubstr("<!-- in front -->"));
+  const Camera saved = *testing::open_file(path).written.camera;
+  EXPECT_NEAR(saved.position.z, session.camera.position.z, 1e-5);
+  settle();
+  EXPECT_EQ(session.known_text, folder.read("a.xml"));
+}
+
+TEST_F(SessionTest, DoesNotSaveOverTheWorkOfOthers) {
+  wheel_turned(session, 2);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  perform(session, Action::save_view);
+  EXPECT_TRUE(session.notice->bad);
+  EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
+}
+
+TEST_F(SessionTest, OneLightAtATime) {
+  perform(session, Action::next_light);
+  EXPECT_EQ(draw_options(session).lights, (std::vector<bool>{true, false}));
+  perform(session, Action::next_light);
+  EXPECT_EQ(draw_options(session).lights, (std::vector<bool>{false, true}));
+  perform(session, Action::next_light);
+  EXPECT_EQ(draw_options(session).lights, (std::vector<bool>{true, true}));
+}
+
+TEST_F(SessionTest, ModesOfTheTable) {
+  for (const auto& [key, mode] :
+       {std::pair("2", DrawMode::wireframe), std::pair("3", DrawMode::normals),
+        std::pair("4", DrawMode::uv), std::pair("5", DrawMode::depth),
+        std::pair("6", DrawMode::object_id), std::pair("7", DrawMode::bounding_boxes),
+        std::pair("1", DrawMode::shaded)}) {
+    key_pressed(session, parse_key(key));
+    EXPECT_EQ(draw_options(session).mode, mode) << key;
+  }
+}
+
+TEST_F(SessionTest, RaysAreTracedWhenTheCameraRests) {
+  perform(session, Action::trace);
+  EXPECT_FALSE(shows_traced(session));
+  settle();
+  ASSERT_TRUE(shows_traced(session));
+  EXPECT_TRUE(session.traced->complete);
+  EXPECT_EQ(session.traced->image.width, 40);
+  wheel_turned(session, 1);
+  EXPECT_FALSE(shows_traced(session));
+  settle();
+  EXPECT_TRUE(shows_traced(session));
+  key_pressed(session, parse_key("3"));
+  EXPECT_FALSE(shows_traced(session));
+}
+
+TEST_F(SessionTest, ComparesWhatIsTracedWithTheReference) {
+  const std::string reference = write_picture("right.png", 32, 24);
+  drop(session, {reference});
+  EXPECT_EQ(session.compare, CompareView::split);
+  EXPECT_NEAR(picture_aspect(session, {400, 400}), 4.0 / 3, 1e-12);
+  perform(session, Action::trace);
+  settle();
+  ASSERT_TRUE(session.comparison.has_value());
+  EXPECT_TRUE(session.comparison->measures.same_size);
+  EXPECT_LT(session.comparison->measures.difference.psnr_db, 40);
+  EXPECT_THAT(measures_text(session.comparison->measures), HasSubstr("dB"));
+  EXPECT_EQ(session.comparison->flip.width, 32);
+  // The reference is drawn anew by its author.
+  write_picture("right.png", 30, 20);
+  settle();
+  EXPECT_EQ(session.reference.width, 30);
+  EXPECT_EQ(session.comparison->difference.width, 30);
+}
+
+TEST_F(SessionTest, ComparesWhatOpenGlDraws) {
+  open_reference(session, write_picture("right.png", 16, 16));
+  pass(1);
+  ASSERT_TRUE(wants_picture(session));
+  compare_with(session, quantize(Image(16, 16), Rounding::nearest));
+  EXPECT_FALSE(wants_picture(session));
+  settle();
+  EXPECT_EQ(session.comparison->measures.difference.psnr_db, 99);
+}
+
+TEST_F(SessionTest, TheSplitIsDragged) {
+  open_reference(session, write_picture("right.png", 40, 30));
+  pointer_moved(session, {200, 100});
+  pointer_pressed(session, 0, {});
+  pointer_moved(session, {100, 100});
+  pointer_released(session);
+  EXPECT_NEAR(session.split, 0.25, 1e-9);
+  EXPECT_EQ(session.camera, session.home);
+}
+
+TEST_F(SessionTest, PicturesAndFoldersAreDropped) {
+  folder.write("more/b2.xml", testing::scene_text);
+  folder.write("more/b10.xml", testing::scene_text);
+  drop(session, {folder.path("more")});
+  settle();
+  EXPECT_EQ(scene_name(session), "b2.xml");
+  perform(session, Action::next_scene);
+  settle();
+  EXPECT_EQ(scene_name(session), "b10.xml");
+  EXPECT_EQ(session.shown->opened.path, folder.path("more") + "/b10.xml");
+  perform(session, Action::next_scene);
+  settle();
+  EXPECT_EQ(scene_name(session), "b2.xml");
+  EXPECT_FALSE(open_reference(session, folder.path("more/b2.xml")));
+  EXPECT_TRUE(session.notice->bad);
+}
+
+TEST_F(SessionTest, NoticesGoAway) {
+  say(session, "hello");
+  pass(1);
+  EXPECT_TRUE(session.notice.has_value());
+  pass(10);
+  EXPECT_FALSE(session.notice.has_value());
+}
+
+TEST_F(SessionTest, FramesWhatIsSelected) {
+  click(260, 150);
+  perform(session, Action::frame);
+  EXPECT_NEAR(session.camera.pivot.x, 1, 1e-5);
+  EXPECT_LT(session.camera.position.z, 6);
+  EXPECT_GT(scene().groups.size(), 0U);
+}
+
+}  // namespace
+
+}  // namespace scenefile::viewer

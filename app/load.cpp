@@ -3,6 +3,7 @@
 #include "scenefile/base/hash.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/memory.h"
 #include "scenefile/scene/check.h"
 
 #include <cstdlib>
@@ -85,6 +86,13 @@ void check_picture(LoadedScene& scene, ViewQuestion question) {
   }
   question.place_of = [&](std::uint32_t source) { return scene.ready.sources[source].location; };
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
+}
+
+void forget_file(LoadedScene& scene) {
+  scene.text = {};
+  scene.written = {};
+  scene.ready.sources = {};
+  return_free_memory();
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options) {

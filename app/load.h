@@ -45,6 +45,10 @@ AssetRootsOptions asset_roots_options(const std::string& path, const Options& op
 /// where things are in the file.
 void check_picture(LoadedScene& scene, ViewQuestion question);
 
+/// Gives up what only messages about the file need (text, written scene, sources), for work that
+/// needs the memory.
+void forget_file(LoadedScene& scene);
+
 /// Where each file of the scene is.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
 

@@ -54,8 +54,7 @@ ExitCode check_target(const Options& options) {
   return ExitCode::fine;
 }
 
-Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& report,
-             Context& context) {
+Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, Context& context) {
   context.phase = "reading the checkpoint";
   Checkpoints checkpoints;
   std::optional<DeferredSignals> deferred;
@@ -71,6 +70,9 @@ Outcome draw(const Options& options, const LoadedScene& scene, RenderReport& rep
       return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
                                            layer_name(layer), scene.ready.scene.lights.size())};
     }
+  }
+  if (!options.json) {
+    forget_file(scene);
   }
   context.phase = "tracing";
   RenderResult result;

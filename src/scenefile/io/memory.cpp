@@ -3,6 +3,7 @@
 #include "scenefile/io/descriptor.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -117,6 +118,12 @@ std::uint64_t memory_in_use() {
     std::from_chars(text.data() + blank + 1, text.data() + text.size(), pages);
   }
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void return_free_memory() {
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
+#endif
 }
 
 }  // namespace scenefile

@@ -20,6 +20,9 @@ void limit_memory(std::uint64_t bytes);
 /// How much memory of the machine the process takes now, in bytes; 0 where that is unknown.
 std::uint64_t memory_in_use();
 
+/// Gives memory that was freed back to the system, where the C library keeps it for later.
+void return_free_memory();
+
 /// The least limit that the control groups in `membership` (the text of /proc/self/cgroup) and
 /// their parents set, read from files below `root` (/sys/fs/cgroup); UINT64_MAX: none.
 std::uint64_t cgroup_memory_limit(std::string_view membership, const std::string& root);

@@ -32,12 +32,13 @@ class Carrier {
         here_(asset_roots_options(scene.path, options)),
         there_(asset_roots_options(output, options)) {}
 
-  void carry(std::string& name, Location location) {
+  // The name there.
+  const std::string& carry(const std::string& name, Location location) {
     const auto [entry, is_new] = names_.try_emplace(name, name);
     if (is_new) {
       entry->second = name_there(name, location);
     }
-    name = entry->second;
+    return entry->second;
   }
 
  private:
@@ -89,11 +90,11 @@ void carry_files(LoadedScene& scene, const std::string& output, const Options& o
   for (Node& node : scene.written.nodes) {
     for (Primitive& primitive : node.primitives) {
       if (primitive.shape == Shape::mesh) {
-        carrier.carry(primitive.mesh_file, primitive.location);
+        primitive.mesh_file = carrier.carry(primitive.mesh_file, primitive.location);
       }
       for (auto* use : {&primitive.material.texture, &primitive.material.bump_map}) {
         if (use->has_value()) {
-          carrier.carry((*use)->file, (*use)->location);
+          (*use)->file = carrier.carry((*use)->file, (*use)->location);
         }
       }
     }

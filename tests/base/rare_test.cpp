@@ -47,5 +47,24 @@ TEST(Rare, ComparesTheValues) {
   EXPECT_NE(none, Rare<int>(0));
 }
 
+TEST(RareText, IsEmptyOrAText) {
+  const RareText none;
+  EXPECT_TRUE(none.empty());
+  EXPECT_EQ(none, "");
+  EXPECT_EQ(none, RareText(std::string()));
+  EXPECT_EQ(none.size(), 0u);
+  EXPECT_EQ(sizeof none, sizeof(void*));
+
+  RareText text("ab");
+  EXPECT_EQ(text, "ab");
+  EXPECT_EQ(text, std::string("ab"));
+  EXPECT_EQ(std::string_view(text), "ab");
+  EXPECT_NE(text, none);
+  const RareText copy = text;
+  text.clear();
+  EXPECT_TRUE(text.empty());
+  EXPECT_EQ(copy.str(), "ab");
+}
+
 }  // namespace
 }  // namespace scenefile

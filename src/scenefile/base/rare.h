@@ -1,7 +1,10 @@
 #pragma once
 // Members that most objects do without.
 
+#include <cstddef>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace scenefile {
@@ -39,6 +42,34 @@ class Rare {
 
  private:
   std::unique_ptr<T> at_;
+};
+
+/// A text that is mostly empty: where it is, this is one pointer long.
+class RareText {
+ public:
+  RareText() = default;
+  RareText(std::string text)
+      : at_(text.empty() ? Rare<std::string>() : Rare<std::string>(std::move(text))) {}
+  RareText(std::string_view text) : RareText(std::string(text)) {}
+  RareText(const char* text) : RareText(std::string(text)) {}
+
+  bool empty() const { return !at_; }
+  std::size_t size() const { return str().size(); }
+  const std::string& str() const {
+    static const std::string none;
+    return at_ ? *at_ : none;
+  }
+  operator const std::string&() const { return str(); }
+  operator std::string_view() const { return str(); }
+  void clear() { at_ = {}; }
+
+  friend bool operator==(const RareText& a, const RareText& b) { return a.str() == b.str(); }
+  friend bool operator==(const RareText& a, std::string_view b) { return a.str() == b; }
+  friend bool operator==(const RareText& a, const std::string& b) { return a.str() == b; }
+  friend bool operator==(const RareText& a, const char* b) { return a.str() == b; }
+
+ private:
+  Rare<std::string> at_;  // never an empty one
 };
 
 }  // namespace scenefile

@@ -146,7 +146,7 @@ class XmlForm {
       names.take(scene_.nodes[head].name);
     }
     for (NodeId id = 0; id < written; ++id) {
-      std::string& name = scene_.nodes[id].name;
+      RareText& name = scene_.nodes[id].name;
       if (is_head_[id] || name.empty() || scene_.nodes[id].children.empty() || names.take(name)) {
         continue;
       }

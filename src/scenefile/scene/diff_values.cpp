@@ -128,15 +128,15 @@ Values values_of(const Light& light) {
 
 Values values_of(const Primitive& primitive) {
   Values values{{"type", std::string(word_of(primitive.shape))}};
-  add(values, "file", primitive.mesh_file, std::string());
+  add(values, "file", primitive.mesh_file.str(), std::string());
   add(values, primitive.material);
   return values;
 }
 
 Values values_of(const Node& node) {
   Values values;
-  add(values, "name", node.name, std::string());
-  add(values, "instance of", node.instance_of, std::string());
+  add(values, "name", node.name.str(), std::string());
+  add(values, "instance of", node.instance_of.str(), std::string());
   if (!node.transforms.empty()) {
     values.push_back({"transforms", text_of(node.transforms)});
   }

@@ -107,7 +107,7 @@ struct Material {
 
 struct Primitive {
   Shape shape = Shape::cube;
-  std::string mesh_file;  ///< as written; for Shape::mesh alone
+  RareText mesh_file;  ///< as written; for Shape::mesh alone
   Material material;
   Location location;
 
@@ -137,12 +137,12 @@ using NodeId = std::uint32_t;
 /// A group: what it contains is placed by its transforms. A node with `instance_of` stands for a
 /// copy of that template (its transforms included) and has no contents of its own.
 struct Node {
-  std::string name;                   ///< may be empty; templates need one
+  RareText name;                      ///< may be empty; templates need one
   std::vector<Transform> transforms;  ///< product in listed order: the last listed acts first
   std::vector<Light> lights;
   std::vector<Primitive> primitives;
   std::vector<NodeId> children;
-  std::string instance_of;  ///< name of a template; empty: not an instance
+  RareText instance_of;  ///< name of a template; empty: not an instance
   Location location;
 };
 

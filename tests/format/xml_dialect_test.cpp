@@ -12,6 +12,7 @@ namespace scenefile::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 struct Verdict {
@@ -238,6 +239,47 @@ TEST(XmlDialect, NamespacesHaveNoEffect) {
               IsEmpty());
   EXPECT_THAT(findings(read("<s:scenefile xmlns:s=\"urn:x\"/>").diagnostics),
               ElementsAre("1:1 error xml.root-element", "1:1 warning xml.no-root"));
+}
+
+TEST(XmlDialect, DashesInCommentsAreForCompatCourse) {
+  for (const std::string comment : {"<!-- a -- b -->", "<!-- a --->", "<!---- a -->",
+                                    "<!-- a <!-- b -->", "<!-- -- -- --- -->"}) {
+    const std::string text = in_root(comment +
+                                     "<transblock><object type=\"primitive\" "
+                                     "name=\"cube\"/></transblock>");
+    EXPECT_THAT(findings(read(text).diagnostics), ElementsAre(HasSubstr("error xml.comment")))
+        << comment;
+    const Reading compat = read_compat(text);
+    EXPECT_THAT(findings(compat.diagnostics), ElementsAre(HasSubstr("warning xml.comment")))
+        << comment;
+    EXPECT_EQ(compat.scene.nodes[compat.scene.root].children.size(), 1u) << comment;
+  }
+}
+
+TEST(XmlDialect, FalseCommentsAreForCompatCourse) {
+  for (const std::string comment : {"<--> note", "<-- note -->", "<--\nnote\n-->", "<--->"}) {
+    const std::string text = in_root(comment +
+                                     "<transblock><object type=\"primitive\" "
+                                     "name=\"cubo\"/></transblock>");
+    EXPECT_THAT(findings(read(text).diagnostics),
+                ElementsAre("3:1 error xml.comment", HasSubstr("error xml.misspelt-shape")))
+        << comment;
+    EXPECT_THAT(findings(read_compat(text).diagnostics),
+                ElementsAre("3:1 warning xml.comment", HasSubstr("error xml.misspelt-shape")))
+        << comment;
+  }
+}
+
+// Only comments: the same characters elsewhere mean what they mean.
+TEST(XmlDialect, DashesElsewhereAreNoComments) {
+  for (const std::string inside :
+       {"<transblock><object type=\"tree\" name=\"a -- <!-- b\"><transblock><object "
+        "type=\"primitive\" name=\"cube\"/></transblock></object></transblock>",
+        "<![CDATA[ <!-- a -- b --> ]]>", "<?note <!-- a -- b --> ?>"}) {
+    for (const Diagnostic& d : read(in_root(inside)).diagnostics.list()) {
+      EXPECT_NE(d.code->name, "xml.comment") << inside;
+    }
+  }
 }
 
 TEST(XmlDialect, EveryAssumptionIsMarkedAsADialect) {

@@ -58,7 +58,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("a\x01"), "4:2 the character \"\\u{1}\" is not allowed in XML");
   EXPECT_THAT(one("a \xFF"), HasSubstr("is not valid UTF-8"));
   EXPECT_EQ(one("< scale/>"), "4:2 a name must follow < at once");
-  EXPECT_EQ(one("<--> note -->"), "4:2 a comment starts with <!--");
+  EXPECT_EQ(one("<--> note -->"), "4:1 a comment starts with <!--, not with <--");
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
   EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
 }

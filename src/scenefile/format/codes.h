@@ -36,6 +36,15 @@ inline constexpr Code xml_syntax{"xml.syntax", Severity::error, "the file is not
                                  "Tags must be closed in the order they were opened, values stand "
                                  "in quotes, & and < are written "
                                  "&amp; and &lt;. Nothing behind the place could be read."};
+inline constexpr Code xml_comment{
+    "xml.comment",
+    Severity::error,
+    "a comment that XML does not allow",
+    "A comment starts with <!-- and ends with the first -->; between them XML allows no --, and no "
+    "- right before the end. Write one dash, or =. The parsers of the course's programs read such "
+    "comments all the same: with --compat course this is a warning, and so does the reader.",
+    CodeKind::plain,
+    Severity::warning};
 inline constexpr Code xml_conflict_marker{
     "xml.conflict-marker", Severity::error, "the file holds an unresolved git conflict",
     "Decide for one of the two versions and delete the lines that start with <<<<<<<, ======= and "

@@ -3,6 +3,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/xml_comments.h"
 #include "scenefile/format/xml_plain.h"
 #include "scenefile/format/xml_scene_builder.h"
 #include "scenefile/format/xml_values.h"
@@ -274,6 +275,8 @@ Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& d
   if (std::optional<Scene> scene = read_plain(text, options, diagnostics)) {
     return std::move(*scene);
   }
+  const std::optional<std::string> mended = mend_comments(text, options, diagnostics);
+  text = mended ? std::string_view(*mended) : text;
   TextCursor places(text);
   SceneBuilder builder({options, diagnostics, places});
   const bool complete = read_events(text, options.limits, places, builder, diagnostics);

@@ -123,7 +123,7 @@ std::string token_message(std::string_view text, std::size_t at) {
     return "a bare & is not allowed; write &amp;";
   }
   if (in_comment(text, at)) {
-    return "-- is not allowed inside a comment";
+    return "-- is not allowed inside a comment; write - or == instead";
   }
   if (rest[0] == '<') {
     return "< is not allowed here; inside a value write &lt;";

@@ -42,28 +42,26 @@ std::size_t doctype_end(std::string_view text, std::size_t from) {
   return std::min(from + 1, text.size());
 }
 
+XmlTokenKind kind_of(std::string_view markup) {
+  if (markup.starts_with("<!--")) {
+    return XmlTokenKind::comment;
+  }
+  if (markup.starts_with("<![CDATA[")) {
+    return XmlTokenKind::cdata;
+  }
+  if (markup.starts_with("<?") || markup.starts_with("<!")) {
+    return XmlTokenKind::other;
+  }
+  if (markup.starts_with("</")) {
+    return XmlTokenKind::end;
+  }
+  return markup.ends_with("/>") ? XmlTokenKind::empty : XmlTokenKind::start;
+}
+
 XmlToken markup_at(std::string_view text, std::size_t begin) {
-  const std::string_view rest = text.substr(begin);
-  const auto token = [&](XmlTokenKind kind, std::size_t end) {
-    return XmlToken{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), kind};
-  };
-  if (rest.starts_with("<!--")) {
-    return token(XmlTokenKind::comment, behind(text, "-->", begin + 4));
-  }
-  if (rest.starts_with("<![CDATA[")) {
-    return token(XmlTokenKind::cdata, behind(text, "]]>", begin));
-  }
-  if (rest.starts_with("<?")) {
-    return token(XmlTokenKind::other, behind(text, "?>", begin));
-  }
-  if (rest.starts_with("<!")) {
-    return token(XmlTokenKind::other, doctype_end(text, begin + 2));
-  }
-  const std::size_t end = tag_end(text, begin);
-  if (rest.starts_with("</")) {
-    return token(XmlTokenKind::end, end);
-  }
-  return token(text[end - 2] == '/' ? XmlTokenKind::empty : XmlTokenKind::start, end);
+  const std::size_t end = markup_end(text, begin);
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+          kind_of(text.substr(begin, end - begin))};
 }
 
 bool preserves_space(std::string_view tag) {
@@ -119,6 +117,20 @@ class OpenElements {
 };
 
 }  // namespace
+
+std::size_t markup_end(std::string_view text, std::size_t begin) {
+  const std::string_view rest = text.substr(begin);
+  if (rest.starts_with("<!--")) {
+    return behind(text, "-->", begin + 4);
+  }
+  if (rest.starts_with("<![CDATA[")) {
+    return behind(text, "]]>", begin);
+  }
+  if (rest.starts_with("<?")) {
+    return behind(text, "?>", begin);
+  }
+  return rest.starts_with("<!") ? doctype_end(text, begin + 2) : tag_end(text, begin);
+}
 
 std::vector<XmlToken> xml_tokens(std::string_view text) {
   std::vector<XmlToken> tokens;

@@ -31,6 +31,10 @@ struct XmlToken {
 /// `text` is well-formed XML of less than 4 GiB, in any encoding whose bytes below 128 are ASCII.
 std::vector<XmlToken> xml_tokens(std::string_view text);
 
+/// One past the tag, comment, CDATA section or declaration whose `<` stands at `begin`; the end of
+/// the text when it has none. Of any text.
+std::size_t markup_end(std::string_view text, std::size_t begin);
+
 /// The parts of a tag without the blanks between them: "<a" or "</a", name and quoted value of each
 /// attribute, and at last ">" or "/>".
 std::vector<std::string_view> tag_parts(std::string_view tag);

@@ -1,0 +1,228 @@
+// Every code that the program knows has something that gives it and a near miss that does not.
+// Those that `check` gives scene files are in codes_test.cpp; here are the other commands', the
+// limits, and proof that none is left out.
+
+#include "app/run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+namespace fs = std::filesystem;
+
+const fs::path fixtures = SCENEFILE_FIXTURES;
+
+// A command without and with a near miss of what gives the code.
+struct Recipe {
+  std::function<ProgramRun()> gives;
+  std::function<ProgramRun()> near_miss;
+};
+
+class AllCodes : public ::testing::Test {
+ protected:
+  // The file of the code in tests/fixtures/commands.
+  static std::string file(const std::string& code, const std::string& ending) {
+    for (const std::string syntax : {".xml", ".json", ".ini"}) {
+      const fs::path path = fixtures / "commands" / (code + ending + syntax);
+      if (fs::exists(path)) {
+        return path.string();
+      }
+    }
+    return {};
+  }
+
+  static std::string family_of(const std::string& code) { return code.substr(0, code.find('.')); }
+
+  ProgramRun run_family(const std::string& code, const std::string& ending) const {
+    const std::string path = file(code, ending);
+    EXPECT_NE(path, "") << code << ending;
+    const std::string family = family_of(code);
+    if (family == "config") {
+      return run_program({path},
+                         {.folder = folder.path(""),
+                          .program = fs::path(SCENEFILE_PROGRAM).parent_path() / "projects_ray"});
+    }
+    if (family == "render") {
+      return run_program({"render", path, "--profile", "course", "--mode", "intersect", "--size",
+                          "8x8", "-o", folder.path("p.png")});
+    }
+    const std::string other = fs::path(path).extension() == ".xml" ? "out.json" : "out.xml";
+    return run_program({"convert", path, folder.path(family == "pov" ? "out.pov" : other)});
+  }
+
+  // The scene of the code copied to IN/, converted to OUT/.
+  ProgramRun convert_away(const std::string& code, const std::string& out) const {
+    fs::remove_all(folder.path("in"));
+    fs::create_directories(folder.path("away"));
+    fs::copy(fixtures / "commands/in", folder.path("in"), fs::copy_options::recursive);
+    return run_program({"convert", folder.path("in/" + code + ".xml"), folder.path(out)});
+  }
+
+  static ProgramRun check(const std::string& path, const std::string& limit) {
+    std::vector<std::string> words{"check", (fixtures / path).string()};
+    if (!limit.empty()) {
+      words.insert(words.end(), {"--limit", limit});
+    }
+    return run_program(words);
+  }
+
+  Recipe limited(const std::string& path, const std::string& limit) const {
+    return {[=] { return check(path, limit); }, [=] { return check(path, ""); }};
+  }
+
+  Recipe converted_limited(const std::string& code, const std::string& from, const std::string& to,
+                           const std::string& limit) const {
+    const std::string path = file(code, "");
+    const std::string out = folder.path(to);
+    return {[=] {
+              return run_program({"convert", path, out, "--limit", limit});
+            },
+            [=] {
+              return run_program({"convert", path, out});
+            }};
+  }
+
+  std::map<std::string, Recipe> recipes() const {
+    return {
+        {"convert.file-renamed",
+         {[=, this] { return convert_away("convert.file-renamed", "out.json"); },
+          [=, this] { return convert_away("convert.file-renamed", "in/out.json"); }}},
+        {"convert.file-left-behind",
+         {[=, this] { return convert_away("convert.file-left-behind", "away/out.json"); },
+          [=, this] { return convert_away("convert.file-left-behind", "in/out.json"); }}},
+        {"json.limit", limited("format_json/json.comment.ok.json", "nesting=2")},
+        {"light.count-limit", limited("commands/light.count-limit.json", "lights=1")},
+        {"mesh.limit", limited("codes/mesh.degenerate.ok.xml", "mesh-triangles=1")},
+        {"texture.limit", limited("codes/material.texture-without-blend.ok.xml", "texture-side=1")},
+        {"tree.nesting-limit",
+         limited("codes/tree.used-before-declared.ok.xml", "instance-nesting=1")},
+        {"xml.attribute-limit", limited("codes/scene.empty.ok.xml", "attributes=2")},
+        {"xml.length-limit", limited("codes/scene.empty.ok.xml", "name-bytes=5")},
+        {"xml.light-limit", limited("codes/light.many.ok.xml", "lights=3")},
+        {"xml.nesting-limit", limited("codes/scene.empty.ok.xml", "nesting=3")},
+    };
+  }
+
+  TempFolder folder;
+};
+
+bool says(const ProgramRun& run, const std::string& code) {
+  const std::string mark = "[" + code + "]";
+  return run.out.find(mark) != std::string::npos || run.err.find(mark) != std::string::npos;
+}
+
+std::vector<std::string> all_codes() {
+  const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
+  std::vector<std::string> codes;
+  for (const auto& code : help["codes"].GetArray()) {
+    codes.emplace_back(code["name"].GetString());
+  }
+  return codes;
+}
+
+// Codes that no file of a fit size gives a command; the tests that give them.
+const std::map<std::string, std::string> in_rooms{
+    {"gl.copies-left-out", "tests/view"},
+    {"gl.not-drawn", "tests/view"},
+    {"scene.bad-index", "tests/scene/check_test.cpp"},
+    {"scene.not-finite", "tests/scene/check_test.cpp"},
+    {"scene.shared-node", "tests/scene/check_test.cpp"},
+    {"tree.instance-with-contents", "tests/scene/check_test.cpp"},
+    {"write.light-dark", "tests/format/write_scene_test.cpp"},
+    {"write.light-limit", "tests/format/write_scene_test.cpp"},
+    {"write.nesting-limit", "tests/format/write_scene_test.cpp"}};
+
+bool has_check_fixture(const std::string& code) {
+  for (const std::string folder : {"codes", "format", "format_json"}) {
+    for (const std::string syntax : {".xml", ".json"}) {
+      if (fs::exists(fixtures / folder / (code + syntax))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+TEST_F(AllCodes, OfOtherCommandsAndLimitsAreGivenAndNearlyGiven) {
+  const auto special = recipes();
+  for (const std::string& code : all_codes()) {
+    const auto recipe = special.find(code);
+    if (recipe != special.end()) {
+      EXPECT_TRUE(says(recipe->second.gives(), code)) << code;
+      EXPECT_FALSE(says(recipe->second.near_miss(), code)) << code;
+    } else if (!has_check_fixture(code) && !in_rooms.contains(code)) {
+      EXPECT_TRUE(says(run_family(code, ""), code)) << code;
+      EXPECT_FALSE(says(run_family(code, ".ok"), code)) << code;
+    }
+  }
+}
+
+TEST_F(AllCodes, FilesAreOfCodesThatExist) {
+  const std::vector<std::string> codes = all_codes();
+  for (const auto& entry : fs::recursive_directory_iterator(fixtures / "commands")) {
+    std::string name = entry.path().stem().string();
+    if (!entry.is_regular_file() || entry.path().extension() == ".png") {
+      continue;
+    }
+    if (name.ends_with(".ok")) {
+      name.resize(name.size() - 3);
+    }
+    EXPECT_NE(std::find(codes.begin(), codes.end(), name), codes.end()) << entry.path();
+  }
+  for (const auto& [code, test] : in_rooms) {
+    EXPECT_NE(std::find(codes.begin(), codes.end(), code), codes.end()) << code;
+    EXPECT_TRUE(fs::exists(fixtures.parent_path().parent_path() / test)) << test;
+  }
+}
+
+// What `help` says of the severities of a code is what reports say: each report has one of them,
+// and each of them is in a report.
+TEST_F(AllCodes, SeveritiesAreThoseThatHelpNames) {
+  std::map<std::string, std::set<std::string>> named;
+  const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
+  for (const auto& code : help["codes"].GetArray()) {
+    std::set<std::string>& severities = named[code["name"].GetString()];
+    severities.insert(code["severity"].GetString());
+    if (code.HasMember("otherwise")) {
+      severities.insert(code["otherwise"].GetString());
+    }
+  }
+  std::map<std::string, std::set<std::string>> reported;
+  for (const std::vector<std::string> options :
+       {std::vector<std::string>{}, {"--compat", "course"}, {"--allow-missing"}}) {
+    std::vector<std::string> words{"check", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    for (const std::string part : {"codes", "format", "format_json", "severities"}) {
+      for (const auto& entry : fs::directory_iterator(fixtures / part)) {
+        const std::string extension = entry.path().extension();
+        if (extension == ".xml" || extension == ".json") {
+          words.push_back(entry.path());
+        }
+      }
+    }
+    const rapidjson::Document report = parse_json(run_program(words).out);
+    for (const auto& scene : report["scenes"].GetArray()) {
+      for (const auto& finding : scene["findings"].GetArray()) {
+        reported[finding["code"].GetString()].insert(finding["severity"].GetString());
+      }
+    }
+  }
+  for (const auto& [code, severities] : reported) {
+    EXPECT_EQ(severities, named[code]) << code;
+  }
+}
+
+}  // namespace
+
+}  // namespace scenefile

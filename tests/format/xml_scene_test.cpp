@@ -113,7 +113,7 @@ TEST(XmlScene, LightsStandAtTheRootWithTheirDefaults) {
   EXPECT_FALSE(light.id);
   EXPECT_THAT(found(reading),
               ElementsAre("2:1 warning xml.light-default", "2:1 warning xml.light-default",
-                          "2:1 note xml.light-id"));
+                          "2:1 warning xml.light-id"));
 }
 
 TEST(XmlScene, ASpotLight) {

@@ -173,13 +173,11 @@ inline constexpr Code xml_focus_at_position{
 inline constexpr Code xml_light_type{"xml.light-type", Severity::error,
                                      "a light has an unknown type",
                                      "The types are point, directional, spot and area."};
-inline constexpr Code xml_light_id{
-    "xml.light-id",
-    Severity::warning,
-    "the id of a light is not a whole number",
-    "The id has no effect; programs that use it expect 0 to 7. A note where the id is missing.",
-    CodeKind::plain,
-    Severity::note};
+inline constexpr Code xml_light_id{"xml.light-id", Severity::warning,
+                                   "a light without an id, or one that is no whole number",
+                                   "The id has no effect here; programs that store lights by id "
+                                   "expect numbers from 0 to 7, one of "
+                                   "each light."};
 inline constexpr Code xml_light_default{
     "xml.light-default", Severity::warning, "a light lacks a part",
     "The format text demands it. The default that the message names is used."};

@@ -114,7 +114,7 @@ inline constexpr Code json_area_light{
     "Area lights belong to the format, but the course's JSON reader does not know them and refuses "
     "the file. width and height are read here."};
 inline constexpr Code json_matrix_order{
-    "json.matrix-with-others", Severity::note, "a matrix beside other transforms",
+    "json.matrix-with-others", Severity::warning, "a matrix beside other transforms",
     "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
     "acts "
     "first. Some programs refuse a matrix beside others; nested groups make the order visible."};

@@ -122,8 +122,8 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
   }
   missing(l_color, "color", "1 1 1");
   if (!draft.seen.has(l_id) && !draft.light.id) {
-    context.diagnostics.report(xml_light_id, Severity::note, draft.light.location,
-                               "the light has no <id>; nothing depends on it here");
+    context.diagnostics.report(xml_light_id, draft.light.location,
+                               "the light has no <id>; give each light a number from 0 to 7");
   }
   if (type == LightType::spot) {
     missing(l_penumbra, "penumbra", "0");

@@ -30,12 +30,13 @@ class Report {
     return ExitCode::fine;
   }
 
-  ExitCode finish() const {
+  // `status` is that of the scenes.
+  ExitCode finish(ExitCode status) const {
     if (options_.json) {
       return answer(check_json(json_));
     }
     if (options_.sarif) {
-      return answer(sarif_.text());
+      return answer(sarif_.text(status));
     }
     const bool wanted = options_.arguments.size() > 1 && !options_.quiet;
     return wanted ? answer(tally_.text()) : ExitCode::fine;
@@ -77,7 +78,7 @@ ExitCode run_check(const Options& options, Context& context) {
       return ExitCode::environment;
     }
   }
-  return worse(status, report.finish());
+  return worse(status, report.finish(status));
 }
 
 }  // namespace scenefile::app

@@ -2,10 +2,13 @@
 
 #include "app/codes.h"
 #include "app/json_writer.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/report.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 namespace scenefile::app {
@@ -41,6 +44,7 @@ void add_rule(Json& json, const Code& code) {
   json.begin_object();
   json.add("id", code.name);
   add_text(json, "shortDescription", code.summary);
+  add_text(json, "fullDescription", code.help);
   add_text(json, "help", code.help);
   json.begin_object("defaultConfiguration");
   json.add("level", level_of(code.severity));
@@ -56,6 +60,9 @@ void add_location(Json& json, const std::string& scene, const Diagnostic& d) {
   json.begin_object("physicalLocation");
   json.begin_object("artifactLocation");
   json.add("uri", scene == "-" ? "stdin" : uri_of(scene));
+  if (!scene.starts_with('/')) {
+    json.add("uriBaseId", "%SRCROOT%");
+  }
   json.end_object();
   json.begin_object("region");
   json.add("startLine", here ? d.location.line : 1u);
@@ -77,6 +84,37 @@ std::string message_of(const Diagnostic& d) {
                             : fmt::format("{}: {}", d.file, d.message);
 }
 
+// Goes forward through the lines of a text.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+
+  // Without the blanks around it. `line` counts from 1 and never falls.
+  std::string_view at(std::uint32_t line) {
+    while (line_ < line && !rest_.empty()) {
+      rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
+      ++line_;
+    }
+    constexpr std::string_view blanks = " \t\r";
+    constexpr std::size_t longest = 400;
+    std::string_view text = rest_.substr(0, std::min(rest_.find('\n'), longest));
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+  }
+
+ private:
+  std::string_view rest_;
+  std::uint32_t line_ = 1;
+};
+
+// Of the kind of finding and the line that it is about, wherever that stands.
+std::string fingerprint_of(const Diagnostic& d, Lines& lines) {
+  Hash hash;
+  hash.add(d.code->name);
+  hash.add(d.file.empty() && d.location.known() ? lines.at(d.location.line) : message_of(d));
+  return fmt::format("{:016x}", hash.value());
+}
+
 void add_driver(Json& json, const std::map<std::string_view, const Code*>& rules) {
   json.begin_object("tool");
   json.begin_object("driver");
@@ -91,10 +129,11 @@ void add_driver(Json& json, const std::map<std::string_view, const Code*>& rules
   json.end_object();
 }
 
-void add_invocation(Json& json, const std::vector<std::string>& unreadable) {
+void add_invocation(Json& json, const std::vector<std::string>& unreadable, ExitCode status) {
   json.begin_array("invocations");
   json.begin_object();
   json.add("executionSuccessful", unreadable.empty());
+  json.add("exitCode", static_cast<int>(status));
   json.begin_array("toolExecutionNotifications");
   for (const std::string& text : unreadable) {
     json.begin_object();
@@ -113,13 +152,16 @@ void SarifLog::add(const LoadedScene& scene) {
   if (!scene.unreadable.empty()) {
     unreadable_.push_back(scene.unreadable.text);
   }
+  Lines lines(scene.text);
+  std::map<std::string, int> seen;
   for (const Diagnostic* d : by_place(scene.diagnostics)) {
-    results_.push_back({scene.path, *d});
+    const std::string fingerprint = fingerprint_of(*d, lines);
+    results_.push_back({scene.path, *d, fmt::format("{}:{}", fingerprint, ++seen[fingerprint])});
     rules_.emplace(d->code->name, d->code);
   }
 }
 
-std::string SarifLog::text() const {
+std::string SarifLog::text(ExitCode status) const {
   Json json;
   json.begin_object();
   json.add("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
@@ -127,7 +169,7 @@ std::string SarifLog::text() const {
   json.begin_array("runs");
   json.begin_object();
   add_driver(json, rules_);
-  add_invocation(json, unreadable_);
+  add_invocation(json, unreadable_, status);
   json.add("columnKind", "unicodeCodePoints");
   json.begin_array("results");
   for (const Result& result : results_) {
@@ -138,6 +180,9 @@ std::string SarifLog::text() const {
     json.add("level", level_of(result.finding.severity));
     add_text(json, "message", message_of(result.finding));
     add_location(json, result.scene, result.finding);
+    json.begin_object("partialFingerprints");
+    json.add("codeAndLine/v1", result.fingerprint);
+    json.end_object();
     json.end_object();
   }
   json.end_array();

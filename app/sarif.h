@@ -15,12 +15,14 @@ class SarifLog {
  public:
   /// The scene's findings, after apply_policy().
   void add(const LoadedScene& scene);
-  std::string text() const;
+  /// `status` is what the program is going to exit with.
+  std::string text(ExitCode status) const;
 
  private:
   struct Result {
     std::string scene;  ///< as given on the command line
     Diagnostic finding;
+    std::string fingerprint;  ///< stays when lines in front of it come and go
   };
   std::vector<Result> results_;
   std::vector<std::string> unreadable_;

@@ -46,6 +46,7 @@ void expect_valid(const rapidjson::Document& log) {
   for (const Value& rule : driver["rules"].GetArray()) {
     EXPECT_TRUE(ids.insert(rule["id"].GetString()).second);
     EXPECT_NE(text_of(rule["shortDescription"]), "");
+    EXPECT_NE(text_of(rule["fullDescription"]), "");
     EXPECT_NE(text_of(rule["help"]), "");
     EXPECT_TRUE(levels.contains(rule["defaultConfiguration"]["level"].GetString()));
   }
@@ -54,6 +55,7 @@ void expect_valid(const rapidjson::Document& log) {
     EXPECT_STREQ(result["ruleId"].GetString(), rule["id"].GetString());
     EXPECT_TRUE(levels.contains(result["level"].GetString()));
     EXPECT_NE(text_of(result["message"]), "");
+    EXPECT_NE(result["partialFingerprints"]["codeAndLine/v1"].GetStringLength(), 0u);
     ASSERT_EQ(result["locations"].Size(), 1u);
     const Value& place = result["locations"][0]["physicalLocation"];
     const std::regex uri(R"((file://)?([A-Za-z0-9._~/-]|%[0-9A-F]{2})+)");
@@ -82,8 +84,29 @@ TEST_F(Sarif, FindingsHaveLevelsAndPlaces) {
   EXPECT_STREQ(run["columnKind"].GetString(), "unicodeCodePoints");
   const Value& place = run["results"][0]["locations"][0]["physicalLocation"];
   EXPECT_STREQ(place["artifactLocation"]["uri"].GetString(), "a%20b/%C3%A4.xml");
+  EXPECT_STREQ(place["artifactLocation"]["uriBaseId"].GetString(), "%SRCROOT%");
+  EXPECT_EQ(run["invocations"][0]["exitCode"].GetInt(), 1);
   EXPECT_EQ(place["region"]["startLine"].GetInt(), 15);
   EXPECT_STREQ(run["results"][0]["level"].GetString(), "error");
+}
+
+// So that a code host knows a finding again when lines come and go around it.
+TEST_F(Sarif, FingerprintsDoNotDependOnTheLine) {
+  const std::string twice = "<blend v=\"1\"/><difuse/>\n<shine v=\"a\"/>";
+  folder.write("s.xml", scene_with(twice));
+  const auto prints = [&] {
+    std::vector<std::string> result;
+    const rapidjson::Document log = check({"s.xml"}, 1);
+    for (const Value& found : log["runs"][0]["results"].GetArray()) {
+      result.emplace_back(found["partialFingerprints"]["codeAndLine/v1"].GetString());
+    }
+    return result;
+  };
+  const std::vector<std::string> before = prints();
+  EXPECT_GE(before.size(), 4u);
+  EXPECT_EQ(std::set<std::string>(before.begin(), before.end()).size(), before.size());
+  folder.write("s.xml", "\n\n" + scene_with(twice));
+  EXPECT_EQ(prints(), before);
 }
 
 TEST_F(Sarif, FollowsThePolicy) {

@@ -22,6 +22,7 @@ struct BatchKey {
   std::uint32_t mesh = no_index;
   std::size_t level = 0;
   std::uint32_t texture = no_index;
+  gl::Enum hidden_side = gl::NONE;  // of its triangles, that need not be drawn
 
   auto operator<=>(const BatchKey&) const = default;
 };
@@ -105,6 +106,7 @@ class Picture {
       }
     }
     gl_.BindVertexArray(0);
+    gl_.Disable(gl::CULL_FACE);
     gl_.Disable(gl::BLEND);
     gl_.Disable(gl::DEPTH_TEST);
     return stats_;
@@ -152,6 +154,7 @@ class Picture {
         ++key.level;
       }
     }
+    key.hidden_side = hidden_side(object);
     if (output_ != Output::shaded) {
       return key;
     }
@@ -162,6 +165,19 @@ class Picture {
       key.texture = material.texture.file;
     }
     return key;
+  }
+
+  // Solids seen from outside show only their front; a mirrored transform turns the sides over.
+  gl::Enum hidden_side(const WorldObject& object) const {
+    const glm::dvec3 eye = frame_.camera.position;
+    const glm::dvec3 margin(4 * frame_.near);
+    const bool outside =
+        glm::any(glm::lessThan(eye + margin, glm::dvec3(object.box_min))) ||
+        glm::any(glm::greaterThan(eye - margin, glm::dvec3(object.box_max)));
+    if (!outside || object.shape == Shape::mesh) {
+      return gl::NONE;
+    }
+    return glm::determinant(object.world_from_object.linear) < 0 ? gl::FRONT : gl::BACK;
   }
 
   float kt() const { return drawing_.global.transparent.value_or(options_.course ? 0.0f : 0.5f); }
@@ -276,6 +292,12 @@ class Picture {
     if (key.texture != no_index) {
       bind_texture(unit_image, drawing_.textures[key.texture].name());
     }
+    if (key.hidden_side == gl::NONE) {
+      gl_.Disable(gl::CULL_FACE);
+    } else {
+      gl_.Enable(gl::CULL_FACE);
+      gl_.CullFace(key.hidden_side);
+    }
     gl_.BindVertexArray(geometry.array.name());
     point_at_instances(batch.first);
     const auto instances = static_cast<gl::Size>(batch.count);
@@ -297,17 +319,12 @@ class Picture {
   // object only the near side counts.
   void draw_see_through(const Batch& batch) {
     gl_.Enable(gl::BLEND);
-    gl_.Enable(gl::CULL_FACE);
     gl_.DepthMask(0);
-    const float determinant = glm::determinant(
-        drawing_.scene.objects[items_[batch.first].object].world_from_object.linear);
-    gl_.CullFace(determinant < 0 ? gl::FRONT : gl::BACK);
     gl_.BlendFunc(gl::ZERO, gl::SRC_COLOR);
     draw_batch(batch, 1);
     gl_.BlendFunc(gl::ONE, gl::ONE);
     draw_batch(batch, 0);
     gl_.DepthMask(1);
-    gl_.Disable(gl::CULL_FACE);
     gl_.Disable(gl::BLEND);
   }
 

@@ -76,6 +76,12 @@ class MeshIndexer {
   DrawVertices result_;
 };
 
+// From the polygon in a circle to the one of the circle's area.
+double growth(int segments) {
+  constexpr double pi = 3.14159265358979323846;
+  return std::sqrt(2 * pi / segments / std::sin(2 * pi / segments));
+}
+
 }  // namespace
 
 DrawVertices mesh_vertices(const Mesh& mesh, bool smooth) {
@@ -87,6 +93,10 @@ DrawVertices shape_vertices(Shape shape, int segments) {
   for (DrawVertex& vertex : result.vertices) {
     const bool cap = std::abs(vertex.normal.y) > 0.99f && shape != Shape::sphere;
     vertex.round = shape != Shape::cube && !cap ? 1.0f : 0.0f;
+    if (shape != Shape::cube) {
+      const auto grown = static_cast<float>(growth(segments));
+      vertex.position *= glm::vec3(grown, shape == Shape::sphere ? grown : 1, grown);
+    }
   }
   return result;
 }

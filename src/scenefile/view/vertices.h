@@ -25,7 +25,8 @@ struct DrawVertices {
   std::vector<std::uint32_t> triangles;  ///< indices, three each
 };
 
-/// Of an analytic shape.
+/// Of an analytic shape. Round outlines are as much outside of the exact surface as inside: the
+/// area of a circle is that of its polygon.
 DrawVertices shape_vertices(Shape shape, int segments);
 
 /// Of a mesh; corners that are equal in everything are one vertex. `smooth`: with the normals of

@@ -16,6 +16,10 @@ centroid in vec3 on_object;
 centroid in vec3 from_eye;
 centroid in vec3 mesh_normal;
 centroid in vec2 mesh_uv;
+#ifdef TEXTURED
+in vec3 even_object;
+in vec2 even_uv;
+#endif
 flat in vec3 eye_object;
 flat in mat3 world_from_normal;
 flat in vec4 identity;
@@ -107,28 +111,39 @@ vec3 texture_color(Point point) {
   vec2 scale = repeats.xy * size;
   vec2 uv = find_uv(point);
   vec2 p = vec2(uv.x, 1.0 - uv.y) * scale;
-  vec2 along_x = uv_step(point, dFdx(point.object), dFdx(mesh_uv)) * scale;
-  vec2 along_y = uv_step(point, dFdy(point.object), dFdy(mesh_uv)) * scale;
+  vec2 along_x = uv_step(point, dFdx(even_object), dFdx(even_uv)) * scale;
+  vec2 along_y = uv_step(point, dFdy(even_object), dFdy(even_uv)) * scale;
   along_x.y = -along_x.y;
   along_y.y = -along_y.y;
   if (lookup < 2) {
     vec2 place = lookup == 1 ? p + 0.5 : floor(p) + 0.5;
     return textureLod(image, place / size, 0.0).rgb;
   }
-  float x = length(along_x);
-  float y = length(along_y);
-  vec2 major = x > y ? along_x : along_y;
-  float longer = max(x, y);
-  float width = max(max(min(x, y), longer / 16.0), 1.0);
-  float level = log2(width);
-  float taps = clamp(ceil(longer / width), 1.0, 16.0);
-  vec2 border = lookup == 3 || level > 0.0 ? vec2(1.0) : clamp(abs(along_x) + abs(along_y), 1e-4, 1.0);
-  vec3 sum = vec3(0.0);
-  for (float i = 0.5; i < taps; i += 1.0) {
-    vec2 place = p + (i / taps - 0.5) * major;
-    sum += textureLod(image, sharpened(place, border) / size, level).rgb;
+  if (length(along_x) < length(along_y)) {
+    vec2 swapped = along_x;
+    along_x = along_y;
+    along_y = swapped;
   }
-  return sum / taps;
+  float longer = length(along_x);
+  float shorter = length(along_y);
+  // Filtered: along the longer axis, at the level of the shorter. Averaged: a grid over the pixel.
+  float width = max(max(shorter, longer / 16.0), 1.0);
+  vec2 taps = lookup == 3 ? vec2(clamp(ceil(longer / width), 1.0, 16.0), 1.0)
+                          : clamp(ceil(2.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 2.0 : 4.0);
+  along_x /= taps.x;
+  along_y /= taps.y;
+  if (lookup == 2) {
+    width = max(max(length(along_x), length(along_y)), 1.0);
+  }
+  vec2 border = lookup == 3 || width > 1.0 ? vec2(1.0) : clamp(abs(along_x) + abs(along_y), 1e-4, 1.0);
+  vec3 sum = vec3(0.0);
+  for (float i = 0.0; i < taps.x * taps.y; i += 1.0) {
+    float row = floor((i + 0.5) / taps.x);
+    vec2 step = vec2(i - row * taps.x, row) - 0.5 * (taps - 1.0);
+    vec2 place = p + step.x * along_x + (lookup == 3 ? 0.0 : step.y) * along_y;
+    sum += textureLod(image, sharpened(place, border) / size, log2(width)).rgb;
+  }
+  return sum / (taps.x * taps.y);
 }
 #endif
 

@@ -1,0 +1,26 @@
+#pragma once
+// One scene by both engines, and how far their pictures are apart.
+
+#include "scenefile/view/draw.h"
+#include "support/load_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile::view_test {
+
+struct Agreement {
+  std::string error;    ///< why there are no pictures; empty: there are
+  double whole_db = 0;  ///< PSNR of all pixels; 99 for equal pictures
+  /// The same without the pixels that have a change of object within two pixels; 99 without any.
+  double inside_db = 0;
+  Image traced;
+  Image drawn;
+  std::vector<bool> near_outline;  ///< by pixel
+};
+
+/// Both with --profile fine and --features texture.
+Agreement two_engines(GlDevice& device, const testing_support::LoadedScene& scene, int width,
+                      int height);
+
+}  // namespace scenefile::view_test

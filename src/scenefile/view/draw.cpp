@@ -1,58 +1,15 @@
 #include "scenefile/view/draw.h"
 
-#include "scenefile/view/device.h"
-#include "scenefile/view/framing.h"
-#include "scenefile/view/light_table.h"
+#include "scenefile/view/pass.h"
 #include "scenefile/view/picture.h"
-#include "scenefile/view/scene_buffers.h"
+#include "scenefile/view/shadows.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <tuple>
 
 namespace scenefile {
 
 namespace {
-
-// What instances must share to be drawn in one call.
-struct BatchKey {
-  bool see_through = false;
-  Shape shape = Shape::cube;
-  std::uint32_t mesh = no_index;
-  std::size_t level = 0;
-  std::uint32_t texture = no_index;
-  gl::Enum hidden_side = gl::NONE;  // of its triangles, that need not be drawn
-
-  auto operator<=>(const BatchKey&) const = default;
-};
-
-struct Batch {
-  BatchKey key;
-  std::size_t first = 0;  // instance
-  std::size_t count = 0;
-};
-
-struct Item {
-  BatchKey key;
-  double distance = 0;  // of the object's middle, for what is seen through
-  std::uint32_t object = 0;
-};
-
-// Coefficients of x^2 + z^2 + a y^2 + b y + c = 0, the round sides.
-glm::vec3 quadric_of(Shape shape) {
-  switch (shape) {
-    case Shape::sphere:
-      return {1, 0, -0.25f};
-    case Shape::cone:
-      return {-0.25f, 0.25f, -0.0625f};
-    case Shape::cylinder:
-    case Shape::cube:
-    case Shape::mesh:
-      break;
-  }
-  return {0, 0, -0.25f};
-}
 
 Output output_of(DrawMode mode) {
   switch (mode) {
@@ -73,274 +30,6 @@ Output output_of(DrawMode mode) {
   }
   return Output::shaded;
 }
-
-class Picture {
- public:
-  Picture(GlDevice::State& device, Drawing::State& drawing, const Frame& frame,
-          const DrawOptions& options, Output output)
-      : device_(device),
-        gl_(device.gl),
-        drawing_(drawing),
-        frame_(frame),
-        options_(options),
-        output_(output),
-        boxes_(output == Output::box),
-        lines_(output == Output::flat_color) {}
-
-  DrawStats draw() {
-    choose_objects();
-    pack();
-    bind_tables();
-    gl_.Enable(gl::DEPTH_TEST);
-    gl_.DepthFunc(gl::LEQUAL);
-    if (boxes_) {
-      gl_.Disable(gl::DEPTH_TEST);
-      gl_.Enable(gl::BLEND);
-      gl_.BlendFunc(gl::ONE, gl::ONE);
-    }
-    for (const Batch& batch : batches_) {
-      if (batch.key.see_through) {
-        draw_see_through(batch);
-      } else {
-        draw_batch(batch, 0);
-      }
-    }
-    gl_.BindVertexArray(0);
-    gl_.Disable(gl::CULL_FACE);
-    gl_.Disable(gl::BLEND);
-    gl_.Disable(gl::DEPTH_TEST);
-    return stats_;
-  }
-
- private:
-  bool is_shown(std::uint32_t source) const {
-    return source >= options_.objects.size() || options_.objects[source];
-  }
-
-  // Calls `test` with the sources that the object comes of until it is true.
-  template <typename Test>
-  bool any_source(const DrawnObject& name, const Test& test) const {
-    if (test(name.source)) {
-      return true;
-    }
-    for (std::uint32_t p = name.placement; p != no_index; p = drawing_.scene.placements[p].parent) {
-      if (test(drawing_.scene.placements[p].source)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool is_hidden(const DrawnObject& name) const {
-    return !options_.objects.empty() &&
-           any_source(name, [&](std::uint32_t source) { return !is_shown(source); });
-  }
-
-  bool is_highlighted(const DrawnObject& name) const {
-    return options_.highlighted != no_index &&
-           any_source(name, [&](std::uint32_t source) { return source == options_.highlighted; });
-  }
-
-  BatchKey key_of(const WorldObject& object) const {
-    BatchKey key;
-    if (boxes_) {
-      return key;
-    }
-    key.shape = object.shape;
-    key.mesh = object.mesh;
-    if (object.shape != Shape::cube && object.shape != Shape::mesh) {
-      const int wanted = segments_for(radius_in_pixels(frame_, object));
-      while (key.level + 1 < levels && level_segments[key.level] < wanted) {
-        ++key.level;
-      }
-    }
-    key.hidden_side = hidden_side(object);
-    if (output_ != Output::shaded) {
-      return key;
-    }
-    const RenderMaterial& material = drawing_.materials[object.material];
-    key.see_through = options_.transparency && material.transparent != glm::vec3(0) && kt() > 0;
-    if (options_.textures && material.blend != 0 && material.texture.used() &&
-        drawing_.textures[material.texture.file]) {
-      key.texture = material.texture.file;
-    }
-    return key;
-  }
-
-  // Solids seen from outside show only their front; a mirrored transform turns the sides over.
-  gl::Enum hidden_side(const WorldObject& object) const {
-    const glm::dvec3 eye = frame_.camera.position;
-    const glm::dvec3 margin(4 * frame_.near);
-    const bool outside =
-        glm::any(glm::lessThan(eye + margin, glm::dvec3(object.box_min))) ||
-        glm::any(glm::greaterThan(eye - margin, glm::dvec3(object.box_max)));
-    if (!outside || object.shape == Shape::mesh) {
-      return gl::NONE;
-    }
-    return glm::determinant(object.world_from_object.linear) < 0 ? gl::FRONT : gl::BACK;
-  }
-
-  float kt() const { return drawing_.global.transparent.value_or(options_.course ? 0.0f : 0.5f); }
-
-  void choose_objects() {
-    for (std::uint32_t i = 0; i < drawing_.scene.objects.size(); ++i) {
-      const WorldObject& object = drawing_.scene.objects[i];
-      if (!may_be_seen(frame_, object) || is_hidden(drawing_.scene.names[i])) {
-        continue;
-      }
-      Item item{key_of(object), 0, i};
-      if (item.key.see_through) {
-        const glm::dvec3 middle = 0.5 * (glm::dvec3(object.box_min) + glm::dvec3(object.box_max));
-        item.distance = glm::length(middle - frame_.camera.position);
-      }
-      items_.push_back(item);
-    }
-    // Opaque ones in batches; behind them those that are seen through, the farthest first.
-    std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
-      return std::tie(a.key.see_through, b.distance, a.key, a.object) <
-             std::tie(b.key.see_through, a.distance, b.key, b.object);
-    });
-  }
-
-  InstanceRecord record_of(const Item& item) const {
-    const WorldObject& object = drawing_.scene.objects[item.object];
-    DAffine map(object.world_from_object);
-    if (boxes_) {
-      map = DAffine(glm::dmat3(1), glm::dvec3(0));
-      map.offset = 0.5 * (glm::dvec3(object.box_min) + glm::dvec3(object.box_max));
-      for (int axis = 0; axis < 3; ++axis) {
-        map.linear[axis][axis] = double(object.box_max[axis]) - double(object.box_min[axis]);
-      }
-    }
-    map.offset -= frame_.camera.position;
-    InstanceRecord record;
-    for (int row = 0; row < 3; ++row) {
-      record.rows[row] =
-          glm::vec4(map.linear[0][row], map.linear[1][row], map.linear[2][row], map.offset[row]);
-    }
-    const float tint = is_highlighted(drawing_.scene.names[item.object]) ? 0.4f : 0.0f;
-    record.object = {static_cast<float>(object.material), tint, static_cast<float>(item.object), 0};
-    return record;
-  }
-
-  void pack() {
-    std::vector<InstanceRecord> records;
-    records.reserve(items_.size());
-    for (const Item& item : items_) {
-      // What is seen through is drawn one by one, in order.
-      if (batches_.empty() || batches_.back().key != item.key || item.key.see_through) {
-        batches_.push_back({item.key, records.size(), 0});
-      }
-      ++batches_.back().count;
-      records.push_back(record_of(item));
-    }
-    stats_.objects = records.size();
-    gl_.BindBuffer(gl::ARRAY_BUFFER, drawing_.instances.name());
-    gl_.BufferData(gl::ARRAY_BUFFER, std::ptrdiff_t(records.size() * sizeof(InstanceRecord)),
-                   records.data(), gl::STREAM_DRAW);
-  }
-
-  void bind_texture(int unit, gl::Name texture) {
-    gl_.ActiveTexture(gl::TEXTURE0 + unit);
-    gl_.BindTexture(gl::TEXTURE_2D, texture);
-  }
-
-  void bind_tables() {
-    const std::vector<Emitter> shining = emitters(drawing_.lights, options_);
-    emitter_count_ = static_cast<int>(shining.size());
-    if (output_ == Output::shaded) {
-      std::vector<glm::vec4> rows;
-      for (const Emitter& emitter : shining) {
-        const auto row = emitter_row(emitter, frame_.camera.position, -1);
-        rows.insert(rows.end(), row.begin(), row.end());
-      }
-      gl_.ActiveTexture(gl::TEXTURE0 + unit_emitters);
-      fill_table(gl_, drawing_.emitter_table, emitter_texels, rows);
-    }
-    bind_texture(unit_materials, drawing_.material_table.name());
-  }
-
-  const Program& use_program(const BatchKey& key) {
-    const Program& program = device_.programs.use({output_, key.texture != no_index});
-    const glm::mat4 clip = clip_from_world(frame_);
-    gl_.UniformMatrix4fv(program.clip_from_world, 1, 0, &clip[0][0]);
-    gl_.Uniform1i(program.emitter_count, emitter_count_);
-    gl_.Uniform1f(program.transparent, kt());
-    const double reach = frame_.far - frame_.near;
-    const glm::vec4 axis(glm::vec3(-frame_.camera.w / reach), -frame_.near / reach);
-    gl_.Uniform4fv(program.depth_axis, 1, &axis[0]);
-    gl_.Uniform1i(program.lookup, (options_.course ? 0 : 2) + (options_.texture_filter ? 1 : 0));
-    return program;
-  }
-
-  void point_at_instances(std::size_t first) {
-    gl_.BindBuffer(gl::ARRAY_BUFFER, drawing_.instances.name());
-    for (gl::Name i = 0; i < 4; ++i) {
-      const std::size_t offset = first * sizeof(InstanceRecord) + i * sizeof(glm::vec4);
-      gl_.VertexAttribPointer(3 + i, 4, gl::FLOAT, 0, sizeof(InstanceRecord),
-                              reinterpret_cast<const void*>(offset));
-    }
-  }
-
-  void draw_batch(const Batch& batch, int passing) {
-    const BatchKey& key = batch.key;
-    const Geometry& geometry = geometry_of(gl_, drawing_, key.shape, key.mesh, key.level, lines_);
-    const Program& program = use_program(key);
-    const glm::vec3 quadric = quadric_of(key.shape);
-    gl_.Uniform3f(program.quadric, quadric.x, quadric.y, quadric.z);
-    gl_.Uniform1i(program.passing, passing);
-    if (key.texture != no_index) {
-      bind_texture(unit_image, drawing_.textures[key.texture].name());
-    }
-    if (key.hidden_side == gl::NONE) {
-      gl_.Disable(gl::CULL_FACE);
-    } else {
-      gl_.Enable(gl::CULL_FACE);
-      gl_.CullFace(key.hidden_side);
-    }
-    gl_.BindVertexArray(geometry.array.name());
-    point_at_instances(batch.first);
-    const auto instances = static_cast<gl::Size>(batch.count);
-    if (lines_) {
-      gl_.BindBuffer(gl::ELEMENT_ARRAY_BUFFER, geometry.lines.name());
-      gl_.DrawElementsInstanced(gl::LINES, geometry.line_indices, gl::UNSIGNED_INT, nullptr,
-                                instances);
-      stats_.triangles += batch.count * static_cast<std::uint64_t>(geometry.line_indices / 2);
-    } else {
-      gl_.BindBuffer(gl::ELEMENT_ARRAY_BUFFER, geometry.triangles.name());
-      gl_.DrawElementsInstanced(gl::TRIANGLES, geometry.triangle_indices, gl::UNSIGNED_INT, nullptr,
-                                instances);
-      stats_.triangles += batch.count * static_cast<std::uint64_t>(geometry.triangle_indices / 3);
-    }
-    ++stats_.draw_calls;
-  }
-
-  // First what is behind is dimmed to the color of the object, then its own light is added. Of the
-  // object only the near side counts.
-  void draw_see_through(const Batch& batch) {
-    gl_.Enable(gl::BLEND);
-    gl_.DepthMask(0);
-    gl_.BlendFunc(gl::ZERO, gl::SRC_COLOR);
-    draw_batch(batch, 1);
-    gl_.BlendFunc(gl::ONE, gl::ONE);
-    draw_batch(batch, 0);
-    gl_.DepthMask(1);
-    gl_.Disable(gl::BLEND);
-  }
-
-  GlDevice::State& device_;
-  const gl::Functions& gl_;
-  Drawing::State& drawing_;
-  const Frame& frame_;
-  const DrawOptions& options_;
-  Output output_;
-  bool boxes_;
-  bool lines_;
-  int emitter_count_ = 0;
-  std::vector<Item> items_;
-  std::vector<Batch> batches_;
-  DrawStats stats_;
-};
 
 void clear(const gl::Functions& gl, const glm::vec3& color) {
   gl.ClearColor(color.r, color.g, color.b, 1);
@@ -377,11 +66,18 @@ const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawi
       !fit(gl, device.resolved, width * scale, height * scale, 1, false)) {
     return nullptr;
   }
+  const Output output = output_of(options.mode);
+  stats = DrawStats();
+  if (output == Output::shaded) {
+    stats.shadow_calls = make_shadows(device, drawing, options);
+  }
   gl.BindFramebuffer(gl::FRAMEBUFFER, device.multisampled.framebuffer.name());
   gl.Viewport(0, 0, width * scale, height * scale);
   clear(gl, options.background);
   const Frame frame = frame_of(camera, width, height, drawing.scene.objects);
-  stats = Picture(device, drawing, frame, options, output_of(options.mode)).draw();
+  const DrawStats pass = draw_objects(device, drawing, frame, options, output);
+  stats = {pass.draw_calls, stats.shadow_calls,
+           static_cast<std::uint32_t>(drawing.shadows.views.size()), pass.objects, pass.triangles};
   blit(gl, device.multisampled, device.resolved);
   PixelSurface* last = &device.resolved;
   for (; scale > 1; scale /= 2) {
@@ -427,7 +123,7 @@ std::optional<std::uint32_t> object_at(GlDevice& device, Drawing& drawing,
   gl.Viewport(-x, y + 1 - height, width, height);
   clear(gl, glm::vec3(0));
   const Frame frame = frame_of(camera, width, height, drawing.state().scene.objects);
-  Picture(state, drawing.state(), frame, options, Output::object_number).draw();
+  draw_objects(state, drawing.state(), frame, options, Output::object_number);
   std::array<std::uint8_t, 4> rgba{};
   gl.ReadPixels(0, 0, 1, 1, gl::RGBA, gl::UNSIGNED_BYTE, rgba.data());
   const std::uint32_t number = rgba[0] | rgba[1] << 8 | rgba[2] << 16;

@@ -26,7 +26,7 @@ double distance_to_box(const glm::dvec3& p, const WorldObject& object) {
 
 Frame frame_of(const RenderCamera& camera, int width, int height,
                const std::vector<WorldObject>& objects) {
-  Frame frame{camera, 1, std::tan(camera.fov_y / 2), height, 0, 0};
+  Frame frame{camera, 1, std::tan(camera.fov_y / 2), height, 0, 0, false};
   frame.tan_x = frame.tan_y * width / height;
   double nearest = std::numeric_limits<double>::infinity();
   for (const WorldObject& object : objects) {
@@ -51,6 +51,11 @@ glm::mat4 clip_from_world(const Frame& frame) {
   const double scale = (f + n) / (f - n);
   const glm::dvec3 x = c.u / frame.tan_x;
   const glm::dvec3 y = c.v / frame.tan_y;
+  if (frame.parallel) {
+    const glm::dvec3 along = -2 / (f - n) * c.w;
+    return {glm::vec4(x.x, y.x, along.x, 0), glm::vec4(x.y, y.y, along.y, 0),
+            glm::vec4(x.z, y.z, along.z, 0), glm::vec4(0, 0, -(f + n) / (f - n), 1)};
+  }
   const glm::dvec3 z = -scale * c.w;
   const glm::dvec3 w = -c.w;
   return {glm::vec4(x.x, y.x, z.x, w.x), glm::vec4(x.y, y.y, z.y, w.y),
@@ -61,6 +66,9 @@ bool may_be_seen(const Frame& frame, const WorldObject& object) {
   const glm::dvec3 from_eye = center(object) - frame.camera.position;
   const double r = radius(object);
   const double depth = -glm::dot(from_eye, frame.camera.w);
+  if (frame.parallel) {
+    return true;
+  }
   if (depth + r <= 0) {
     return false;
   }
@@ -72,7 +80,8 @@ bool may_be_seen(const Frame& frame, const WorldObject& object) {
 }
 
 double radius_in_pixels(const Frame& frame, const WorldObject& object) {
-  const double distance = distance_to_box(frame.camera.position, object);
+  const double distance =
+      frame.parallel ? 1 : distance_to_box(frame.camera.position, object);
   return radius(object) / distance * frame.height / (2 * frame.tan_y);
 }
 

@@ -15,6 +15,7 @@ struct Frame {
   int height = 1;  ///< pixels
   double near = 1;
   double far = 2;
+  bool parallel = false;  ///< all depths look alike: tan_x and tan_y are half the size of the view
 };
 
 /// With near and far around what is to be seen of the objects.

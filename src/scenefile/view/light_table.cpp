@@ -21,6 +21,7 @@ Emitter emitter_of(const RenderLight& light, std::uint32_t index) {
     emitter.attenuation = light.attenuation;
     emitter.axis = light.direction;
   }
+  emitter.shadow_from = emitter.position;
   if (light.type == LightType::spot) {
     emitter.inner_angle = light.inner_angle;
     emitter.outer_angle = light.outer_angle;
@@ -37,6 +38,9 @@ void add_area(const RenderLight& light, std::uint32_t index, std::vector<Emitter
     const double v = (2 * (i / area_side) + 1.0) / area_side - 1;
     emitter.position =
         glm::dvec3(light.position) + u * glm::dvec3(light.half_u) + v * glm::dvec3(light.half_v);
+    emitter.shadow_from = glm::dvec3(light.position) +
+                          (u < 0 ? -0.5 : 0.5) * glm::dvec3(light.half_u) +
+                          (v < 0 ? -0.5 : 0.5) * glm::dvec3(light.half_v);
     result.push_back(emitter);
   }
 }
@@ -64,12 +68,13 @@ std::vector<Emitter> emitters(const std::vector<RenderLight>& lights, const Draw
 }
 
 std::array<glm::vec4, emitter_texels> emitter_row(const Emitter& emitter, const glm::dvec3& eye,
-                                                  int shadow_layer) {
+                                                  int shadow) {
   const glm::vec3 place(emitter.directional ? emitter.position : emitter.position - eye);
   return {glm::vec4(place, emitter.directional ? 0 : 1),
-          glm::vec4(emitter.color, static_cast<float>(shadow_layer)),
+          glm::vec4(emitter.color, static_cast<float>(shadow)),
           glm::vec4(emitter.attenuation, emitter.inner_angle),
-          glm::vec4(emitter.axis, emitter.outer_angle)};
+          glm::vec4(emitter.axis, emitter.outer_angle),
+          glm::vec4(glm::vec3(emitter.shadow_from - eye), 0)};
 }
 
 }  // namespace scenefile

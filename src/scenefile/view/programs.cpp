@@ -2,6 +2,7 @@
 
 #include "scenefile/view/light_table.h"
 #include "scenefile/view/shaders.h"
+#include "scenefile/view/shadows.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,13 @@ std::string preamble(const ProgramKey& key) {
   define("TABLE_WIDTH", table_width);
   define("MATERIAL_TEXELS", material_texels);
   define("EMITTER_TEXELS", emitter_texels);
+  define("SHADOW_TEXELS", shadow_texels);
+  if (key.output == Output::nothing) {
+    define("DEPTH_ONLY", 1);
+  }
+  if (key.shadowed) {
+    define("SHADOWED", 1);
+  }
   if (key.textured) {
     define("TEXTURED", 1);
   }
@@ -54,7 +62,9 @@ Program Programs::build(const ProgramKey& key) {
   Program program;
   const gl::Name name = gl_.CreateProgram();
   const gl::Name vertex = compile(gl::VERTEX_SHADER, preamble(key) + scene_vert);
-  const gl::Name fragment = compile(gl::FRAGMENT_SHADER, preamble(key) + scene_frag);
+  const gl::Name fragment = compile(
+      gl::FRAGMENT_SHADER,
+      preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
   gl_.AttachShader(name, vertex);
   gl_.AttachShader(name, fragment);
   gl_.LinkProgram(name);
@@ -76,6 +86,8 @@ Program Programs::build(const ProgramKey& key) {
   gl_.Uniform1i(location("image"), unit_image);
   gl_.Uniform1i(location("materials"), unit_materials);
   gl_.Uniform1i(location("emitters"), unit_emitters);
+  gl_.Uniform1i(location("shadow_table"), unit_shadow_table);
+  gl_.Uniform1i(location("shadows"), unit_shadows);
   return {name,
           location("clip_from_world"),
           location("emitter_count"),

@@ -20,12 +20,14 @@ enum class Output : std::uint8_t {
   depth,
   object_color,
   object_number,
-  box
+  box,
+  nothing  ///< depth alone
 };
 
 struct ProgramKey {
   Output output = Output::shaded;
   bool textured = false;
+  bool shadowed = false;
 
   auto operator<=>(const ProgramKey&) const = default;
 };
@@ -45,6 +47,8 @@ struct Program {
 inline constexpr int unit_image = 0;
 inline constexpr int unit_materials = 1;
 inline constexpr int unit_emitters = 2;
+inline constexpr int unit_shadow_table = 3;
+inline constexpr int unit_shadows = 4;
 
 /// Texels of a material, and how many of both kinds lie beside each other in a row of their table.
 inline constexpr int material_texels = 5;

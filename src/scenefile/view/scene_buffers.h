@@ -3,6 +3,7 @@
 
 #include "scenefile/view/expand.h"
 #include "scenefile/view/gl_objects.h"
+#include "scenefile/view/shadows.h"
 #include "scenefile/view/vertices.h"
 
 #include <array>
@@ -36,7 +37,6 @@ struct InstanceRecord {
 };
 
 struct Drawing::State {
-  GlDevice::State* device = nullptr;
   ExpandedScene scene;
   RenderGlobal global;
   std::vector<RenderLight> lights;
@@ -46,6 +46,7 @@ struct Drawing::State {
   gl::Texture material_table;
   gl::Texture emitter_table;
   gl::Buffer instances;
+  ShadowMaps shadows;
   std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
   std::vector<Geometry> meshes;
   std::vector<std::vector<std::uint32_t>> mesh_triangles;  ///< indices of `meshes`

@@ -147,6 +147,40 @@ vec3 texture_color(Point point) {
 }
 #endif
 
+#ifdef SHADOWED
+uniform sampler2D shadow_table;  // SHADOW_TEXELS for each layer: place in the layer; size of a texel
+uniform highp sampler2DArrayShadow shadows;
+
+vec4 shadow_texel(int layer, int texel) {
+  return texelFetch(shadow_table, ivec2(layer % TABLE_WIDTH * SHADOW_TEXELS + texel, layer / TABLE_WIDTH), 0);
+}
+
+// Share of the light that reaches the point. `code`: 2 * first layer, + 1 for the six about a point.
+float visibility(float code, vec3 path, vec3 world, vec3 normal, float cosine) {
+  int layer = int(code) / 2;
+  if (int(code) % 2 == 1) {
+    vec3 size = abs(path);
+    float along = size.x >= size.y && size.x >= size.z ? path.x : size.y >= size.z ? path.y : path.z;
+    int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    layer += 2 * axis + (along > 0.0 ? 1 : 0);  // path leads to the light, the views from it
+  }
+  mat4 place = mat4(shadow_texel(layer, 0), shadow_texel(layer, 1), shadow_texel(layer, 2),
+                    shadow_texel(layer, 3));
+  vec4 texel = shadow_texel(layer, 4);
+  // A step off the surface, as far as a texel reaches along it.
+  float reach = texel.x + texel.y * (place * vec4(world, 1.0)).w;
+  float slant = sqrt(max(1.0 - cosine * cosine, 0.0));
+  vec4 p = place * vec4(world + (cosine < 0.0 ? -1.5 : 1.5) * slant * reach * normal, 1.0);
+  p.xyz /= p.w;
+  vec2 step = 0.75 / vec2(textureSize(shadows, 0).xy);
+  float sum = texture(shadows, vec4(p.xy + step * vec2(-0.5, -1.0), layer, p.z)) +
+              texture(shadows, vec4(p.xy + step * vec2(1.0, -0.5), layer, p.z)) +
+              texture(shadows, vec4(p.xy + step * vec2(0.5, 1.0), layer, p.z)) +
+              texture(shadows, vec4(p.xy + step * vec2(-1.0, 0.5), layer, p.z));
+  return 0.25 * sum;
+}
+#endif
+
 #if MODE == SHADED
 vec3 lit(Point point, vec3 normal) {
   vec4 ambient = material(0);
@@ -176,6 +210,11 @@ vec3 lit(Point point, vec3 normal) {
     if (mirrored > 0.0 && shininess > 0.0) {
       share += specular * pow(mirrored, shininess);
     }
+#ifdef SHADOWED
+    if (light.w >= 0.0) {
+      fade *= visibility(light.w, emitter(i, 4).xyz - point.world, point.world, normal, cosine);
+    }
+#endif
     sum += share * light.rgb * fade;
   }
   return sum;

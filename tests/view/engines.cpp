@@ -98,9 +98,10 @@ class Comparison {
   }
 
   int summary() const {
-    fmt::print("{} of {} scenes reach {} dB whole and {} dB away from outlines; {} misses are named "
-               "in engines.tsv, {} are not; {} scenes cannot be read\n",
-               reached_, compared_, whole_threshold, inside_threshold, named_, unnamed_, unusable_);
+    fmt::print(
+        "{} of {} scenes reach {} dB whole and {} dB away from outlines; {} misses are named "
+        "in engines.tsv, {} are not; {} scenes cannot be read\n",
+        reached_, compared_, whole_threshold, inside_threshold, named_, unnamed_, unusable_);
     return unnamed_ == 0 ? 0 : 1;
   }
 

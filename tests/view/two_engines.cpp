@@ -49,14 +49,14 @@ std::vector<bool> outlines(const std::vector<float>& numbers, const Image& objec
   const int width = objects.width;
   const int height = objects.height;
   const auto differ = [&](int x, int y, int other_x, int other_y) {
-    return numbers[std::size_t(y) * width + x] !=
-               numbers[std::size_t(other_y) * width + other_x] ||
+    return numbers[std::size_t(y) * width + x] != numbers[std::size_t(other_y) * width + other_x] ||
            !std::equal(objects.pixel(x, y), objects.pixel(x, y) + 3,
                        objects.pixel(other_x, other_y));
   };
   std::vector<bool> result(std::size_t(width) * height);
   const auto mark_around = [&](int x, int y) {
-    for (int j = std::max(0, y - outline_width); j <= std::min(height - 1, y + outline_width); ++j) {
+    for (int j = std::max(0, y - outline_width); j <= std::min(height - 1, y + outline_width);
+         ++j) {
       for (int i = std::max(0, x - outline_width); i <= std::min(width - 1, x + outline_width);
            ++i) {
         result[std::size_t(j) * width + i] = true;
@@ -104,13 +104,12 @@ Agreement two_engines(GlDevice& device, const testing_support::LoadedScene& scen
   Diagnostics diagnostics;
   const RenderCamera& camera = scene.ready.scene.camera;
   Drawing drawing = upload(device, scene.ready.scene, scene.assets, {}, diagnostics);
-  result.drawn =
-      draw_image(device, drawing, camera, same_features(), width, height, result.error);
+  result.drawn = draw_image(device, drawing, camera, same_features(), width, height, result.error);
   if (!result.error.empty()) {
     return result;
   }
-  result.near_outline = outlines(traced.layers[0].values,
-                                 draw_objects(device, drawing, camera, width, height));
+  result.near_outline =
+      outlines(traced.layers[0].values, draw_objects(device, drawing, camera, width, height));
   result.traced = std::move(traced.image);
   const Texture a = quantize(result.traced, Rounding::nearest);
   const Texture b = quantize(result.drawn, Rounding::nearest);

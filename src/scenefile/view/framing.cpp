@@ -80,8 +80,7 @@ bool may_be_seen(const Frame& frame, const WorldObject& object) {
 }
 
 double radius_in_pixels(const Frame& frame, const WorldObject& object) {
-  const double distance =
-      frame.parallel ? 1 : distance_to_box(frame.camera.position, object);
+  const double distance = frame.parallel ? 1 : distance_to_box(frame.camera.position, object);
   return radius(object) / distance * frame.height / (2 * frame.tan_y);
 }
 

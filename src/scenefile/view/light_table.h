@@ -22,15 +22,15 @@ struct Emitter {
   float inner_angle = 10;    ///< radians; 10: not a spotlight
   float outer_angle = 10;
   glm::dvec3 shadow_from{0};  ///< where its shadows are seen from; not of directional lights
-  std::uint32_t light = 0;  ///< into RenderScene::lights
+  std::uint32_t light = 0;    ///< into RenderScene::lights
 };
 
 /// Of the lights that shine by the options.
 std::vector<Emitter> emitters(const std::vector<RenderLight>& lights, const DrawOptions& options);
 
 /// Texels of an emitter, relative to the eye, as shaders/scene.frag reads them: position or
-/// direction, and whether it has a place; color, shadow; attenuation, inner angle; axis, outer angle;
-/// where shadows are seen from.
+/// direction, and whether it has a place; color, shadow; attenuation, inner angle; axis, outer
+/// angle; where shadows are seen from.
 inline constexpr int emitter_texels = 5;
 std::array<glm::vec4, emitter_texels> emitter_row(const Emitter& emitter, const glm::dvec3& eye,
                                                   int shadow);

@@ -18,6 +18,7 @@ struct BatchKey {
   std::uint32_t mesh = no_index;
   std::size_t level = 0;
   std::uint32_t texture = no_index;
+  std::uint32_t bumps = no_index;
   gl::Enum hidden_side = gl::NONE;  // of its triangles, that need not be drawn
 
   auto operator<=>(const BatchKey&) const = default;
@@ -35,16 +36,17 @@ struct Item {
   std::uint32_t object = 0;
 };
 
-// Coefficients of x^2 + z^2 + a y^2 + b y + c = 0, the round sides.
+// Coefficients of x^2 + z^2 + a y^2 + b y + c = 0, the round sides; 0 for meshes.
 glm::vec3 quadric_of(Shape shape) {
   switch (shape) {
     case Shape::sphere:
       return {1, 0, -0.25f};
     case Shape::cone:
       return {-0.25f, 0.25f, -0.0625f};
+    case Shape::mesh:
+      return {0, 0, 0};
     case Shape::cylinder:
     case Shape::cube:
-    case Shape::mesh:
       break;
   }
   return {0, 0, -0.25f};
@@ -53,7 +55,7 @@ glm::vec3 quadric_of(Shape shape) {
 class Pass {
  public:
   Pass(GlDevice::State& device, Drawing::State& drawing, const Frame& frame,
-          const DrawOptions& options, Output output)
+       const DrawOptions& options, Output output)
       : device_(device),
         gl_(device.gl),
         drawing_(drawing),
@@ -140,6 +142,10 @@ class Pass {
         drawing_.textures[material.texture.file]) {
       key.texture = material.texture.file;
     }
+    if (options_.textures && !options_.course && material.bump_map.used() &&
+        drawing_.textures[material.bump_map.file]) {
+      key.bumps = material.bump_map.file;
+    }
     return key;
   }
 
@@ -147,9 +153,8 @@ class Pass {
   gl::Enum hidden_side(const WorldObject& object) const {
     const glm::dvec3 eye = frame_.camera.position;
     const glm::dvec3 margin(4 * frame_.near);
-    const bool outside =
-        glm::any(glm::lessThan(eye + margin, glm::dvec3(object.box_min))) ||
-        glm::any(glm::greaterThan(eye - margin, glm::dvec3(object.box_max)));
+    const bool outside = glm::any(glm::lessThan(eye + margin, glm::dvec3(object.box_min))) ||
+                         glm::any(glm::greaterThan(eye - margin, glm::dvec3(object.box_max)));
     if (!outside || object.shape == Shape::mesh) {
       return gl::NONE;
     }
@@ -163,8 +168,7 @@ class Pass {
   // In the profile fine glass lets light through; what takes less than half of it throws no shadow.
   bool throws_shadow(const WorldObject& object) const {
     const glm::vec3 through = kt() * drawing_.materials[object.material].transparent;
-    return options_.course || !options_.transparency ||
-           through.r + through.g + through.b < 1.5f;
+    return options_.course || !options_.transparency || through.r + through.g + through.b < 1.5f;
   }
 
   float kt() const { return drawing_.global.transparent.value_or(options_.course ? 0.0f : 0.5f); }
@@ -234,12 +238,11 @@ class Pass {
   }
 
   void bind_tables() {
-    const std::vector<Emitter> shining = emitters(drawing_.lights, options_);
-    emitter_count_ = static_cast<int>(shining.size());
+    emitter_count_ = static_cast<int>(drawing_.emitters.size());
     if (output_ == Output::shaded) {
       const std::vector<ShadowCode>& codes = drawing_.shadows.codes;
       std::vector<glm::vec4> rows;
-      for (const Emitter& emitter : shining) {
+      for (const Emitter& emitter : drawing_.emitters) {
         const bool shadow = options_.shadows && rows.size() / emitter_texels < codes.size();
         const auto row = emitter_row(emitter, frame_.camera.position,
                                      shadow ? codes[rows.size() / emitter_texels] : -1);
@@ -255,7 +258,8 @@ class Pass {
   }
 
   const Program& use_program(const BatchKey& key) {
-    const Program& program = device_.programs.use({output_, key.texture != no_index, shadowed()});
+    const Program& program =
+        device_.programs.use({output_, key.texture != no_index, shadowed(), key.bumps != no_index});
     const glm::mat4 clip = clip_from_world(frame_);
     gl_.UniformMatrix4fv(program.clip_from_world, 1, 0, &clip[0][0]);
     gl_.Uniform1i(program.emitter_count, emitter_count_);
@@ -285,6 +289,9 @@ class Pass {
     gl_.Uniform1i(program.passing, passing);
     if (key.texture != no_index) {
       bind_texture(unit_image, drawing_.textures[key.texture].name());
+    }
+    if (key.bumps != no_index) {
+      bind_texture(unit_bumps, drawing_.textures[key.bumps].name());
     }
     if (key.hidden_side == gl::NONE) {
       gl_.Disable(gl::CULL_FACE);

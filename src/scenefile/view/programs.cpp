@@ -29,6 +29,9 @@ std::string preamble(const ProgramKey& key) {
   if (key.shadowed) {
     define("SHADOWED", 1);
   }
+  if (key.bumped) {
+    define("BUMPED", 1);
+  }
   if (key.textured) {
     define("TEXTURED", 1);
   }
@@ -62,9 +65,9 @@ Program Programs::build(const ProgramKey& key) {
   Program program;
   const gl::Name name = gl_.CreateProgram();
   const gl::Name vertex = compile(gl::VERTEX_SHADER, preamble(key) + scene_vert);
-  const gl::Name fragment = compile(
-      gl::FRAGMENT_SHADER,
-      preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
+  const gl::Name fragment =
+      compile(gl::FRAGMENT_SHADER,
+              preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
   gl_.AttachShader(name, vertex);
   gl_.AttachShader(name, fragment);
   gl_.LinkProgram(name);
@@ -88,6 +91,7 @@ Program Programs::build(const ProgramKey& key) {
   gl_.Uniform1i(location("emitters"), unit_emitters);
   gl_.Uniform1i(location("shadow_table"), unit_shadow_table);
   gl_.Uniform1i(location("shadows"), unit_shadows);
+  gl_.Uniform1i(location("bumps"), unit_bumps);
   return {name,
           location("clip_from_world"),
           location("emitter_count"),

@@ -28,6 +28,7 @@ struct ProgramKey {
   Output output = Output::shaded;
   bool textured = false;
   bool shadowed = false;
+  bool bumped = false;
 
   auto operator<=>(const ProgramKey&) const = default;
 };
@@ -49,6 +50,7 @@ inline constexpr int unit_materials = 1;
 inline constexpr int unit_emitters = 2;
 inline constexpr int unit_shadow_table = 3;
 inline constexpr int unit_shadows = 4;
+inline constexpr int unit_bumps = 5;
 
 /// Texels of a material, and how many of both kinds lie beside each other in a row of their table.
 inline constexpr int material_texels = 5;

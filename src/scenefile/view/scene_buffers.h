@@ -46,6 +46,7 @@ struct Drawing::State {
   gl::Texture material_table;
   gl::Texture emitter_table;
   gl::Buffer instances;
+  std::vector<Emitter> emitters;  ///< that shine by the options of the last draw()
   ShadowMaps shadows;
   std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
   std::vector<Geometry> meshes;

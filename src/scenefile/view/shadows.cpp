@@ -104,12 +104,24 @@ int side_for(std::size_t layers) {
   return layers <= 4 ? 2048 : layers <= 24 ? 1024 : 512;
 }
 
-std::size_t layers_of(const std::vector<Emitter>& emitters,
-                      const std::vector<WorldObject>& objects) {
+ShadowMaps layers_of(const std::vector<Emitter>& emitters,
+                     const std::vector<WorldObject>& objects) {
   ShadowMaps trial;
   trial.side = 512;
   plan_shadows(emitters, objects, trial);
-  return trial.views.size();
+  return trial;
+}
+
+// Where there are too many area lights for views from their quarters, one from the middle must do.
+void share_views(std::vector<Emitter>& emitters, const std::vector<WorldObject>& objects,
+                 const std::vector<RenderLight>& lights) {
+  const std::vector<ShadowCode> codes = layers_of(emitters, objects).codes;
+  if (std::find(codes.begin(), codes.end(), -1) == codes.end()) {
+    return;
+  }
+  for (Emitter& emitter : emitters) {
+    emitter.shadow_from = lights[emitter.light].position;
+  }
 }
 
 void make_layers(const gl::Functions& gl, ShadowMaps& shadows) {
@@ -130,8 +142,7 @@ void make_layers(const gl::Functions& gl, ShadowMaps& shadows) {
 
 bool same_shadows(const DrawOptions& a, const DrawOptions& b) {
   return a.shadows == b.shadows && a.course == b.course && a.transparency == b.transparency &&
-         a.directional_only == b.directional_only && a.lights == b.lights &&
-         a.objects == b.objects;
+         a.directional_only == b.directional_only && a.lights == b.lights && a.objects == b.objects;
 }
 
 std::uint32_t draw_layers(GlDevice::State& device, Drawing::State& drawing,
@@ -144,14 +155,14 @@ std::uint32_t draw_layers(GlDevice::State& device, Drawing::State& drawing,
   gl.BindFramebuffer(gl::FRAMEBUFFER, shadows.framebuffer.name());
   gl.Viewport(0, 0, shadows.side, shadows.side);
   gl.Enable(gl::POLYGON_OFFSET_FILL);
-  gl.PolygonOffset(1.5f, 2);
+  gl.PolygonOffset(1.5f, 4);
   std::uint32_t calls = 0;
   for (std::size_t layer = 0; layer < shadows.views.size(); ++layer) {
     gl.FramebufferTextureLayer(gl::FRAMEBUFFER, gl::DEPTH_ATTACHMENT, shadows.layers.name(), 0,
                                static_cast<int>(layer));
     gl.Clear(gl::DEPTH_BUFFER_BIT);
-    calls += draw_objects(device, drawing, shadows.views[layer], options, Output::nothing)
-                 .draw_calls;
+    calls +=
+        draw_objects(device, drawing, shadows.views[layer], options, Output::nothing).draw_calls;
   }
   gl.Disable(gl::POLYGON_OFFSET_FILL);
   return calls;
@@ -166,11 +177,11 @@ void plan_shadows(const std::vector<Emitter>& emitters, const std::vector<WorldO
   shadows.codes.clear();
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     // Emitters of one quarter of an area light share their views.
-    const auto same = std::find_if(emitters.begin(), emitters.begin() + std::ptrdiff_t(i),
-                                   [&](const Emitter& e) {
-                                     return !e.directional && e.light == emitters[i].light &&
-                                            e.shadow_from == emitters[i].shadow_from;
-                                   });
+    const auto same =
+        std::find_if(emitters.begin(), emitters.begin() + std::ptrdiff_t(i), [&](const Emitter& e) {
+          return !e.directional && e.light == emitters[i].light &&
+                 e.shadow_from == emitters[i].shadow_from;
+        });
     shadows.codes.push_back(same == emitters.begin() + std::ptrdiff_t(i)
                                 ? planner.of_emitter(emitters[i])
                                 : shadows.codes[std::size_t(same - emitters.begin())]);
@@ -183,15 +194,16 @@ std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
   if (shadows.made_for && same_shadows(*shadows.made_for, options)) {
     return 0;
   }
+  drawing.emitters = emitters(drawing.lights, options);
   shadows.made_for = options;
   shadows.views.clear();
   shadows.codes.clear();
   if (!options.shadows || drawing.scene.objects.empty()) {
     return 0;
   }
-  const std::vector<Emitter> shining = emitters(drawing.lights, options);
-  shadows.side = side_for(layers_of(shining, drawing.scene.objects));
-  plan_shadows(shining, drawing.scene.objects, shadows);
+  share_views(drawing.emitters, drawing.scene.objects, drawing.lights);
+  shadows.side = side_for(layers_of(drawing.emitters, drawing.scene.objects).views.size());
+  plan_shadows(drawing.emitters, drawing.scene.objects, shadows);
   make_layers(device.gl, shadows);
   return draw_layers(device, drawing, options);
 }

@@ -2,7 +2,8 @@
 // Depth images as the lights see the scene. Internal to the room.
 //
 // A directional light and a narrow spotlight have one, a point light six about it, an area light
-// six about the middle of each of its quarters. They do not depend on the camera.
+// six about the middle of each of its quarters, or six in all where there are many. They do not
+// depend on the camera.
 
 #include "scenefile/view/device.h"
 #include "scenefile/view/framing.h"
@@ -33,8 +34,8 @@ struct ShadowMaps {
 /// Texels of a layer in the table.
 inline constexpr int shadow_texels = 5;
 
-/// Makes the layers for these options, where those at hand are for others. Returns how many draw
-/// calls that took.
+/// Makes the layers, and the drawing's emitters, for these options, where those at hand are for
+/// others. Returns how many draw calls that took.
 std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
                            const DrawOptions& options);
 

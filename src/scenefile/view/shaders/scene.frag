@@ -1,7 +1,9 @@
 // The lighting equation of docs/rendering.md at one pixel.
 //
 // The triangles of round shapes are taken for where the surface about is: the point is moved along
-// the ray of the pixel onto the exact surface, and normal and uv are found there.
+// the ray of the pixel onto the exact surface, and normal and uv are found there. Values are those in
+// the middle of the pixel, which may lie a little off a triangle: llvmpipe takes 1/w from there even
+// for centroid values.
 
 #define SHADED 0
 #define FLAT_COLOR 1
@@ -12,14 +14,10 @@
 #define OBJECT_NUMBER 6
 #define BOX 7
 
-centroid in vec3 on_object;
-centroid in vec3 from_eye;
-centroid in vec3 mesh_normal;
-centroid in vec2 mesh_uv;
-#ifdef TEXTURED
-in vec3 even_object;
-in vec2 even_uv;
-#endif
+in vec3 on_object;
+in vec3 from_eye;
+in vec3 mesh_normal;
+in vec2 mesh_uv;
 flat in vec3 eye_object;
 flat in mat3 world_from_normal;
 flat in vec4 identity;
@@ -29,7 +27,7 @@ layout(location = 0) out vec4 color;
 uniform sampler2D materials;  // MATERIAL_TEXELS for each
 uniform sampler2D emitters;   // EMITTER_TEXELS for each
 uniform int emitter_count;
-uniform vec3 quadric;      // x^2 + z^2 + a y^2 + b y + c = 0 is the round side
+uniform vec3 quadric;      // x^2 + z^2 + a y^2 + b y + c = 0 is the round side; 0 for meshes
 uniform float transparent; // kt
 uniform int passing;       // 1: give the light that passes through the object, not its own
 uniform vec4 depth_axis;   // where it is 0 with a point of the world, depth is nearest; 1: farthest
@@ -71,10 +69,10 @@ Point find_point() {
   return point;
 }
 
-#if defined(TEXTURED) || MODE == UV
+#if defined(TEXTURED) || defined(BUMPED) || MODE == UV
 vec2 find_uv(Point point) {
   if (identity.w < 0.5) {
-    return mesh_uv;
+    return quadric.z < 0.0 ? clamp(mesh_uv, 0.0, 1.0) : mesh_uv;
   }
   vec3 p = point.object;
   float phi = atan(p.z, p.x);
@@ -83,10 +81,7 @@ vec2 find_uv(Point point) {
 }
 #endif
 
-#ifdef TEXTURED
-uniform sampler2D image;
-uniform int lookup;  // 0 nearest, 1 the course's filter, 2 nearest averaged over the pixel, 3 filtered
-
+#if defined(TEXTURED) || defined(BUMPED)
 // Change of uv with a step on the surface.
 vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
   if (identity.w < 0.5) {
@@ -97,6 +92,12 @@ vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
   float v = quadric.x > 0.5 ? 2.0 / pi * step.y / sqrt(max(1.0 - 4.0 * p.y * p.y, 1e-6)) : step.y;
   return vec2(u, v);
 }
+
+#endif
+
+#ifdef TEXTURED
+uniform sampler2D image;
+uniform int lookup;  // 0 nearest, 1 the course's filter, 2 nearest averaged over the pixel, 3 filtered
 
 // Moves a place between texel middles toward the nearer one, so that only `width` texels around
 // their border are interpolated.
@@ -111,8 +112,8 @@ vec3 texture_color(Point point) {
   vec2 scale = repeats.xy * size;
   vec2 uv = find_uv(point);
   vec2 p = vec2(uv.x, 1.0 - uv.y) * scale;
-  vec2 along_x = uv_step(point, dFdx(even_object), dFdx(even_uv)) * scale;
-  vec2 along_y = uv_step(point, dFdy(even_object), dFdy(even_uv)) * scale;
+  vec2 along_x = uv_step(point, dFdx(on_object), dFdx(mesh_uv)) * scale;
+  vec2 along_y = uv_step(point, dFdy(on_object), dFdy(mesh_uv)) * scale;
   along_x.y = -along_x.y;
   along_y.y = -along_y.y;
   if (lookup < 2) {
@@ -170,26 +171,72 @@ float visibility(float code, vec3 path, vec3 world, vec3 normal, float cosine) {
   // A step off the surface, as far as a texel reaches along it.
   float reach = texel.x + texel.y * (place * vec4(world, 1.0)).w;
   float slant = sqrt(max(1.0 - cosine * cosine, 0.0));
-  vec4 p = place * vec4(world + (cosine < 0.0 ? -1.5 : 1.5) * slant * reach * normal, 1.0);
+  vec4 p = place * vec4(world + (cosine < 0.0 ? -1.0 : 1.0) * (0.7 + 1.5 * slant) * reach * normal, 1.0);
   p.xyz /= p.w;
   vec2 step = 0.75 / vec2(textureSize(shadows, 0).xy);
-  float sum = texture(shadows, vec4(p.xy + step * vec2(-0.5, -1.0), layer, p.z)) +
-              texture(shadows, vec4(p.xy + step * vec2(1.0, -0.5), layer, p.z)) +
-              texture(shadows, vec4(p.xy + step * vec2(0.5, 1.0), layer, p.z)) +
-              texture(shadows, vec4(p.xy + step * vec2(-1.0, 0.5), layer, p.z));
+  float sum = textureGrad(shadows, vec4(p.xy + step * vec2(-0.5, -1.0), layer, p.z), vec2(0.0), vec2(0.0)) +
+              textureGrad(shadows, vec4(p.xy + step * vec2(1.0, -0.5), layer, p.z), vec2(0.0), vec2(0.0)) +
+              textureGrad(shadows, vec4(p.xy + step * vec2(0.5, 1.0), layer, p.z), vec2(0.0), vec2(0.0)) +
+              textureGrad(shadows, vec4(p.xy + step * vec2(-1.0, 0.5), layer, p.z), vec2(0.0), vec2(0.0));
   return 0.25 * sum;
 }
 #endif
 
+#ifdef BUMPED
+uniform sampler2D bumps;
+
+const float bump_height = 1.0 / 16.0;
+
+float height(vec2 uv, vec2 scale, float level) {
+  vec2 place = vec2(uv.x, 1.0 - uv.y) * scale;
+  return bump_height * dot(textureLod(bumps, place, level).rgb, vec3(1.0 / 3.0));
+}
+
+// The normal in object space so many pixels aside, tilted by the slope of the map over a
+// quarter of the pixel. The slope along two steps on the surface gives its
+// gradient (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010).
+vec3 bumped(Point point, vec2 shift) {
+  vec2 repeats = material(4).zw;
+  vec2 size = vec2(textureSize(bumps, 0));
+  vec3 n = normalize(point.normal);
+  vec3 across = dFdx(on_object);
+  vec3 down = dFdy(on_object);
+  across -= dot(across, n) * n;
+  down -= dot(down, n) * n;
+  vec2 along_x = uv_step(point, across, dFdx(mesh_uv));
+  vec2 along_y = uv_step(point, down, dFdy(mesh_uv));
+  float width = 0.5 * min(length(along_x * repeats * size), length(along_y * repeats * size));
+  float level = log2(max(width, 1.0));
+  vec2 reach = max(1.0 / max(abs(repeats) * size, vec2(1e-6)),
+                   min(0.5 * max(abs(along_x), abs(along_y)), vec2(0.25)));
+  vec2 right = vec2(reach.x, 0.0);
+  vec2 up = vec2(0.0, reach.y);
+  vec2 uv = find_uv(point) + shift.x * along_x + shift.y * along_y;
+  vec2 slope = vec2(height(uv + right, repeats, level) - height(uv - right, repeats, level),
+                    height(uv + up, repeats, level) - height(uv - up, repeats, level)) /
+               (2.0 * reach);
+  float area = dot(across, cross(down, n));
+  if (abs(area) < 1e-12 * length(across) * length(down) || repeats.x == 0.0 || repeats.y == 0.0) {
+    return n;
+  }
+  vec3 gradient = (dot(slope, along_x) * cross(down, n) + dot(slope, along_y) * cross(n, across)) / area;
+  return n - gradient;
+}
+#endif
+
 #if MODE == SHADED
-vec3 lit(Point point, vec3 normal) {
-  vec4 ambient = material(0);
+vec3 diffuse_color(Point point) {
   vec4 diffuse = material(1);
-  vec3 specular = material(2).rgb;
-  float shininess = ambient.w;
 #ifdef TEXTURED
   diffuse.rgb = mix(diffuse.rgb, texture_color(point), diffuse.w);
 #endif
+  return diffuse.rgb;
+}
+
+vec3 lit(Point point, vec3 normal, vec3 diffuse) {
+  vec4 ambient = material(0);
+  vec3 specular = material(2).rgb;
+  float shininess = ambient.w;
   vec3 to_eye = -normalize(point.world);
   vec3 sum = ambient.rgb;
   for (int i = 0; i < emitter_count; ++i) {
@@ -206,7 +253,7 @@ vec3 lit(Point point, vec3 normal) {
     fade *= 1.0 - t * t * (3.0 - 2.0 * t);
     float cosine = dot(normal, to_light);
     float mirrored = dot(2.0 * cosine * normal - to_light, to_eye);
-    vec3 share = diffuse.rgb * max(0.0, cosine);
+    vec3 share = diffuse * max(0.0, cosine);
     if (mirrored > 0.0 && shininess > 0.0) {
       share += specular * pow(mirrored, shininess);
     }
@@ -231,7 +278,20 @@ void main() {
   Point point = find_point();
   vec3 normal = normalize(world_from_normal * point.normal);
 #if MODE == SHADED
-  vec3 result = passing == 1 ? transparent * material(3).rgb : lit(point, normal);
+  vec3 diffuse = diffuse_color(point);
+#ifdef BUMPED
+  // Light follows a bumpy normal too wildly for one in the middle of the pixel: one in each quarter.
+  vec3 result = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    vec3 tilted = bumped(point, vec2(0.5 * float(i % 2) - 0.25, 0.5 * float(i / 2) - 0.25));
+    result += 0.25 * lit(point, normalize(world_from_normal * tilted), diffuse);
+  }
+#else
+  vec3 result = lit(point, normal, diffuse);
+#endif
+  if (passing == 1) {
+    result = transparent * material(3).rgb;
+  }
 #elif MODE == FLAT_COLOR
   vec3 result = 0.25 + 0.75 * material(1).rgb;
 #elif MODE == NORMALS

@@ -11,14 +11,10 @@ layout(location = 6) in vec4 object;  // material, tint, number of the object
 uniform mat4 clip_from_world;
 
 #ifndef DEPTH_ONLY
-centroid out vec3 on_object;
-centroid out vec3 from_eye;
-centroid out vec3 mesh_normal;
-centroid out vec2 mesh_uv;
-#ifdef TEXTURED
-out vec3 even_object;  // without centroid: these change evenly from pixel to pixel
-out vec2 even_uv;
-#endif
+out vec3 on_object;
+out vec3 from_eye;
+out vec3 mesh_normal;
+out vec2 mesh_uv;
 flat out vec3 eye_object;           // the eye in object space
 flat out mat3 world_from_normal;    // inverse transpose, but for its length
 flat out vec4 identity;             // object, with round in the last place
@@ -38,10 +34,6 @@ void main() {
   from_eye = world;
   mesh_normal = normal_round.xyz;
   mesh_uv = texture_uv;
-#ifdef TEXTURED
-  even_object = position;
-  even_uv = texture_uv;
-#endif
   eye_object = -(offset * cofactors) / determinant;
   world_from_normal = determinant < 0.0 ? -cofactors : cofactors;
   identity = vec4(object.xyz, normal_round.w);

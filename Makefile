@@ -80,6 +80,14 @@ explained: ## CORPUS=DIR: explain random pixels of every scene below it, and hol
 	@cmake --build $(PRESET) --target scenefile_explained
 	@$(BUILD)/tests/conformance/scenefile_explained "$(CORPUS)" $(or $(PIXELS),100)
 
+.PHONY: engines
+engines: ## CORPUS=DIR: every scene of DIR by the ray tracer and by OpenGL; says how far they are apart
+	@test -n "$(CORPUS)" || { echo "say where the scenes are: make engines CORPUS=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_engines)
+	@$(BUILD)/tests/view/scenefile_engines "$(CORPUS)" out/engines
+
 .PHONY: laws
 laws: ## CORPUS=DIR: every scene of DIR means and looks the same after XML -> JSON -> XML, and other laws
 	@test -n "$(CORPUS)" || { echo "say where the scenes are: make laws CORPUS=DIR"; exit 2; }

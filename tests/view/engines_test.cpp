@@ -17,7 +17,7 @@ class BothEngines : public Drawn {
     const testing_support::LoadedScene scene =
         testing_support::load_scene(std::string(SCENEFILE_SCENES) + "/" + name, false);
     ASSERT_EQ(scene.error, "");
-    const Agreement agreement = two_engines(*device, scene, 320, 240);
+    const Agreement agreement = two_engines(*device, scene, 640, 480);
     ASSERT_EQ(agreement.error, "");
     EXPECT_GE(agreement.whole_db, 32) << name;
     EXPECT_GE(agreement.inside_db, 40) << name;

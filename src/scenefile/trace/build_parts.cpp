@@ -1,6 +1,7 @@
 #include "scenefile/trace/build_parts.h"
 
 #include "scenefile/trace/group_bounds.h"
+#include "scenefile/trace/part_tree.h"
 
 namespace scenefile {
 
@@ -91,7 +92,9 @@ class Builder {
       group.boxes.push_back(padded(scaled(box, scale), whole));
     }
     scenes_.add(group);
-    group.boxes = {};
+    if (group.parts.size() > PartTree::most_parts) {
+      group.boxes = {};
+    }
   }
 
   void build_mesh(std::uint32_t index) {

@@ -18,7 +18,7 @@ enum class Instances : std::uint8_t { unnamed, named };
 
 /// Bounds of the copying.
 struct MergeLimits {
-  std::size_t group_parts = 4096;     ///< a group with copies of shared ones has at most so many
+  std::size_t group_parts = 65536;     ///< a group with copies of shared ones has at most so many
   std::size_t copied_parts = 262144;  ///< by which copies may exceed the file, in all
 };
 

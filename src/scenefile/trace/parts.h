@@ -42,7 +42,7 @@ struct Extent {
 
 struct Group {
   std::vector<Part> parts;
-  std::vector<FloatBox> boxes;                        ///< of the parts, while structures are built
+  std::vector<FloatBox> boxes;                        ///< of the parts, unless they are very many
   std::vector<std::vector<std::uint32_t>> instances;  ///< by part, where they have names
   Extent extent;
   RTCSceneTy* scene = nullptr;  ///< none for a few parts

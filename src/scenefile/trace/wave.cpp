@@ -8,6 +8,7 @@
 #include "scenefile/trace/wave_memory.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -35,6 +36,8 @@ HWY_BEFORE_NAMESPACE();
 #include "scenefile/trace/camera-inl.h"
 #include "scenefile/trace/lighting-inl.h"
 #include "scenefile/trace/optics-inl.h"
+#include "scenefile/trace/wave_rays-inl.h"
+#include "scenefile/trace/wave_bundle-inl.h"
 #include "scenefile/trace/wave_search-inl.h"
 #include "scenefile/trace/wave_shade-inl.h"
 #include "scenefile/trace/wave_follow-inl.h"
@@ -156,12 +159,9 @@ WaveMaterial wave_material(const Tracer& tracer, const RenderMaterial& m) {
   return out;
 }
 
-bool has_few_parts(const Parts& parts) {
-  constexpr std::size_t few = 16;
-  const std::vector<Part>& root = parts.groups[parts.root].parts;
-  return root.size() <= few && std::all_of(root.begin(), root.end(), [](const Part& part) {
-           return part.kind == PartKind::shape;
-         });
+bool all_shapes(const std::vector<Part>& parts) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [](const Part& part) { return part.kind == PartKind::shape; });
 }
 
 }  // namespace
@@ -170,7 +170,16 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c) : tracer(t), camera(c
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
   }
-  few_parts = has_few_parts(tracer.accelerator.parts());
+  constexpr std::size_t few = 8;
+  const Parts& parts = tracer.accelerator.parts();
+  const Group& root = parts.groups[parts.root];
+  if (!all_shapes(root.parts)) {
+    return;
+  }
+  few_parts = root.parts.size() <= few;
+  if (!few_parts && root.boxes.size() == root.parts.size() && root.extent.scale == 1) {
+    tree = PartTree(root.boxes);
+  }
 }
 
 bool takes_waves(const Tracer& tracer, const CameraRays& camera) {

@@ -3,7 +3,7 @@
 // machine has. What they see is equal to the last bit to what trace_sample() finds for each alone.
 
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/parts.h"
+#include "scenefile/trace/part_tree.h"
 #include "scenefile/trace/path.h"
 
 #include <memory>
@@ -38,6 +38,7 @@ struct WaveScene {
   const CameraRays& camera;
   std::vector<WaveMaterial> materials;
   bool few_parts = false;  ///< all are shapes, and so few that each is tested
+  PartTree tree;           ///< of more, where all are shapes and not too many
 };
 
 /// Whether pictures of this kind are made of waves. The others are made ray by ray.

@@ -52,6 +52,8 @@ struct WavePoints {
 
 /// What one light sends to the points.
 struct WaveLight {
+  bool at_a_point = false;  ///< all rays to it end in one point
+  glm::dvec3 from{0};       ///< that
   WaveVectors to_light;
   alignas(64) double end[wave_rays];       ///< of the shadow ray
   alignas(64) double share[wave_rays];     ///< of the light's color that arrives

@@ -1,18 +1,12 @@
-// What the rays of a wave hit. No guard: included once for each instruction set.
+// What the rays of a wave hit. No guard: included once for each instruction set, behind
+// wave_bundle-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-inline V3 load3(const WaveVectors& v, int at) {
-  return {load(v.x + at), load(v.y + at), load(v.z + at)};
-}
-
-inline void store3(const V3& v, WaveVectors& to, int at) {
-  store(v.x, to.x + at);
-  store(v.y, to.y + at);
-  store(v.z, to.z + at);
-}
+// Where shadow rays of profile course begin, as Tracer::start_offset() has it.
+inline constexpr double shadow_start = 1e-3;
 
 /// A map in each lane.
 struct Map {
@@ -28,11 +22,6 @@ struct Map {
 inline Map splat_map(const Affine& m) {
   return {splat3(m.linear[0]), splat3(m.linear[1]), splat3(m.linear[2]), splat3(m.offset)};
 }
-
-/// A ray in each lane.
-struct Rays {
-  V3 origin, direction;
-};
 
 // By one lane after the other: rays that crossing() cannot take.
 inline Crossing extreme_crossing(Shape shape, const Rays& rays, F t_min, F t_max, M active) {
@@ -73,11 +62,6 @@ inline Crossing part_crossing(const Part& part, const Rays& rays, F t_min, F t_m
   return crossing(part.shape, local.origin, local.direction, length2, t_min, t_max, active);
 }
 
-inline M finite_rays(const Rays& rays) {
-  const V3 sum = rays.origin + rays.direction;
-  return finite(sum.x + sum.y + sum.z);
-}
-
 /// The nearest hit of each lane so far.
 struct Nearest {
   F t = splat(std::numeric_limits<double>::infinity());
@@ -100,82 +84,166 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   nearest.part = select(better, number, nearest.part);
 }
 
-inline void find_by_lane(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
-  for (int i = 0; i < rays.count; ++i) {
+// Hits of shapes of the root group are told as such, so that they are shaded together.
+inline void put_hit(const std::vector<Part>& root, const Hit& hit, int i, WaveHits& hits) {
+  const auto* const part = static_cast<const Part*>(hit.part);
+  const bool of_root =
+      hit.shape != Shape::mesh && part >= root.data() && part < root.data() + root.size();
+  hits.t[i] = hit.t;
+  hits.face[i] = static_cast<int>(hit.face);
+  hits.part[i] = of_root ? static_cast<double>(part - root.data()) : -1;
+}
+
+inline void find_by_lane(const WaveScene& scene, const WaveRays& rays, int first, int last,
+                         WaveHits& hits) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Parts& all = scene.tracer.accelerator.parts();
+  for (int i = first; i < last; ++i) {
     const Ray ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]},
                   {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const bool hit = scene.tracer.accelerator.closest(ray, rays.start[i], infinity, hits.others[i]);
-    hits.t[i] = hit ? hits.others[i].t : infinity;
-    hits.face[i] = static_cast<int>(hits.others[i].face);
-    hits.part[i] = -1;
+    if (scene.tracer.accelerator.closest(ray, rays.start[i], infinity, hits.others[i])) {
+      put_hit(all.groups[all.root].parts, hits.others[i], i, hits);
+    } else {
+      hits.t[i] = infinity;
+    }
   }
 }
 
-inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
-  if (!scene.few_parts) {
-    find_by_lane(scene, rays, hits);
-    return;
+inline Chunk ray_chunk(const WaveRays& rays, int at) {
+  const Rays chunk{load3(rays.origin, at), load3(rays.direction, at)};
+  return {chunk, splat(std::numeric_limits<double>::infinity()),
+          present_lanes(at, rays.count) & finite_rays(chunk)};
+}
+
+// Tests parts; `part(i)` is the index of one.
+template <typename PartOf>
+void find_among(const std::vector<Part>& parts, int count, const PartOf& part, const WaveRays& rays,
+                int at, WaveHits& hits) {
+  const Chunk chunk = ray_chunk(rays, at);
+  const F t_min = load(rays.start + at);
+  Nearest nearest;
+  for (int i = 0; i < count; ++i) {
+    const std::uint32_t index = part(i);
+    test_nearest(parts[index], static_cast<int>(index), chunk.rays, t_min, chunk.mask, nearest);
   }
+  store(nearest.t, hits.t + at);
+  store(nearest.face, hits.face + at);
+  store(nearest.part, hits.part + at);
+}
+
+/// What each ray of a generation hits first.
+inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
   const Parts& all = scene.tracer.accelerator.parts();
   const std::vector<Part>& parts = all.groups[all.root].parts;
-  for (int at = 0; at < rays.count; at += lanes) {
-    const Rays chunk{load3(rays.origin, at), load3(rays.direction, at)};
-    const F t_min = load(rays.start + at);
-    const M active = first_lanes(static_cast<std::size_t>(std::min(lanes, rays.count - at))) &
-                     finite_rays(chunk);
-    Nearest nearest;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      test_nearest(parts[i], static_cast<int>(i), chunk, t_min, active, nearest);
+  if (scene.few_parts) {
+    const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
+    for (int at = 0; at < rays.count; at += lanes) {
+      find_among(parts, static_cast<int>(parts.size()), each_part, rays, at, hits);
     }
-    store(nearest.t, hits.t + at);
-    store(nearest.face, hits.face + at);
-    store(nearest.part, hits.part + at);
+  } else if (scene.tree.empty()) {
+    find_by_lane(scene, rays, 0, rays.count, hits);
+  } else {
+    search_tree(
+        scene.tree, 0, (rays.count + lanes - 1) / lanes,
+        [&](int c) { return ray_chunk(rays, c * lanes); },
+        [&](int c, const Candidates& list) {
+          find_among(
+              parts, list.count, [&](int i) { return list.part[i]; }, rays, c * lanes, hits);
+        },
+        [&](int c) {
+          find_by_lane(scene, rays, c * lanes, std::min(rays.count, (c + 1) * lanes), hits);
+        });
   }
 }
 
-inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& points, int at, F t_min,
+inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& points, int at,
                                  WaveLight& light) {
-  alignas(64) double start[lanes];
-  store(t_min, start);
   unsigned blocked = 0;
-  for (int i = 0; i < lanes; ++i) {
-    if ((light.asks[at / lanes] >> i & 1) == 0) {
-      continue;
-    }
+  for (unsigned left = light.asks[at / lanes]; left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
     const int k = at + i;
     const Ray ray{{points.position.x[k], points.position.y[k], points.position.z[k]},
                   {light.to_light.x[k], light.to_light.y[k], light.to_light.z[k]}};
-    const bool hit = scene.tracer.accelerator.occluded(ray, start[i], light.end[k]);
+    const bool hit = scene.tracer.accelerator.occluded(ray, shadow_start, light.end[k]);
     blocked |= unsigned(hit) << i;
   }
   light.blocked[at / lanes] = static_cast<std::uint8_t>(blocked);
 }
 
+// Shadow rays of a chunk, from the points.
+inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int at) {
+  const Rays rays{load3(points.position, at), load3(light.to_light, at)};
+  return {rays, load(light.end + at), of_bits(light.asks[at / lanes]) & finite_rays(rays)};
+}
+
+// The same from the light, if that is a point: so they begin all in one.
+inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int at) {
+  Chunk chunk = shadow_chunk(points, light, at);
+  if (light.at_a_point) {
+    chunk.rays = {splat3(light.from), -chunk.rays.direction};
+  }
+  return chunk;
+}
+
+// The part that blocked light last blocks it next, as a rule: it is tried first.
+struct LastBlocker {
+  std::uint32_t part = no_index;
+};
+
+// The rays of the chunk's mask that the part blocks.
+inline M blocked_by(const std::vector<Part>& parts, std::uint32_t part, const Chunk& chunk,
+                    M open) {
+  return part_crossing(parts[part], chunk.rays, splat(shadow_start), chunk.length, open).hit;
+}
+
+template <typename PartOf>
+void find_blocked_among(const std::vector<Part>& parts, int count, const PartOf& part,
+                        const WavePoints& points, int at, LastBlocker& last, WaveLight& light) {
+  if (light.asks[at / lanes] == 0) {
+    return;
+  }
+  const Chunk chunk = shadow_chunk(points, light, at);
+  M open = chunk.mask;
+  if (last.part != no_index) {
+    open = open & !blocked_by(parts, last.part, chunk, open);
+  }
+  for (int i = 0; i < count && any(open); ++i) {
+    if (part(i) == last.part) {
+      continue;
+    }
+    const M blocked = blocked_by(parts, part(i), chunk, open);
+    if (any(blocked)) {
+      open = open & !blocked;
+      last.part = part(i);
+    }
+  }
+  light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(chunk.mask & !open));
+}
+
 /// Which of the points that ask for light do not see it.
-inline void find_blocked(const WaveScene& scene, const WavePoints& points, F t_min,
-                         WaveLight& light) {
+inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
   const Parts& all = scene.tracer.accelerator.parts();
-  for (int at = 0; at < points.count; at += lanes) {
-    if (light.asks[at / lanes] == 0) {
-      light.blocked[at / lanes] = 0;
-      continue;
+  const std::vector<Part>& parts = all.groups[all.root].parts;
+  LastBlocker last;
+  if (scene.few_parts) {
+    const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
+    for (int at = 0; at < points.count; at += lanes) {
+      find_blocked_among(parts, static_cast<int>(parts.size()), each_part, points, at, last, light);
     }
-    if (!scene.few_parts) {
-      find_blocked_by_lane(scene, points, at, t_min, light);
-      continue;
+  } else if (scene.tree.empty()) {
+    for (int at = 0; at < points.count; at += lanes) {
+      find_blocked_by_lane(scene, points, at, light);
     }
-    const Rays rays{load3(points.position, at), load3(light.to_light, at)};
-    const M asking = of_bits(light.asks[at / lanes]) & finite_rays(rays);
-    const F t_max = load(light.end + at);
-    M blocked = no_lanes();
-    for (const Part& part : all.groups[all.root].parts) {
-      blocked = blocked | part_crossing(part, rays, t_min, t_max, asking & !blocked).hit;
-      if (none(asking & !blocked)) {
-        break;
-      }
-    }
-    light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(blocked));
+  } else {
+    search_tree(
+        scene.tree, 0, (points.count + lanes - 1) / lanes,
+        [&](int c) { return light_chunk(points, light, c * lanes); },
+        [&](int c, const Candidates& list) {
+          find_blocked_among(
+              parts, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, last,
+              light);
+        },
+        [&](int c) { find_blocked_by_lane(scene, points, c * lanes, light); });
   }
 }
 

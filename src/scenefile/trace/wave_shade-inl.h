@@ -205,11 +205,11 @@ inline void find_light(const RenderLight& light, double u, double v, const WaveP
     const Arriving here = arriving(light, load3(points.position, at), splat(u), splat(v), false);
     const F cosine = dot(normal, here.to_light);
     const F mirrored = mirrored_cosine(normal, here.to_light, cosine, -load3(points.direction, at));
-    const M present = first_lanes(static_cast<std::size_t>(std::min(lanes, points.count - at)));
     const M shines = (mirrored > splat(0)) & (load(points.shininess + at) > splat(0));
     const V3 diffuse = load3(points.diffuse, at);
     const M colored = (diffuse.x != splat(0)) | (diffuse.y != splat(0)) | (diffuse.z != splat(0));
-    const M asks = present & here.arrives & (shines | (colored & (cosine > splat(0))));
+    const M asks =
+        present_lanes(at, points.count) & here.arrives & (shines | (colored & (cosine > splat(0))));
     store3(here.to_light, out.to_light, at);
     store(here.distance, out.end + at);
     store(here.attenuation * here.spot_factor, out.share + at);
@@ -264,7 +264,7 @@ inline void find_lights(const WaveScene& scene, WavePoints& points, WaveLight& l
       std::fill_n(light.blocked, chunks, std::uint8_t{0});
       if (shadows) {
         counts.shadow += static_cast<std::uint64_t>(count_bits(light.asks, chunks));
-        find_blocked(scene, points, splat(1e-3), light);
+        find_blocked(scene, points, light);
       }
       for (int c = 0; c < chunks; ++c) {
         const V3 one = lit(points, light, color, c * lanes);

@@ -1,0 +1,47 @@
+#pragma once
+// The boxes of a group's parts as a tree for bundles of rays: what a whole bundle misses is left
+// out at once. Nodes of eight, without pointers: the children of entry e of a level are the entries
+// 8 e to 8 e + 7 of the level below.
+
+#include "scenefile/trace/parts.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace scenefile {
+
+struct BoxNode {
+  static constexpr int width = 8;
+  static constexpr float far = std::numeric_limits<float>::max();
+
+  alignas(32) float min[3][width];  ///< by axis; those without a child are empty boxes
+  alignas(32) float max[3][width];
+
+  BoxNode();
+  void put(int at, const FloatBox& box);
+  /// Around all of its boxes.
+  FloatBox box() const;
+};
+
+class PartTree {
+ public:
+  /// More parts than this are worth no tree: bundles of rays spread over too many.
+  static constexpr std::size_t most_parts = 65536;
+
+  PartTree() = default;
+  explicit PartTree(const std::vector<FloatBox>& boxes);
+
+  bool empty() const { return order_.empty(); }
+  /// Level 0 is that of the parts; the last one is a single node.
+  int levels() const { return static_cast<int>(levels_.size()); }
+  const BoxNode& node(int level, std::uint32_t index) const { return levels_[level][index]; }
+  /// The part of an entry of level 0.
+  std::uint32_t part(std::uint32_t entry) const { return order_[entry]; }
+
+ private:
+  std::vector<std::vector<BoxNode>> levels_;
+  std::vector<std::uint32_t> order_;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,275 @@
+// Bundles of rays that go much the same way, and which parts they may meet. No guard: included once
+// for each instruction set, behind wide-inl.h.
+//
+// Most of the direction is along one axis; how far the rays of a bundle stray along the other two
+// while they go one unit along it lies in an interval. With those of their origins that bounds
+// where all of them are beside a box (compare Boulos et al., "Geometric and Arithmetic Culling
+// Methods for Entire Ray Packets", 2006).
+
+#include "scenefile/trace/wave_memory.h"
+
+namespace scenefile::SCENEFILE_LANES {
+
+/// Where the rays go: all of a wave's forward along one axis.
+struct Heading {
+  int main = 2;  ///< the axis; 0, 1, 2
+  int side[2] = {0, 1};
+  double sign = 1;      ///< of the directions along it
+  bool common = false;  ///< the rays are as good as that
+};
+
+/// The space that the rays of a bundle may touch. Of coordinates along the main axis, times its
+/// sign, and the two others.
+struct Bundle {
+  double origin_low[3];  ///< main, sides
+  double origin_high[3];
+  double slope_low[2];
+  double slope_high[2];
+  double reach;  ///< along the main axis from the origin, at most
+};
+
+inline Bundle empty_bundle() {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  return {{far, far, far}, {-far, -far, -far}, {far, far}, {-far, -far}, 0};
+}
+
+inline void unite(Bundle& a, const Bundle& b) {
+  for (int i = 0; i < 3; ++i) {
+    a.origin_low[i] = std::min(a.origin_low[i], b.origin_low[i]);
+    a.origin_high[i] = std::max(a.origin_high[i], b.origin_high[i]);
+  }
+  for (int i = 0; i < 2; ++i) {
+    a.slope_low[i] = std::min(a.slope_low[i], b.slope_low[i]);
+    a.slope_high[i] = std::max(a.slope_high[i], b.slope_high[i]);
+  }
+  a.reach = std::max(a.reach, b.reach);
+}
+
+inline F coordinate(const V3& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+inline double least_lane(F x) {
+  return hn::GetLane(hn::MinOfLanes(D(), x.v));
+}
+inline double greatest_lane(F x) {
+  return hn::GetLane(hn::MaxOfLanes(D(), x.v));
+}
+
+/// A chunk of a wave that is to be searched.
+struct Chunk {
+  Rays rays;
+  F length;  ///< how long they are
+  M mask;    ///< which of them are asked for
+};
+
+inline Bundle bundle_of(const Chunk& chunk, const Heading& heading) {
+  // Wider than rounding may make a ray.
+  constexpr double slack = 1e-7;
+  const F far = splat(std::numeric_limits<double>::infinity());
+  const auto& [rays, length, mask] = chunk;
+  if (none(mask)) {
+    return empty_bundle();
+  }
+  Bundle bundle;
+  const M lanes_of_it = mask;
+  const auto enclose = [&](F x, double& low, double& high) {
+    low = least_lane(select(lanes_of_it, x, far));
+    high = greatest_lane(select(lanes_of_it, x, -far));
+  };
+  const F sign = splat(heading.sign);
+  const F ahead = sign * coordinate(rays.direction, heading.main);
+  enclose(sign * coordinate(rays.origin, heading.main), bundle.origin_low[0],
+          bundle.origin_high[0]);
+  for (int i = 0; i < 2; ++i) {
+    enclose(coordinate(rays.origin, heading.side[i]), bundle.origin_low[1 + i],
+            bundle.origin_high[1 + i]);
+    enclose(coordinate(rays.direction, heading.side[i]) / ahead, bundle.slope_low[i],
+            bundle.slope_high[i]);
+    bundle.slope_low[i] -= slack * (1 + std::abs(bundle.slope_low[i]));
+    bundle.slope_high[i] += slack * (1 + std::abs(bundle.slope_high[i]));
+  }
+  bundle.reach = (1 + slack) * greatest_lane(select(mask, length * ahead, splat(0)));
+  return bundle;
+}
+
+/// What all lanes of chunks `first` to `last` - 1 have in common; `chunk(c)` gives them.
+template <typename ChunkOf>
+Heading heading_of(int first, int last, const ChunkOf& chunk) {
+  V3 sum{splat(0), splat(0), splat(0)};
+  for (int c = first; c < last; ++c) {
+    const Chunk one = chunk(c);
+    sum = sum + select(one.mask, one.rays.direction, V3{splat(0), splat(0), splat(0)});
+  }
+  const auto total = [](F x) { return hn::GetLane(hn::SumOfLanes(D(), x.v)); };
+  const double sums[3] = {total(sum.x), total(sum.y), total(sum.z)};
+  Heading heading;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(sums[axis]) > std::abs(sums[heading.main])) {
+      heading.main = axis;
+    }
+  }
+  heading.side[0] = (heading.main + 1) % 3;
+  heading.side[1] = (heading.main + 2) % 3;
+  heading.sign = sums[heading.main] < 0 ? -1 : 1;
+  constexpr double steepest = 0.2;  // of a unit vector, along the main axis
+  M fine = !no_lanes();
+  for (int c = first; c < last; ++c) {
+    const Chunk one = chunk(c);
+    const F ahead = splat(heading.sign) * coordinate(one.rays.direction, heading.main);
+    fine = fine & ((!one.mask) | (ahead > splat(steepest)));
+  }
+  heading.common = every(fine);
+  return heading;
+}
+
+/// Parts that a bundle may meet, with their boxes.
+struct Candidates {
+  static constexpr int most = 64;
+  int count = 0;
+  std::uint32_t part[most + BoxNode::width];
+  alignas(64) float min[3][most + BoxNode::width];
+  alignas(64) float max[3][most + BoxNode::width];
+
+  bool full() const { return count > most; }
+};
+
+inline F load_floats(const float* from) {
+  const hn::Rebind<float, D> floats;
+  return {hn::PromoteTo(D(), hn::Load(floats, from))};
+}
+
+// Which of the boxes at `at` the bundle may touch; `boxes` has them as BoxNode has.
+template <typename Boxes>
+unsigned touched(const Boxes& boxes, int at, const Bundle& bundle, const Heading& heading) {
+  const bool forward = heading.sign > 0;
+  const F low = load_floats(boxes.min[heading.main] + at);
+  const F high = load_floats(boxes.max[heading.main] + at);
+  const F near = greatest(splat(0), (forward ? low : -high) - splat(bundle.origin_high[0]));
+  const F far = least(splat(bundle.reach), (forward ? high : -low) - splat(bundle.origin_low[0]));
+  M meets = near <= far;
+  for (int i = 0; i < 2; ++i) {
+    const F slope_low = splat(bundle.slope_low[i]);
+    const F slope_high = splat(bundle.slope_high[i]);
+    const F least_side = splat(bundle.origin_low[1 + i]) + least(slope_low * near, slope_low * far);
+    const F most_side =
+        splat(bundle.origin_high[1 + i]) + greatest(slope_high * near, slope_high * far);
+    meets = meets & (least_side <= load_floats(boxes.max[heading.side[i]] + at)) &
+            (most_side >= load_floats(boxes.min[heading.side[i]] + at));
+  }
+  return bits(meets);
+}
+
+template <typename Boxes>
+void add_candidate(const Boxes& boxes, int at, std::uint32_t part, Candidates& list) {
+  const int i = list.count++;
+  list.part[i] = part;
+  for (int axis = 0; axis < 3; ++axis) {
+    list.min[axis][i] = boxes.min[axis][at];
+    list.max[axis][i] = boxes.max[axis][at];
+  }
+}
+
+/// Those of the tree; full() where they are too many.
+inline void find_candidates(const PartTree& tree, const Bundle& bundle, const Heading& heading,
+                            Candidates& list) {
+  struct Entry {
+    int level;
+    std::uint32_t index;
+  };
+  std::array<Entry, 64> stack;  // seven for each of at most six levels
+  int waiting = 0;
+  stack[waiting++] = {tree.levels() - 1, 0};
+  list.count = 0;
+  while (waiting > 0 && !list.full()) {
+    const auto [level, index] = stack[--waiting];
+    const BoxNode& node = tree.node(level, index);
+    for (int at = 0; at < BoxNode::width; at += lanes) {
+      for (unsigned left = touched(node, at, bundle, heading); left != 0; left &= left - 1) {
+        const int i = at + std::countr_zero(left);
+        const std::uint32_t entry = BoxNode::width * index + static_cast<std::uint32_t>(i);
+        if (level > 0) {
+          stack[waiting++] = {level - 1, entry};
+        } else {
+          add_candidate(node, i, tree.part(entry), list);
+        }
+      }
+    }
+  }
+}
+
+/// Those of a list.
+inline void find_candidates(const Candidates& from, const Bundle& bundle, const Heading& heading,
+                            Candidates& list) {
+  list.count = 0;
+  for (int at = 0; at < from.count; at += lanes) {
+    unsigned left = touched(from, at, bundle, heading);
+    left &= from.count - at < lanes ? (1u << (from.count - at)) - 1 : ~0u;
+    for (; left != 0; left &= left - 1) {
+      const int i = at + std::countr_zero(left);
+      add_candidate(from, i, from.part[i], list);
+    }
+  }
+}
+
+// Chunks `first` to `last` - 1, whose bundles are `bundles`, with the parts of `around`, or of the
+// tree.
+template <typename Test, typename GiveUp>
+void search_bundles(const PartTree& tree, const Bundle* bundles, int first, int last,
+                    const Heading& heading, const Candidates* around, const Test& test,
+                    const GiveUp& give_up) {
+  constexpr int parting = 4;
+  constexpr int few = 2;    // to be tested by all chunks
+  constexpr int many = 32;  // to be tested by one
+  Bundle whole = bundles[first];
+  for (int c = first + 1; c < last; ++c) {
+    unite(whole, bundles[c]);
+  }
+  Candidates list;
+  if (around == nullptr) {
+    find_candidates(tree, whole, heading, list);
+  } else {
+    find_candidates(*around, whole, heading, list);
+  }
+  if (last - first == 1 && list.count > many) {
+    give_up(first);
+    return;
+  }
+  if (last - first == 1 || list.count <= few) {
+    for (int c = first; c < last; ++c) {
+      test(c, list);
+    }
+    return;
+  }
+  const int step = std::max(1, (last - first) / parting);
+  for (int c = first; c < last; c += step) {
+    search_bundles(tree, bundles, c, std::min(last, c + step), heading,
+                   list.full() ? nullptr : &list, test, give_up);
+  }
+}
+
+/// Calls test(c, candidates) for chunks `first` to `last` - 1 with the parts that their rays may
+/// meet, or give_up(c) where those are too many or the rays go apart. `chunk(c)` gives the rays.
+template <typename ChunkOf, typename Test, typename GiveUp>
+void search_tree(const PartTree& tree, int first, int last, const ChunkOf& chunk, const Test& test,
+                 const GiveUp& give_up) {
+  const Heading heading = heading_of(first, last, chunk);
+  if (heading.common) {
+    std::array<Bundle, wave_rays / lanes> bundles;
+    for (int c = first; c < last; ++c) {
+      bundles[c] = bundle_of(chunk(c), heading);
+    }
+    search_bundles(tree, bundles.data(), first, last, heading, nullptr, test, give_up);
+    return;
+  }
+  if (last - first == 1) {
+    give_up(first);
+    return;
+  }
+  const int step = std::max(1, (last - first) / 4);
+  for (int c = first; c < last; c += step) {
+    search_tree(tree, c, std::min(last, c + step), chunk, test, give_up);
+  }
+}
+
+}  // namespace scenefile::SCENEFILE_LANES

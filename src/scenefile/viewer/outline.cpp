@@ -34,7 +34,7 @@ std::string light_label(const Light& light) {
 
 std::string primitive_detail(const Primitive& primitive) {
   const auto& texture = primitive.material.texture;
-  return !primitive.mesh_file.empty() ? primitive.mesh_file
+  return !primitive.mesh_file.empty() ? primitive.mesh_file.str()
          : texture                    ? texture->file
                                       : std::string();
 }
@@ -130,13 +130,13 @@ class OutlineMaker {
 
   std::uint32_t add_node(const Node& node, std::uint32_t depth, const std::string& otherwise) {
     OutlineRow row{RowKind::group, depth};
-    row.label = node.name.empty() ? otherwise : node.name;
+    row.label = node.name.empty() ? otherwise : node.name.str();
     row.detail = node.name.empty() ? contents_of(node) : std::string();
     row.location = node.location;
     if (!node.instance_of.empty()) {
       row.kind = RowKind::copy;
-      row.label = node.name.empty() ? node.instance_of : node.name;
-      row.detail = node.name.empty() ? "copy" : "copy of " + node.instance_of;
+      row.label = node.name.empty() ? node.instance_of.str() : node.name.str();
+      row.detail = node.name.empty() ? "copy" : "copy of " + node.instance_of.str();
       row.source = places_.find(node.location);
     }
     const std::uint32_t index = add(std::move(row));

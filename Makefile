@@ -157,13 +157,18 @@ tidy: ## clang-tidy all sources
 	@$(MAKE) $(QUIET) configure-tests
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
-.PHONY: bench
-bench: ## CPU time and memory of whole runs against POV-Ray; CORPUS=DIR: also on the course's scenes
+.PHONY: bench bench-build
+BENCH_TARGETS = scenefile $(addprefix scenefile_bench_,load kernels psnr inside)
+bench-build:
 	@scripts/install-deps core bench
 	@$(MAKE) $(QUIET) configure
 	@grep -qs SCENEFILE_BENCH:BOOL=ON $(BUILD)/CMakeCache.txt || cmake $(PRESET) -DSCENEFILE_BENCH=ON > /dev/null
-	@cmake --build $(PRESET) --target scenefile scenefile_bench_psnr
-	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)")
+	@cmake --build $(PRESET) --target $(BENCH_TARGETS)
+bench: bench-build ## CPU time and memory of renders and their parts, against POV-Ray; CORPUS=DIR: also the course's scenes
+	@mkdir -p out
+	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)" --samples --all)
+	@bench/curves $(BUILD) --out out/curves.json --runs $(or $(RUNS),3)
+	@$(BUILD)/bench/scenefile_bench_kernels --benchmark_out=out/kernels.json --benchmark_out_format=json
 
 .PHONY: docs
 docs: build ## write docs/diagnostics.md anew, from the codes of the program

@@ -1,8 +1,9 @@
-// scenefile_bench_load xml|json [TRANSBLOCKS [FILE]]: the time to read and to check a generated
-// scene of so many objects (default: a million), against that of the XML or JSON library alone,
-// which turns the text into tokens and forgets them. All in turns, of each the least of five. With
-// FILE: writes the scene there, for measuring the program.
+// scenefile_bench_load xml|json|nested [TRANSBLOCKS [FILE]]: the time to read and to check a
+// generated scene of so many objects (default: a million), against that of the XML or JSON library
+// alone, which turns the text into tokens and forgets them. All in turns, of each the least of
+// five. With FILE: writes the scene there, for measuring the program; "nested" with so many levels.
 
+#include "generated_scene.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/check.h"
 
@@ -16,56 +17,15 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 namespace {
 
 using namespace scenefile;
+using namespace scenefile::bench;
 
 constexpr int runs = 5;
-
-// Numbers of the length that exporters write.
-float coordinate(std::size_t i, unsigned salt) {
-  return static_cast<float>((i * 7919 + salt * 104729) % 200000) / 1000.0f - 100.0f;
-}
-
-std::string xml_scene(std::size_t count) {
-  std::string text =
-      "<scenefile>\n  <cameradata>\n    <pos x=\"0\" y=\"0\" z=\"200\"/>\n"
-      "    <look x=\"0\" y=\"0\" z=\"-1\"/>\n    <up x=\"0\" y=\"1\" z=\"0\"/>\n"
-      "    <heightangle v=\"60\"/>\n  </cameradata>\n  <object type=\"tree\" name=\"root\">\n";
-  for (std::size_t i = 0; i < count; ++i) {
-    fmt::format_to(std::back_inserter(text),
-                   "    <transblock>\n      <translate x=\"{:.3f}\" y=\"{:.3f}\" z=\"{:.3f}\"/>\n"
-                   "      <rotate x=\"0\" y=\"1\" z=\"0\" angle=\"{:.1f}\"/>\n"
-                   "      <scale x=\"0.25\" y=\"0.5\" z=\"0.25\"/>\n"
-                   "      <object type=\"primitive\" name=\"cube\">\n"
-                   "        <diffuse r=\"0.5\" g=\"0.25\" b=\"{:.3f}\"/>\n      </object>\n"
-                   "    </transblock>\n",
-                   coordinate(i, 1), coordinate(i, 2), coordinate(i, 3), coordinate(i, 4),
-                   coordinate(i, 5) * coordinate(i, 5) / 10000);
-  }
-  return text + "  </object>\n</scenefile>\n";
-}
-
-std::string json_scene(std::size_t count) {
-  std::string text =
-      "{\n  \"globalData\": {\"ambientCoeff\": 0.5, \"diffuseCoeff\": 0.5, \"specularCoeff\": "
-      "0.5},\n  \"cameraData\": {\"position\": [0, 0, 200], \"up\": [0, 1, 0], \"look\": [0, 0, "
-      "-1], \"heightAngle\": 60},\n  \"groups\": [\n";
-  for (std::size_t i = 0; i < count; ++i) {
-    fmt::format_to(std::back_inserter(text),
-                   "    {}{{\n      \"translate\": [{:.3f}, {:.3f}, {:.3f}],\n"
-                   "      \"rotate\": [0, 1, 0, {:.1f}],\n      \"scale\": [0.25, 0.5, 0.25],\n"
-                   "      \"primitives\": [{{\"type\": \"cube\", \"diffuse\": [0.5, 0.25, "
-                   "{:.3f}]}}]\n    }}\n",
-                   i == 0 ? "" : ",", coordinate(i, 1), coordinate(i, 2), coordinate(i, 3),
-                   coordinate(i, 4), coordinate(i, 5) * coordinate(i, 5) / 10000);
-  }
-  return text + "  ]\n}\n";
-}
 
 void tokenize_xml(std::string& text) {
   XML_Parser parser = XML_ParserCreate("UTF-8");
@@ -133,7 +93,10 @@ std::vector<Contestant> contestants(bool json) {
 int main(int argc, char** argv) {
   const bool json = argc > 1 && std::string(argv[1]) == "json";
   const std::size_t count = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1'000'000;
-  const std::string text = json ? json_scene(count) : xml_scene(count);
+  const bool nested = argc > 3 && std::string(argv[1]) == "nested";
+  const std::string text = nested ? nested_scene(static_cast<int>(count))
+                           : json ? json_scene(count)
+                                  : xml_scene(count);
   if (argc > 3) {
     return (std::ofstream(argv[3], std::ios::binary) << text).flush() ? 0 : 1;
   }

@@ -8,6 +8,8 @@ import sys
 import tempfile
 import time
 
+# What POV-Ray is asked for too: no super-sampling, no lenses.
+FEATURES = "shadows,reflect,refract,texture,texture-filter"
 HERE = pathlib.Path(__file__).resolve().parent
 
 

@@ -89,7 +89,7 @@ void check_picture(LoadedScene& scene, ViewQuestion question) {
 }
 
 void forget_file(LoadedScene& scene) {
-  scene.text = {};
+  std::string().swap(scene.text);  // an assignment would keep the memory
   scene.written = {};
   scene.ready.sources = {};
   return_free_memory();

@@ -29,5 +29,12 @@ TEST(Suggest, SaysNothingWhenNothingIsNear) {
   EXPECT_EQ(nearest_name(std::string(100000, 'a'), words), "");
 }
 
+TEST(NearestName, TheStartOfANameIsNear) {
+  constexpr std::string_view keys[] = {"textureFile", "textureU", "cameraData"};
+  EXPECT_EQ(nearest_name("texture", keys), "textureFile");
+  EXPECT_EQ(nearest_name("Camera", keys), "cameraData");
+  EXPECT_EQ(nearest_name("text", keys), "");
+}
+
 }  // namespace
 }  // namespace scenefile

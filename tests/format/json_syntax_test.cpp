@@ -69,6 +69,9 @@ TEST(JsonSyntax, CommasAndBrackets) {
       {"{\"a\": 0.5; \"b\": 1}", json_syntax, {1, 10}, "not by semicolons"},
       {"{\"a\" = 1}", json_syntax, {1, 6}, "not by ="},
       {"{\"a\" 1}", json_syntax, {1, 6}, "expected a colon"},
+      {"{\"a\": (1, 2)}", json_syntax, {1, 7}, "an array stands in square brackets"},
+      {"{\"a\": {{}}}", json_syntax, {1, 8}, "a list of objects stands in [ ]"},
+      {"{\"a\": 1/2}", json_syntax, {1, 8}, "found \"/\""},
       {"{}}", json_after_end, {1, 3}, "behind the end"},
       {"{} {}", json_after_end, {1, 4}, "behind the end"},
   };
@@ -81,6 +84,8 @@ TEST(JsonSyntax, WordsAndQuotes) {
   const Case cases[] = {
       {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must stand in double quotes"},
       {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
+      {"{\"a\": \"b, \"c\": 1}", json_syntax, {1, 12}, "an earlier string lacks its closing one"},
+      {"{\u201Ca\u201D: 1}", json_syntax, {1, 2}, "a typographic quotation mark"},
       {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},
       {"{\"a\": None}", json_syntax, {1, 7}, "None is written null"},
       {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is no value"},

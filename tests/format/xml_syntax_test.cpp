@@ -50,6 +50,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
             "4:10 a typographic quotation mark, as word processors put it; use \" or '");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
+  EXPECT_EQ(one("<a b=\"x\"\n<c/>"), "5:1 the tag <a> of line 4 lacks its > or />");
   EXPECT_EQ(one("<a b=\"x & y\"/>"), "4:9 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"&nbsp;\"/>"),
             "4:7 the entity \"nbsp\" is not defined; for a bare & write &amp;");

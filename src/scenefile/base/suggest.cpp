@@ -10,9 +10,17 @@ namespace {
 
 // Longer words are never typing mistakes of the format's names.
 constexpr std::size_t max_length = 40;
+// "camera" for "cameradata"; shorter ones say too little.
+constexpr std::size_t shortest_start = 5;
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool starts_with_ignoring_case(std::string_view name, std::string_view start) {
+  return start.size() <= name.size() &&
+         std::equal(start.begin(), start.end(), name.begin(),
+                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
@@ -57,7 +65,8 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
     if (name.size() > max_length || word.size() < 2) {
       continue;
     }
-    const std::size_t n = edits(word, name);
+    const bool cut_short = word.size() >= shortest_start && starts_with_ignoring_case(name, word);
+    const std::size_t n = cut_short ? 1 : edits(word, name);
     if (n < best_edits) {
       best = name;
       best_edits = n;

@@ -6,8 +6,8 @@
 namespace scenefile {
 
 /// The known word that `word` was probably meant to be: another case of it, or the fewest edits
-/// (insert, delete, replace, swap neighbours) away, at most a third of its length. Empty when
-/// nothing is near. For "did you mean".
+/// (insert, delete, replace, swap neighbours) away, at most a third of its length; the first five
+/// or more letters of a name count as one edit. Empty when nothing is near. For "did you mean".
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace scenefile

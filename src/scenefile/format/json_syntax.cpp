@@ -84,7 +84,8 @@ class Explainer {
   }
 
   std::string found_text() const {
-    const std::string_view word = word_around();
+    const bool inside = at_ < text_.size() && is_word(text_[at_]);
+    const std::string_view word = inside ? word_around() : std::string_view();
     return word.empty() ? quoted(text_.substr(at_, first_code_point(text_.substr(at_)).bytes))
                         : quoted(word);
   }
@@ -346,12 +347,36 @@ class Explainer {
     } else if (found() == ';') {
       f.message = "members and elements are separated by commas, not by semicolons";
       f.mend = {at_, ","};
+    } else if (const std::string hint = bracket_hint(); !hint.empty()) {
+      f.message = hint;
     } else if (lacks_comma()) {
       f.offset = before();
       f.message = "a comma is missing behind this";
       f.mend = {at_ - 1, ","};
     }
     return true;
+  }
+
+  std::string bracket_hint() const {
+    const std::size_t previous = before();
+    const bool behind_quote = previous != std::string_view::npos && text_[previous] == '"';
+    if (found() == '(') {
+      return "an array stands in square brackets, [ ]";
+    }
+    if (found() == '{' && error_.fault == JsonFault::key) {
+      return "an object inside an object needs a key; a list of objects stands in [ ]";
+    }
+    if (behind_quote && is_word(found()) && error_.fault == JsonFault::object_comma) {
+      return fmt::format(
+          "{} right behind a quotation mark: an earlier string lacks its closing one",
+          found_text());
+    }
+    for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
+      if (text_.substr(at_).starts_with(quote)) {
+        return "a typographic quotation mark, as word processors put it; use \"";
+      }
+    }
+    return {};
   }
 
   // Whether something goes on behind a blank as if there were a comma.

@@ -63,6 +63,12 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
     default:
       break;
   }
+  if (content[0] == '"') {
+    diagnostics.report(format_unknown, after_blanks(text, first),
+                       "the file starts with a quotation mark; a JSON scene is an object, so { is "
+                       "missing in front of it");
+    return std::nullopt;
+  }
   diagnostics.report(
       format_unknown, after_blanks(text, first),
       fmt::format("the file starts with {}, so it is no scene file: an XML scene starts with <, a "

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -72,13 +73,35 @@ std::string_view local_name(std::string_view name) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
+// What other formats call the elements of this one.
+constexpr std::pair<std::string_view, std::string_view> other_words[] = {
+    {"fov", "heightangle"},       {"lookat", "focus"},          {"target", "focus"},
+    {"attenuation", "function"},  {"pos", "position"},          {"position", "pos"},
+    {"dir", "direction"},         {"intensity", "color"},       {"colour", "color"},
+    {"color", "diffuse"},         {"colour", "diffuse"},        {"refractive", "transparent"},
+    {"reflection", "reflective"}, {"translation", "translate"}, {"rotation", "rotate"},
+    {"group", "object"}};
+
+std::string_view translated(std::string_view name, std::span<const FieldName> names) {
+  for (const auto& [other, ours] : other_words) {
+    const bool known = std::any_of(names.begin(), names.end(),
+                                   [ours](const FieldName& n) { return n.name == ours; });
+    if (other == name && known) {
+      return ours;
+    }
+  }
+  return {};
+}
+
 std::string_view nearest_field(std::string_view name, std::span<const FieldName> names) {
   std::vector<std::string_view> words;
   words.reserve(names.size());
   for (const FieldName& n : names) {
     words.push_back(n.name);
   }
-  return nearest_name(local_name(name), words);
+  const std::string_view near = nearest_name(local_name(name), words);
+  const std::string_view meant = translated(name, names);
+  return near.empty() || meant.empty() ? near : meant;
 }
 
 std::optional<std::size_t> field_of(std::string_view name, std::span<const FieldName> names) {
@@ -102,16 +125,16 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
                             std::span<const FieldName> names) {
   const std::string where = element_text(block);
   if (is_known(tag.name)) {
-    context.report(
-        xml_misplaced_element, tag,
-        fmt::format("{} does not belong in {}; it was ignored", element_text(tag.name), where));
+    context.report(xml_misplaced_element, tag,
+                   fmt::format("{} does not belong in {}; it was ignored{}", element_text(tag.name),
+                               where, did_you_mean(translated(tag.name, names), "<>")));
     return;
   }
   const std::string_view near = nearest_field(tag.name, names);
   if (near.empty()) {
-    context.report(
-        xml_unknown_element, tag,
-        fmt::format("unknown element {} in {}; it was ignored", element_text(tag.name), where));
+    context.report(xml_unknown_element, tag,
+                   fmt::format("unknown element {} in {}; it was ignored{}", element_text(tag.name),
+                               where, did_you_mean(translated(tag.name, names), "<>")));
     return;
   }
   context.report(xml_misspelt_element, tag,

@@ -125,7 +125,7 @@ void report_defaults(const XmlContext& context, const LightDraft& draft) {
     context.diagnostics.report(xml_light_id, draft.light.location,
                                "the light has no <id>; give each light a number from 0 to 7");
   }
-  if (type == LightType::spot) {
+  if (type == LightType::spot && draft.seen.has(l_angle)) {
     missing(l_penumbra, "penumbra", "0");
   }
 }

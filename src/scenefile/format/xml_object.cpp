@@ -43,10 +43,15 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   }
   const std::string_view near = nearest_name(attribute.value, type_names);
   const std::string type = quoted(attribute.value);
+  const std::size_t shape = index_of(shape_words, attribute.value);
   if (near.empty()) {
-    context.report(
-        xml_unknown_object_type, attribute,
-        fmt::format("object type {} is not of the format; the object was ignored", type));
+    const std::string hint =
+        shape == shape_words.size()
+            ? std::string()
+            : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
+    context.report(xml_unknown_object_type, attribute,
+                   fmt::format("object type {} is not of the format, so the object was ignored{}",
+                               type, hint));
   } else {
     context.report(xml_object_type, attribute,
                    fmt::format("unknown object type {}{}", type, did_you_mean(near)));

@@ -213,7 +213,8 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
   }
   if (object->name.empty()) {
     lost_tree_ = true;
-    return ignore(xml_master_name, tag, "a tree at the top of the file needs a name");
+    return ignore(xml_master_name, tag,
+                  "a tree at the top of the file needs a name; that of the scene itself is root");
   }
   const bool is_root = object->name == "root";
   const bool is_new = references_.declare(context_, object->name, object->name_place);

@@ -75,6 +75,22 @@ std::string quote_hint(std::string_view rest) {
   return {};
 }
 
+// The offset is a `<` inside a tag, but not inside a value of it: what to say of that tag.
+std::string unclosed_tag(std::string_view text, std::size_t at) {
+  const std::size_t open = at == 0 ? std::string_view::npos : text.find_last_of("<>", at - 1);
+  if (open == std::string_view::npos || text[open] != '<') {
+    return {};
+  }
+  const std::string_view tag = text.substr(open, at - open);
+  const auto quotes = std::count(tag.begin(), tag.end(), '"');
+  if (quotes % 2 != 0) {
+    return {};
+  }
+  return fmt::format("the tag <{}> of line {} lacks its > or />",
+                     escaped(name_at(tag.substr(1)), 40),
+                     TextCursor(text).advance_to(tag.data()).line);
+}
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
@@ -125,6 +141,9 @@ std::string token_message(std::string_view text, std::size_t at) {
   if (in_comment(text, at)) {
     return "-- is not allowed inside a comment; write - or == instead";
   }
+  if (const std::string tag = unclosed_tag(text, at); rest[0] == '<' && !tag.empty()) {
+    return tag;
+  }
   if (rest[0] == '<') {
     return "< is not allowed here; inside a value write &lt;";
   }
@@ -155,7 +174,7 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
       return fmt::format("nothing may follow the closing tag of the scene; found {}",
                          quoted(rest.substr(0, rest.find_first_of("\r\n")), 20));
     case SyntaxFault::late_declaration:
-      return "<?xml ...?> must be the very first thing in the file";
+      return "<?xml ...?> must be the very first thing in the file; remove what stands before it";
     case SyntaxFault::invalid_token:
       return token_message(text, at);
     case SyntaxFault::other:

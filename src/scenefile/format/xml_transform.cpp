@@ -110,8 +110,11 @@ void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft
 
 std::optional<Transform> finish_matrix(const XmlContext& context, const MatrixDraft& draft) {
   if (draft.count < 4) {
-    context.diagnostics.report(xml_matrix_rows, draft.location,
-                               fmt::format("the matrix has {} rows instead of four", draft.count));
+    context.diagnostics.report(
+        xml_matrix_rows, draft.location,
+        fmt::format("the matrix has {} rows instead of four, each written <row a=\"1\" "
+                    "b=\"0\" c=\"0\" d=\"0\"/>",
+                    draft.count));
     return std::nullopt;
   }
   if (!draft.valid) {

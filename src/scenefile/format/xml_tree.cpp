@@ -65,6 +65,11 @@ bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
                     "--compat course uses it",
                     element_text(tag.name)));
   }
+  if (tag.name == "transblock") {
+    return ignore(xml_misplaced_element, tag,
+                  "a transblock cannot stand right inside a transblock, so it was ignored; put it "
+                  "into <object type=\"tree\">");
+  }
   const std::optional<std::size_t> field = find_field(context_, tag, block_names, top().element);
   if (!field) {
     return false;

@@ -189,11 +189,16 @@ bool is_canonical(const XmlTag& tag, const Signature& signature) {
   return true;
 }
 
-std::string comma_hint(std::string_view value) {
+// What was probably meant: a point for a comma, or the number without what follows it.
+std::string number_hint(std::string_view value) {
   std::string with_point(value);
   std::replace(with_point.begin(), with_point.end(), ',', '.');
   const bool fits = with_point != value && parse_number(with_point).error == NumberError::none;
-  return fits ? did_you_mean(with_point) : std::string();
+  if (fits) {
+    return did_you_mean(with_point);
+  }
+  const std::string_view number = value.substr(0, value.find_first_not_of("+-.0123456789"));
+  return parse_number(number).error == NumberError::none ? did_you_mean(number) : std::string();
 }
 
 std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag,
@@ -276,7 +281,7 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
       if (!context.options.compat_course) {
         context.report(
             xml_number, attribute,
-            fmt::format("{}: {} is not a number{}", what, value, comma_hint(attribute.value)));
+            fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value)));
         break;
       }
       context.diagnostics.report(xml_number, Severity::warning,

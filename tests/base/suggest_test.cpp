@@ -29,7 +29,7 @@ TEST(Suggest, SaysNothingWhenNothingIsNear) {
   EXPECT_EQ(nearest_name(std::string(100000, 'a'), words), "");
 }
 
-TEST(NearestName, TheStartOfANameIsNear) {
+TEST(Suggest, TheStartOfANameIsNear) {
   constexpr std::string_view keys[] = {"textureFile", "textureU", "cameraData"};
   EXPECT_EQ(nearest_name("texture", keys), "textureFile");
   EXPECT_EQ(nearest_name("Camera", keys), "cameraData");

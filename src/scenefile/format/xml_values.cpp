@@ -198,7 +198,10 @@ std::string number_hint(std::string_view value) {
     return did_you_mean(with_point);
   }
   const std::string_view number = value.substr(0, value.find_first_not_of("+-.0123456789"));
-  return parse_number(number).error == NumberError::none ? did_you_mean(number) : std::string();
+  const ParsedNumber meant = parse_number(number);
+  return meant.error == NumberError::none
+             ? did_you_mean(number_text(static_cast<float>(meant.value)))
+             : std::string();
 }
 
 std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag,

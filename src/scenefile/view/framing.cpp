@@ -86,7 +86,7 @@ double radius_in_pixels(const Frame& frame, const WorldObject& object) {
 
 int segments_for(double radius_in_pixels) {
   constexpr double pi = 3.14159265358979323846;
-  const double segments = pi * std::sqrt(2.5 * radius_in_pixels);
+  const double segments = pi * std::sqrt(5 * radius_in_pixels);
   return static_cast<int>(std::clamp(segments, 3.0, 1024.0));
 }
 

@@ -32,7 +32,7 @@ bool may_be_seen(const Frame& frame, const WorldObject& object);
 double radius_in_pixels(const Frame& frame, const WorldObject& object);
 
 /// Segments that a round shape of this radius needs, so that its outline is off by less than a
-/// tenth of a pixel: r (1 - cos(pi / n)) / 2 < 0.1, where half of the error is outside.
+/// twentieth of a pixel: r (1 - cos(pi / n)) / 2 < 0.05, where half of the error is outside.
 int segments_for(double radius_in_pixels);
 
 }  // namespace scenefile

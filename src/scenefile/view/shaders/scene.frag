@@ -1,9 +1,10 @@
 // The lighting equation of docs/rendering.md at one pixel.
 //
 // The triangles of round shapes are taken for where the surface about is: the point is moved along
-// the ray of the pixel onto the exact surface, and normal and uv are found there. Values are those in
-// the middle of the pixel, which may lie a little off a triangle: llvmpipe takes 1/w from there even
-// for centroid values.
+// the ray of the pixel onto the exact surface, and normal and uv are found there.
+//
+// For small round shapes it matters that the ray is one that meets the triangle; all else is taken
+// from the middle of the pixel, because llvmpipe takes 1/w from there even for centroid values.
 
 #define SHADED 0
 #define FLAT_COLOR 1
@@ -14,7 +15,10 @@
 #define OBJECT_NUMBER 6
 #define BOX 7
 
-in vec3 on_object;
+centroid in vec3 on_object;
+#if defined(TEXTURED) || defined(BUMPED)
+in vec3 even_object;
+#endif
 in vec3 from_eye;
 in vec3 mesh_normal;
 in vec2 mesh_uv;
@@ -112,8 +116,8 @@ vec3 texture_color(Point point) {
   vec2 scale = repeats.xy * size;
   vec2 uv = find_uv(point);
   vec2 p = vec2(uv.x, 1.0 - uv.y) * scale;
-  vec2 along_x = uv_step(point, dFdx(on_object), dFdx(mesh_uv)) * scale;
-  vec2 along_y = uv_step(point, dFdy(on_object), dFdy(mesh_uv)) * scale;
+  vec2 along_x = uv_step(point, dFdx(even_object), dFdx(mesh_uv)) * scale;
+  vec2 along_y = uv_step(point, dFdy(even_object), dFdy(mesh_uv)) * scale;
   along_x.y = -along_x.y;
   along_y.y = -along_y.y;
   if (lookup < 2) {
@@ -130,7 +134,7 @@ vec3 texture_color(Point point) {
   // Filtered: along the longer axis, at the level of the shorter. Averaged: a grid over the pixel.
   float width = max(max(shorter, longer / 16.0), 1.0);
   vec2 taps = lookup == 3 ? vec2(clamp(ceil(longer / width), 1.0, 16.0), 1.0)
-                          : clamp(ceil(2.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 2.0 : 4.0);
+                          : clamp(ceil(2.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 3.0 : 4.0);
   along_x /= taps.x;
   along_y /= taps.y;
   if (lookup == 2) {
@@ -199,8 +203,8 @@ vec3 bumped(Point point, vec2 shift) {
   vec2 repeats = material(4).zw;
   vec2 size = vec2(textureSize(bumps, 0));
   vec3 n = normalize(point.normal);
-  vec3 across = dFdx(on_object);
-  vec3 down = dFdy(on_object);
+  vec3 across = dFdx(even_object);
+  vec3 down = dFdy(even_object);
   across -= dot(across, n) * n;
   down -= dot(down, n) * n;
   vec2 along_x = uv_step(point, across, dFdx(mesh_uv));

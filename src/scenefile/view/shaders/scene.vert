@@ -11,7 +11,10 @@ layout(location = 6) in vec4 object;  // material, tint, number of the object
 uniform mat4 clip_from_world;
 
 #ifndef DEPTH_ONLY
-out vec3 on_object;
+centroid out vec3 on_object;
+#if defined(TEXTURED) || defined(BUMPED)
+out vec3 even_object;  // the same in the middle of the pixel: it changes evenly
+#endif
 out vec3 from_eye;
 out vec3 mesh_normal;
 out vec2 mesh_uv;
@@ -31,6 +34,9 @@ void main() {
   float determinant = dot(linear[0], cofactors[0]);
   vec3 offset = vec3(row_x.w, row_y.w, row_z.w);
   on_object = position;
+#if defined(TEXTURED) || defined(BUMPED)
+  even_object = position;
+#endif
   from_eye = world;
   mesh_normal = normal_round.xyz;
   mesh_uv = texture_uv;

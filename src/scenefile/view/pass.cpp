@@ -264,6 +264,8 @@ class Pass {
     gl_.UniformMatrix4fv(program.clip_from_world, 1, 0, &clip[0][0]);
     gl_.Uniform1i(program.emitter_count, emitter_count_);
     gl_.Uniform1f(program.transparent, kt());
+    const bool truncated = options_.course && output_ != Output::object_number && !boxes_;
+    gl_.Uniform1f(program.truncation, truncated ? 0.5f / 255 : 0.0f);
     const double reach = frame_.far - frame_.near;
     const glm::vec4 axis(glm::vec3(-frame_.camera.w / reach), -frame_.near / reach);
     gl_.Uniform4fv(program.depth_axis, 1, &axis[0]);

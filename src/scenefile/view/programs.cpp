@@ -99,7 +99,8 @@ Program Programs::build(const ProgramKey& key) {
           location("transparent"),
           location("passing"),
           location("depth_axis"),
-          location("lookup")};
+          location("lookup"),
+          location("truncation")};
 }
 
 const Program& Programs::use(const ProgramKey& key) {

@@ -42,6 +42,7 @@ struct Program {
   int passing = -1;
   int depth_axis = -1;
   int lookup = -1;
+  int truncation = -1;
 };
 
 /// Texture units of the samplers.

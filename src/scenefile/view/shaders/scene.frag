@@ -34,6 +34,7 @@ uniform int emitter_count;
 uniform vec3 quadric;      // x^2 + z^2 + a y^2 + b y + c = 0 is the round side; 0 for meshes
 uniform float transparent; // kt
 uniform int passing;       // 1: give the light that passes through the object, not its own
+uniform float truncation;  // half of 1 / 255 for them, else 0
 uniform vec4 depth_axis;   // where it is 0 with a point of the world, depth is nearest; 1: farthest
 
 const float pi = 3.14159265358979;
@@ -316,5 +317,6 @@ void main() {
 #if MODE != OBJECT_NUMBER
   result = mix(result, vec3(1.0, 0.6, 0.1), identity.y);
 #endif
-  color = vec4(result, 1.0);
+  // Cards round to 8 bits; the course's pictures are truncated.
+  color = vec4(result - truncation, 1.0);
 }

@@ -135,7 +135,7 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, coverage, fuzzing
+ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, fuzzing
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) faults

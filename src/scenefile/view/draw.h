@@ -120,6 +120,8 @@ struct DrawOptions {
   /// Source of a primitive or instance that is drawn with a tint; no_index: none.
   std::uint32_t highlighted = no_index;
   glm::vec3 background{0};
+
+  friend bool operator==(const DrawOptions&, const DrawOptions&) = default;
 };
 
 /// Where the pixels go: a framebuffer of the context (0: that of the window) and the part of it, in
@@ -130,6 +132,8 @@ struct DrawTarget {
   int y = 0;
   int width = 0;
   int height = 0;
+
+  friend bool operator==(const DrawTarget&, const DrawTarget&) = default;
 };
 
 /// What the last draw() took.

@@ -54,7 +54,12 @@ void Canvas::draw(const Session& session, int framebuffer_height, double scale, 
   target.width = static_cast<int>(std::lround(box.size.x * scale));
   target.height = static_cast<int>(std::lround(box.size.y * scale));
   target.y = framebuffer_height - static_cast<int>(std::lround(box.at.y * scale)) - target.height;
-  stats_ = scenefile::draw(*device_, *drawing_, render_camera(session.camera), options, target);
+  Recipe recipe{version_, render_camera(session.camera), std::move(options), target};
+  if (recipe_ != recipe) {
+    stats_ = scenefile::draw(*device_, *drawing_, recipe.camera, recipe.options, target);
+    drawn_.take(target.x, target.y, target.width, target.height);
+    recipe_ = std::move(recipe);
+  }
 }
 
 Texture Canvas::picture_for_reference(const Session& session) {

@@ -20,13 +20,16 @@ class Canvas {
   /// Takes over what has changed in the session: scenes and pictures go to the graphics card.
   void update(Session& session);
 
-  /// Draws the scene where the session's picture is, in a framebuffer of this height in pixels;
-  /// `scale` pixels to a unit of the window. `quick`: one sample a pixel.
+  /// Draws the scene for drawn(), where it is another picture than the last; leaves the window's
+  /// back buffer in disorder. `framebuffer_height` in pixels; `scale` pixels to a unit of the
+  /// window. `quick`: one sample a pixel.
   void draw(const Session& session, int framebuffer_height, double scale, bool quick);
 
   /// What OpenGL makes of the scene at the size of the reference; empty where that is too large.
   Texture picture_for_reference(const Session& session);
 
+  /// Stands on its head.
+  const GlPicture& drawn() const { return drawn_; }
   const GlPicture& traced() const { return traced_; }
   const GlPicture& reference() const { return reference_; }
   const GlPicture& difference() const { return difference_; }
@@ -37,9 +40,21 @@ class Canvas {
  private:
   explicit Canvas(std::unique_ptr<GlDevice> device) : device_(std::move(device)) {}
 
+  /// All that a picture depends on.
+  struct Recipe {
+    std::uint64_t version = 0;
+    RenderCamera camera;
+    DrawOptions options;
+    DrawTarget target;
+
+    friend bool operator==(const Recipe&, const Recipe&) = default;
+  };
+
   std::unique_ptr<GlDevice> device_;
   std::optional<Drawing> drawing_;
-  std::uint64_t version_ = 0;  ///< of the scene in `drawing_`
+  std::uint64_t version_ = 0;     ///< of the scene in `drawing_`
+  std::optional<Recipe> recipe_;  ///< of `drawn_`
+  GlPicture drawn_;
   GlPicture traced_;
   GlPicture reference_;
   GlPicture difference_;

@@ -20,11 +20,7 @@ GlPicture::~GlPicture() {
   }
 }
 
-void GlPicture::show(const Texture& picture, std::uint64_t version) {
-  if (version == version_ || picture.empty()) {
-    return;
-  }
-  version_ = version;
+void GlPicture::bind() {
   if (name_ == 0) {
     glGenTextures(1, &name_);
   }
@@ -33,6 +29,20 @@ void GlPicture::show(const Texture& picture, std::uint64_t version) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, clamp_to_edge);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, clamp_to_edge);
+}
+
+void GlPicture::take(int x, int y, int width, int height) {
+  bind();
+  glReadBuffer(GL_BACK);
+  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, x, y, width, height, 0);
+}
+
+void GlPicture::show(const Texture& picture, std::uint64_t version) {
+  if (version == version_ || picture.empty()) {
+    return;
+  }
+  version_ = version;
+  bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, picture.width, picture.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
                picture.rgb.data());

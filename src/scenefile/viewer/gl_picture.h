@@ -18,10 +18,16 @@ class GlPicture {
   /// `version` tells pictures apart: nothing is done for the one that is there already.
   void show(const Texture& picture, std::uint64_t version);
 
+  /// Takes over a part of the back buffer, in pixels from its lower left; the picture then stands
+  /// on its head.
+  void take(int x, int y, int width, int height);
+
   /// The name of the texture; 0: no picture yet.
   unsigned name() const { return name_; }
 
  private:
+  void bind();
+
   unsigned name_ = 0;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

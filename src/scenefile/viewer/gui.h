@@ -15,7 +15,8 @@ struct GuiFrame {
   std::uint64_t memory = 0;  ///< of the process, bytes; 0: unknown
   std::string renderer;
   DrawStats drawn;
-  // Names of textures; 0: none.
+  // Names of textures; 0: none. `scene` stands on its head.
+  unsigned scene = 0;
   unsigned traced = 0;
   unsigned reference = 0;
   unsigned difference = 0;

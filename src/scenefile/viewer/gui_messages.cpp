@@ -89,6 +89,9 @@ void build_heading(const Session& session) {
   const std::string verdict = scene.opened.unreadable.empty()
                                   ? verdict_text(scene.opened.diagnostics, scene_name(session))
                                   : scene.opened.unreadable;
+  if (session.broken == nullptr && scene.opened.diagnostics.list().empty()) {
+    return;
+  }
   if (session.broken == nullptr) {
     colored(rgba(color_dim), escaped(verdict, 400));
     return;

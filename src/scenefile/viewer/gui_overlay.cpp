@@ -26,14 +26,16 @@ ImTextureID texture(unsigned name) {
 }
 
 // The part of a picture from one share of its width to another, where the session's picture is.
-void paint_picture(const Box& box, unsigned name, double from, double to) {
+// `top` and `bottom`: which rows of the texture are there, as shares of its height.
+void paint_picture(const Box& box, unsigned name, double from, double to, double top = 0,
+                   double bottom = 1) {
   if (name == 0 || to <= from) {
     return;
   }
   const glm::dvec2 begin{box.at.x + from * box.size.x, box.at.y};
   const glm::dvec2 end{box.at.x + to * box.size.x, box.at.y + box.size.y};
-  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, 0}),
-                                           vec({to, 1}));
+  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, top}),
+                                           vec({to, bottom}));
 }
 
 // A word on a dark ground; `anchor`: where in the text the point is, from 0 to 1.
@@ -53,6 +55,8 @@ void paint_pictures(const Session& session, const GuiFrame& frame) {
   const Box& box = session.picture;
   if (shows_traced(session)) {
     paint_picture(box, frame.traced, 0, 1);
+  } else if (session.shown != nullptr) {
+    paint_picture(box, frame.scene, 0, 1, 1, 0);
   }
   switch (session.compare) {
     case CompareView::off:
@@ -215,7 +219,7 @@ void build_statistics(const Session& session, const GuiFrame& frame) {
     ImGui::SameLine(ImGui::GetFontSize() * 7.5F);
     ImGui::TextUnformatted(value.c_str());
   };
-  line("frame", fmt::format("{:.1f} ms, {:.0f} a second", frame.frame_seconds * 1e3,
+  line("frame", fmt::format("{:.1f} ms, {:.3g} a second", frame.frame_seconds * 1e3,
                             1 / std::max(frame.frame_seconds, 1e-6)));
   line("picture", fmt::format("{} x {}", session.pixels.x, session.pixels.y));
   line("objects", count_text(frame.drawn.objects));

@@ -237,6 +237,7 @@ Box picture_box(const Session& session, const Box& room) {
   } else {
     box.size.x = std::max(1.0, room.size.y * aspect);
   }
+  box.size = glm::max(glm::floor(box.size), glm::dvec2(1));
   box.at = glm::floor(room.at + (room.size - box.size) * 0.5);
   return box;
 }

@@ -427,6 +427,7 @@ GuiFrame Window::gui_frame() const {
   frame.memory = memory_in_use();
   frame.renderer = canvas_->renderer();
   frame.drawn = canvas_->stats();
+  frame.scene = canvas_->drawn().name();
   frame.traced = canvas_->traced().name();
   frame.reference = canvas_->reference().name();
   frame.difference = canvas_->difference().name();
@@ -445,12 +446,12 @@ void Window::draw_frame(bool best) {
   ImGui::Render();
   const double scale = static_cast<double>(framebuffer_.x) / std::max(size.x, 1);
   session_.pixels = glm::max(glm::ivec2(glm::round(session_.picture.size * scale)), glm::ivec2(1));
-  clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);
   const bool moving = session_.now - session_.moved_at < 0.2;
   drawn_quickly_ = !best && moving && (drawn_quickly_ || frame_seconds_ > slow_frame);
   if (session_.shown != nullptr && !shows_traced(session_)) {
     canvas_->draw(session_, framebuffer_.y, scale, drawn_quickly_);
   }
+  clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   if (!best) {
     glfwSwapBuffers(window_);

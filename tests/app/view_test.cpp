@@ -1,0 +1,236 @@
+// The window as a user meets it, on a screen without a monitor: a tour through the real program.
+
+#include "app/run_program.h"
+#include "scenefile/asset/image_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::HasSubstr;
+
+/// An X server of its own. It chooses a number that is free.
+class Screen {
+ public:
+  Screen() {
+    int ends[2] = {-1, -1};
+    if (::pipe(ends) != 0) {
+      return;
+    }
+    server_ = ::fork();
+    if (server_ == 0) {
+      ::dup2(ends[1], 3);
+      ::execlp("Xvfb", "Xvfb", "-displayfd", "3", "-screen", "0", "1000x800x24", "-nolisten", "tcp",
+               static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    char digits[16] = {};
+    const ssize_t size = ::read(ends[0], digits, sizeof digits - 1);
+    ::close(ends[0]);
+    name_ = size > 1 ? ":" + std::to_string(std::atoi(digits)) : "";
+  }
+  ~Screen() {
+    if (server_ > 0) {
+      ::kill(server_, SIGTERM);
+      ::waitpid(server_, nullptr, 0);
+    }
+  }
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// Empty: there is no Xvfb.
+  const std::string& name() const { return name_; }
+
+ private:
+  pid_t server_ = -1;
+  std::string name_;
+};
+
+// A sphere left of a cube, seen from the front.
+const std::string scene = R"(<scenefile>
+  <globaldata><ambientcoeff v="1"/><diffusecoeff v="1"/><specularcoeff v="1"/></globaldata>
+  <cameradata> <!-- as it hangs -->
+    <pos x="0" y="0" z="6"/>
+    <look x="0" y="0" z="-1"/>
+    <up x="0" y="1" z="0"/>
+    <heightangle v="45"/>
+  </cameradata>
+  <lightdata><id v="0"/><color r="1" g="1" b="1"/><type v="directional"/><direction x="0" y="0" z="-1"/></lightdata>
+  <object type="tree" name="root">
+    <transblock>
+      <translate x="-1" y="0" z="0"/>
+      <object type="primitive" name="sphere"><diffuse r="1" g="0" b="0"/></object>
+    </transblock>
+    <transblock>
+      <translate x="1" y="0" z="0"/>
+      <object type="primitive" name="cube"><diffuse r="0" g="1" b="0"/></object>
+    </transblock>
+  </object>
+</scenefile>
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+// Middles of the sphere and the cube in a window of 800x600.
+constexpr int sphere_x = 455;
+constexpr int cube_x = 675;
+constexpr int middle_y = 299;
+
+struct View : ::testing::Test {
+  void SetUp() override {
+    if (screen.name().empty()) {
+      GTEST_SKIP() << "there is no Xvfb";
+    }
+  }
+
+  ProgramRun view(std::vector<std::string> words) const {
+    words.insert(words.begin(), "view");
+    words.insert(words.end(), {"--window", "800x600"});
+    return run_program(
+        words, {.environment = {"DISPLAY=" + screen.name(),
+                                "XDG_CONFIG_HOME=" + folder.path("config"), "LP_NUM_THREADS=2"}});
+  }
+  ProgramRun tour(const std::string& steps) const {
+    return view({path, "--script", folder.write("tour.txt", steps)});
+  }
+  Texture picture(const std::string& name) const {
+    const Limits limits;
+    std::uint64_t budget = limits.texture_bytes;
+    std::string error;
+    Texture result = decode_image(folder.read(name), limits, budget, error);
+    EXPECT_EQ(error, "") << name;
+    return result;
+  }
+  std::string shot(const std::string& name) const {
+    return "screenshot " + folder.path(name) + "\n";
+  }
+  // 'r', 'g' or 'b' where one channel rules, '.' elsewhere.
+  static char color_at(const Texture& picture, int x, int y) {
+    const std::uint8_t* const p = picture.texel(x, y);
+    for (int i = 0; i < 3; ++i) {
+      if (p[i] > 100 && p[i] > 2 * p[(i + 1) % 3] && p[i] > 2 * p[(i + 2) % 3]) {
+        return "rgb"[i];
+      }
+    }
+    return '.';
+  }
+  // How many pixels have exactly this color.
+  static int count(const Texture& picture, int r, int g, int b) {
+    int found = 0;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+      found += picture.rgb[i] == r && picture.rgb[i + 1] == g && picture.rgb[i + 2] == b ? 1 : 0;
+    }
+    return found;
+  }
+
+  Screen screen;
+  TempFolder folder;
+  std::string path = folder.write("a.xml", scene);
+};
+
+TEST_F(View, ScreenshotOfTheWindow) {
+  const ProgramRun run = view({path, "--screenshot", folder.path("w.png"), "--frames", "3"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Texture window = picture("w.png");
+  EXPECT_EQ(window.width, 800);
+  EXPECT_EQ(window.height, 600);
+  EXPECT_EQ(color_at(window, sphere_x, middle_y), 'r');
+  EXPECT_EQ(color_at(window, cube_x, middle_y), 'g');
+  EXPECT_EQ(folder.read("a.xml"), scene);
+  EXPECT_EQ(folder.list(), (std::vector<std::string>{"a.xml", "w.png"}));
+}
+
+TEST_F(View, ReloadsAndSurvivesBrokenFiles) {
+  const std::string blue = folder.write(
+      "blue.xml", replaced(scene, "r=\"1\" g=\"0\" b=\"0\"", "r=\"0\" g=\"0\" b=\"1\""));
+  const std::string broken = folder.write("broken.xml", replaced(scene, "<diffuse", "<difuse"));
+  const ProgramRun run =
+      tour("settle\n" + shot("1.png") + "copy " + blue + " " + path + "\nsettle\n" + shot("2.png") +
+           "copy " + broken + " " + path + "\nsettle\nframes 3\n" + shot("3.png"));
+  EXPECT_EQ(run.status, 1) << "the last version is broken; " << run.err;
+  EXPECT_EQ(color_at(picture("1.png"), sphere_x, middle_y), 'r');
+  EXPECT_EQ(color_at(picture("2.png"), sphere_x, middle_y), 'b');
+  const Texture last = picture("3.png");
+  EXPECT_EQ(color_at(last, sphere_x, middle_y - 60), 'b') << "the last good picture stays";
+  EXPECT_GT(count(last, 0xFF, 0x6B, 0x64), 20) << "the message is red";
+  EXPECT_EQ(count(picture("2.png"), 0xFF, 0x6B, 0x64), 0);
+}
+
+TEST_F(View, SelectsAndSavesTheView) {
+  const std::string click =
+      "click " + std::to_string(sphere_x) + " " + std::to_string(middle_y) + "\nframes 4\n";
+  const ProgramRun run =
+      tour("settle\n" + click + shot("selected.png") +
+           "move 565 299\nwheel 2\nframes 2\nkey Ctrl+S\nsettle\n" + shot("saved.png"));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(count(picture("selected.png"), 0xFF, 0x9E, 0x3D), 5) << "a box around it";
+  const std::string text = folder.read("a.xml");
+  const std::size_t at = text.find("<pos");
+  const std::size_t end = text.find("/>", at);
+  EXPECT_EQ(text.substr(0, at), scene.substr(0, at));
+  EXPECT_EQ(text.substr(end), scene.substr(scene.find("/>", at)));
+  EXPECT_EQ(text.find("z=\"6\""), std::string::npos);
+}
+
+TEST_F(View, ComparesWithAReference) {
+  const std::string reference = folder.path("reference.png");
+  ASSERT_EQ(run_program({"render", path, "--size", "320x240", "-o", reference, "--quiet"}).status,
+            0);
+  const ProgramRun run =
+      view({path, reference, "--trace", "--script",
+            folder.write("tour.txt", "settle\n" + shot("split.png") + "key M\nsettle\nframes 3\n" +
+                                         shot("difference.png"))});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Texture split = picture("split.png");
+  EXPECT_GT(count(split, 255, 255, 255), 300) << "the line of the split";
+  // Our own picture is the reference to the last bit: no difference anywhere.
+  const Texture difference = picture("difference.png");
+  EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
+  EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
+}
+
+TEST_F(View, KeysAndPanels) {
+  const ProgramRun run =
+      tour("settle\nkey 3\nframes 2\n" + shot("normals.png") + "key 1\nkey F1\nframes 4\n" +
+           shot("help.png") + "key Escape\nkey Tab\nframes 4\n" + shot("alone.png"));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(color_at(picture("normals.png"), cube_x, middle_y), '.');
+  EXPECT_GT(count(picture("help.png"), 0x3A, 0x3F, 0x47), 2000) << "the keys of the help";
+  EXPECT_EQ(color_at(picture("alone.png"), 400 - 120, 300), 'r') << "the picture has the window";
+}
+
+TEST_F(View, SaysWhatIsWrong) {
+  folder.write("empty/readme.txt");
+  EXPECT_THAT(view({folder.path("none.xml")}).err, HasSubstr("no such file"));
+  EXPECT_THAT(view({path, folder.path("none.png")}).err, HasSubstr("no such file"));
+  EXPECT_THAT(view({folder.path("empty")}).err, HasSubstr("no scene in this folder"));
+  const ProgramRun run = tour("settle\njump\n");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is no step"));
+}
+
+TEST(ViewWithoutScreen, IsSaid) {
+  const std::string path = std::string(SCENEFILE_SCENES) + "/hello.xml";
+  const ProgramRun run =
+      run_program({"view", path}, {.environment = {"DISPLAY=", "WAYLAND_DISPLAY="}});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("no window can be opened"));
+  EXPECT_THAT(run.err, HasSubstr("scenefile render"));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -95,6 +95,9 @@ TEST_F(SessionTest, AClickSelectsWhatIsThere) {
   click(140, 245);
   EXPECT_EQ(selected(), "cone");
   EXPECT_THAT(session.selected_path, HasSubstr(" > "));
+  EXPECT_NEAR(selected_bounds(session).max.x, -0.5, 1e-6) << "of this copy alone";
+  select(session, session.selected);
+  EXPECT_NEAR(selected_bounds(session).max.x, 1.5, 1e-6) << "of all";
   EXPECT_TRUE(session.open_rows.contains(session.shown->outline.rows[*session.selected].parent));
   click(200, 20);
   EXPECT_EQ(selected(), "");

@@ -113,7 +113,7 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
   }
   build_overlay(session, frame);
   if (session.help) {
-    build_help(session, frame);
+    build_help(frame);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <string_view>
 
 namespace scenefile::viewer {
 
@@ -21,55 +22,60 @@ void key_cap(const std::string& key) {
   ImGui::Dummy({size.x + 2 * pad, size.y});
 }
 
-void help_line(const std::string& key, const std::string& what) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  key_cap(key);
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted(what.c_str());
-}
+/// A list of keys that begins at the cursor and grows downward.
+class KeyList {
+ public:
+  /// `keys`: width of the keys, in heights of the text.
+  explicit KeyList(float keys)
+      : left_(ImGui::GetCursorPosX()), keys_(left_ + keys * ImGui::GetFontSize()) {}
 
-void heading(const std::string& text) {
-  ImGui::Dummy({0, ImGui::GetFontSize() * 0.25F});
-  ImGui::PushStyleColor(ImGuiCol_Text, rgba(color_accent));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopStyleColor();
-}
-
-bool begin_list(const char* name, float keys) {
-  if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) {
-    return false;
+  void heading(std::string_view text) const {
+    ImGui::Dummy({0, ImGui::GetFontSize() * 0.2F});
+    ImGui::SetCursorPosX(left_);
+    ImGui::PushStyleColor(ImGuiCol_Text, rgba(color_accent));
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
   }
-  ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, keys);
-  ImGui::TableSetupColumn("what");
-  return true;
-}
-
-void build_keys(std::string_view group) {
-  heading(std::string(group));
-  if (begin_list(std::string(group).c_str(), ImGui::GetFontSize() * 6.2F)) {
+  void line(std::string_view key, std::string_view what) const {
+    ImGui::SetCursorPosX(left_);
+    key_cap(std::string(key));
+    ImGui::SameLine(keys_);
+    ImGui::TextUnformatted(what.data(), what.data() + what.size());
+  }
+  void group(std::string_view name) const {
+    heading(name);
     for (const ActionRow& row : actions()) {
-      if (row.group == group) {
-        help_line(std::string(row.key), std::string(row.what));
+      if (row.group == name) {
+        line(row.key, row.what);
       }
     }
-    ImGui::EndTable();
   }
+
+ private:
+  float left_;
+  float keys_;
+};
+
+void build_left() {
+  const KeyList list(12.5F);
+  list.heading("Mouse and flying");
+  for (const GestureRow& row : gestures()) {
+    list.line(row.gesture, row.what);
+  }
+  list.group("Camera");
+  list.group("Scene");
+  list.group("Picture");
 }
 
-void build_gestures() {
-  heading("Mouse and flying");
-  if (begin_list("mouse", ImGui::GetFontSize() * 13.5F)) {
-    for (const GestureRow& row : gestures()) {
-      help_line(std::string(row.gesture), std::string(row.what));
-    }
-    ImGui::EndTable();
-  }
+void build_right() {
+  const KeyList list(6.5F);
+  list.group("Show");
+  list.group("Window");
 }
 
 }  // namespace
 
-void build_help(Session& session, const GuiFrame& frame) {
+void build_help(const GuiFrame& frame) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, 0, {0.5F, 0.5F});
   ImGui::SetNextWindowBgAlpha(0.97F);
@@ -77,25 +83,19 @@ void build_help(Session& session, const GuiFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       {static_cast<float>(22 * frame.scale), static_cast<float>(16 * frame.scale)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  bool open = true;
-  ImGui::Begin("##help", &open,
+  ImGui::SetNextWindowSizeConstraints({0, 0}, window);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      {static_cast<float>(8 * frame.scale), static_cast<float>(4 * frame.scale)});
+  ImGui::Begin("##help", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
-  if (ImGui::BeginTable("columns", 2,
-                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
-    ImGui::TableNextColumn();
-    build_gestures();
-    build_keys("Camera");
-    build_keys("Scene");
-    build_keys("Picture");
-    ImGui::TableNextColumn();
-    build_keys("Show");
-    build_keys("Window");
-    ImGui::EndTable();
-  }
+  const float top = ImGui::GetCursorPosY();
+  const float left = ImGui::GetCursorPosX();
+  build_left();
+  ImGui::SetCursorPos({left + 33 * ImGui::GetFontSize(), top});
+  build_right();
   ImGui::End();
-  ImGui::PopStyleVar(3);
-  session.help = session.help && open;
+  ImGui::PopStyleVar(4);
 }
 
 }  // namespace scenefile::viewer

@@ -134,9 +134,7 @@ void build_status(const Session& session, const GuiFrame& frame) {
   const glm::dvec3& p = session.camera.position;
   std::string text = fmt::format("{}   {}   camera {:.4g} {:.4g} {:.4g}", mode_text(session),
                                  tracing_text(session), p.x, p.y, p.z);
-  if (session.comparison && session.compare != CompareView::off) {
-    text += "   " + measures_text(session.comparison->measures);
-  } else if (session.comparing.busy()) {
+  if (session.comparing.busy()) {
     text += "   comparing";
   }
   ImGui::AlignTextToFramePadding();

@@ -3,7 +3,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
-#include "scenefile/viewer/hidden.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -175,9 +174,7 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   if (!session.selected || session.compare > CompareView::split) {
     return;
   }
-  const SceneOnShow& scene = *session.shown;
-  const Bounds box = bounds_of(scene.opened.ready.scene, scene.opened.assets,
-                               sources_in(scene.outline, *session.selected));
+  const Bounds box = selected_bounds(session);
   if (box.empty()) {
     return;
   }

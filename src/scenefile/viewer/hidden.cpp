@@ -71,4 +71,27 @@ Bounds bounds_of(const RenderScene& scene, const Assets& assets,
   return scene.root < chosen.size() ? chosen[scene.root] : Bounds{};
 }
 
+Bounds bounds_of_copy(const RenderScene& scene, const Assets& assets, std::uint32_t source,
+                      const std::vector<std::uint32_t>& instances) {
+  DAffine world_from_group;
+  std::uint32_t group = scene.root;
+  for (const std::uint32_t instance_source : instances) {
+    const std::vector<RenderInstance>& all = scene.groups[group].instances;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const RenderInstance& i) {
+      return i.source == instance_source;
+    });
+    if (found == all.end()) {
+      return {};
+    }
+    world_from_group = world_from_group * DAffine(found->group_from_instance);
+    group = found->group;
+  }
+  for (const RenderPrimitive& primitive : scene.groups[group].primitives) {
+    if (primitive.source == source) {
+      return transform(world_from_group, primitive_bounds(primitive, assets));
+    }
+  }
+  return {};
+}
+
 }  // namespace scenefile::viewer

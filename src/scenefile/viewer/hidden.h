@@ -20,4 +20,9 @@ RenderScene without_hidden(const RenderScene& scene, const Hidden& hidden,
 Bounds bounds_of(const RenderScene& scene, const Assets& assets,
                  const std::set<std::uint32_t>& sources);
 
+/// The same around one copy of a primitive: that in `instances`, sources from the outermost. Empty
+/// where there is none.
+Bounds bounds_of_copy(const RenderScene& scene, const Assets& assets, std::uint32_t source,
+                      const std::vector<std::uint32_t>& instances);
+
 }  // namespace scenefile::viewer

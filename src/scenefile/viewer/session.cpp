@@ -177,12 +177,25 @@ void show_only_light(Session& session, std::optional<std::uint32_t> light) {
 void select(Session& session, std::optional<std::uint32_t> row) {
   session.selected = row;
   session.selected_path.clear();
+  session.selected_copy.clear();
   if (row && session.shown != nullptr) {
     for (const std::uint32_t around : rows_around(session.shown->outline, *row)) {
       session.open_rows.insert(around);
     }
     session.reveal_selected = true;
   }
+}
+
+Bounds selected_bounds(const Session& session) {
+  if (!session.selected || session.shown == nullptr) {
+    return {};
+  }
+  const SceneOnShow& scene = *session.shown;
+  const RenderScene& ready = scene.opened.ready.scene;
+  const OutlineRow& row = scene.outline.rows[*session.selected];
+  return session.selected_copy.empty()
+             ? bounds_of(ready, scene.opened.assets, sources_in(scene.outline, *session.selected))
+             : bounds_of_copy(ready, scene.opened.assets, row.source, session.selected_copy);
 }
 
 bool is_hidden(const Session& session, std::uint32_t row) {

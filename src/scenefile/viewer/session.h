@@ -105,8 +105,9 @@ struct Session {
   Hidden hidden;
   std::optional<std::uint32_t> selected;  ///< row of the outline
   std::string selected_path;              ///< the way to the object that was clicked, or the node
-  std::set<std::uint32_t> open_rows;      ///< rows of the outline that show what they hold
-  bool reveal_selected = false;           ///< the outline is to scroll there
+  std::vector<std::uint32_t> selected_copy;  ///< sources of the copies it lies in; of clicks alone
+  std::set<std::uint32_t> open_rows;         ///< rows of the outline that show what they hold
+  bool reveal_selected = false;              ///< the outline is to scroll there
 
   // Ray tracing.
   LiveTrace trace;
@@ -169,6 +170,9 @@ void set_camera(Session& session, const ViewCamera& camera);
 /// The picture is another one: what was traced and compared does not count any more.
 void picture_changed(Session& session);
 void select(Session& session, std::optional<std::uint32_t> row);
+/// The box around what is selected, of the copy that was clicked or of all; empty where there is
+/// nothing to see.
+Bounds selected_bounds(const Session& session);
 /// Switches a row of the outline with all that it holds off, or on again.
 void toggle_hidden(Session& session, std::uint32_t row);
 bool is_hidden(const Session& session, std::uint32_t row);

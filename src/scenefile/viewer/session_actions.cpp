@@ -1,8 +1,6 @@
 // What the keys and the menus do.
 
 #include "scenefile/io/folder.h"
-#include "scenefile/trace/bounds.h"
-#include "scenefile/viewer/hidden.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/save_view.h"
 #include "scenefile/viewer/session.h"
@@ -16,14 +14,9 @@ namespace scenefile::viewer {
 namespace {
 
 void frame(Session& session) {
-  const SceneOnShow& scene = *session.shown;
-  Bounds box;
-  if (session.selected) {
-    box = bounds_of(scene.opened.ready.scene, scene.opened.assets,
-                    sources_in(scene.outline, *session.selected));
-  }
+  const Bounds box = selected_bounds(session);
   const double aspect = session.picture.size.x / session.picture.size.y;
-  set_camera(session, framing(session.camera, box.empty() ? scene.bounds : box, aspect));
+  set_camera(session, framing(session.camera, box.empty() ? session.shown->bounds : box, aspect));
 }
 
 void save(Session& session) {

@@ -74,6 +74,7 @@ void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& 
   if (!same_rows) {
     session.hidden.clear();
     session.selected.reset();
+    session.selected_copy.clear();
     session.open_rows.clear();
   }
   if (session.only_light && *session.only_light >= after.opened.ready.scene.lights.size()) {
@@ -85,6 +86,7 @@ void start_state(Session& session) {
   session.hidden.clear();
   session.selected.reset();
   session.selected_path.clear();
+  session.selected_copy.clear();
   session.open_rows.clear();
   session.only_light.reset();
 }

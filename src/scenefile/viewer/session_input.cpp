@@ -56,6 +56,7 @@ void select_under(Session& session) {
   select(session, row != no_index ? std::optional(row) : std::nullopt);
   const ObjectNames names(scene.opened.written, scene.opened.ready.sources);
   session.selected_path = names.text({pick->source, pick->instances});
+  session.selected_copy = pick->instances;
 }
 
 Drag drag_of(const Session& session, int button, const KeyPress& with) {

@@ -61,7 +61,7 @@ TEST(MergeGroups, SmallSharedGroupsAreCopied) {
 
 TEST(MergeGroups, LargeSharedGroupsStay) {
   Groups g;
-  const std::uint32_t leaf = g.group(3000);
+  const std::uint32_t leaf = g.group(40000);
   g.group(1);
   g.use(leaf, {0, 0, 0});
   g.use(leaf, {0, 1, 0});
@@ -114,7 +114,7 @@ TEST(MergeGroups, ABombStaysSmall) {
     last = next;
   }
   const MergePlan plan = g.plan();
-  EXPECT_LE(all_parts(g.b.scene, plan), 40u * 4096);
+  EXPECT_LE(all_parts(g.b.scene, plan), 40u * 65536);
   EXPECT_LE(plan.nesting, 20u);
 }
 

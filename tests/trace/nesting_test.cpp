@@ -130,7 +130,7 @@ TEST(Nesting, BombsEndQuickly) {
 
 // Groups of more things than two levels of them can be merged.
 SceneBuilder deep(std::uint32_t levels) {
-  constexpr int things = 64;
+  constexpr int things = 256;
   SceneBuilder b;
   const std::uint32_t material = b.glowing(glm::vec3(1));
   b.scene.groups.clear();

@@ -1,6 +1,5 @@
-// Normals of the round sides of the shapes, for any number of lanes (base/one_lane.h). See
-// surface_at().
-// No guard: included once for each number of lanes.
+// Normals and texture coordinates of the round sides of the shapes, for any number of lanes
+// (base/one_lane.h). See surface_at(). No guard: included once for each number of lanes.
 
 #include <cmath>
 
@@ -38,6 +37,21 @@ inline V3 cone_normal(const Around& around) {
   return select(beside,
                 V3{splat(2) * around.cosine / size, splat(1) / size, splat(2) * around.sine / size},
                 V3{splat(0), splat(1), splat(0)});
+}
+
+/// The u of round sides; the lanes of the mask.
+inline F around_u(const Around& around, M wanted) {
+  const F turn = splat(2 * 3.14159265358979323846);
+  const auto angle = [](double sine, double cosine) { return std::atan2(sine, cosine); };
+  const F phi = each(wanted, angle, around.sine, around.cosine);
+  return select(phi < splat(0), -phi / turn, splat(1) - phi / turn);
+}
+
+/// The v of the sphere; the lanes of the mask.
+inline F sphere_v(F height, const Around& around, M wanted) {
+  const auto angle = [](double y, double distance) { return std::atan2(y, distance); };
+  const F latitude = each(wanted, angle, height, around.distance);
+  return within(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

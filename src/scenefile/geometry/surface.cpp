@@ -26,8 +26,7 @@ dvec3 vector_of(const one::V3& v) {
 }
 
 double around_u(const Around& around) {
-  const double phi = std::atan2(around.sine, around.cosine);
-  return phi < 0 ? -phi / (2 * pi) : 1 - phi / (2 * pi);
+  return one::around_u(around, true);
 }
 
 // d/du of a point that circles the axis at this distance: u runs against phi.
@@ -46,7 +45,7 @@ Surface sphere_surface(const dvec3& p) {
   const double out = std::cos(latitude);
   Surface s;
   s.normal = vector_of(one::sphere_normal(one::splat3(p), around));
-  s.uv = dvec2(around_u(around), unit_interval(latitude / pi + 0.5));
+  s.uv = dvec2(around_u(around), one::sphere_v(p.y, around, true));
   s.tangent_u = around_tangent(around, around.distance > 0 ? 0.5 * out : 0);
   s.tangent_v = 0.5 * pi * dvec3(-up * around.cosine, out, -up * around.sine);
   return s;

@@ -130,8 +130,6 @@ struct Candidates {
   std::uint32_t part[most + BoxNode::width];
   alignas(64) float min[3][most + BoxNode::width];
   alignas(64) float max[3][most + BoxNode::width];
-
-  bool full() const { return count > most; }
 };
 
 inline F load_floats(const float* from) {
@@ -170,9 +168,9 @@ void add_candidate(const Boxes& boxes, int at, std::uint32_t part, Candidates& l
   }
 }
 
-/// Those of the tree; full() where they are too many.
+/// Those of the tree; a few more than `limit`, at most `most`, where they are too many.
 inline void find_candidates(const PartTree& tree, const Bundle& bundle, const Heading& heading,
-                            Candidates& list) {
+                            int limit, Candidates& list) {
   struct Entry {
     int level;
     std::uint32_t index;
@@ -181,7 +179,7 @@ inline void find_candidates(const PartTree& tree, const Bundle& bundle, const He
   int waiting = 0;
   stack[waiting++] = {tree.levels() - 1, 0};
   list.count = 0;
-  while (waiting > 0 && !list.full()) {
+  while (waiting > 0 && list.count <= limit) {
     const auto [level, index] = stack[--waiting];
     const BoxNode& node = tree.node(level, index);
     for (int at = 0; at < BoxNode::width; at += lanes) {
@@ -220,31 +218,35 @@ void search_bundles(const PartTree& tree, const Bundle* bundles, int first, int 
                     const GiveUp& give_up) {
   constexpr int parting = 4;
   constexpr int few = 2;    // to be tested by all chunks
-  constexpr int many = 32;  // to be tested by one
+  constexpr int many = 16;  // to be tested by one
+  const bool single = last - first == 1;
+  const int limit = single ? many : Candidates::most;
   Bundle whole = bundles[first];
   for (int c = first + 1; c < last; ++c) {
     unite(whole, bundles[c]);
   }
   Candidates list;
   if (around == nullptr) {
-    find_candidates(tree, whole, heading, list);
+    find_candidates(tree, whole, heading, limit, list);
   } else {
     find_candidates(*around, whole, heading, list);
   }
-  if (last - first == 1 && list.count > many) {
+  const bool too_many = list.count > limit;
+  if (single && too_many) {
     give_up(first);
     return;
   }
-  if (last - first == 1 || list.count <= few) {
+  if (single || list.count <= few) {
     for (int c = first; c < last; ++c) {
       test(c, list);
     }
     return;
   }
-  const int step = std::max(1, (last - first) / parting);
+  // Where many rays have too many parts, fewer have as a rule: each chunk for itself.
+  const int step = too_many ? 1 : std::max(1, (last - first) / parting);
   for (int c = first; c < last; c += step) {
-    search_bundles(tree, bundles, c, std::min(last, c + step), heading,
-                   list.full() ? nullptr : &list, test, give_up);
+    search_bundles(tree, bundles, c, std::min(last, c + step), heading, too_many ? nullptr : &list,
+                   test, give_up);
   }
 }
 

@@ -61,7 +61,6 @@ inline ChunkParts chunk_parts(const Part* const (&parts)[lanes]) {
   return {{vector(0), vector(3), vector(6), vector(9)}, load(shape)};
 }
 
-// A texel position in each lane; see lookup_nearest() and lookup_course_filter().
 inline Color texture_color(const WaveScene& scene, const WaveMaterial& material,
                            const glm::dvec2& uv) {
   return scene.tracer.options.features.texture_filter
@@ -125,27 +124,118 @@ inline void surface_of_other(const WaveScene& scene, const Hit& hit, const Ray& 
   put_material(material, diffuse, points, i);
 }
 
-inline void texture_chunk(const WaveScene& scene, const WaveHits& hits, const V3& p, F shape,
-                          WavePoints& points, int at) {
-  alignas(64) double x[lanes];
-  alignas(64) double y[lanes];
-  alignas(64) double z[lanes];
-  alignas(64) double kinds[lanes];
-  store(p.x, x);
-  store(p.y, y);
-  store(p.z, z);
-  store(shape, kinds);
+// (u, v) of the shapes of a chunk, in the lanes of the mask.
+inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
+  const auto is = [&](Face f) { return face == number_of(f); };
+  const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
+  const M below = is(Face::bottom) | is(Face::neg_y);
+  F along = select(is(Face::pos_x), -p.z, p.x);
+  along = select(is(Face::neg_x), p.z, select(is(Face::neg_z), -p.x, along));
+  u = within(along + splat(0.5), 0, 1);
+  v = within(select(on_side, p.y, select(below, p.z, -p.z)) + splat(0.5), 0, 1);
+  const M round = wanted & is(Face::side);
+  if (none(round)) {
+    return;
+  }
+  const Around around = around_axis(p);
+  const M ball = round & (shape == splat(static_cast<int>(Shape::sphere)));
+  u = select(round, around_u(around, round), u);
+  v = select(round, within(p.y + splat(0.5), 0, 1), v);
+  v = select(ball, sphere_v(p.y, around, ball), v);
+}
+
+// The texels of a chunk: of each lane a texture, and how often it repeats.
+struct ChunkTextures {
+  const Texture* texture[lanes] = {};
+  M used = no_lanes();
+  F width, height, repeat_u, repeat_v, blend;
+};
+
+inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
+  ChunkTextures chunk;
+  alignas(64) double numbers[5][lanes] = {};
+  unsigned used = 0;
   for (int i = 0; i < lanes; ++i) {
     const WaveMaterial& material = *points.material[at + i];
     if (material.texture == nullptr) {
       continue;
     }
-    const auto face = static_cast<Face>(static_cast<int>(hits.face[points.ray[at + i]]));
-    const glm::dvec2 uv =
-        surface_at(static_cast<Shape>(static_cast<int>(kinds[i])), face, {x[i], y[i], z[i]}).uv;
-    put(glm::mix(plain_diffuse(material), texture_color(scene, material, uv), material.blend),
-        points.diffuse, at + i);
+    used |= 1u << i;
+    chunk.texture[i] = material.texture;
+    numbers[0][i] = material.texture->width;
+    numbers[1][i] = material.texture->height;
+    numbers[2][i] = material.material->texture.repeat_u;
+    numbers[3][i] = material.material->texture.repeat_v;
+    numbers[4][i] = material.blend;
   }
+  chunk.used = of_bits(used);
+  chunk.width = load(numbers[0]);
+  chunk.height = load(numbers[1]);
+  chunk.repeat_u = load(numbers[2]);
+  chunk.repeat_v = load(numbers[3]);
+  chunk.blend = load(numbers[4]);
+  return chunk;
+}
+
+// Colors of texels at whole positions.
+inline V3 texels(const ChunkTextures& chunk, F x, F y) {
+  alignas(64) double columns[lanes];
+  alignas(64) double rows[lanes];
+  alignas(64) double rgb[3][lanes] = {};
+  store(x, columns);
+  store(y, rows);
+  for (int i = 0; i < lanes; ++i) {
+    if (chunk.texture[i] == nullptr) {
+      continue;
+    }
+    const std::uint8_t* const texel =
+        chunk.texture[i]->texel(static_cast<int>(columns[i]), static_cast<int>(rows[i]));
+    for (int c = 0; c < 3; ++c) {
+      rgb[c][i] = texel[c];
+    }
+  }
+  return V3{load(rgb[0]), load(rgb[1]), load(rgb[2])} / splat(255);
+}
+
+// A whole position within a texture that repeats.
+inline F wrapped(F index, F size) {
+  const F inside = index - size * down(index / size);
+  return select(inside >= splat(0), least(inside, size - splat(1)), splat(0));
+}
+
+inline V3 mix(const V3& a, const V3& b, F share) {
+  return (splat(1) - share) * a + share * b;
+}
+
+inline V3 texture_at(const WaveScene& scene, const ChunkTextures& chunk, F u, F v) {
+  const F x = u * chunk.repeat_u * chunk.width;
+  const F y = (splat(1) - v) * chunk.repeat_v * chunk.height;
+  const F left = down(x);
+  const F top = down(y);
+  const F x0 = wrapped(left, chunk.width);
+  const F y0 = wrapped(top, chunk.height);
+  if (!scene.tracer.options.features.texture_filter) {
+    return texels(chunk, x0, y0);
+  }
+  const auto next = [](F at, F size) {
+    return select(at + splat(1) == size, splat(0), at + splat(1));
+  };
+  const F x1 = next(x0, chunk.width);
+  const F y1 = next(y0, chunk.height);
+  const V3 above = mix(texels(chunk, x0, y0), texels(chunk, x1, y0), x - left);
+  const V3 below = mix(texels(chunk, x0, y1), texels(chunk, x1, y1), x - left);
+  return mix(above, below, y - top);
+}
+
+inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, WavePoints& points,
+                          int at) {
+  const ChunkTextures chunk = chunk_textures(points, at);
+  F u;
+  F v;
+  object_uv(shape, face, p, chunk.used, u, v);
+  const V3 plain = load3(points.diffuse, at);
+  const V3 textured = mix(plain, texture_at(scene, chunk, u, v), chunk.blend);
+  store3(select(chunk.used, textured, plain), points.diffuse, at);
 }
 
 // Of shapes of the root group alone.
@@ -171,7 +261,7 @@ inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, WavePoi
   store3(world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point)),
          points.normal, at);
   if (textured) {
-    texture_chunk(scene, hits, object_point, chunk.shape, points, at);
+    texture_chunk(scene, chunk.shape, load(faces), object_point, points, at);
   }
 }
 

@@ -7,7 +7,6 @@
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,27 +17,6 @@ namespace scenefile {
 namespace {
 
 using trace_test::SceneBuilder;
-
-/// Whatever the machine has, this instruction set is used while it lives.
-class OnlyTarget {
- public:
-  explicit OnlyTarget(std::int64_t target) { choose(target); }
-  ~OnlyTarget() { choose(0); }
-  OnlyTarget(const OnlyTarget&) = delete;
-  OnlyTarget& operator=(const OnlyTarget&) = delete;
-
- private:
-  static void choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> all = hwy::SupportedAndGeneratedTargets();
-  all.push_back(HWY_STATIC_TARGET);
-  return all;
-}
 
 struct Random {
   std::mt19937 engine;
@@ -119,9 +97,10 @@ std::vector<Color> alone(const Tracer& tracer, RayCounts& counts) {
 }
 
 /// The same in waves.
-std::vector<Color> together(const Tracer& tracer, RayCounts& counts) {
+std::vector<Color> together(const Tracer& tracer, const WaveKernel* kernel, RayCounts& counts) {
   const CameraRays camera = tracer.camera();
-  const WaveScene scene(tracer, camera);
+  WaveScene scene(tracer, camera);
+  scene.kernel = kernel;
   const WavePointer memory = make_wave();
   std::vector<glm::dvec2> points;
   for (int y = 0; y < tracer.options.height; ++y) {
@@ -150,18 +129,17 @@ void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
   ASSERT_TRUE(takes_waves(tracer, tracer.camera()));
   RayCounts expected_counts;
   const std::vector<Color> expected = alone(tracer, expected_counts);
-  for (const std::int64_t target : targets()) {
-    const OnlyTarget only(target);
+  for (const WaveKernel* kernel : wave_kernels()) {
     RayCounts counts;
-    const std::vector<Color> colors = together(tracer, counts);
+    const std::vector<Color> colors = together(tracer, kernel, counts);
     std::size_t different = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
       different += colors[i] == expected[i] ? 0 : 1;
     }
-    EXPECT_EQ(different, 0u) << hwy::TargetName(target) << ": of " << colors.size();
-    EXPECT_EQ(counts.primary, expected_counts.primary) << hwy::TargetName(target);
-    EXPECT_EQ(counts.shadow, expected_counts.shadow) << hwy::TargetName(target);
-    EXPECT_EQ(counts.secondary, expected_counts.secondary) << hwy::TargetName(target);
+    EXPECT_EQ(different, 0u) << kernel->name << ": of " << colors.size();
+    EXPECT_EQ(counts.primary, expected_counts.primary) << kernel->name;
+    EXPECT_EQ(counts.shadow, expected_counts.shadow) << kernel->name;
+    EXPECT_EQ(counts.secondary, expected_counts.secondary) << kernel->name;
   }
 }
 
@@ -235,9 +213,9 @@ TEST(WaveOptions, NothingToSee) {
   expect_equal(b, small());
 }
 
-TEST(WaveTargets, TheMachineHasMoreThanOne) {
+TEST(WaveKernels, TheMachineHasMoreThanOne) {
   // Else the tests above compare nothing.
-  EXPECT_GT(targets().size(), 1u);
+  EXPECT_GT(wave_kernels().size(), 1u);
 }
 
 }  // namespace

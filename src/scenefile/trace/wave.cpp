@@ -127,7 +127,32 @@ namespace scenefile {
 
 namespace {
 
-HWY_EXPORT(trace);
+// The widest first. Highway's own choice is in a library that measures the clock when it is loaded,
+// for two milliseconds of each run of the program.
+constexpr WaveKernel kernels[] = {
+#if (HWY_TARGETS & HWY_AVX3) != 0
+    {"AVX-512",
+     [] {
+       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512vl") != 0 &&
+              __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+              __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("bmi2") != 0;
+     },
+     N_AVX3::trace},
+#endif
+#if (HWY_TARGETS & HWY_AVX2) != 0
+    {"AVX2",
+     [] {
+       return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+              __builtin_cpu_supports("bmi2") != 0;
+     },
+     N_AVX2::trace},
+#endif
+#if (HWY_TARGETS & HWY_SSE4) != 0
+    {"SSE4",
+     [] { return __builtin_cpu_supports("sse4.2") != 0 && __builtin_cpu_supports("pclmul") != 0; },
+     N_SSE4::trace},
+#endif
+    {"what every such processor has", [] { return true; }, HWY_STATIC_DISPATCH(trace)}};
 
 void put(const Color& color, double (&to)[3]) {
   std::copy_n(&color.x, 3, to);
@@ -166,7 +191,8 @@ bool all_shapes(const std::vector<Part>& parts) {
 
 }  // namespace
 
-WaveScene::WaveScene(const Tracer& t, const CameraRays& c) : tracer(t), camera(c) {
+WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
+    : tracer(t), camera(c), kernel(wave_kernels().front()) {
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
   }
@@ -180,6 +206,16 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c) : tracer(t), camera(c
   if (!few_parts && root.boxes.size() == root.parts.size() && root.extent.scale == 1) {
     tree = PartTree(root.boxes);
   }
+}
+
+std::vector<const WaveKernel*> wave_kernels() {
+  std::vector<const WaveKernel*> result;
+  for (const WaveKernel& kernel : kernels) {
+    if (kernel.runs_here()) {
+      result.push_back(&kernel);
+    }
+  }
+  return result;
 }
 
 bool takes_waves(const Tracer& tracer, const CameraRays& camera) {
@@ -198,7 +234,7 @@ WavePointer make_wave() {
 
 void trace_wave(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
                 Color* colors, RayCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(trace)(scene, points, count, memory, colors, counts);
+  scene.kernel->trace(scene, points, count, memory, colors, counts);
 }
 
 }  // namespace scenefile

@@ -7,6 +7,7 @@
 #include "scenefile/trace/path.h"
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -30,12 +31,27 @@ struct WaveMaterial {
   bool refracts;
 };
 
+struct WaveScene;
+struct WaveMemory;
+
+/// What traces waves with one of the instruction sets.
+struct WaveKernel {
+  std::string_view name;
+  bool (*runs_here)();
+  void (*trace)(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
+                Color* colors, RayCounts& counts);
+};
+
+/// Those that this machine has, the best first; all find the same colors.
+std::vector<const WaveKernel*> wave_kernels();
+
 /// What all waves of a picture share.
 struct WaveScene {
   WaveScene(const Tracer& tracer, const CameraRays& camera);
 
   const Tracer& tracer;
   const CameraRays& camera;
+  const WaveKernel* kernel;
   std::vector<WaveMaterial> materials;
   bool few_parts = false;  ///< all are shapes, and so few that each is tested
   PartTree tree;           ///< of more, where all are shapes and not too many
@@ -45,7 +61,6 @@ struct WaveScene {
 bool takes_waves(const Tracer& tracer, const CameraRays& camera);
 
 /// The memory of one wave, to be used again. Large.
-struct WaveMemory;
 struct WaveDeleter {
   void operator()(WaveMemory* memory) const;
 };

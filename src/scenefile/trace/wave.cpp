@@ -105,7 +105,7 @@ void trace(const WaveScene& scene, const glm::dvec2* samples, int count, WaveMem
     find_hits(scene, rays, memory.hits);
     select_points(rays, scene.tracer.accelerator.parts(), memory);
     find_surfaces(scene, rays, memory.hits, memory.points);
-    find_lights(scene, memory.points, memory.light, counts);
+    find_lights(scene, memory.hits.apart, memory.points, memory.light, counts);
     keep_colors(rays, memory);
     if (follows) {
       follow_points(scene, memory, rays, next, counts);

@@ -29,6 +29,7 @@ struct WaveRays {
 
 /// What each ray of a generation hit first.
 struct WaveHits {
+  bool apart = false;                  ///< most rays went where bundles are of no use
   alignas(64) double t[wave_rays];     ///< infinite: nothing
   alignas(64) double face[wave_rays];  ///< number of a Face
   alignas(64) double part[wave_rays];  ///< index in the root group; -1: it is in `others`
@@ -52,6 +53,7 @@ struct WavePoints {
 
 /// What one light sends to the points.
 struct WaveLight {
+  bool apart = false;       ///< rays to the last light went apart: bundles are of no use here
   bool at_a_point = false;  ///< all rays to it end in one point
   glm::dvec3 from{0};       ///< that
   WaveVectors to_light;

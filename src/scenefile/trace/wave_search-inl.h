@@ -135,6 +135,7 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
   const Parts& all = scene.tracer.accelerator.parts();
   const std::vector<Part>& parts = all.groups[all.root].parts;
+  hits.apart = false;
   if (scene.few_parts) {
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < rays.count; at += lanes) {
@@ -143,6 +144,7 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
   } else if (scene.tree.empty()) {
     find_by_lane(scene, rays, 0, rays.count, hits);
   } else {
+    int gave_up = 0;
     search_tree(
         scene.tree, 0, (rays.count + lanes - 1) / lanes,
         [&](int c) { return ray_chunk(rays, c * lanes); },
@@ -151,8 +153,10 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
               parts, list.count, [&](int i) { return list.part[i]; }, rays, c * lanes, hits);
         },
         [&](int c) {
+          ++gave_up;
           find_by_lane(scene, rays, c * lanes, std::min(rays.count, (c + 1) * lanes), hits);
         });
+    hits.apart = 2 * gave_up * lanes > rays.count;
   }
 }
 
@@ -230,11 +234,12 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
     for (int at = 0; at < points.count; at += lanes) {
       find_blocked_among(parts, static_cast<int>(parts.size()), each_part, points, at, last, light);
     }
-  } else if (scene.tree.empty()) {
+  } else if (scene.tree.empty() || light.apart) {
     for (int at = 0; at < points.count; at += lanes) {
       find_blocked_by_lane(scene, points, at, light);
     }
   } else {
+    int gave_up = 0;
     search_tree(
         scene.tree, 0, (points.count + lanes - 1) / lanes,
         [&](int c) { return light_chunk(points, light, c * lanes); },
@@ -243,7 +248,11 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
               parts, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, last,
               light);
         },
-        [&](int c) { find_blocked_by_lane(scene, points, c * lanes, light); });
+        [&](int c) {
+          ++gave_up;
+          find_blocked_by_lane(scene, points, c * lanes, light);
+        });
+    light.apart = 2 * gave_up * lanes > points.count;
   }
 }
 

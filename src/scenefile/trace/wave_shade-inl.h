@@ -179,22 +179,19 @@ inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
 
 // Colors of texels at whole positions.
 inline V3 texels(const ChunkTextures& chunk, F x, F y) {
-  alignas(64) double columns[lanes];
-  alignas(64) double rows[lanes];
-  alignas(64) double rgb[3][lanes] = {};
-  store(x, columns);
-  store(y, rows);
+  alignas(64) double offsets[lanes];
+  alignas(32) std::int32_t rgb[3][lanes] = {};
+  store(splat(3) * (y * chunk.width + x), offsets);
   for (int i = 0; i < lanes; ++i) {
-    if (chunk.texture[i] == nullptr) {
-      continue;
-    }
-    const std::uint8_t* const texel =
-        chunk.texture[i]->texel(static_cast<int>(columns[i]), static_cast<int>(rows[i]));
-    for (int c = 0; c < 3; ++c) {
-      rgb[c][i] = texel[c];
+    if (chunk.texture[i] != nullptr) {
+      const std::uint8_t* const texel =
+          chunk.texture[i]->rgb.data() + static_cast<std::size_t>(offsets[i]);
+      rgb[0][i] = texel[0];
+      rgb[1][i] = texel[1];
+      rgb[2][i] = texel[2];
     }
   }
-  return V3{load(rgb[0]), load(rgb[1]), load(rgb[2])} / splat(255);
+  return V3{load_whole(rgb[0]), load_whole(rgb[1]), load_whole(rgb[2])} / splat(255);
 }
 
 // A whole position within a texture that repeats.
@@ -335,12 +332,14 @@ inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color,
   return select(seen, share * (load(light.share + at) * color), none_at_all);
 }
 
-/// Adds what the lights of the scene send to the eye by way of the points.
-inline void find_lights(const WaveScene& scene, WavePoints& points, WaveLight& light,
-                        RayCounts& counts) {
+/// Adds what the lights of the scene send to the eye by way of the points. `rays_apart`: those that
+/// led there.
+inline void find_lights(const WaveScene& scene, bool rays_apart, WavePoints& points,
+                        WaveLight& light, RayCounts& counts) {
   const Tracer& tracer = scene.tracer;
   const bool shadows = tracer.options.features.shadows && tracer.options.mode == Mode::ray;
   const int chunks = (points.count + lanes - 1) / lanes;
+  light.apart = rays_apart;
   for (const RenderLight& from : tracer.scene.lights) {
     if (!shines_in(tracer, from)) {
       continue;

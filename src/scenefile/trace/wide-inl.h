@@ -111,6 +111,9 @@ inline F load(const double* from) {
 inline void store(F x, double* to) {
   hn::Store(x.v, D(), to);
 }
+inline F load_whole(const std::int32_t* from) {
+  return {hn::PromoteTo(D(), hn::Load(hn::Rebind<std::int32_t, D>(), from))};
+}
 /// A bit for each lane.
 inline unsigned bits(M m) {
   std::uint8_t bytes[8] = {};

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace scenefile {
 
@@ -49,6 +52,44 @@ TEST(Faults, AnInterruptedRenderLeavesNothing) {
       EXPECT_EQ(run.status, status) << delay;
       EXPECT_EQ(folder.read("out.png"), "old");
       EXPECT_THAT(folder.list(), ElementsAre("out.png", "s.xml"));
+    }
+  }
+}
+
+TEST(Faults, EveryLongCommandStopsAtOnce) {
+  const TempFolder folder;
+  folder.write("s.xml", good_scene);
+  std::string huge = good_scene;
+  const std::string block = "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>\n";
+  const std::size_t at = huge.find("<transblock>");
+  std::string blocks;
+  for (int i = 0; i < 200'000; ++i) {
+    blocks += block;
+  }
+  folder.write("huge.xml", huge.insert(at, blocks));
+  const std::string size = "1200x900";
+  for (const std::string name : {"a.png", "b.png"}) {
+    ASSERT_EQ(run_program({"render", "s.xml", "-o", name, "--size", size, "--mode",
+                           name == "a.png" ? "ray" : "normals"},
+                          {.folder = folder.path()})
+                  .status,
+              0);
+  }
+  const auto before = folder.list();
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"check", "huge.xml"},
+                                             {"convert", "huge.xml", "o.json"},
+                                             {"format", "huge.xml"},
+                                             {"diff", "huge.xml", "s.xml"},
+                                             {"diff", "a.png", "b.png", "--scene", "s.xml"},
+                                             {"grade", ".", "--references", "."},
+                                             {"explain", "huge.xml", "--pixel", "1,1"}}) {
+    const ProgramRun run =
+        run_program(words, {.folder = folder.path(), .signal = SIGTERM, .delay_ms = 60});
+    EXPECT_LT(run.seconds_to_stop, 1) << words[0];
+    EXPECT_THAT((std::vector{0, 1, 143}), ::testing::Contains(run.status)) << words[0];
+    if (run.status == 143) {
+      EXPECT_EQ(folder.list(), before) << words[0];
     }
   }
 }

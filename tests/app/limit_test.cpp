@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -43,6 +45,67 @@ std::string template_bomb(int levels) {
   }
   return text + "<object type=\"tree\" name=\"root\"><transblock>" + last +
          "</transblock></object></scenefile>";
+}
+
+// A template that holds one copy of the next, a thousand times.
+std::string template_chain(int levels) {
+  std::string text = "<scenefile>";
+  std::string last = "<object type=\"primitive\" name=\"sphere\"/>";
+  for (int i = 0; i <= levels; ++i) {
+    const std::string name = i == levels ? "root" : "t" + std::to_string(i);
+    text += "<object type=\"tree\" name=\"" + name + "\"><transblock>" + last +
+            "</transblock></object>";
+    last = "<object type=\"master\" name=\"" + name + "\"/>";
+  }
+  return text + "</scenefile>";
+}
+
+// Every command that takes a scene, with the outputs that it can write.
+std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
+  return {{"check", scene},
+          {"check", "--json", scene},
+          {"check", "--sarif", scene},
+          {"info", "--tree", scene},
+          {"convert", scene, "o.xml"},
+          {"convert", scene, "o.json"},
+          {"convert", scene, "o.pov"},
+          {"format", "--check", scene},
+          {"diff", scene, scene},
+          {"diff", scene, "good.xml"},
+          {"diff", "good.xml", scene},
+          {"explain", scene, "--pixel", "1,1", "--size", "4x3"},
+          {"render", scene, "-o", "o.png", "--size", "4x3"},
+          {"render", scene, "-o", "o.exr", "--size", "4x3", "--aov", "depth,light-1,object-id"},
+          {"render", scene, "-o", "o.png", "--size", "4x3", "--profile", "course"},
+          {"render", scene, "-o", "o.png", "--size", "4x3", "--mode", "intersect"}};
+}
+
+TEST(Limits, NestingUpToThemNeedsNoStack) {
+  const TempFolder folder;
+  folder.write("good.xml", good_scene);
+  // 1,024 elements inside each other, and 1,000 templates.
+  folder.write("deep.xml", deep_scene(510));
+  folder.write("chain.xml", template_chain(1000));
+  for (const std::string scene : {"deep.xml", "chain.xml"}) {
+    for (const std::vector<std::string>& words : all_uses(scene)) {
+      const ProgramRun run = run_program(words, {.folder = folder.path(), .stack_kilobytes = 256});
+      // What differs and what could be laid out better is status 1.
+      EXPECT_THAT((std::set{0, 1}), ::testing::Contains(run.status))
+          << ::testing::PrintToString(words) << run.err;
+    }
+  }
+}
+
+TEST(Limits, TemplateBombsEndEveryCommand) {
+  const TempFolder folder;
+  folder.write("good.xml", good_scene);
+  folder.write("bomb.xml", template_bomb(40));
+  for (std::vector<std::string> words : all_uses("bomb.xml")) {
+    words.insert(words.end(), {"--max-memory", "512M", "--timeout", "100"});
+    const ProgramRun run = run_program(words, {.folder = folder.path()});
+    EXPECT_THAT((std::set{0, 1, 4}), ::testing::Contains(run.status))
+        << ::testing::PrintToString(words) << run.err;
+  }
 }
 
 TEST(Limits, EachIsSetByName) {

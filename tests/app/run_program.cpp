@@ -67,6 +67,10 @@ class Terminal {
     const rlimit limit{settings.megabytes << 20, settings.megabytes << 20};
     ::setrlimit(RLIMIT_AS, &limit);
   }
+  if (settings.stack_kilobytes != 0) {
+    const rlimit limit{settings.stack_kilobytes << 10, settings.stack_kilobytes << 10};
+    ::setrlimit(RLIMIT_STACK, &limit);
+  }
   for (const std::string& variable : settings.environment) {
     ::putenv(const_cast<char*>(variable.c_str()));
   }
@@ -125,12 +129,15 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const RunSetti
     std::this_thread::sleep_for(std::chrono::milliseconds(settings.delay_ms));
     ::kill(child, settings.signal);
   }
+  const auto sent = std::chrono::steady_clock::now();
   ProgramRun run;
   if (settings.terminal) {
     run.out = terminal.read_all();
   }
   int status = 0;
   ::waitpid(child, &status, 0);
+  run.seconds_to_stop =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - sent).count();
   run.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
   run.out += folder.read("out");
   run.err = folder.read("err");

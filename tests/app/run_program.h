@@ -14,6 +14,7 @@ struct ProgramRun {
   int status = -1;  ///< exit status, or 1000 + the signal that killed it
   std::string out;
   std::string err;
+  double seconds_to_stop = 0;  ///< from the signal to the end
 };
 
 struct RunSettings {
@@ -24,8 +25,9 @@ struct RunSettings {
   std::string program{};                   ///< a link to the program to start instead of it
   int signal = 0;                          ///< sent after `delay_ms`
   int delay_ms = 0;
-  bool terminal = false;        ///< standard output and error are a terminal; read as `out`
-  unsigned long megabytes = 0;  ///< of address space; 0: no limit
+  bool terminal = false;              ///< standard output and error are a terminal; read as `out`
+  unsigned long megabytes = 0;        ///< of address space; 0: no limit
+  unsigned long stack_kilobytes = 0;  ///< of the first thread; 0: no limit of ours
 };
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const RunSettings& settings = {});

@@ -81,18 +81,6 @@ class AllCodes : public ::testing::Test {
     return {[=] { return check(path, limit); }, [=] { return check(path, ""); }};
   }
 
-  Recipe converted_limited(const std::string& code, const std::string& from, const std::string& to,
-                           const std::string& limit) const {
-    const std::string path = file(code, "");
-    const std::string out = folder.path(to);
-    return {[=] {
-              return run_program({"convert", path, out, "--limit", limit});
-            },
-            [=] {
-              return run_program({"convert", path, out});
-            }};
-  }
-
   std::map<std::string, Recipe> recipes() const {
     return {
         {"convert.file-renamed",
@@ -199,7 +187,7 @@ TEST_F(AllCodes, SeveritiesAreThoseThatHelpNames) {
     }
   }
   std::map<std::string, std::set<std::string>> reported;
-  for (const std::vector<std::string> options :
+  for (const std::vector<std::string>& options :
        {std::vector<std::string>{}, {"--compat", "course"}, {"--allow-missing"}}) {
     std::vector<std::string> words{"check", "--json"};
     words.insert(words.end(), options.begin(), options.end());

@@ -75,7 +75,7 @@ std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
           {"diff", "good.xml", scene},
           {"explain", scene, "--pixel", "1,1", "--size", "4x3"},
           {"render", scene, "-o", "o.png", "--size", "4x3"},
-          {"render", scene, "-o", "o.exr", "--size", "4x3", "--aov", "depth,light-1,object-id"},
+          {"render", scene, "-o", "o.exr", "--size", "4x3", "--aov", "depth,normal,object-id"},
           {"render", scene, "-o", "o.png", "--size", "4x3", "--profile", "course"},
           {"render", scene, "-o", "o.png", "--size", "4x3", "--mode", "intersect"}};
 }
@@ -89,8 +89,9 @@ TEST(Limits, NestingUpToThemNeedsNoStack) {
   for (const std::string scene : {"deep.xml", "chain.xml"}) {
     for (const std::vector<std::string>& words : all_uses(scene)) {
       const ProgramRun run = run_program(words, {.folder = folder.path(), .stack_kilobytes = 256});
-      // What differs and what could be laid out better is status 1.
-      EXPECT_THAT((std::set{0, 1}), ::testing::Contains(run.status))
+      // What differs and what could be laid out better is status 1; what JSON would have to nest
+      // deeper than a file may is 4.
+      EXPECT_THAT((std::set{0, 1, 4}), ::testing::Contains(run.status))
           << ::testing::PrintToString(words) << run.err;
     }
   }

@@ -66,7 +66,8 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
 
 TEST(XmlSyntax, ADeclarationMustComeFirst) {
   EXPECT_THAT(said("\n<?xml version=\"1.0\"?><scenefile/>"),
-              ElementsAre("2:1 <?xml ...?> must be the very first thing in the file"));
+              ElementsAre("2:1 <?xml ...?> must be the very first thing in the file; "
+                          "remove what stands before it"));
 }
 
 TEST(XmlSyntax, NothingFollowsTheScene) {

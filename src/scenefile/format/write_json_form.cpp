@@ -16,11 +16,13 @@ bool stands_at_origin(const Light& light) {
   return light.position == glm::vec3(0);
 }
 
-// How many of the first transforms one group can say: each kind once, in the fixed order.
+// How many of the first transforms one group can say: each kind once, in the fixed order. A matrix
+// stands alone, because some programs refuse it beside others.
 std::size_t count_sayable(const std::vector<Transform>& transforms) {
   std::size_t count = 0;
   while (count < transforms.size() &&
-         (count == 0 || transforms[count - 1].map.index() < transforms[count].map.index())) {
+         (count == 0 || (transforms[count - 1].map.index() < transforms[count].map.index() &&
+                         !std::holds_alternative<Matrix>(transforms[count].map)))) {
     ++count;
   }
   return count;

@@ -22,6 +22,11 @@ double distance_to_box(const glm::dvec3& p, const WorldObject& object) {
   return glm::length(glm::max(glm::max(low, high), glm::dvec3(0)));
 }
 
+// How much farther the corners of the picture are than its middle, at the same depth.
+double obliquity(const Frame& frame) {
+  return std::sqrt(1 + frame.tan_x * frame.tan_x + frame.tan_y * frame.tan_y);
+}
+
 }  // namespace
 
 Frame frame_of(const RenderCamera& camera, int width, int height,
@@ -38,9 +43,8 @@ Frame frame_of(const RenderCamera& camera, int width, int height,
   }
   // Depths in the corner of the picture are smaller than distances. 24 bits of depth want near not
   // to be much smaller than far.
-  const double obliquity = std::sqrt(1 + frame.tan_x * frame.tan_x + frame.tan_y * frame.tan_y);
   frame.far = std::max(frame.far * 1.001, 1e-6);
-  frame.near = std::clamp(0.99 * nearest / obliquity, 1e-4 * frame.far, 0.5 * frame.far);
+  frame.near = std::clamp(0.99 * nearest / obliquity(frame), 1e-4 * frame.far, 0.5 * frame.far);
   return frame;
 }
 
@@ -77,6 +81,14 @@ bool may_be_seen(const Frame& frame, const WorldObject& object) {
   };
   return within(glm::dot(from_eye, frame.camera.u), frame.tan_x) &&
          within(glm::dot(from_eye, frame.camera.v), frame.tan_y);
+}
+
+bool is_behind_near(const Frame& frame, const WorldObject& object) {
+  if (frame.parallel) {
+    return true;
+  }
+  const double corner = frame.near * obliquity(frame);
+  return distance_to_box(frame.camera.position, object) > corner;
 }
 
 double radius_in_pixels(const Frame& frame, const WorldObject& object) {

@@ -28,6 +28,9 @@ glm::mat4 clip_from_world(const Frame& frame);
 /// Whether a part of the object's box may be in the picture.
 bool may_be_seen(const Frame& frame, const WorldObject& object);
 
+/// Whether the plane of near does not cut the object: of a solid, only the near side is seen.
+bool is_behind_near(const Frame& frame, const WorldObject& object);
+
 /// Radius in pixels that the object's box has in the picture at most; infinite around the eye.
 double radius_in_pixels(const Frame& frame, const WorldObject& object);
 

@@ -151,11 +151,7 @@ class Pass {
 
   // Solids seen from outside show only their front; a mirrored transform turns the sides over.
   gl::Enum hidden_side(const WorldObject& object) const {
-    const glm::dvec3 eye = frame_.camera.position;
-    const glm::dvec3 margin(4 * frame_.near);
-    const bool outside = glm::any(glm::lessThan(eye + margin, glm::dvec3(object.box_min))) ||
-                         glm::any(glm::greaterThan(eye - margin, glm::dvec3(object.box_max)));
-    if (!outside || object.shape == Shape::mesh) {
+    if (!is_behind_near(frame_, object) || object.shape == Shape::mesh) {
       return gl::NONE;
     }
     return glm::determinant(object.world_from_object.linear) < 0 ? gl::FRONT : gl::BACK;

@@ -7,6 +7,8 @@ add_library(scenefile_options INTERFACE)
 target_compile_features(scenefile_options INTERFACE cxx_std_20)
 target_compile_options(scenefile_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
+  # What is written for any number of lanes joins masks by &, which for one lane are bool.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
   # The same bytes from every build: no fused multiply-add that one compiler finds and another not.
   -ffp-contract=off
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)

@@ -85,7 +85,7 @@ constexpr std::pair<std::string_view, std::string_view> other_words[] = {
 std::string_view translated(std::string_view name, std::span<const FieldName> names) {
   for (const auto& [other, ours] : other_words) {
     const bool known = std::any_of(names.begin(), names.end(),
-                                   [ours](const FieldName& n) { return n.name == ours; });
+                                   [word = ours](const FieldName& n) { return n.name == word; });
     if (other == name && known) {
       return ours;
     }

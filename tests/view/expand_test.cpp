@@ -41,6 +41,27 @@ TEST(Expand, TemplateBombsEndAtTheLimit) {
   const ExpandedScene expanded = expand(builder.scene, builder.assets, 1000);
   EXPECT_EQ(expanded.objects.size(), 1000u);
   EXPECT_FALSE(expanded.complete);
+  EXPECT_FALSE(expanded.largest) << "all have one size";
+}
+
+TEST(Expand, TheSmallestAreLeftOut) {
+  SceneBuilder builder;
+  const std::uint32_t material = builder.glowing({1, 1, 1});
+  builder.add(Shape::sphere, place({0, 0, 0}), material);
+  for (std::uint32_t level = 0; level < 8; ++level) {
+    builder.scene.groups.emplace_back();
+    builder.add(Shape::sphere, place({0, 0, 0}), material);
+    builder.add_instance(level, place({1, 0, 0}, 0.4f));
+    builder.add_instance(level, place({-1, 0, 0}, 0.4f));
+    builder.add_instance(level, place({0, 1, 0}, 0.4f));
+  }
+  const ExpandedScene expanded = expand(builder.scene, builder.assets, 1000);
+  EXPECT_FALSE(expanded.complete);
+  EXPECT_TRUE(expanded.largest);
+  EXPECT_EQ(expanded.objects.size(), 364u) << "1 + 3 + 9 + ... + 243 of 9841";
+  for (const WorldObject& object : expanded.objects) {
+    EXPECT_GT(object.box_max.x - object.box_min.x, 0.01);
+  }
 }
 
 TEST(Expand, AMeshThatIsNotLoadedIsNotDrawn) {

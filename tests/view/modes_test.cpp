@@ -81,6 +81,8 @@ TEST_F(Mode, TheHighlightedObjectIsTinted) {
 
 TEST(Vertices, EachEdgeComesOnce) {
   EXPECT_EQ(edges({0, 1, 2, 2, 1, 3}).size(), 2u * 5);
+  EXPECT_EQ(bent_edges(shape_vertices(Shape::cube, 8)).size(), 2u * 12) << "no diagonals";
+  EXPECT_EQ(bent_edges(shape_vertices(Shape::cylinder, 8)).size(), 2u * 3 * 8);
 }
 
 TEST(Vertices, RoundShapesHaveTheAreaOfTheirCircles) {

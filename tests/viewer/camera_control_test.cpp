@@ -117,10 +117,10 @@ TEST(CameraControl, FramingFillsThePicture) {
   for (const double aspect : {0.5, 1.0, 2.0}) {
     const ViewCamera view = framing(ViewCamera{}, box, aspect);
     expect_near(view.pivot, {10, 0, 0});
+    // The camera looks along -z: the face of the box at z = 1 is what fills the picture.
     const double half = std::tan(view.height_angle_deg * std::acos(-1) / 360);
-    const double seen = std::sin(std::atan(half * std::min(aspect, 1.0))) * distance(view);
-    EXPECT_GE(seen, std::sqrt(3)) << aspect;
-    EXPECT_LT(seen, 1.1 * std::sqrt(3)) << aspect;
+    const double seen = half * std::min(aspect, 1.0) * (view.position.z - 1);
+    EXPECT_NEAR(seen, 1.1, 1e-9) << aspect;
   }
   EXPECT_EQ(framing(ViewCamera{}, {}, 1), ViewCamera{});
 }

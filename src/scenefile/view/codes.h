@@ -7,9 +7,9 @@ namespace scenefile {
 
 inline constexpr Code gl_copies_left_out{
     "gl.copies-left-out", Severity::warning, "more copies of templates than OpenGL is given",
-    "Templates are copied out for OpenGL, so copies take memory and time; those at the end of the "
-    "scene are not drawn. The ray tracer (render without --engine gl) keeps them as instances and "
-    "draws all."};
+    "Templates are copied out for OpenGL, so copies take memory and time; the smallest objects are "
+    "not drawn, or where all have one size those at the end of the scene. The ray tracer (render "
+    "without --engine gl) keeps copies as instances and draws all."};
 inline constexpr Code gl_not_drawn{
     "gl.not-drawn", Severity::note, "what only the ray tracer draws",
     "OpenGL draws what the camera sees directly. Mirrors stay without their reflection, light goes "

@@ -126,6 +126,7 @@ std::optional<std::uint32_t> object_at(GlDevice& device, Drawing& drawing,
   draw_objects(state, drawing.state(), frame, options, Output::object_number);
   std::array<std::uint8_t, 4> rgba{};
   gl.ReadPixels(0, 0, 1, 1, gl::RGBA, gl::UNSIGNED_BYTE, rgba.data());
+  gl.BindFramebuffer(gl::FRAMEBUFFER, 0);
   const std::uint32_t number = rgba[0] | rgba[1] << 8 | rgba[2] << 16;
   return number == 0 ? std::nullopt : std::optional(number - 1);
 }

@@ -64,7 +64,8 @@ struct DrawnObject {
 
 struct UploadOptions {
   bool flat_meshes = false;  ///< with the normals of their triangles, as the course's pictures
-  std::uint32_t max_objects = 1u << 19;  ///< copies of templates beyond are left out; below 2^24
+  /// Below 2^24. Where copies of templates are more, the smallest are left out.
+  std::uint32_t max_objects = 1u << 20;
 };
 
 /// A scene on the graphics card. Made by upload(); keeps no reference to scene or assets.
@@ -94,7 +95,7 @@ Drawing upload(GlDevice& device, const RenderScene& scene, const Assets& assets,
 
 enum class DrawMode : std::uint8_t {
   shaded,
-  wireframe,       ///< edges of the triangles, in the diffuse color
+  wireframe,       ///< of meshes all edges, of shapes a few; in the diffuse color
   normals,         ///< (n + 1) / 2 of the world normal, as the tracer's
   uv,              ///< red u, green v, as far as they lie in 0..1, else their fraction
   depth,           ///< white at the nearest, black at the farthest object
@@ -151,14 +152,15 @@ struct DrawStats {
 DrawStats draw(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
                const DrawOptions& options, const DrawTarget& target);
 
-/// The same into a picture of its own. Values are those of 8-bit pixels. Empty, with `error` set,
-/// where the size is more than the device can draw.
+/// The same into a picture of its own; the framebuffer 0 is bound afterwards. Values are those of
+/// 8-bit pixels. Empty, with `error` set, where the size is more than the device can draw.
 Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
                  const DrawOptions& options, int width, int height, std::string& error,
                  DrawStats* stats = nullptr);
 
 /// Index into drawing.objects() of what a picture of this size shows at the pixel (x, y), row 0 on
-/// top; nothing on the background. Masks count, the mode does not.
+/// top; nothing on the background. Masks count, the mode does not. The framebuffer 0 is bound
+/// afterwards.
 std::optional<std::uint32_t> object_at(GlDevice& device, Drawing& drawing,
                                        const RenderCamera& camera, const DrawOptions& options,
                                        int width, int height, int x, int y);

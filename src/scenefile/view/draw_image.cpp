@@ -50,6 +50,7 @@ Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
   DrawStats taken;
   const PixelSurface* const picture =
       draw_resolved(state, drawing.state(), camera, options, width, height, taken);
+  gl.BindFramebuffer(gl::FRAMEBUFFER, 0);
   if (stats != nullptr) {
     *stats = taken;
   }
@@ -62,6 +63,7 @@ Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
   std::vector<std::uint8_t> rgba(std::size_t{4} * width * height);
   gl.BindFramebuffer(gl::FRAMEBUFFER, picture->framebuffer.name());
   gl.ReadPixels(0, 0, width, height, gl::RGBA, gl::UNSIGNED_BYTE, rgba.data());
+  gl.BindFramebuffer(gl::FRAMEBUFFER, 0);
   Image image(width, height);
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* from = rgba.data() + std::size_t{4} * width * (height - 1 - y);

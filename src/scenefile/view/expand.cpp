@@ -17,16 +17,36 @@ struct Copy {
   std::size_t next_instance = 0;
 };
 
+// An upper bound of how much longer the map makes anything.
+double stretch(const DAffine& map) {
+  const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
+  return std::sqrt(square(map.linear[0]) + square(map.linear[1]) + square(map.linear[2]));
+}
+
+double size_of(const Bounds& box) {
+  return glm::length(box.max - box.min);
+}
+
 class Expander {
  public:
   Expander(const RenderScene& scene, const Assets& assets, std::uint32_t max_objects)
-      : scene_(scene), assets_(assets), max_objects_(max_objects) {
+      : scene_(scene), max_objects_(max_objects) {
     for (const Mesh& mesh : assets.meshes) {
       mesh_boxes_.push_back(bounds(mesh));
     }
+    for (const RenderGroup& group : scene.groups) {
+      largest_.push_back(largest_in(group));
+    }
   }
 
-  ExpandedScene expand() {
+  /// Larger than any object.
+  double largest() const { return scene_.groups.empty() ? 0 : largest_[scene_.root]; }
+
+  /// The objects that are not smaller than `least`, until there are too many.
+  ExpandedScene expand(double least) {
+    result_ = {};
+    open_.clear();
+    least_ = least;
     if (!scene_.groups.empty()) {
       enter({scene_.root, no_index, {}, 0});
     }
@@ -44,23 +64,42 @@ class Expander {
   }
 
  private:
+  // An upper bound of the sizes of the objects of a group; a group stands behind all that it holds.
+  double largest_in(const RenderGroup& group) const {
+    double size = 0;
+    for (const RenderPrimitive& primitive : group.primitives) {
+      if (const auto box = box_of(primitive, DAffine(primitive.group_from_object))) {
+        size = std::max(size, size_of(*box));
+      }
+    }
+    for (const RenderInstance& instance : group.instances) {
+      size =
+          std::max(size, stretch(DAffine(instance.group_from_instance)) * largest_[instance.group]);
+    }
+    return size;
+  }
+
   void place(const Copy& holder, const RenderInstance& instance) {
+    const DAffine world_from_group =
+        holder.world_from_group * DAffine(instance.group_from_instance);
+    if (stretch(world_from_group) * largest_[instance.group] < least_) {
+      return;
+    }
     if (result_.placements.size() >= std::size_t{4} * max_objects_) {
       result_.complete = false;
       return;
     }
     result_.placements.push_back({instance.source, holder.placement});
     enter({instance.group, static_cast<std::uint32_t>(result_.placements.size() - 1),
-           holder.world_from_group * DAffine(instance.group_from_instance), 0});
+           world_from_group, 0});
   }
 
   void enter(const Copy& copy) {
     for (const RenderPrimitive& primitive : scene_.groups[copy.group].primitives) {
-      if (result_.objects.size() >= max_objects_) {
-        result_.complete = false;
+      add(copy, primitive);
+      if (!result_.complete) {
         return;
       }
-      add(copy, primitive);
     }
     open_.push_back(copy);
   }
@@ -78,7 +117,11 @@ class Expander {
   void add(const Copy& copy, const RenderPrimitive& primitive) {
     const DAffine map = copy.world_from_group * DAffine(primitive.group_from_object);
     const std::optional<Bounds> box = box_of(primitive, map);
-    if (!box || !std::isfinite(glm::length(box->max - box->min))) {
+    if (!box || !std::isfinite(size_of(*box)) || size_of(*box) < least_) {
+      return;
+    }
+    if (result_.objects.size() >= max_objects_) {
+      result_.complete = false;
       return;
     }
     result_.objects.push_back({Affine(map), glm::vec3(box->min), glm::vec3(box->max),
@@ -87,9 +130,10 @@ class Expander {
   }
 
   const RenderScene& scene_;
-  const Assets& assets_;
   std::uint32_t max_objects_;
   std::vector<Bounds> mesh_boxes_;
+  std::vector<double> largest_;  // by group
+  double least_ = 0;
   std::vector<Copy> open_;
   ExpandedScene result_;
 };
@@ -97,7 +141,27 @@ class Expander {
 }  // namespace
 
 ExpandedScene expand(const RenderScene& scene, const Assets& assets, std::uint32_t max_objects) {
-  return Expander(scene, assets, max_objects).expand();
+  constexpr int halvings = 40;
+  Expander expander(scene, assets, max_objects);
+  ExpandedScene result = expander.expand(0);
+  if (result.complete) {
+    return result;
+  }
+  // What is left out is missed least where it is small.
+  double least = expander.largest();
+  for (int i = 0; i < halvings; ++i) {
+    least /= 2;
+    ExpandedScene some = expander.expand(least);
+    if (!some.complete) {
+      break;
+    }
+    if (!some.objects.empty()) {
+      result = std::move(some);
+      result.complete = false;
+      result.largest = true;
+    }
+  }
+  return result;
 }
 
 }  // namespace scenefile

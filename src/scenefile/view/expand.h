@@ -24,11 +24,13 @@ struct ExpandedScene {
   std::vector<WorldObject> objects;  ///< those that can be drawn, in the order of the file
   std::vector<DrawnObject> names;    ///< of the same objects
   std::vector<Placement> placements;
-  bool complete = true;  ///< false: copies were left out
+  bool complete = true;  ///< false: objects were left out
+  bool largest = false;  ///< those that were left out are the smallest
 };
 
-/// Stops at `max_objects` objects, and at four times as many placements. Primitives of a group come
-/// before its instances.
+/// At most `max_objects` objects, and four times as many placements: the largest where a size
+/// separates them from the others, else the first. Primitives of a group come before its
+/// instances.
 ExpandedScene expand(const RenderScene& scene, const Assets& assets, std::uint32_t max_objects);
 
 }  // namespace scenefile

@@ -102,4 +102,10 @@ int segments_for(double radius_in_pixels) {
   return static_cast<int>(std::clamp(segments, 3.0, 1024.0));
 }
 
+int wires_for(double radius_in_pixels) {
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double gap = 12;  // pixels between lines
+  return static_cast<int>(std::clamp(2 * pi * radius_in_pixels / gap, 6.0, 28.0));
+}
+
 }  // namespace scenefile

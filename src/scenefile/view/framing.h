@@ -38,4 +38,7 @@ double radius_in_pixels(const Frame& frame, const WorldObject& object);
 /// twentieth of a pixel: r (1 - cos(pi / n)) / 2 < 0.05, where half of the error is outside.
 int segments_for(double radius_in_pixels);
 
+/// The same for a drawing of its edges, between which there is to be room.
+int wires_for(double radius_in_pixels);
+
 }  // namespace scenefile

@@ -127,7 +127,8 @@ class Pass {
     key.shape = object.shape;
     key.mesh = object.mesh;
     if (object.shape != Shape::cube && object.shape != Shape::mesh) {
-      const int wanted = segments_for(radius_in_pixels(frame_, object));
+      const double radius = radius_in_pixels(frame_, object);
+      const int wanted = lines_ ? wires_for(radius) : segments_for(radius);
       while (key.level + 1 < levels && level_segments[key.level] < wanted) {
         ++key.level;
       }

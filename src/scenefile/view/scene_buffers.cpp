@@ -47,8 +47,7 @@ Geometry make_geometry(const gl::Functions& gl, const DrawVertices& data) {
 }
 
 void add_lines(const gl::Functions& gl, Geometry& geometry,
-               const std::vector<std::uint32_t>& triangles) {
-  const std::vector<std::uint32_t> lines = edges(triangles);
+               const std::vector<std::uint32_t>& lines) {
   geometry.lines = gl::Buffer(gl);
   gl.BindVertexArray(geometry.array.name());
   gl.BindBuffer(gl::ELEMENT_ARRAY_BUFFER, geometry.lines.name());
@@ -88,12 +87,14 @@ std::vector<glm::vec4> material_values(const RenderScene& scene) {
 }
 
 void report_left_out(const RenderScene& scene, const ExpandedScene& expanded,
-                     const UploadOptions& options, Diagnostics& diagnostics) {
+                     Diagnostics& diagnostics) {
   if (!expanded.complete) {
-    diagnostics.report(gl_copies_left_out, {},
-                       fmt::format("the scene has {:.4g} objects after instancing, OpenGL draws "
-                                   "the first {}; the ray tracer draws them all",
-                                   count_virtual_primitives(scene), options.max_objects));
+    diagnostics.report(
+        gl_copies_left_out, {},
+        fmt::format("the scene has {:.4g} objects after instancing, OpenGL draws "
+                    "the {} {}; the ray tracer draws them all",
+                    count_virtual_primitives(scene), expanded.largest ? "largest" : "first",
+                    expanded.objects.size()));
   }
 }
 
@@ -141,7 +142,7 @@ const Geometry& geometry_of(const gl::Functions& gl, Drawing::State& drawing, Sh
   if (shape == Shape::mesh) {
     Geometry& geometry = drawing.meshes[mesh];
     if (with_lines && !geometry.lines) {
-      add_lines(gl, geometry, drawing.mesh_triangles[mesh]);
+      add_lines(gl, geometry, edges(drawing.mesh_triangles[mesh]));
     }
     return geometry;
   }
@@ -150,7 +151,7 @@ const Geometry& geometry_of(const gl::Functions& gl, Drawing::State& drawing, Sh
     const DrawVertices data = shape_vertices(shape, level_segments[level]);
     geometry = make_geometry(gl, data);
     if (with_lines) {
-      add_lines(gl, *geometry, data.triangles);
+      add_lines(gl, *geometry, bent_edges(data));
     }
   }
   return *geometry;
@@ -174,7 +175,7 @@ Drawing upload(GlDevice& device, const RenderScene& scene, const Assets& assets,
   const gl::Functions& gl = device.state().gl;
   auto state = std::make_unique<Drawing::State>();
   state->scene = expand(scene, assets, options.max_objects);
-  report_left_out(scene, state->scene, options, diagnostics);
+  report_left_out(scene, state->scene, diagnostics);
   report_not_drawn(scene, diagnostics);
   state->global = scene.global;
   state->lights = scene.lights;

@@ -24,7 +24,7 @@ struct Geometry {
 };
 
 /// Levels of detail of round shapes: segments about the axis.
-inline constexpr std::array<int, 7> level_segments{8, 12, 18, 28, 48, 96, 192};
+inline constexpr std::array<int, 9> level_segments{4, 6, 8, 12, 18, 28, 48, 96, 192};
 
 /// A cube has one level, kept as the first.
 inline constexpr std::size_t levels = level_segments.size();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -114,6 +116,46 @@ std::vector<std::uint32_t> edges(const std::vector<std::uint32_t>& triangles) {
   std::vector<std::uint32_t> indices;
   for (const auto& [a, b] : pairs) {
     indices.insert(indices.end(), {a, b});
+  }
+  return indices;
+}
+
+std::vector<std::uint32_t> bent_edges(const DrawVertices& data) {
+  constexpr float flat = 0.9999f;  // cosine
+  struct Side {
+    std::uint32_t a;  // the first vertices of their places, the lower one first
+    std::uint32_t b;
+    glm::vec3 normal;
+  };
+  std::map<std::array<float, 3>, std::uint32_t> first_at;
+  const auto welded = [&](std::uint32_t vertex) {
+    const glm::vec3& p = data.vertices[vertex].position;
+    return first_at.try_emplace({p.x, p.y, p.z}, vertex).first->second;
+  };
+  std::vector<Side> sides;
+  for (std::size_t i = 0; i + 2 < data.triangles.size(); i += 3) {
+    const std::uint32_t* const corner = &data.triangles[i];
+    const glm::vec3& p = data.vertices[corner[0]].position;
+    const glm::vec3 normal = glm::normalize(
+        glm::cross(data.vertices[corner[1]].position - p, data.vertices[corner[2]].position - p));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax({welded(corner[k]), welded(corner[(k + 1) % 3])});
+      sides.push_back({a, b, normal});
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& x, const Side& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::vector<std::uint32_t> indices;
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    bool bent = end == sides.size() || sides[end].a != sides[i].a || sides[end].b != sides[i].b;
+    for (; end < sides.size() && sides[end].a == sides[i].a && sides[end].b == sides[i].b; ++end) {
+      bent = bent || glm::dot(sides[end].normal, sides[i].normal) < flat;
+    }
+    if (bent) {
+      indices.insert(indices.end(), {sides[i].a, sides[i].b});
+    }
+    i = end;
   }
   return indices;
 }

@@ -36,4 +36,7 @@ DrawVertices mesh_vertices(const Mesh& mesh, bool smooth);
 /// Each edge of the triangles once, two indices each.
 std::vector<std::uint32_t> edges(const std::vector<std::uint32_t>& triangles);
 
+/// The edges at which the surface bends or ends, once each: not those inside of flat faces.
+std::vector<std::uint32_t> bent_edges(const DrawVertices& data);
+
 }  // namespace scenefile

@@ -176,13 +176,21 @@ ViewCamera framing(const ViewCamera& view, const Bounds& box, double aspect) {
   if (box.empty()) {
     return view;
   }
+  constexpr double margin = 1.1;
   const glm::dvec3 middle = (box.min + box.max) * 0.5;
-  const double radius = std::max(glm::length(box.max - box.min) * 0.5, 1e-6);
-  const double half = view.height_angle_deg * degree / 2;
-  const double narrow = aspect < 1 ? std::atan(std::tan(half) * aspect) : half;
-  const double distance = 1.05 * radius / std::sin(narrow);
+  const ViewAxes axes = axes_of(view);
+  const double tan_y = std::tan(view.height_angle_deg * degree / 2) / margin;
+  double distance = 1e-6;
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 signs((i & 1) != 0 ? 0.5 : -0.5, (i & 2) != 0 ? 0.5 : -0.5,
+                           (i & 4) != 0 ? 0.5 : -0.5);
+    const glm::dvec3 corner = signs * (box.max - box.min);
+    const double across = std::max(std::abs(glm::dot(corner, axes.above)) / tan_y,
+                                   std::abs(glm::dot(corner, axes.right)) / (tan_y * aspect));
+    distance = std::max(distance, across - glm::dot(corner, axes.ahead));
+  }
   ViewCamera result = view;
-  result.position = middle - axes_of(view).ahead * distance;
+  result.position = middle - axes.ahead * distance;
   result.pivot = middle;
   return result;
 }

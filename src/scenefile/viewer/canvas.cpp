@@ -67,7 +67,7 @@ Texture Canvas::picture_for_reference(const Session& session) {
     return {};
   }
   DrawOptions options = draw_options(session);
-  options.samples = options.course ? 1 : 8;
+  options.samples = options.course ? 1 : 16;
   std::string error;
   const Image image = draw_image(*device_, *drawing_, render_camera(session.camera), options,
                                  session.reference.width, session.reference.height, error);

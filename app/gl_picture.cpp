@@ -8,10 +8,10 @@ namespace scenefile::app {
 
 namespace {
 
-// Samples of a pixel where nobody asks for a number.
+// Samples of a pixel where nobody asks for a number; 0: by the size of the objects.
 int default_samples(const RenderOptions& options) {
   if (options.profile == Profile::fine) {
-    return 4;
+    return 0;
   }
   return options.features.super_sample ? 16 : 1;
 }

@@ -300,8 +300,8 @@ constexpr std::array table{
               for_tracing | for_pictures | for_view, set_mode},
     OptionRow{
         "--samples", "", "N",
-        "Most samples a pixel, for the profile fine (default 16; with --engine gl 4, of 1, 4, 16, "
-        "64).",
+        "Most samples a pixel, for the profile fine (default 16; with --engine gl 1, 4, 16 or 64, "
+        "by default 4, or 16 where the objects are as small as pixels).",
         for_tracing,
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
     OptionRow{

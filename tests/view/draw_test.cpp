@@ -87,6 +87,25 @@ TEST_F(Drawn, CopiesBeyondTheLimitAreLeftOutWithAWarning) {
   EXPECT_EQ(diagnostics.list()[0].code->name, "gl.copies-left-out");
 }
 
+TEST_F(Drawn, SmallObjectsHaveMoreSamplesWhereNobodySaysHowMany) {
+  const auto image_with = [&](float size, int samples) {
+    SceneBuilder builder;
+    const std::uint32_t material = builder.glowing({1, 1, 1});
+    for (int i = 0; i < 100; ++i) {
+      builder.add(Shape::sphere, place({1.01f * float(i % 10) - 5, float(i / 10 - 5), -20}, size),
+                  material);
+    }
+    Drawing drawing = uploaded(builder);
+    DrawOptions options;
+    options.samples = samples;
+    return draw_square(drawing, builder.scene.camera, options).rgb;
+  };
+  EXPECT_EQ(image_with(0.3f, 0), image_with(0.3f, 16));
+  EXPECT_NE(image_with(0.3f, 0), image_with(0.3f, 4));
+  EXPECT_EQ(image_with(4, 0), image_with(4, 4));
+  EXPECT_NE(image_with(4, 0), image_with(4, 16));
+}
+
 TEST_F(Drawn, WhatOnlyTheTracerDrawsIsNoted) {
   SceneBuilder builder;
   builder.add(Shape::cube, place({0, 0, -3}), builder.glowing({1, 1, 1}));

@@ -31,6 +31,7 @@ DrawOptions same_features() {
   options.shadows = false;
   options.texture_filter = false;
   options.transparency = false;
+  options.samples = 0;
   return options;
 }
 

@@ -168,6 +168,45 @@ TEST_F(SessionTest, AChangedFileKeepsTheCameraAndTheSelection) {
   EXPECT_TRUE(session.selected.has_value());
 }
 
+TEST_F(SessionTest, WhatWasSetUpStaysWithItsObjectWhenOthersCome) {
+  click(260, 150);
+  ASSERT_EQ(selected(), "cube");
+  perform(session, Action::hide_selected);
+  rewrite("<translate x=\"-1\" y=\"0\" z=\"0\"/>",
+          "<object type=\"primitive\" name=\"cylinder\"><diffuse r=\"1\" g=\"1\" b=\"1\"/></object>"
+          "</transblock><transblock><translate x=\"-1\" y=\"0\" z=\"0\"/>");
+  EXPECT_EQ(selected(), "cube");
+  EXPECT_TRUE(is_hidden(session, *session.selected));
+  EXPECT_EQ(session.hidden.size(), 1U);
+  EXPECT_THAT(session.selected_path, HasSubstr("#3")) << session.selected_path;
+}
+
+TEST_F(SessionTest, WhatIsGoneIsNotSelected) {
+  click(140, 245);
+  ASSERT_EQ(selected(), "cone");
+  ASSERT_FALSE(session.selected_copy.empty());
+  rewrite(
+      "<transblock><translate x=\"-1\" y=\"-1.5\" z=\"0\"/><object type=\"master\" "
+      "name=\"spike\"/></transblock>",
+      "");
+  EXPECT_EQ(selected(), "cone") << "the other copy is left";
+  rewrite(
+      "<transblock><translate x=\"1\" y=\"-1.5\" z=\"0\"/><object type=\"master\" "
+      "name=\"spike\"/></transblock>",
+      "");
+  EXPECT_FALSE(session.selected.has_value() && session.selected_copy.size() > 0);
+}
+
+TEST_F(SessionTest, TheLightThatIsAloneStays) {
+  perform(session, Action::next_light);
+  perform(session, Action::next_light);
+  ASSERT_EQ(draw_options(session).lights, (std::vector<bool>{false, true}));
+  rewrite("<lightdata><id v=\"0\"",
+          "<lightdata><id v=\"2\"/><color r=\"1\" g=\"0\" b=\"0\"/><type v=\"directional\"/>"
+          "<direction x=\"0\" y=\"-1\" z=\"0\"/></lightdata><lightdata><id v=\"0\"");
+  EXPECT_EQ(draw_options(session).lights, (std::vector<bool>{false, false, true}));
+}
+
 TEST_F(SessionTest, ACameraThatWasNotMovedFollowsTheFile) {
   rewrite("z=\"6\"", "z=\"9\"");
   EXPECT_EQ(session.camera.position.z, 9);

@@ -43,6 +43,19 @@ void blit(const gl::Functions& gl, const PixelSurface& from, const PixelSurface&
                      from.width == to.width ? gl::NEAREST : gl::LINEAR);
 }
 
+int samples_for(const Frame& frame, const std::vector<WorldObject>& objects) {
+  constexpr double small = 2;  // pixels
+  std::size_t seen = 0;
+  std::size_t few_pixels = 0;
+  for (const WorldObject& object : objects) {
+    if (may_be_seen(frame, object)) {
+      ++seen;
+      few_pixels += radius_in_pixels(frame, object) < small ? 1 : 0;
+    }
+  }
+  return 2 * few_pixels > seen ? 16 : 4;
+}
+
 // Pixels of the surface along each side of one of the picture.
 int oversampling(int samples) {
   return samples >= 64 ? 4 : samples >= 16 ? 2 : 1;
@@ -54,14 +67,17 @@ const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawi
                                   const RenderCamera& camera, const DrawOptions& options, int width,
                                   int height, DrawStats& stats) {
   const gl::Functions& gl = device.gl;
-  int scale = oversampling(options.samples);
+  const Frame frame = frame_of(camera, width, height, drawing.scene.objects);
+  const int wanted =
+      options.samples == 0 ? samples_for(frame, drawing.scene.objects) : options.samples;
+  int scale = oversampling(wanted);
   while (scale > 1 && (width * scale > device.max_side || height * scale > device.max_side)) {
     scale /= 2;
   }
   if (width > device.max_side || height > device.max_side) {
     return nullptr;
   }
-  const int samples = options.samples >= 4 ? std::min(4, device.max_samples) : 1;
+  const int samples = wanted >= 4 ? std::min(4, device.max_samples) : 1;
   if (!fit(gl, device.multisampled, width * scale, height * scale, samples, true) ||
       !fit(gl, device.resolved, width * scale, height * scale, 1, false)) {
     return nullptr;
@@ -74,7 +90,6 @@ const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawi
   gl.BindFramebuffer(gl::FRAMEBUFFER, device.multisampled.framebuffer.name());
   gl.Viewport(0, 0, width * scale, height * scale);
   clear(gl, options.background);
-  const Frame frame = frame_of(camera, width, height, drawing.scene.objects);
   const DrawStats pass = draw_objects(device, drawing, frame, options, output);
   stats = {pass.draw_calls, stats.shadow_calls,
            static_cast<std::uint32_t>(drawing.shadows.views.size()), pass.objects, pass.triangles};

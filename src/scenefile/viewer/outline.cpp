@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace scenefile::viewer {
@@ -157,7 +158,43 @@ class OutlineMaker {
   std::vector<std::uint32_t> open_;  ///< the rows around the last one, and itself
 };
 
+/// A row among those of one parent: the parent, and what is the same in all versions.
+struct RowKey {
+  std::uint32_t parent = no_index;  ///< at the top no_index
+  RowKind kind = RowKind::group;
+  std::string_view label;
+  std::string_view detail;
+
+  auto operator<=>(const RowKey&) const = default;
+};
+
+RowKey key_of(const OutlineRow& row, std::uint32_t index, std::uint32_t parent) {
+  return {row.parent == index ? no_index : parent, row.kind, row.label, row.detail};
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> match_rows(const Outline& before, const Outline& after) {
+  std::map<RowKey, std::vector<std::uint32_t>> rows_of_key;
+  for (std::uint32_t i = 0; i < after.rows.size(); ++i) {
+    const OutlineRow& row = after.rows[i];
+    rows_of_key[key_of(row, i, row.parent)].push_back(i);
+  }
+  std::map<RowKey, std::size_t> taken;
+  std::vector<std::uint32_t> matches(before.rows.size(), no_index);
+  for (std::uint32_t i = 0; i < before.rows.size(); ++i) {
+    const OutlineRow& row = before.rows[i];
+    if (row.parent != i && matches[row.parent] == no_index) {
+      continue;
+    }
+    const RowKey key = key_of(row, i, matches[row.parent]);
+    const auto found = rows_of_key.find(key);
+    if (found != rows_of_key.end() && taken[key] < found->second.size()) {
+      matches[i] = found->second[taken[key]++];
+    }
+  }
+  return matches;
+}
 
 Outline make_outline(const Scene& scene, const Prepared& ready) {
   return OutlineMaker(scene, ready).make();

@@ -33,6 +33,11 @@ struct Outline {
 /// The camera first, then the root with its lights, objects and groups, then the templates.
 Outline make_outline(const Scene& scene, const Prepared& ready);
 
+/// Where the rows of a version of a scene are in another: for each row of `before` its index in
+/// `after`, no_index where it is gone. Rows are the same when their parents are, and kind, label and
+/// detail, counted among those that are equal in these.
+std::vector<std::uint32_t> match_rows(const Outline& before, const Outline& after);
+
 /// Indices of the rows that show when `open` rows show what they hold.
 std::vector<std::uint32_t> visible_rows(const Outline& outline,
                                         const std::set<std::uint32_t>& open);

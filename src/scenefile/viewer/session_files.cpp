@@ -1,6 +1,7 @@
 // What comes from files and goes there.
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/explain/object_names.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/trace/bounds.h"
@@ -67,19 +68,80 @@ ViewCamera home_of(const SceneOnShow& scene) {
   return home;
 }
 
-// A version of the same file: what the user has set up stays as far as it has a meaning.
+/// From the rows and sources of one version of a file to those of the next.
+class Successors {
+ public:
+  Successors(const SceneOnShow& before, const SceneOnShow& after)
+      : before_(before), after_(after), rows_(match_rows(before.outline, after.outline)) {}
+
+  std::uint32_t row(std::uint32_t row) const { return rows_[row]; }
+  std::uint32_t source(std::uint32_t source) const {
+    const std::uint32_t old = before_.outline.row_of_source[source];
+    const std::uint32_t now = old == no_index ? no_index : rows_[old];
+    return now == no_index ? no_index : after_.outline.rows[now].source;
+  }
+  template <typename Map>
+  std::set<std::uint32_t> all(const std::set<std::uint32_t>& old, const Map& map) const {
+    std::set<std::uint32_t> now;
+    for (const std::uint32_t one : old) {
+      if (map(one) != no_index) {
+        now.insert(map(one));
+      }
+    }
+    return now;
+  }
+
+ private:
+  const SceneOnShow& before_;
+  const SceneOnShow& after_;
+  std::vector<std::uint32_t> rows_;
+};
+
+void keep_selection(Session& session, const Successors& successors, const SceneOnShow& after) {
+  if (!session.selected) {
+    return;
+  }
+  const std::uint32_t row = successors.row(*session.selected);
+  std::vector<std::uint32_t> copy;
+  for (const std::uint32_t source : session.selected_copy) {
+    copy.push_back(successors.source(source));
+  }
+  const bool whole = std::find(copy.begin(), copy.end(), no_index) == copy.end();
+  session.selected = row == no_index ? std::nullopt : std::optional(row);
+  session.selected_copy = row != no_index && whole ? copy : std::vector<std::uint32_t>();
+  if (row == no_index || !whole || after.outline.rows[row].source == no_index) {
+    session.selected_path.clear();
+  } else if (!session.selected_path.empty()) {
+    const ObjectNames names(after.opened.written, after.opened.ready.sources);
+    session.selected_path = names.text({after.outline.rows[row].source, copy});
+  }
+}
+
+void keep_light(Session& session, const Successors& successors, const SceneOnShow& before,
+                const SceneOnShow& after) {
+  if (!session.only_light) {
+    return;
+  }
+  const std::vector<RenderLight>& lights = after.opened.ready.scene.lights;
+  const std::uint32_t source =
+      successors.source(before.opened.ready.scene.lights[*session.only_light].source);
+  const auto found = std::find_if(lights.begin(), lights.end(),
+                                  [&](const RenderLight& light) { return light.source == source; });
+  session.only_light.reset();
+  if (source != no_index && found != lights.end()) {
+    session.only_light = static_cast<std::uint32_t>(found - lights.begin());
+  }
+}
+
+// A version of the same file: what the user has set up stays with what it was set up for.
 void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& after) {
-  const bool same_rows = before.outline.rows.size() == after.outline.rows.size() &&
-                         before.opened.ready.sources.size() == after.opened.ready.sources.size();
-  if (!same_rows) {
-    session.hidden.clear();
-    session.selected.reset();
-    session.selected_copy.clear();
-    session.open_rows.clear();
-  }
-  if (session.only_light && *session.only_light >= after.opened.ready.scene.lights.size()) {
-    session.only_light.reset();
-  }
+  const Successors successors(before, after);
+  keep_selection(session, successors, after);
+  keep_light(session, successors, before, after);
+  session.open_rows =
+      successors.all(session.open_rows, [&](std::uint32_t row) { return successors.row(row); });
+  session.hidden = successors.all(session.hidden,
+                                  [&](std::uint32_t source) { return successors.source(source); });
 }
 
 void start_state(Session& session) {

@@ -3,6 +3,7 @@
 
 #include "scenefile/trace/wave.h"
 
+#include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/integrator.h"
 #include "trace/build_scene.h"
 
@@ -84,39 +85,48 @@ SceneBuilder some_scene(unsigned seed, int count) {
   return b;
 }
 
-/// The picture ray by ray.
-std::vector<Color> alone(const Tracer& tracer, RayCounts& counts) {
-  const CameraRays camera = tracer.camera();
-  std::vector<Color> colors;
+/// Some samples of each pixel of the picture, with all that the fine profile gives them.
+std::vector<CameraSample> samples_of(const Tracer& tracer, const CameraRays& camera) {
+  const bool fine = !tracer.course();
+  const FineSampler sampler(tracer, camera);
+  std::vector<CameraSample> samples;
   for (int y = 0; y < tracer.options.height; ++y) {
     for (int x = 0; x < tracer.options.width; ++x) {
-      colors.push_back(trace_sample(tracer, camera, {x + 0.5, y + 0.5}, {0, 0}, {}, {}, counts));
+      samples.push_back(fine ? sampler.sample(x, y, 0)
+                             : CameraSample{{x + 0.5, y + 0.5}, {}, {}, {}});
     }
   }
-  return colors;
+  return samples;
+}
+
+/// The picture ray by ray.
+std::vector<WaveSight> alone(const Tracer& tracer, RayCounts& counts) {
+  const CameraRays camera = tracer.camera();
+  std::vector<WaveSight> sights;
+  for (const CameraSample& sample : samples_of(tracer, camera)) {
+    const std::uint64_t penumbras = counts.penumbras;
+    const Color color = trace_sample(tracer, camera, sample, counts);
+    sights.push_back({color, counts.penumbras != penumbras});
+  }
+  return sights;
 }
 
 /// The same in waves.
-std::vector<Color> together(const Tracer& tracer, const WaveKernel* kernel, RayCounts& counts) {
+std::vector<WaveSight> together(const Tracer& tracer, const WaveKernel* kernel, RayCounts& counts) {
   const CameraRays camera = tracer.camera();
   WaveScene scene(tracer, camera);
   scene.kernel = kernel;
   const WavePointer memory = make_wave();
-  std::vector<glm::dvec2> points;
-  for (int y = 0; y < tracer.options.height; ++y) {
-    for (int x = 0; x < tracer.options.width; ++x) {
-      points.emplace_back(x + 0.5, y + 0.5);
-    }
+  const std::vector<CameraSample> samples = samples_of(tracer, camera);
+  std::vector<WaveSight> sights(samples.size());
+  for (std::size_t i = 0; i < samples.size(); i += wave_samples) {
+    const auto count = static_cast<int>(std::min<std::size_t>(wave_samples, samples.size() - i));
+    trace_wave(scene, &samples[i], count, *memory, &sights[i], counts);
   }
-  std::vector<Color> colors(points.size());
-  for (std::size_t i = 0; i < points.size(); i += wave_samples) {
-    const auto count = static_cast<int>(std::min<std::size_t>(wave_samples, points.size() - i));
-    trace_wave(scene, &points[i], count, *memory, &colors[i], counts);
-  }
-  return colors;
+  return sights;
 }
 
-RenderOptions small(Profile profile = Profile::course) {
+RenderOptions small(Profile profile) {
   RenderOptions options = default_options(profile);
   options.width = 41;
   options.height = 31;
@@ -124,22 +134,32 @@ RenderOptions small(Profile profile = Profile::course) {
 }
 
 void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
+  SCOPED_TRACE(options.profile == Profile::fine ? "fine" : "course");
   const Tracer tracer(b.scene, b.assets, options);
   ASSERT_EQ(tracer.status(), RenderStatus::complete);
   ASSERT_TRUE(takes_waves(tracer, tracer.camera()));
   RayCounts expected_counts;
-  const std::vector<Color> expected = alone(tracer, expected_counts);
+  const std::vector<WaveSight> expected = alone(tracer, expected_counts);
   for (const WaveKernel* kernel : wave_kernels()) {
     RayCounts counts;
-    const std::vector<Color> colors = together(tracer, kernel, counts);
+    const std::vector<WaveSight> sights = together(tracer, kernel, counts);
     std::size_t different = 0;
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-      different += colors[i] == expected[i] ? 0 : 1;
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+      const bool penumbra = tracer.course() || sights[i].penumbra == expected[i].penumbra;
+      different += sights[i].color == expected[i].color && penumbra ? 0 : 1;
     }
-    EXPECT_EQ(different, 0u) << kernel->name << ": of " << colors.size();
+    EXPECT_EQ(different, 0u) << kernel->name << ": of " << sights.size();
     EXPECT_EQ(counts.primary, expected_counts.primary) << kernel->name;
     EXPECT_EQ(counts.shadow, expected_counts.shadow) << kernel->name;
     EXPECT_EQ(counts.secondary, expected_counts.secondary) << kernel->name;
+  }
+}
+
+constexpr Profile profiles[] = {Profile::course, Profile::fine};
+
+void expect_equal(const SceneBuilder& b) {
+  for (const Profile profile : profiles) {
+    expect_equal(b, small(profile));
   }
 }
 
@@ -148,7 +168,7 @@ class Wave : public testing::TestWithParam<int> {};
 TEST_P(Wave, SeesWhatEachRaySeesAlone) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
-    expect_equal(some_scene(seed, GetParam()), small());
+    expect_equal(some_scene(seed, GetParam()));
   }
 }
 
@@ -156,15 +176,17 @@ INSTANTIATE_TEST_SUITE_P(Parts, Wave, testing::Values(1, 3, 12, 40, 300, 3000));
 
 TEST(WaveOptions, FeaturesMayBeOff) {
   const SceneBuilder b = some_scene(7, 12);
-  for (bool Features::*feature : {&Features::shadows, &Features::reflect, &Features::refract,
-                                  &Features::texture, &Features::texture_filter}) {
-    RenderOptions options = small();
-    options.features.*feature = false;
+  for (const Profile profile : profiles) {
+    for (bool Features::*feature : {&Features::shadows, &Features::reflect, &Features::refract,
+                                    &Features::texture, &Features::texture_filter}) {
+      RenderOptions options = small(profile);
+      options.features.*feature = false;
+      expect_equal(b, options);
+    }
+    RenderOptions options = small(profile);
+    options.mode = Mode::intersect;
     expect_equal(b, options);
   }
-  RenderOptions options = small();
-  options.mode = Mode::intersect;
-  expect_equal(b, options);
 }
 
 TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
@@ -172,9 +194,22 @@ TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
   for (RenderMaterial& m : b.scene.materials) {
     m.reflective = m.transparent = glm::vec3(0.8f);
   }
-  RenderOptions options = small();
-  options.max_depth = 8;
-  expect_equal(b, options);
+  b.scene.global.transparent = 1.0f;
+  for (const Profile profile : profiles) {
+    RenderOptions options = small(profile);
+    options.max_depth = 8;
+    expect_equal(b, options);
+  }
+}
+
+TEST(WaveOptions, BumpMapsAndLenses) {
+  SceneBuilder b = some_scene(11, 40);
+  for (std::size_t i = 0; i < b.scene.materials.size(); i += 3) {
+    b.scene.materials[i].bump_map = {0, 2, 1.5f};
+  }
+  b.scene.camera.aperture = 0.3;
+  b.scene.camera.focal_length = 6;
+  expect_equal(b, small(Profile::fine));
 }
 
 TEST(WaveOptions, InstancesAndMeshes) {
@@ -191,7 +226,7 @@ TEST(WaveOptions, InstancesAndMeshes) {
     b.scene.groups.back().instances.push_back(b.instance(0, trace_test::translate({x, 0, x})));
   }
   b.scene.root = 1;
-  expect_equal(b, small());
+  expect_equal(b);
 }
 
 TEST(WaveOptions, EnormousAndTinyScenes) {
@@ -202,7 +237,7 @@ TEST(WaveOptions, EnormousAndTinyScenes) {
     }
     b.scene.camera.position *= double(size);
     SCOPED_TRACE(size);
-    expect_equal(b, small());
+    expect_equal(b);
   }
 }
 
@@ -210,7 +245,7 @@ TEST(WaveOptions, NothingToSee) {
   SceneBuilder b;
   b.light(LightType::point, {0, 3, 0}, {1, 1, 1});
   b.add(Shape::sphere, trace_test::translate({0, 0, 5}), b.glowing({1, 1, 1}));
-  expect_equal(b, small());
+  expect_equal(b);
 }
 
 TEST(WaveKernels, TheMachineHasMoreThanOne) {

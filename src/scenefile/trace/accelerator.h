@@ -39,6 +39,9 @@ bool same_object(const Hit& a, const Hit& b);
 /// factor in fixed point: sums do not depend on their order.
 class Transmission {
  public:
+  /// The density of what lets no visible light through.
+  static constexpr std::int64_t black = std::int64_t{12} << 32;
+
   /// `factors`: by material, 0 blocks, 1 and more lets all through.
   explicit Transmission(const std::vector<glm::dvec3>& factors);
 

@@ -7,8 +7,8 @@
 
 namespace scenefile {
 
-/// A camera without its lens.
-struct Pinhole {
+/// A camera in numbers.
+struct CameraFrame {
   glm::dvec3 position{0};
   glm::dvec3 u{1, 0, 0};  ///< to the right, unit length
   glm::dvec3 v{0, 1, 0};  ///< up
@@ -16,6 +16,10 @@ struct Pinhole {
   double middle_x = 0;    ///< of the picture, pixels
   double middle_y = 0;
   double pixel = 1;  ///< width of a pixel at unit distance
+  double aperture = 0;
+  double focal_length = 0;
+
+  bool has_lens() const { return aperture > 0 && focal_length > 0; }
 };
 
 /// From points of the picture to rays.
@@ -27,15 +31,13 @@ class CameraRays {
   /// the ray leaves the lens, in apertures along u and v; pinholes ignore it. Unit direction.
   Ray ray(const glm::dvec2& pixel, const glm::dvec2& lens) const;
 
-  bool has_lens() const { return aperture_ > 0 && focal_length_ > 0; }
+  bool has_lens() const { return frame_.has_lens(); }
   /// Width of a pixel at unit distance.
-  double pixel_spread() const { return pinhole_.pixel; }
-  const Pinhole& pinhole() const { return pinhole_; }
+  double pixel_spread() const { return frame_.pixel; }
+  const CameraFrame& frame() const { return frame_; }
 
  private:
-  Pinhole pinhole_;
-  double aperture_;
-  double focal_length_;
+  CameraFrame frame_;
 };
 
 }  // namespace scenefile

@@ -12,7 +12,7 @@ Color lens_pixel(const Tracer& tracer, const CameraRays& camera, const glm::dvec
                  RayCounts& counts) {
   Color sum(0);
   for (const auto& [u, v] : course::lens_points) {
-    sum += trace_sample(tracer, camera, center, {u, v}, {}, {}, counts);
+    sum += trace_sample(tracer, camera, {center, {u, v}, {}, {}}, counts);
   }
   return sum / double(course::lens_points.size());
 }
@@ -49,7 +49,7 @@ Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
                    RayCounts& counts) {
   const glm::dvec2 corner(x, y);
   const auto color_at = [&](const glm::dvec2& point) {
-    return trace_sample(tracer, camera, point, {0, 0}, {}, {}, counts);
+    return trace_sample(tracer, camera, {point, {}, {}, {}}, counts);
   };
   if (camera.has_lens()) {
     return lens_pixel(tracer, camera, corner + 0.5, counts);

@@ -5,7 +5,6 @@
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
 #include "scenefile/trace/ray_box.h"
-#include "scenefile/trace/tiles.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
@@ -291,7 +290,9 @@ struct EmbreeScenes::State {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    with_threads([&] { rtcCommitScene(scene); });
+    HandOver::give();
+    rtcCommitScene(scene);
+    HandOver::collect();
     return scene;
   }
 };

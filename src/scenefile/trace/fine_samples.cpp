@@ -22,6 +22,15 @@ constexpr double visible_difference = 1.0 / 16;
 
 }  // namespace
 
+void PixelSamples::add(const Color& color, bool partly_lit) {
+  const Color clamped = glm::clamp(color, Color(0), Color(1));
+  sum += color;
+  clamped_sum += clamped;
+  sum_of_squares += clamped * clamped;
+  penumbra = penumbra || partly_lit;
+  ++count;
+}
+
 double PixelSamples::error() const {
   if (count < 2) {
     return 0;
@@ -42,7 +51,7 @@ std::uint32_t FineSampler::first_samples(const RenderOptions& options) {
   return std::min(first_round, static_cast<std::uint32_t>(std::max(1, options.samples)));
 }
 
-Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) const {
+CameraSample FineSampler::sample(int x, int y, std::uint32_t index) const {
   const std::uint32_t pixel =
       mixed_bits(mixed_bits(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)), seed_);
   const bool alone = tracer_.options.samples <= 1;
@@ -53,34 +62,33 @@ Color FineSampler::sample(int x, int y, std::uint32_t index, RayCounts& counts) 
   // The first samples share the pixel between them, so each filters textures over its share.
   const RayCone cone{0, camera_.pixel_spread() / std::sqrt(double(first_samples()))};
   const SampleKey key{index, mixed_bits(pixel, 3), light_samples};
-  return trace_sample(tracer_, camera_, glm::dvec2(x, y) + in_pixel, on_lens, cone, key, counts);
+  return {glm::dvec2(x, y) + in_pixel, on_lens, cone, key};
 }
 
 void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,
                        RayCounts& counts) const {
-  for (; samples.count < count; ++samples.count) {
+  while (samples.count < count) {
     const std::uint64_t penumbras = counts.penumbras;
-    const Color color = sample(x, y, samples.count, counts);
-    samples.penumbra = samples.penumbra || counts.penumbras != penumbras;
-    const Color clamped = glm::clamp(color, Color(0), Color(1));
-    samples.sum += color;
-    samples.clamped_sum += clamped;
-    samples.sum_of_squares += clamped * clamped;
+    const Color color = trace_sample(tracer_, camera_, sample(x, y, samples.count), counts);
+    samples.add(color, counts.penumbras != penumbras);
   }
 }
 
-void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts) const {
+std::uint32_t FineSampler::next_count(std::uint32_t count) const {
   const auto most = static_cast<std::uint32_t>(tracer_.options.samples);
   // Few samples of a wide blur agree by chance, mostly on what is behind it: to end then would
   // darken small bright things.
-  if (camera_.has_lens()) {
-    take(x, y, most, samples, counts);
-    return;
-  }
+  return camera_.has_lens() || count > most / 2 ? most : count * 2;
+}
+
+void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts) const {
   do {
-    const std::uint32_t next = samples.count > most / 2 ? most : samples.count * 2;
-    take(x, y, next, samples, counts);
-  } while (samples.count < most && !settled(samples));
+    take(x, y, next_count(samples.count), samples, counts);
+  } while (!enough(samples));
+}
+
+bool FineSampler::enough(const PixelSamples& samples) const {
+  return samples.count >= static_cast<std::uint32_t>(tracer_.options.samples) || settled(samples);
 }
 
 bool settled(const PixelSamples& samples) {

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Fine profile: light that can change the picture by less is not followed.
-constexpr double min_weight = 1.0 / 1024;
-
 // What mirrored and refracted light is multiplied by.
 struct Branches {
   Color mirror{0};
@@ -200,14 +197,7 @@ class Integrator {
 
   Path child(const Path& path, const Color& factor, std::uint32_t budget, RayKind kind) {
     ++counts_.secondary;
-    Path next = path;
-    next.kind = kind;
-    next.depth = path.depth + 1;
-    next.weight = path.weight * largest(factor);
-    next.budget = budget;
-    next.key.light_samples = 1;
-    next.key.pattern = mixed_bits(path.key.pattern, static_cast<std::uint32_t>(kind));
-    return next;
+    return child_of(path, factor, budget, kind);
   }
 
   static bool enters(const Path& path, const SurfacePoint& point, bool inner) {
@@ -275,15 +265,14 @@ Color trace_normal(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
 
 }  // namespace
 
-Color trace_sample(const Tracer& tracer, const CameraRays& camera, const glm::dvec2& point,
-                   const glm::dvec2& lens, const RayCone& cone, const SampleKey& key,
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
                    RayCounts& counts) {
-  const Ray ray = camera.ray(point, lens);
+  const Ray ray = camera.ray(sample.point, sample.lens);
   if (counts.recorder == nullptr) {
-    return trace_camera_ray(tracer, ray, cone, key, counts);
+    return trace_camera_ray(tracer, ray, sample.cone, sample.key, counts);
   }
-  counts.recorder->begin_sample(point, lens);
-  const Color color = trace_camera_ray(tracer, ray, cone, key, counts);
+  counts.recorder->begin_sample(sample.point, sample.lens);
+  const Color color = trace_camera_ray(tracer, ray, sample.cone, sample.key, counts);
   counts.recorder->end_sample(color);
   return color;
 }

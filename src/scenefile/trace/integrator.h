@@ -6,10 +6,8 @@
 
 namespace scenefile {
 
-/// What the camera sees at a point of the picture through a point of its lens, in the units of
-/// CameraRays::ray(). Of every sample of every picture.
-Color trace_sample(const Tracer& tracer, const CameraRays& camera, const glm::dvec2& point,
-                   const glm::dvec2& lens, const RayCone& cone, const SampleKey& key,
+/// What the camera sees. Of every sample of every picture.
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
                    RayCounts& counts);
 
 /// What a camera ray sees, in the mode and profile of the tracer. `direction` of unit length.

@@ -7,6 +7,16 @@ inline V3 mirrored(const V3& direction, const V3& normal) {
   return direction - splat(2) * dot(direction, normal) * normal;
 }
 
+/// Where rays of the profile course begin behind a surface: the smallest t of their hits.
+inline constexpr double course_offset = 1e-3;
+
+/// The same of the profile fine: hits are exact to about 1e-15 of the numbers involved. `point`:
+/// where they begin; `distance`: how far the ray went that led there.
+inline F fine_offset(const V3& point, F distance) {
+  const F size = greatest(greatest(magnitude(point.x), magnitude(point.y)), magnitude(point.z));
+  return splat(1e-9) * (size + distance);
+}
+
 struct Refracted {
   M through;  ///< no total internal reflection
   V3 direction;

@@ -1,7 +1,9 @@
 #pragma once
 // A ray on its way through mirrors and glass.
 
+#include "scenefile/base/components.h"
 #include "scenefile/trace/explain.h"
+#include "scenefile/trace/sequence.h"
 #include "scenefile/trace/shade.h"
 
 namespace scenefile {
@@ -16,6 +18,17 @@ struct Inside {
   const Inside* around = nullptr;
 };
 
+/// Fine profile: light that can change the picture by less is not followed.
+inline constexpr double min_weight = 1.0 / 1024;
+
+/// A place of the picture that is looked at, in the units of CameraRays::ray().
+struct CameraSample {
+  glm::dvec2 point{0};
+  glm::dvec2 lens{0};
+  RayCone cone;
+  SampleKey key;
+};
+
 struct Path {
   Ray ray;
   RayCone cone;
@@ -27,5 +40,17 @@ struct Path {
   std::uint32_t budget = rays_of_a_sample;  ///< rays that it may still become, itself included
   const Inside* inside = nullptr;
 };
+
+/// A mirrored or refracted path, but for where it goes; `factor`: what its light is multiplied by.
+inline Path child_of(const Path& path, const Color& factor, std::uint32_t budget, RayKind kind) {
+  Path child = path;
+  child.kind = kind;
+  child.depth = path.depth + 1;
+  child.weight = path.weight * largest(factor);
+  child.budget = budget;
+  child.key.light_samples = 1;
+  child.key.pattern = mixed_bits(path.key.pattern, static_cast<std::uint32_t>(kind));
+  return child;
+}
 
 }  // namespace scenefile

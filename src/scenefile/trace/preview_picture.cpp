@@ -39,7 +39,7 @@ void PreviewPicture::start(const Tracer& tracer, const CameraRays& camera) {
       const RayCone cone{0, camera.pixel_spread() * block};
       RayCounts counts;
       fill(x, row * block,
-           trace_sample(tracer, camera, corner + block / 2.0, {0, 0}, cone, {}, counts));
+           trace_sample(tracer, camera, {corner + block / 2.0, {}, cone, {}}, counts));
     }
   });
   show();

@@ -6,13 +6,12 @@
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/preview_picture.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave.h"
+#include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <mutex>
+#include <span>
 #include <utility>
 
 namespace scenefile {
@@ -80,29 +79,6 @@ PixelRegion region_of(const RenderOptions& options) {
   const int neighbors = has_two_passes(options) ? 1 : 0;
   return grown(crop_of(options), neighbors + (options.denoise ? denoise_reach : 0), options);
 }
-
-// The memory of waves that no thread uses now.
-class WavePool {
- public:
-  WavePointer take() {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty()) {
-      return make_wave();
-    }
-    WavePointer wave = std::move(free_.back());
-    free_.pop_back();
-    return wave;
-  }
-
-  void give(WavePointer wave) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(wave));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<WavePointer> free_;
-};
 
 // Calls f(x, y) for the pixels of a tile such that those called one after the other are near each
 // other: blocks of 4 x 2.
@@ -229,9 +205,16 @@ class Renderer {
     return {pixel[0], pixel[1], pixel[2]};
   }
 
+  bool in_waves() const { return !records() && takes_waves(tracer_, camera_); }
+
   void run_course() {
-    if (!records() && !tracer_.options.features.super_sample && takes_waves(tracer_, camera_)) {
-      run_waves();
+    if (!tracer_.options.features.super_sample && in_waves()) {
+      for_each_wave({0, 1}, [&](WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
+        const std::span<const WaveSight> sights = waves.middles(pixels);
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+          put(pixels[i].x, pixels[i].y, sights[i].color);
+        }
+      });
       return;
     }
     for_each_pixel({0, 1}, [&](int x, int y, RayCounts& counts) {
@@ -239,23 +222,19 @@ class Renderer {
     });
   }
 
-  void run_waves() {
+  // Calls draw(waves, pixels) for the pixels of each piece.
+  template <typename F>
+  void for_each_wave(PassShare share, const F& draw) {
     const WaveScene scene(tracer_, camera_);
     WavePool pool;
-    for_each_piece(picture_.pieces, {0, 1}, watch_, [&](const Tile& tile) {
+    for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
       RayCounts counts;
-      WavePointer wave = pool.take();
-      std::array<glm::dvec2, wave_samples> points;
-      std::array<Color, wave_samples> colors;
-      int count = 0;
-      for_each_in_blocks(tile, [&](int x, int y) {
-        points[count++] = glm::dvec2(x + region_.x0, y + region_.y0) + 0.5;
-      });
-      trace_wave(scene, points.data(), count, *wave, colors.data(), counts);
-      count = 0;
+      WaveSampler waves(scene, pool, counts);
+      std::vector<glm::ivec2> pixels;
+      pixels.reserve(std::size_t{tile_side} * tile_side);
       for_each_in_blocks(
-          tile, [&](int x, int y) { put(x + region_.x0, y + region_.y0, colors[count++]); });
-      pool.give(std::move(wave));
+          tile, [&](int x, int y) { pixels.emplace_back(x + region_.x0, y + region_.y0); });
+      draw(waves, pixels);
       counts_.add(counts);
       return !given_up();
     });
@@ -279,20 +258,43 @@ class Renderer {
     refine_marked(sampler, first_share);
   }
 
+  void put_first(int x, int y, const PixelSamples& samples) {
+    put(x, y, samples.mean());
+    if (!picture_.marked.empty()) {
+      picture_.marked[index(x, y)] = !settled(samples);
+    }
+  }
+
   void sample_all(const FineSampler& sampler, double share) {
+    if (in_waves()) {
+      for_each_wave({0, share}, [&](WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
+        for (const auto& [at, samples] : waves.take(sampler, pixels)) {
+          put_first(at.x, at.y, samples);
+        }
+      });
+      return;
+    }
     for_each_pixel({0, share}, [&](int x, int y, RayCounts& counts) {
       PixelSamples samples;
       sampler.take(x, y, sampler.first_samples(), samples, counts);
-      put(x, y, samples.mean());
-      if (!picture_.marked.empty()) {
-        picture_.marked[index(x, y)] = !settled(samples);
-      }
+      put_first(x, y, samples);
     });
   }
 
+  bool marked(int x, int y) const { return picture_.marked[index(x, y)] != 0; }
+
   void refine_marked(const FineSampler& sampler, double from) {
+    if (in_waves()) {
+      for_each_wave({from, 1}, [&](WaveSampler& waves, std::vector<glm::ivec2>& pixels) {
+        std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at.x, at.y); });
+        for (const auto& [at, samples] : waves.refine(sampler, pixels)) {
+          put(at.x, at.y, samples.mean());
+        }
+      });
+      return;
+    }
     for_each_pixel({from, 1}, [&](int x, int y, RayCounts& counts) {
-      if (picture_.marked[index(x, y)] != 0) {
+      if (marked(x, y)) {
         PixelSamples samples;
         sampler.take(x, y, sampler.first_samples(), samples, counts);
         sampler.refine(x, y, samples, counts);

@@ -9,11 +9,8 @@
 
 namespace scenefile {
 
-namespace {
-
-// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
-                    double width, const RayCounts& counts) {
+                    double width, Recorder* recorder) {
   const RenderMaterial& material = *point.material;
   const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
   const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
@@ -32,8 +29,8 @@ Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::
     color = lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
                             uv_footprint(point, direction, width));
   }
-  if (counts.recorder != nullptr) {
-    counts.recorder->textured(texture, material, uv, color);
+  if (recorder != nullptr) {
+    recorder->textured(texture, material, uv, color);
   }
   return glm::mix(plain, color, double(material.blend));
 }
@@ -48,6 +45,8 @@ void apply_bump(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& dir
   point.normal =
       bumped_normal(point, tracer.pyramids[map.file], uv_footprint(point, direction, width));
 }
+
+namespace {
 
 // Share of light of each color that reaches the point.
 Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumination& light,
@@ -156,7 +155,7 @@ Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& directi
   const RenderMaterial& material = *point.material;
   const Reflector reflector{tracer, point, -direction,
                             double(tracer.options.mistakes.diffuse) *
-                                diffuse_color(tracer, point, direction, width, counts),
+                                diffuse_color(tracer, point, direction, width, counts.recorder),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
   if (counts.recorder != nullptr) {

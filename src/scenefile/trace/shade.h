@@ -20,8 +20,18 @@ inline constexpr std::uint32_t course_light_side = 4;
 /// Whether the light counts in this mode: the course's ray caster knows only directional lights.
 bool shines_in(const Tracer& tracer, const RenderLight& light);
 
+/// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it. `width`:
+/// of the ray that found the point, in `direction`. Tells the recorder of textures, if there is
+/// one.
+Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
+                    double width, Recorder* recorder);
+
+/// Replaces the shading normal by the bumped one.
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
+                double width);
+
 /// Ambient, diffuse and specular light that the point sends back against `direction`, the unit
-/// direction of the ray that found it. Replaces the shading normal by the bumped one.
+/// direction of the ray that found it. Bumps the shading normal.
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
             const SampleKey& key, RayCounts& counts);
 

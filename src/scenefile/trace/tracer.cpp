@@ -1,5 +1,9 @@
 #include "scenefile/trace/tracer.h"
 
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/trace/optics-inl.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,12 +92,7 @@ CameraRays Tracer::camera() const {
 }
 
 double Tracer::start_offset(const glm::dvec3& point, double distance) const {
-  if (course()) {
-    return 1e-3;
-  }
-  // Hits are exact to about 1e-15 of the numbers involved.
-  const glm::dvec3 size = glm::abs(point);
-  return 1e-9 * (std::max({size.x, size.y, size.z}) + distance);
+  return course() ? one::course_offset : one::fine_offset(one::splat3(point), distance);
 }
 
 Color Tracer::transparency(const RenderMaterial& material) const {

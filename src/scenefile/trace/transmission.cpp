@@ -8,7 +8,7 @@ namespace scenefile {
 namespace {
 
 constexpr double fixed_point_one = 4294967296.0;  // 2^32 steps for each halving
-constexpr double black_halvings = 12;             // darker than any 8-bit value can show
+constexpr double black_halvings = Transmission::black / fixed_point_one;
 
 std::int64_t density_of(double factor) {
   const double halvings = factor > 0 ? -std::log2(std::min(factor, 1.0)) : black_halvings;
@@ -26,7 +26,6 @@ Transmission::Transmission(const std::vector<glm::dvec3>& factors) {
 }
 
 bool Transmission::blocks(const glm::i64vec3& density) {
-  constexpr auto black = static_cast<std::int64_t>(black_halvings * fixed_point_one);
   return density.x >= black && density.y >= black && density.z >= black;
 }
 

@@ -3,8 +3,9 @@
 
 #include "scenefile/trace/wave.h"
 
+#include "scenefile/base/components.h"
 #include "scenefile/trace/integrator.h"
-#include "scenefile/trace/texture_lookup.h"
+#include "scenefile/trace/sequence.h"
 #include "scenefile/trace/wave_memory.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <utility>
 
 // What is left out is older than any machine with 64 bits that still runs, or nothing new to this
 // code.
@@ -39,20 +41,28 @@ HWY_BEFORE_NAMESPACE();
 #include "scenefile/trace/wave_rays-inl.h"
 #include "scenefile/trace/wave_bundle-inl.h"
 #include "scenefile/trace/wave_search-inl.h"
-#include "scenefile/trace/wave_shade-inl.h"
+#include "scenefile/trace/wave_surface-inl.h"
+#include "scenefile/trace/wave_light-inl.h"
 #include "scenefile/trace/wave_follow-inl.h"
 // clang-format on
 namespace scenefile::HWY_NAMESPACE {
 
 // The rays of the camera, as CameraRays::ray() has them.
-void start_wave(const WaveScene& scene, const glm::dvec2* samples, int count, WaveMemory& memory) {
+void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
+                WaveMemory& memory) {
   WaveRays& rays = memory.rays[0];
   for (int i = 0; i < count; ++i) {
-    rays.origin.x[i] = samples[i].x;
-    rays.origin.y[i] = samples[i].y;
+    const CameraSample& sample = samples[i];
+    rays.origin.x[i] = sample.point.x;
+    rays.origin.y[i] = sample.point.y;
+    rays.direction.x[i] = sample.lens.x;
+    rays.direction.y[i] = sample.lens.y;
     rays.start[i] = 0;
     rays.node[i] = static_cast<std::uint32_t>(i);
     rays.depth[i] = 0;
+    rays.weight[i] = 1;
+    rays.cone[i] = sample.cone;
+    rays.key[i] = sample.key;
     rays.budget[i] = rays_of_a_sample;
     rays.inside[i] = nullptr;
     memory.nodes[i] = {};
@@ -61,10 +71,11 @@ void start_wave(const WaveScene& scene, const glm::dvec2* samples, int count, Wa
   memory.node_count = count;
   memory.inside_count = 0;
   for (int at = 0; at < count; at += lanes) {
-    const F x = load(rays.origin.x + at);
-    const F y = load(rays.origin.y + at);
-    store3(pinhole_direction(scene.camera.pinhole(), x, y), rays.direction, at);
-    store3(splat3(scene.camera.pinhole().position), rays.origin, at);
+    const CameraRay ray =
+        camera_ray(scene.camera.frame(), load(rays.origin.x + at), load(rays.origin.y + at),
+                   load(rays.direction.x + at), load(rays.direction.y + at));
+    store3(ray.origin, rays.origin, at);
+    store3(ray.direction, rays.direction, at);
   }
 }
 
@@ -93,8 +104,8 @@ void keep_colors(const WaveRays& rays, WaveMemory& memory) {
   }
 }
 
-void trace(const WaveScene& scene, const glm::dvec2* samples, int count, WaveMemory& memory,
-           Color* colors, RayCounts& counts) {
+void trace(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+           WaveSight* sights, RayCounts& counts) {
   start_wave(scene, samples, count, memory);
   counts.primary += static_cast<std::uint64_t>(count);
   const bool follows = scene.tracer.options.mode == Mode::ray;
@@ -104,18 +115,19 @@ void trace(const WaveScene& scene, const glm::dvec2* samples, int count, WaveMem
     next.count = 0;
     find_hits(scene, rays, memory.hits);
     select_points(rays, scene.tracer.accelerator.parts(), memory);
-    find_surfaces(scene, rays, memory.hits, memory.points);
-    find_lights(scene, memory.hits.apart, memory.points, memory.light, counts);
+    find_surfaces(scene, rays, memory.hits, true, memory.points);
+    find_lights(scene, rays, memory, counts);
     keep_colors(rays, memory);
     if (follows) {
       follow_points(scene, memory, rays, next, counts);
-      find_surfaces(scene, rays, memory.hits, memory.walls);
+      find_surfaces(scene, rays, memory.hits, false, memory.walls);
       pass_walls(scene, memory, rays, next, counts);
     }
   }
-  sum_up(memory);
+  sum_up(scene, memory);
   for (int i = 0; i < count; ++i) {
-    colors[i] = memory.nodes[i].color;
+    sights[i].color = memory.nodes[i].color;
+    sights[i].penumbra = memory.nodes[i].penumbra;
   }
 }
 
@@ -177,11 +189,18 @@ WaveMaterial wave_material(const Tracer& tracer, const RenderMaterial& m) {
   out.refracts = features.refract && glass != Color(0);
   const bool textured = tracer.options.mode == Mode::ray && features.texture && m.texture.used() &&
                         m.blend != 0 && !tracer.assets.textures[m.texture.file].empty();
-  if (textured) {
+  const bool bumped = !tracer.pyramids.empty() && m.bump_map.used();
+  out.by_footprint = bumped || (textured && features.texture_filter && !tracer.course());
+  if (textured && !out.by_footprint) {
     out.texture = &tracer.assets.textures[m.texture.file];
     out.blend = m.blend;
   }
   return out;
+}
+
+// As Transmission has it; doubles hold sums of so few parts exactly.
+void put_density(const Tracer& tracer, std::size_t index, WaveMaterial& material) {
+  put(Color(tracer.transmission.density(static_cast<std::uint32_t>(index))), material.density);
 }
 
 bool all_shapes(const std::vector<Part>& parts) {
@@ -192,9 +211,15 @@ bool all_shapes(const std::vector<Part>& parts) {
 }  // namespace
 
 WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
-    : tracer(t), camera(c), kernel(wave_kernels().front()) {
+    : tracer(t),
+      camera(c),
+      kernel(wave_kernels().front()),
+      course(t.course()),
+      clear_shadows(!t.transmission.all_opaque()) {
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
+    put_density(tracer, materials.size() - 1, materials.back());
+    by_footprint = by_footprint || materials.back().by_footprint;
   }
   constexpr std::size_t few = 8;
   const Parts& parts = tracer.accelerator.parts();
@@ -220,8 +245,9 @@ std::vector<const WaveKernel*> wave_kernels() {
 
 bool takes_waves(const Tracer& tracer, const CameraRays& camera) {
   const RenderOptions& options = tracer.options;
-  return tracer.course() && options.mode != Mode::normals && !camera.has_lens() &&
-         options.mistakes == Mistakes{} && !tracer.accelerator.parts().groups.empty();
+  return options.mode != Mode::normals && !(tracer.course() && camera.has_lens()) &&
+         !options.fresnel && options.mistakes == Mistakes{} &&
+         !tracer.accelerator.parts().groups.empty();
 }
 
 void WaveDeleter::operator()(WaveMemory* memory) const {
@@ -232,9 +258,9 @@ WavePointer make_wave() {
   return WavePointer(new WaveMemory);
 }
 
-void trace_wave(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
-                Color* colors, RayCounts& counts) {
-  scene.kernel->trace(scene, points, count, memory, colors, counts);
+void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+                WaveSight* sights, RayCounts& counts) {
+  scene.kernel->trace(scene, samples, count, memory, sights, counts);
 }
 
 }  // namespace scenefile

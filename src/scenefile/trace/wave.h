@@ -24,11 +24,19 @@ struct WaveMaterial {
   double glass[3];
   double shininess;
   double ior;
-  double blend;  ///< of the texture, 0 where there is none
+  double blend;       ///< of the texture, 0 where there is none
+  double density[3];  ///< that shadow rays gather, as Transmission has it
   const RenderMaterial* material;
-  const Texture* texture;
-  bool mirrors;  ///< rays go on by it
+  const Texture* texture;  ///< if it is looked up in lanes
+  bool by_footprint;       ///< has a texture or bump map that is filtered over what a ray covers
+  bool mirrors;            ///< rays go on by it
   bool refracts;
+};
+
+/// What a sample sees.
+struct WaveSight {
+  Color color{0};
+  bool penumbra = false;  ///< area lights in part
 };
 
 struct WaveScene;
@@ -38,8 +46,8 @@ struct WaveMemory;
 struct WaveKernel {
   std::string_view name;
   bool (*runs_here)();
-  void (*trace)(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
-                Color* colors, RayCounts& counts);
+  void (*trace)(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+                WaveSight* sights, RayCounts& counts);
 };
 
 /// Those that this machine has, the best first; all find the same colors.
@@ -52,9 +60,12 @@ struct WaveScene {
   const Tracer& tracer;
   const CameraRays& camera;
   const WaveKernel* kernel;
+  bool course;         ///< the profile
+  bool clear_shadows;  ///< light may pass through objects
   std::vector<WaveMaterial> materials;
-  bool few_parts = false;  ///< all are shapes, and so few that each is tested
-  PartTree tree;           ///< of more, where all are shapes and not too many
+  bool by_footprint = false;  ///< a material is
+  bool few_parts = false;     ///< all are shapes, and so few that each is tested
+  PartTree tree;              ///< of more, where all are shapes and not too many
 };
 
 /// Whether pictures of this kind are made of waves. The others are made ray by ray.
@@ -67,9 +78,8 @@ struct WaveDeleter {
 using WavePointer = std::unique_ptr<WaveMemory, WaveDeleter>;
 WavePointer make_wave();
 
-/// What the camera sees at points of the picture: `count` of at most wave_samples colors. `points`
-/// near each other are found faster.
-void trace_wave(const WaveScene& scene, const glm::dvec2* points, int count, WaveMemory& memory,
-                Color* colors, RayCounts& counts);
+/// What the camera sees, `count` of at most wave_samples. Samples near each other are found faster.
+void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+                WaveSight* sights, RayCounts& counts);
 
 }  // namespace scenefile

@@ -1,14 +1,16 @@
 // What becomes of the rays of a wave: mirrors, glass, and the way back. No guard: included once
-// for each instruction set, behind wave_shade-inl.h.
+// for each instruction set, behind wave_light-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-// The normal on the side that the ray comes from.
-inline V3 facing_normal(const V3& normal, const V3& direction) {
-  const V3 turned = select(dot(normal, direction) > splat(0), -normal, normal);
-  return select(dot(turned, direction) < splat(0), turned, normal);
+// The shading normal on the side that the ray comes from; the geometric one where interpolation
+// has turned it to the other side.
+inline V3 facing_normal(const V3& normal, const V3& geometric, const V3& direction) {
+  const M behind = dot(geometric, direction) > splat(0);
+  const V3 turned = select(behind, -normal, normal);
+  return select(dot(turned, direction) < splat(0), turned, select(behind, -geometric, geometric));
 }
 
 // The directions in which the rays of a chunk go on.
@@ -18,12 +20,6 @@ struct Onward {
   unsigned through = 0;   // bits: refracted, not mirrored inside
   unsigned entering = 0;  // bits: from the outside
 };
-
-inline void store_rows(const V3& v, double (&to)[3][lanes]) {
-  store(v.x, to[0]);
-  store(v.y, to[1]);
-  store(v.z, to[2]);
-}
 
 inline void find_mirrored(const WavePoints& points, int at, Onward& onward) {
   store_rows(mirrored(load3(points.direction, at), load3(points.normal, at)), onward.mirrored);
@@ -36,9 +32,9 @@ inline void find_refracted(const WavePoints& points, int at, bool walls, Onward&
     iors[i] = points.material[at + i]->ior;
   }
   const V3 direction = load3(points.direction, at);
-  const V3 normal = load3(points.normal, at);
-  const V3 facing = facing_normal(normal, direction);
-  const M entering = dot(normal, direction) < splat(0);
+  const V3 geometric = load3(points.geometric, at);
+  const V3 facing = facing_normal(load3(points.normal, at), geometric, direction);
+  const M entering = dot(geometric, direction) < splat(0);
   const F ior = load(iors);
   const F eta = walls ? ior : select(entering, splat(1) / ior, ior);
   const Refracted found = refraction(direction, facing, eta);
@@ -47,40 +43,52 @@ inline void find_refracted(const WavePoints& points, int at, bool walls, Onward&
   onward.entering = bits(entering);
 }
 
-inline glm::dvec3 lane_of(const double (&rows)[3][lanes], int lane) {
-  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+// The path that ray r has gone.
+inline Path path_of(const WaveRays& rays, std::uint32_t r) {
+  Path path;
+  path.ray = {get(rays.origin, static_cast<int>(r)), get(rays.direction, static_cast<int>(r))};
+  path.start = rays.start[r];
+  path.depth = rays.depth[r];
+  path.weight = rays.weight[r];
+  path.cone = rays.cone[r];
+  path.key = rays.key[r];
+  path.budget = rays.budget[r];
+  path.inside = rays.inside[r];
+  return path;
 }
 
-/// A ray that goes on.
-struct Next {
-  glm::dvec3 direction;
-  std::uint32_t node = 0;
-  int depth = 0;
-  std::uint32_t budget = 0;
-  const Inside* inside = nullptr;
-};
-
-inline void push(const WavePoints& points, int k, const Next& next, WaveRays& rays) {
+inline void push(const Path& path, std::uint32_t node, WaveRays& rays) {
   const int i = rays.count++;
-  put(get(points.position, k), rays.origin, i);
-  put(next.direction, rays.direction, i);
-  rays.start[i] = 1e-3;
-  rays.node[i] = next.node;
-  rays.depth[i] = next.depth;
-  rays.budget[i] = next.budget;
-  rays.inside[i] = next.inside;
+  put(path.ray.origin, rays.origin, i);
+  put(path.ray.direction, rays.direction, i);
+  rays.start[i] = path.start;
+  rays.node[i] = node;
+  rays.depth[i] = path.depth;
+  rays.weight[i] = path.weight;
+  rays.cone[i] = path.cone;
+  rays.key[i] = path.key;
+  rays.budget[i] = path.budget;
+  rays.inside[i] = path.inside;
+}
+
+// Sends a path on from point k, where it arrived; `turning` as bent_cone() has it.
+inline void redirect(const WaveScene& scene, const WaveHits& hits, const WavePoints& points, int k,
+                     const glm::dvec3& direction, double turning, Path& path) {
+  if (scene.by_footprint) {
+    const Tracer& tracer = scene.tracer;
+    const Hit hit = hit_of(scene, hits, points.ray[k], path.ray);
+    path.cone = bent_cone(surface_point(tracer.scene, tracer.assets, path.ray, hit, true),
+                          path.cone, hit.t, turning);
+  }
+  path.ray = {get(points.position, k), direction};
+  path.start = points.offset[k];
 }
 
 // Where there is no room, the ray is followed alone.
-inline Color follow_alone(const WaveScene& scene, const WavePoints& points, int k, const Next& next,
-                          RayCounts& counts) {
-  Path path;
-  path.ray = {get(points.position, k), next.direction};
-  path.start = 1e-3;
-  path.depth = next.depth;
-  path.budget = next.budget;
-  path.inside = next.inside;
-  return trace_path(scene.tracer, path, counts);
+inline WaveSight follow_alone(const WaveScene& scene, const Path& path, RayCounts& counts) {
+  const std::uint64_t penumbras = counts.penumbras;
+  const Color color = trace_path(scene.tracer, path, counts);
+  return {color, counts.penumbras != penumbras};
 }
 
 inline bool has_room(const WaveMemory& memory, const WaveRays& rays) {
@@ -88,74 +96,82 @@ inline bool has_room(const WaveMemory& memory, const WaveRays& rays) {
          memory.inside_count < wave_insides;
 }
 
-inline void add_child(const WaveScene& scene, WaveMemory& memory, WaveRays& rays, int k, Next next,
-                      RayKind kind, std::uint32_t parent, RayCounts& counts) {
-  const WaveMaterial& material = *memory.points.material[k];
-  const double* const f = kind == RayKind::reflected ? material.mirror : material.glass;
-  const Color factor{f[0], f[1], f[2]};
+inline void add_child(WaveMemory& memory, WaveRays& rays, const WaveScene& scene, const Path& path,
+                      const Color& factor, std::uint32_t parent, RayCounts& counts) {
   ++counts.secondary;
   if (!has_room(memory, rays)) {
-    memory.nodes[parent].put(kind, factor * follow_alone(scene, memory.points, k, next, counts));
+    const WaveSight sight = follow_alone(scene, path, counts);
+    memory.nodes[parent].put(path.kind, factor * sight.color, sight.penumbra);
     return;
   }
-  next.node = static_cast<std::uint32_t>(memory.node_count++);
-  WaveNode& node = memory.nodes[next.node];
+  const auto index = static_cast<std::uint32_t>(memory.node_count++);
+  WaveNode& node = memory.nodes[index];
   node = {};
   node.factor = factor;
   node.parent = parent;
-  node.kind = kind;
-  push(memory.points, k, next, rays);
+  node.kind = path.kind;
+  push(path, index, rays);
 }
 
-// What the ray that hit the point is in behind it.
-inline void enter(const WaveScene& scene, const WaveHits& hits, std::uint32_t ray,
-                  const Inside* around, Hit& object, Inside& inside) {
-  if (hits.part[ray] < 0) {
-    object = hits.others[ray];
-  } else {
-    const Parts& all = scene.tracer.accelerator.parts();
-    const Part& part = all.groups[all.root].parts[static_cast<std::size_t>(hits.part[ray])];
-    object.part = &part;
-    object.object_from_world = DAffine(part.part_from_group);
-  }
-  inside = {&object, around};
-}
-
-inline void add_refracted(const WaveScene& scene, WaveMemory& memory, WaveRays& rays, int k,
-                          Next next, bool enters, std::uint32_t parent, RayCounts& counts) {
+// What a refracted ray is in.
+struct Entered {
   Hit object;
   Inside inside;
-  if (enters) {
-    const bool kept = has_room(memory, rays);
-    const int i = kept ? memory.inside_count++ : 0;
-    Inside& entered = kept ? memory.insides[i] : inside;
-    enter(scene, memory.hits, memory.points.ray[k], next.inside, kept ? memory.objects[i] : object,
-          entered);
-    next.inside = &entered;
-  }
-  add_child(scene, memory, rays, k, next, RayKind::refracted, parent, counts);
+};
+
+// What the path is in behind point k, kept with the wave; for a ray that is followed at once, in
+// `alone`.
+inline const Inside* enter(const WaveScene& scene, WaveMemory& memory, const WaveRays& next, int k,
+                           const Path& path, Entered& alone) {
+  const bool kept = has_room(memory, next);
+  const int i = kept ? memory.inside_count++ : 0;
+  Hit& object = kept ? memory.objects[i] : alone.object;
+  Inside& inside = kept ? memory.insides[i] : alone.inside;
+  object = hit_of(scene, memory.hits, memory.points.ray[k], path.ray);
+  inside = {&object, path.inside};
+  return &inside;
 }
 
 inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                          WaveRays& to, int k, int lane, const Onward& onward, RayCounts& counts) {
-  const WaveMaterial& material = *memory.points.material[k];
-  const std::uint32_t ray = memory.points.ray[k];
-  const std::uint32_t children = std::uint32_t(material.mirrors) + std::uint32_t(material.refracts);
+  const WavePoints& points = memory.points;
+  const WaveMaterial& material = *points.material[k];
+  const std::uint32_t ray = points.ray[k];
+  if (!material.mirrors && !material.refracts) {
+    return;
+  }
+  const Color mirror = color_of(material.mirror);
+  const Color glass = color_of(material.glass);
+  const auto worth = [&](const Color& factor) {
+    return scene.course || from.weight[ray] * largest(factor) >= min_weight;
+  };
+  const bool mirrors = material.mirrors && worth(mirror);
+  const bool refracts = material.refracts && worth(glass);
+  const std::uint32_t children = std::uint32_t(mirrors) + std::uint32_t(refracts);
   if (from.depth[ray] + 1 > scene.tracer.options.max_depth || children == 0 ||
       from.budget[ray] <= children) {
     return;
   }
-  Next next{{}, 0, from.depth[ray] + 1, (from.budget[ray] - 1) / children, from.inside[ray]};
+  const Path path = path_of(from, ray);
+  const std::uint32_t budget = (path.budget - 1) / children;
   const std::uint32_t parent = from.node[ray];
-  if (material.mirrors) {
-    next.direction = lane_of(onward.mirrored, lane);
-    add_child(scene, memory, to, k, next, RayKind::reflected, parent, counts);
+  if (mirrors) {
+    Path next = child_of(path, mirror, budget, RayKind::reflected);
+    redirect(scene, memory.hits, points, k, lane_of(onward.mirrored, lane), 2, next);
+    add_child(memory, to, scene, next, mirror, parent, counts);
   }
-  if (material.refracts) {
-    next.direction = lane_of(onward.refracted, lane);
+  if (refracts) {
     const bool through = (onward.through >> lane & 1) != 0;
     const bool entering = (onward.entering >> lane & 1) != 0;
-    add_refracted(scene, memory, to, k, next, through == entering, parent, counts);
+    const double eta = entering ? 1 / material.ior : material.ior;
+    Path next = child_of(path, glass, budget, RayKind::refracted);
+    Entered alone;
+    if (through == entering) {
+      next.inside = enter(scene, memory, to, k, path, alone);
+    }
+    redirect(scene, memory.hits, points, k, lane_of(onward.refracted, lane),
+             through ? std::abs(eta - 1) : 2, next);
+    add_child(memory, to, scene, next, glass, parent, counts);
   }
 }
 
@@ -184,6 +200,30 @@ inline void follow_points(const WaveScene& scene, WaveMemory& memory, const Wave
   }
 }
 
+inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
+                      WaveRays& to, int k, int lane, const Onward& onward, RayCounts& counts) {
+  const WavePoints& walls = memory.walls;
+  const std::uint32_t ray = walls.ray[k];
+  const bool through = (onward.through >> lane & 1) != 0;
+  ++counts.secondary;
+  Path path = path_of(from, ray);
+  redirect(scene, memory.hits, walls, k, lane_of(onward.refracted, lane),
+           through ? std::abs(walls.material[k]->ior - 1) : 2, path);
+  if (through) {
+    path.inside = path.inside->around;
+  } else if (++path.depth > scene.tracer.options.max_depth) {
+    return;
+  }
+  if (to.count < wave_rays) {
+    push(path, from.node[ray], to);
+    return;
+  }
+  const WaveSight sight = follow_alone(scene, path, counts);
+  WaveNode& node = memory.nodes[from.node[ray]];
+  node.color = sight.color;
+  node.penumbra = node.penumbra || sight.penumbra;
+}
+
 /// Sends rays inside of objects through their walls or back from them.
 inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                        WaveRays& to, RayCounts& counts) {
@@ -192,32 +232,21 @@ inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRay
     Onward onward{};
     find_refracted(walls, at, true, onward);
     for (int k = at; k < std::min(walls.count, at + lanes); ++k) {
-      const std::uint32_t ray = walls.ray[k];
-      const bool through = (onward.through >> (k - at) & 1) != 0;
-      ++counts.secondary;
-      const Inside* const inside = from.inside[ray];
-      const Next next{lane_of(onward.refracted, k - at), from.node[ray],
-                      from.depth[ray] + (through ? 0 : 1), from.budget[ray],
-                      through ? inside->around : inside};
-      if (next.depth > scene.tracer.options.max_depth) {
-        continue;
-      }
-      if (to.count == wave_rays) {
-        memory.nodes[next.node].color = follow_alone(scene, walls, k, next, counts);
-      } else {
-        push(walls, k, next, to);
-      }
+      pass_wall(scene, memory, from, to, k, k - at, onward, counts);
     }
   }
 }
 
 /// Gives each ray's color to the one that it came of, the last first.
-inline void sum_up(WaveMemory& memory) {
+inline void sum_up(const WaveScene& scene, WaveMemory& memory) {
   for (int i = memory.node_count - 1; i >= 0; --i) {
     WaveNode& node = memory.nodes[i];
-    node.color = glm::clamp(node.color + (node.mirrored + node.refracted), Color(0), Color(1));
+    node.color += node.mirrored + node.refracted;
+    if (scene.course) {
+      node.color = glm::clamp(node.color, Color(0), Color(1));
+    }
     if (node.parent != no_index) {
-      memory.nodes[node.parent].put(node.kind, node.factor * node.color);
+      memory.nodes[node.parent].put(node.kind, node.factor * node.color, node.penumbra);
     }
   }
 }

@@ -23,6 +23,9 @@ struct WaveRays {
   alignas(64) double start[wave_rays];
   std::uint32_t node[wave_rays];
   int depth[wave_rays];
+  double weight[wave_rays];
+  RayCone cone[wave_rays];
+  SampleKey key[wave_rays];
   std::uint32_t budget[wave_rays];
   const Inside* inside[wave_rays];
 };
@@ -43,8 +46,10 @@ struct WavePoints {
   const WaveMaterial* material[wave_rays];
   WaveVectors position;
   WaveVectors normal;
+  WaveVectors geometric;  ///< normal of the surface itself
   WaveVectors direction;  ///< of the ray
   alignas(64) double t[wave_rays];
+  alignas(64) double offset[wave_rays];  ///< smallest t of rays that begin here
   WaveVectors diffuse;
   WaveVectors specular;
   alignas(64) double shininess[wave_rays];
@@ -63,6 +68,7 @@ struct WaveLight {
   alignas(64) double mirrored[wave_rays];  ///< to the highlight
   std::uint8_t asks[wave_rays];            ///< a bit for each lane: whether anything comes of it
   std::uint8_t blocked[wave_rays];         ///< a bit for each lane
+  WaveVectors left;                        ///< share that objects let through, where some do
 };
 
 /// A ray of any generation: what it sees, and where that goes.
@@ -73,9 +79,11 @@ struct WaveNode {
   Color factor{0};     ///< of what its parent gets
   std::uint32_t parent = no_index;
   RayKind kind = RayKind::camera;
+  bool penumbra = false;  ///< saw area lights in part, or what came of it did
 
-  void put(RayKind way, const Color& seen) {
+  void put(RayKind way, const Color& seen, bool in_part) {
     (way == RayKind::reflected ? mirrored : refracted) = seen;
+    penumbra = penumbra || in_part;
   }
 };
 

@@ -14,6 +14,35 @@ inline void store3(const V3& v, WaveVectors& to, int at) {
   store(v.z, to.z + at);
 }
 
+inline void put(const Color& color, WaveVectors& to, int at) {
+  to.x[at] = color.x;
+  to.y[at] = color.y;
+  to.z[at] = color.z;
+}
+
+inline Color get(const WaveVectors& from, int at) {
+  return {from.x[at], from.y[at], from.z[at]};
+}
+
+inline Color color_of(const double (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
+
+/// The same in all lanes.
+inline V3 splat_row(const double (&v)[3]) {
+  return {splat(v[0]), splat(v[1]), splat(v[2])};
+}
+
+inline void store_rows(const V3& v, double (&to)[3][lanes]) {
+  store(v.x, to[0]);
+  store(v.y, to[1]);
+  store(v.z, to[2]);
+}
+
+inline glm::dvec3 lane_of(const double (&rows)[3][lanes], int lane) {
+  return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+
 /// A ray in each lane.
 struct Rays {
   V3 origin, direction;

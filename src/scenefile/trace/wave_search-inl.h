@@ -5,9 +5,6 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
-// Where shadow rays of profile course begin, as Tracer::start_offset() has it.
-inline constexpr double shadow_start = 1e-3;
-
 /// A map in each lane.
 struct Map {
   V3 x, y, z, offset;
@@ -162,14 +159,19 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
 
 inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& points, int at,
                                  WaveLight& light) {
+  const Tracer& tracer = scene.tracer;
   unsigned blocked = 0;
-  for (unsigned left = light.asks[at / lanes]; left != 0; left &= left - 1) {
-    const int i = std::countr_zero(left);
+  for (unsigned rest = light.asks[at / lanes]; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
     const int k = at + i;
     const Ray ray{{points.position.x[k], points.position.y[k], points.position.z[k]},
                   {light.to_light.x[k], light.to_light.y[k], light.to_light.z[k]}};
-    const bool hit = scene.tracer.accelerator.occluded(ray, shadow_start, light.end[k]);
-    blocked |= unsigned(hit) << i;
+    const Color left =
+        tracer.accelerator.transmittance(ray, points.offset[k], light.end[k], tracer.transmission);
+    blocked |= unsigned(left == Color(0)) << i;
+    if (scene.clear_shadows) {
+      put(left, light.left, k);
+    }
   }
   light.blocked[at / lanes] = static_cast<std::uint8_t>(blocked);
 }
@@ -189,50 +191,87 @@ inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int a
   return chunk;
 }
 
-// The part that blocked light last blocks it next, as a rule: it is tried first.
+// The part that was in the way last is so next, as a rule: it is tried first.
 struct LastBlocker {
   std::uint32_t part = no_index;
 };
 
-// The rays of the chunk's mask that the part blocks.
-inline M blocked_by(const std::vector<Part>& parts, std::uint32_t part, const Chunk& chunk,
-                    M open) {
-  return part_crossing(parts[part], chunk.rays, splat(shadow_start), chunk.length, open).hit;
+// Shadow rays on their way through the parts.
+struct Shadows {
+  const WaveScene& scene;
+  const std::vector<Part>& parts;
+  const Chunk& chunk;
+  F start;
+  M open;  // those that light may still come by
+  V3 density{splat(0), splat(0), splat(0)};
+
+  // Whether the part is in the way of some.
+  bool meet(std::uint32_t index) {
+    const Part& part = parts[index];
+    const M met = part_crossing(part, chunk.rays, start, chunk.length, open).hit;
+    if (none(met)) {
+      return false;
+    }
+    if (!scene.clear_shadows) {
+      open = open & !met;
+      return true;
+    }
+    const F black = splat(Transmission::black);
+    density = select(met, density + splat_row(scene.materials[part.material].density), density);
+    open = open & !((density.x >= black) & (density.y >= black) & (density.z >= black));
+    return true;
+  }
+};
+
+// What is left of the light, where some passed through objects.
+inline void put_left(const Shadows& shadows, int at, WaveLight& light) {
+  const V3& d = shadows.density;
+  store3(splat3(Color(1)), light.left, at);
+  const M dimmed = shadows.open & (d.x + d.y + d.z > splat(0));
+  if (none(dimmed)) {
+    return;
+  }
+  alignas(64) double density[3][lanes];
+  store_rows(d, density);
+  for (unsigned rest = bits(dimmed); rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    put(Transmission::factor(glm::i64vec3(lane_of(density, i))), light.left, at + i);
+  }
 }
 
 template <typename PartOf>
-void find_blocked_among(const std::vector<Part>& parts, int count, const PartOf& part,
+void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
                         const WavePoints& points, int at, LastBlocker& last, WaveLight& light) {
   if (light.asks[at / lanes] == 0) {
     return;
   }
+  const Parts& all = scene.tracer.accelerator.parts();
   const Chunk chunk = shadow_chunk(points, light, at);
-  M open = chunk.mask;
-  if (last.part != no_index) {
-    open = open & !blocked_by(parts, last.part, chunk, open);
+  Shadows shadows{scene, all.groups[all.root].parts, chunk, load(points.offset + at), chunk.mask};
+  const std::uint32_t first = last.part;
+  if (first != no_index) {
+    shadows.meet(first);
   }
-  for (int i = 0; i < count && any(open); ++i) {
-    if (part(i) == last.part) {
-      continue;
-    }
-    const M blocked = blocked_by(parts, part(i), chunk, open);
-    if (any(blocked)) {
-      open = open & !blocked;
+  for (int i = 0; i < count && any(shadows.open); ++i) {
+    if (part(i) != first && shadows.meet(part(i))) {
       last.part = part(i);
     }
   }
-  light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(chunk.mask & !open));
+  light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(chunk.mask & !shadows.open));
+  if (scene.clear_shadows) {
+    put_left(shadows, at, light);
+  }
 }
 
 /// Which of the points that ask for light do not see it.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
-  const Parts& all = scene.tracer.accelerator.parts();
-  const std::vector<Part>& parts = all.groups[all.root].parts;
   LastBlocker last;
   if (scene.few_parts) {
+    const Parts& all = scene.tracer.accelerator.parts();
+    const auto count = static_cast<int>(all.groups[all.root].parts.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < points.count; at += lanes) {
-      find_blocked_among(parts, static_cast<int>(parts.size()), each_part, points, at, last, light);
+      find_blocked_among(scene, count, each_part, points, at, last, light);
     }
   } else if (scene.tree.empty() || light.apart) {
     for (int at = 0; at < points.count; at += lanes) {
@@ -245,7 +284,7 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
         [&](int c) { return light_chunk(points, light, c * lanes); },
         [&](int c, const Candidates& list) {
           find_blocked_among(
-              parts, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, last,
+              scene, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, last,
               light);
         },
         [&](int c) {

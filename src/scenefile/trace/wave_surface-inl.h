@@ -1,4 +1,4 @@
-// The light at the points that the rays of a wave hit. No guard: included once for each
+// The surfaces at the points that the rays of a wave hit. No guard: included once for each
 // instruction set, behind wave_search-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
@@ -39,8 +39,12 @@ struct ChunkParts {
   F shape;
 };
 
+inline bool all_one(const Part* const (&parts)[lanes]) {
+  return std::all_of(parts, parts + lanes, [&](const Part* part) { return part == parts[0]; });
+}
+
 inline ChunkParts chunk_parts(const Part* const (&parts)[lanes]) {
-  if (std::all_of(parts, parts + lanes, [&](const Part* part) { return part == parts[0]; })) {
+  if (all_one(parts)) {
     return {splat_map(parts[0]->part_from_group), splat(static_cast<int>(parts[0]->shape))};
   }
   alignas(64) double m[12][lanes];
@@ -59,23 +63,6 @@ inline ChunkParts chunk_parts(const Part* const (&parts)[lanes]) {
     return V3{load(m[first]), load(m[first + 1]), load(m[first + 2])};
   };
   return {{vector(0), vector(3), vector(6), vector(9)}, load(shape)};
-}
-
-inline Color texture_color(const WaveScene& scene, const WaveMaterial& material,
-                           const glm::dvec2& uv) {
-  return scene.tracer.options.features.texture_filter
-             ? lookup_course_filter(*material.texture, material.material->texture, uv)
-             : lookup_nearest(*material.texture, material.material->texture, uv);
-}
-
-inline void put(const Color& color, WaveVectors& to, int at) {
-  to.x[at] = color.x;
-  to.y[at] = color.y;
-  to.z[at] = color.z;
-}
-
-inline Color get(const WaveVectors& from, int at) {
-  return {from.x[at], from.y[at], from.z[at]};
 }
 
 // Copies what the points need of rays and hits, and pads the last chunk with copies of the last.
@@ -100,28 +87,48 @@ inline void put_material(const WaveMaterial& material, const Color& diffuse, Wav
                          int i) {
   points.material[i] = &material;
   put(diffuse, points.diffuse, i);
-  put({material.specular[0], material.specular[1], material.specular[2]}, points.specular, i);
-  put({material.ambient[0], material.ambient[1], material.ambient[2]}, points.color, i);
+  put(color_of(material.specular), points.specular, i);
+  put(color_of(material.ambient), points.color, i);
   points.shininess[i] = material.shininess;
 }
 
-inline Color plain_diffuse(const WaveMaterial& m) {
-  return {m.diffuse[0], m.diffuse[1], m.diffuse[2]};
+// What ray r of a wave hit, in full.
+inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r, const Ray& ray) {
+  if (hits.part[r] < 0) {
+    return hits.others[r];
+  }
+  const Parts& all = scene.tracer.accelerator.parts();
+  const Part& part = all.groups[all.root].parts[static_cast<std::size_t>(hits.part[r])];
+  Hit hit;
+  hit.t = hits.t[r];
+  hit.shape = part.shape;
+  hit.face = static_cast<Face>(hits.face[r]);
+  hit.material = part.material;
+  hit.source = part.source;
+  hit.part = &part;
+  hit.object_from_world = DAffine(part.part_from_group);
+  hit.object_point = hit.object_from_world.point(ray.origin + hit.t * ray.direction);
+  return hit;
 }
 
 // One point by the functions for one.
-inline void surface_of_other(const WaveScene& scene, const Hit& hit, const Ray& ray,
-                             WavePoints& points, int i) {
+inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
+                           bool lit, WavePoints& points, int i) {
   const Tracer& tracer = scene.tracer;
-  const SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !tracer.course());
-  const WaveMaterial& material = scene.materials[hit.material];
-  Color diffuse = plain_diffuse(material);
-  if (material.texture != nullptr) {
-    diffuse = glm::mix(diffuse, texture_color(scene, material, point.object.uv), material.blend);
+  const std::uint32_t r = points.ray[i];
+  const Ray ray{get(rays.origin, r), get(rays.direction, r)};
+  const Hit hit = hit_of(scene, hits, r, ray);
+  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
+  const double width = rays.cone[r].width_at(hit.t);
+  Color diffuse(0);
+  if (lit) {
+    apply_bump(tracer, point, ray.direction, width);
+    diffuse = diffuse_color(tracer, point, ray.direction, width, nullptr);
   }
   put(point.position, points.position, i);
   put(point.normal, points.normal, i);
-  put_material(material, diffuse, points, i);
+  put(point.geometric, points.geometric, i);
+  put_material(scene.materials[hit.material], diffuse, points, i);
 }
 
 // (u, v) of the shapes of a chunk, in the lanes of the mask.
@@ -235,36 +242,56 @@ inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, 
   store3(select(chunk.used, textured, plain), points.diffuse, at);
 }
 
+// The materials of a chunk; whether one of them has a texture.
+inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[lanes],
+                            WavePoints& points, int at) {
+  const WaveMaterial& first = scene.materials[parts[0]->material];
+  if (all_one(parts)) {
+    std::fill_n(points.material + at, lanes, &first);
+    store3(splat_row(first.diffuse), points.diffuse, at);
+    store3(splat_row(first.specular), points.specular, at);
+    store3(splat_row(first.ambient), points.color, at);
+    store(splat(first.shininess), points.shininess + at);
+    return first.texture != nullptr;
+  }
+  bool textured = false;
+  for (int i = 0; i < lanes; ++i) {
+    const WaveMaterial& material = scene.materials[parts[i]->material];
+    put_material(material, color_of(material.diffuse), points, at + i);
+    textured = textured || material.texture != nullptr;
+  }
+  return textured;
+}
+
 // Of shapes of the root group alone.
-inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, WavePoints& points,
-                           int at) {
+inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, bool lit,
+                           WavePoints& points, int at) {
   const Parts& all = scene.tracer.accelerator.parts();
   const std::vector<Part>& group = all.groups[all.root].parts;
   const Part* parts[lanes];
   alignas(64) double faces[lanes];
-  bool textured = false;
   for (int i = 0; i < lanes; ++i) {
     const std::uint32_t r = points.ray[at + i];
     parts[i] = &group[static_cast<std::size_t>(hits.part[r])];
     faces[i] = hits.face[r];
-    const WaveMaterial& material = scene.materials[parts[i]->material];
-    put_material(material, plain_diffuse(material), points, at + i);
-    textured = textured || material.texture != nullptr;
   }
+  const bool textured = shape_materials(scene, parts, points, at) && lit;
   const ChunkParts chunk = chunk_parts(parts);
   const V3 position = load3(points.normal, at) + load(points.t + at) * load3(points.direction, at);
   const V3 object_point = chunk.map.point(position);
+  const V3 normal =
+      world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point));
   store3(position, points.position, at);
-  store3(world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point)),
-         points.normal, at);
+  store3(normal, points.normal, at);
+  store3(normal, points.geometric, at);
   if (textured) {
     texture_chunk(scene, chunk.shape, load(faces), object_point, points, at);
   }
 }
 
-/// Fills all but the light that comes from the points.
+/// Fills all but the light that comes from the points. `lit`: with bumps and textures.
 inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
-                          WavePoints& points) {
+                          bool lit, WavePoints& points) {
   if (points.count == 0) {
     return;
   }
@@ -273,96 +300,16 @@ inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const Wa
     const bool shapes = std::all_of(points.ray + at, points.ray + at + lanes,
                                     [&](std::uint32_t r) { return hits.part[r] >= 0; });
     if (shapes) {
-      shape_surfaces(scene, hits, points, at);
-      continue;
+      shape_surfaces(scene, hits, lit, points, at);
     }
     for (int i = at; i < at + lanes; ++i) {
-      const std::uint32_t r = points.ray[i];
-      const Ray ray{get(points.normal, i), get(points.direction, i)};
-      surface_of_other(scene, hits.others[r], ray, points, i);
-    }
-  }
-}
-
-// What arrives of one light at (u, v) of it.
-inline void find_light(const RenderLight& light, double u, double v, const WavePoints& points,
-                       WaveLight& out) {
-  for (int at = 0; at < points.count; at += lanes) {
-    const V3 normal = load3(points.normal, at);
-    const Arriving here = arriving(light, load3(points.position, at), splat(u), splat(v), false);
-    const F cosine = dot(normal, here.to_light);
-    const F mirrored = mirrored_cosine(normal, here.to_light, cosine, -load3(points.direction, at));
-    const M shines = (mirrored > splat(0)) & (load(points.shininess + at) > splat(0));
-    const V3 diffuse = load3(points.diffuse, at);
-    const M colored = (diffuse.x != splat(0)) | (diffuse.y != splat(0)) | (diffuse.z != splat(0));
-    const M asks =
-        present_lanes(at, points.count) & here.arrives & (shines | (colored & (cosine > splat(0))));
-    store3(here.to_light, out.to_light, at);
-    store(here.distance, out.end + at);
-    store(here.attenuation * here.spot_factor, out.share + at);
-    store(greatest(splat(0), cosine), out.cosine + at);
-    store(select(shines, mirrored, splat(0)), out.mirrored + at);
-    out.asks[at / lanes] = static_cast<std::uint8_t>(bits(asks));
-  }
-}
-
-inline int count_bits(const std::uint8_t* bytes, int count) {
-  int sum = 0;
-  for (int i = 0; i < count; ++i) {
-    sum += std::popcount(bytes[i]);
-  }
-  return sum;
-}
-
-inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color, int at) {
-  const unsigned sees = light.asks[at / lanes] & ~unsigned{light.blocked[at / lanes]};
-  const V3 none_at_all = {splat(0), splat(0), splat(0)};
-  if (sees == 0) {
-    return none_at_all;
-  }
-  const M seen = of_bits(sees);
-  const F mirrored = load(light.mirrored + at);
-  const M shines = seen & (mirrored > splat(0));
-  V3 share = load(light.cosine + at) * load3(points.diffuse, at);
-  if (any(shines)) {
-    const F bright = power(mirrored, load(points.shininess + at), shines);
-    const V3 shining = bright * load3(points.specular, at);
-    share = share + select(shines, shining, none_at_all);
-  }
-  return select(seen, share * (load(light.share + at) * color), none_at_all);
-}
-
-/// Adds what the lights of the scene send to the eye by way of the points. `rays_apart`: those that
-/// led there.
-inline void find_lights(const WaveScene& scene, bool rays_apart, WavePoints& points,
-                        WaveLight& light, RayCounts& counts) {
-  const Tracer& tracer = scene.tracer;
-  const bool shadows = tracer.options.features.shadows && tracer.options.mode == Mode::ray;
-  const int chunks = (points.count + lanes - 1) / lanes;
-  light.apart = rays_apart;
-  for (const RenderLight& from : tracer.scene.lights) {
-    if (!shines_in(tracer, from)) {
-      continue;
-    }
-    const V3 color = splat3(from.color);
-    const int side = from.type == LightType::area ? static_cast<int>(course_light_side) : 1;
-    WaveVectors* const sum = &points.color;
-    alignas(64) V3 sums[wave_rays / lanes];
-    for (int i = 0; i < side * side; ++i) {
-      find_light(from, (i % side + 0.5) / side, (i / side + 0.5) / side, points, light);
-      std::fill_n(light.blocked, chunks, std::uint8_t{0});
-      if (shadows) {
-        counts.shadow += static_cast<std::uint64_t>(count_bits(light.asks, chunks));
-        find_blocked(scene, points, light);
-      }
-      for (int c = 0; c < chunks; ++c) {
-        const V3 one = lit(points, light, color, c * lanes);
-        sums[c] = i == 0 ? one : sums[c] + one;
+      if (!shapes || (lit && points.material[i]->by_footprint)) {
+        surface_of_one(scene, rays, hits, lit, points, i);
       }
     }
-    for (int c = 0; c < chunks; ++c) {
-      store3(load3(*sum, c * lanes) + sums[c] / splat(side * side), *sum, c * lanes);
-    }
+    const V3 position = load3(points.position, at);
+    store(scene.course ? splat(course_offset) : fine_offset(position, load(points.t + at)),
+          points.offset + at);
   }
 }
 

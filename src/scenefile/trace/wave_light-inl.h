@@ -1,0 +1,171 @@
+// The light that the points of a wave send to the eye. No guard: included once for each instruction
+// set, behind wave_surface-inl.h.
+
+#include "scenefile/trace/wave_memory.h"
+
+namespace scenefile::SCENEFILE_LANES {
+
+// What arrives of one light at a point of it; `on_light(at)` gives that for each lane.
+template <typename OnLight>
+void find_light(const WaveScene& scene, const RenderLight& light, const OnLight& on_light,
+                const WavePoints& points, WaveLight& out) {
+  out.at_a_point = light.type == LightType::point || light.type == LightType::spot;
+  out.from = glm::dvec3(light.position);
+  for (int at = 0; at < points.count; at += lanes) {
+    const V3 normal = load3(points.normal, at);
+    const auto [u, v] = on_light(at);
+    const Arriving here = arriving(light, load3(points.position, at), u, v, false);
+    const F cosine = dot(normal, here.to_light);
+    const F mirrored = mirrored_cosine(normal, here.to_light, cosine, -load3(points.direction, at));
+    const M shines = (mirrored > splat(0)) & (load(points.shininess + at) > splat(0));
+    const V3 diffuse = load3(points.diffuse, at);
+    const M colored = (diffuse.x != splat(0)) | (diffuse.y != splat(0)) | (diffuse.z != splat(0));
+    const M asks =
+        present_lanes(at, points.count) & here.arrives & (shines | (colored & (cosine > splat(0))));
+    store3(here.to_light, out.to_light, at);
+    store(scene.course ? here.distance : here.distance * splat(1 - 1e-9), out.end + at);
+    store(here.attenuation * here.spot_factor, out.share + at);
+    store(greatest(splat(0), cosine), out.cosine + at);
+    store(select(shines, mirrored, splat(0)), out.mirrored + at);
+    out.asks[at / lanes] = static_cast<std::uint8_t>(bits(asks));
+  }
+}
+
+inline int count_bits(const std::uint8_t* bytes, int count) {
+  int sum = 0;
+  for (int i = 0; i < count; ++i) {
+    sum += std::popcount(bytes[i]);
+  }
+  return sum;
+}
+
+inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color, bool dimmed,
+              int at) {
+  const unsigned sees = light.asks[at / lanes] & ~unsigned{light.blocked[at / lanes]};
+  const V3 none_at_all = {splat(0), splat(0), splat(0)};
+  if (sees == 0) {
+    return none_at_all;
+  }
+  const M seen = of_bits(sees);
+  const F mirrored = load(light.mirrored + at);
+  const M shines = seen & (mirrored > splat(0));
+  V3 share = load(light.cosine + at) * load3(points.diffuse, at);
+  if (any(shines)) {
+    const F bright = power(mirrored, load(points.shininess + at), shines);
+    const V3 shining = bright * load3(points.specular, at);
+    share = share + select(shines, shining, none_at_all);
+  }
+  share = share * (load(light.share + at) * color);
+  return select(seen, dimmed ? share * load3(light.left, at) : share, none_at_all);
+}
+
+// How many points of a light the points of a generation look at, and which: one, the middles of
+// cells, or those of each ray's pattern.
+struct LightSamples {
+  const WaveRays& rays;
+  const WavePoints& points;
+  const RenderLight& light;
+  std::uint32_t pattern;
+  bool grid;
+  std::uint32_t count = 1;
+
+  LightSamples(const WaveScene& scene, const WaveRays& r, const WavePoints& p, std::uint32_t index)
+      : rays(r),
+        points(p),
+        light(scene.tracer.scene.lights[index]),
+        pattern(16 + index),
+        grid(scene.course) {
+    if (light.type == LightType::area) {
+      const std::uint32_t side = course_light_side;
+      count = grid ? side * side : rays.key[points.ray[0]].light_samples;
+    }
+  }
+
+  // (u, v) of sample i for a chunk of points.
+  std::pair<F, F> at(std::uint32_t i, int chunk) const {
+    constexpr std::uint32_t side = course_light_side;
+    if (light.type != LightType::area) {
+      return {splat(0.5), splat(0.5)};
+    }
+    if (grid) {
+      return {splat((i % side + 0.5) / side), splat((i / side + 0.5) / side)};
+    }
+    alignas(64) double u[lanes];
+    alignas(64) double v[lanes];
+    for (int lane = 0; lane < lanes; ++lane) {
+      const SampleKey& key = rays.key[points.ray[chunk + lane]];
+      const glm::dvec2 p =
+          stratified_2d(key.sample * count + i, mixed_bits(key.pattern, pattern));
+      u[lane] = p.x;
+      v[lane] = p.y;
+    }
+    return {load(u), load(v)};
+  }
+};
+
+// Marks rays whose points see a light in part, by how many of its samples each sees.
+inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode* nodes) {
+  alignas(64) double numbers[lanes];
+  for (int k = 0; k < samples.points.count; ++k) {
+    if (k % lanes == 0) {
+      store(seen[k / lanes], numbers);
+    }
+    const double of_them = numbers[k % lanes];
+    WaveNode& node = nodes[samples.rays.node[samples.points.ray[k]]];
+    node.penumbra = node.penumbra || (of_them != 0 && of_them != samples.count);
+  }
+}
+
+inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveMemory& memory,
+                      RayCounts& counts) {
+  const Tracer& tracer = scene.tracer;
+  const bool shadows = tracer.options.features.shadows && tracer.options.mode == Mode::ray;
+  const bool dimmed = shadows && scene.clear_shadows;
+  WavePoints& points = memory.points;
+  WaveLight& light = memory.light;
+  const int chunks = (points.count + lanes - 1) / lanes;
+  const V3 color = splat3(samples.light.color);
+  alignas(64) V3 sums[wave_rays / lanes];
+  alignas(64) F seen[wave_rays / lanes];
+  for (std::uint32_t i = 0; i < samples.count; ++i) {
+    find_light(
+        scene, samples.light, [&](int at) { return samples.at(i, at); }, points, light);
+    std::fill_n(light.blocked, chunks, std::uint8_t{0});
+    if (shadows) {
+      counts.shadow += static_cast<std::uint64_t>(count_bits(light.asks, chunks));
+      find_blocked(scene, points, light);
+    }
+    for (int c = 0; c < chunks; ++c) {
+      const V3 one = lit(points, light, color, dimmed, c * lanes);
+      sums[c] = i == 0 ? one : sums[c] + one;
+      if (samples.count > 1) {
+        const M sees = (one.x != splat(0)) | (one.y != splat(0)) | (one.z != splat(0));
+        seen[c] = (i == 0 ? splat(0) : seen[c]) + select(sees, splat(1), splat(0));
+      }
+    }
+  }
+  for (int c = 0; c < chunks; ++c) {
+    store3(load3(points.color, c * lanes) + sums[c] / splat(samples.count), points.color,
+           c * lanes);
+  }
+  if (samples.count > 1) {
+    mark_penumbras(samples, seen, memory.nodes);
+  }
+}
+
+/// Adds what the lights of the scene send to the eye by way of the points.
+inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory& memory,
+                        RayCounts& counts) {
+  if (memory.points.count == 0) {
+    return;
+  }
+  const std::vector<RenderLight>& lights = scene.tracer.scene.lights;
+  memory.light.apart = memory.hits.apart;
+  for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    if (shines_in(scene.tracer, lights[i])) {
+      add_light(scene, LightSamples(scene, rays, memory.points, i), memory, counts);
+    }
+  }
+}
+
+}  // namespace scenefile::SCENEFILE_LANES

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 namespace scenefile {
 namespace {
@@ -34,6 +35,30 @@ TEST(Suggest, TheStartOfANameIsNear) {
   EXPECT_EQ(nearest_name("texture", keys), "textureFile");
   EXPECT_EQ(nearest_name("Camera", keys), "cameraData");
   EXPECT_EQ(nearest_name("text", keys), "");
+}
+
+TEST(Suggest, TheNumberThatWasMeant) {
+  const std::pair<std::string_view, std::string_view> slips[] = {
+      {"1,5", "1.5"},        {"-0,25", "-0.25"},     {"1,000.5", "1000.5"}, {"1_000", "1000"},
+      {"1'000.5", "1000.5"}, {"0x10", "16"},         {"-0xff", "-255"},     {"1/2", "0.5"},
+      {"-3/4", "-0.75"},     {"50%", "0.5"},         {"1d5", "100000"},     {"90deg", "90"},
+      {"45 degrees", "45"},  {"45\u00B0", "45"},     {"1.5px", "1.5"},      {"5f", "5"},
+      {"1e", "1"},           {"1e+", "1"},           {"0.`", "0"},          {"0.5;", "0.5"},
+      {"\"1\"", "1"},        {"\u22125", "-5"},      {"\u2011.5", "-0.5"},  {"--5", "-5"},
+      {"- 5", "-5"},         {"\u201C2\u201D", "2"}, {"1.0.", "1"},         {".5f", "0.5"}};
+  for (const auto& [text, number] : slips) {
+    EXPECT_EQ(nearest_number(text), number) << text;
+  }
+}
+
+TEST(Suggest, NoNumberWhereItWouldBeAGuess) {
+  for (const std::string_view text :
+       {"",        " ",       "-",     ".",    "NaN",    "inf",       "pi",  "red",
+        "1.2.3",   "1 2",     "1,2,3", "0b11", "0x",     "0xfg",      "1/0", "1/2/3",
+        "1.57rad", "#ff0000", "1e999", "e5",   "\u00BD", "5 apples 3"}) {
+    EXPECT_EQ(nearest_number(text), "") << text;
+  }
+  EXPECT_EQ(nearest_number(std::string(100000, '1')), "");
 }
 
 }  // namespace

@@ -285,6 +285,40 @@ TEST(JsonReader, AKeyBesideItsLikeIsAnExtension) {
   EXPECT_FALSE(r.diagnostics.has_errors());
 }
 
+TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
+  const std::pair<Reading, const char*> cases[] = {
+      {read_primitive(R"({"type": "cube", "color": [1, 0, 0]})"), "did you mean \"diffuse\"?"},
+      {read_primitive(R"({"type": "cube", "scale": [1, 2, 1]})"), "transforms belong to the group"},
+      {read_primitive(R"({"type": "box"})"), "did you mean \"cube\"?"},
+      {read_primitive(R"({"type": "spot"})"), "lights stand in the list \"lights\""},
+      {read_light(R"({"type": "point", "color": [1, 1, 1], "attenuationCoeff": [1, 0, 0],
+                      "position": [0, 1, 0]})"),
+       "give the group a \"translate\""},
+      {read_with_head(R"("groups": [], "lights": [])"), "put it into a group of \"groups\""},
+      {read_group(R"({"templateGroups": []})"), "beside \"groups\""}};
+  for (const auto& [r, hint] : cases) {
+    EXPECT_EQ(r.diagnostics.list().size(), 1u) << r.all_messages();
+    EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
+    EXPECT_NE(r.all_messages().find(hint), std::string::npos) << r.all_messages();
+  }
+  const Reading light =
+      read_light(R"({"type": "sun", "color": [1, 1, 1], "direction": [0, 1, 0]})");
+  EXPECT_NE(light.all_messages().find("did you mean \"directional\"?"), std::string::npos);
+  EXPECT_TRUE(light.diagnostics.has_errors());
+}
+
+TEST(JsonReader, NoTranslationOfWhatIsThere) {
+  const Reading r = read_primitive(R"({"type": "cube", "color": [1, 0, 0], "diffuse": [1, 0, 0]})");
+  EXPECT_EQ(r.all_messages(), "6:18 unknown key \"color\" in a primitive\n");
+}
+
+TEST(JsonReader, TemplatesMayStandBehindTheGroups) {
+  const Reading r = read_with_head(R"("groups": [{"name": "a"}],
+      "templateGroups": [{"name": "a", "primitives": [{"type": "cube"}]}])");
+  EXPECT_EQ(r.all_messages(), "");
+  EXPECT_EQ(r.child(0).instance_of, "a");
+}
+
 TEST(JsonReader, WrongTypesNameKeyExpectationAndFinding) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({"primitives": {}})", "\"primitives\" must be an array of primitives, found an object"},
@@ -293,7 +327,8 @@ TEST(JsonReader, WrongTypesNameKeyExpectationAndFinding) {
       {R"({"groups": ["x"]})", "must be an object, found the string \"x\""},
       {R"({"name": 5})", "\"name\" must be a string, found the number 5"},
       {R"({"translate": "1 2 3"})", "\"translate\" must be an array of 3 numbers (x, y, z), found"},
-      {R"({"scale": [1, "2", 3]})", "found the string \"2\" in it"},
+      {R"({"scale": [1, "2", 3]})", "found the string \"2\" in it; write 2"},
+      {R"({"scale": [1, "2px", 3]})", "found the string \"2px\" in it; write 2"},
       {R"({"scale": [1, [2], 3]})", "found an array of 1 number in it"},
       {R"({"scale": [1]})", "found 1 number"},
       {R"({"rotate": [0, 1, 0]})", "axis x, y, z and degrees), found 3 numbers"},

@@ -101,6 +101,44 @@ TEST(XmlDialect, SomeNamesAreNotEnough) {
               ElementsAre("3:1 <function> lacks attribute v3"));
 }
 
+TEST(XmlDialect, AllPartsInOneAttributeSayHowToWriteThem) {
+  const auto of = [](const std::string& text) { return messages(read(text).diagnostics); };
+  EXPECT_THAT(of(with_transforms("<translate v=\"1, 2 ,-3e1\"/>")),
+              ElementsAre("4:1 <translate> lacks attributes x, y, z; write x=\"1\" y=\"2\" "
+                          "z=\"-3e1\""));
+  EXPECT_THAT(of(with_transforms("<scale v=\"2\"/>")),
+              ElementsAre("4:1 <scale> lacks attributes x, y, z; write x=\"2\" y=\"2\" z=\"2\""));
+  EXPECT_THAT(
+      of(with_material("<diffuse value=\"#ff0033\"/>")),
+      ElementsAre("5:1 <diffuse> lacks attributes r, g, b; write r=\"1\" g=\"0\" b=\"0.2\""));
+  for (const std::string value : {"1 2", "1 2 3 4 5", "1 two 3", "", "#ff00"}) {
+    EXPECT_THAT(
+        findings(read(with_transforms(fmt::format("<translate v=\"{}\"/>", value))).diagnostics),
+        ElementsAre("4:12 warning xml.unknown-attribute", "4:1 error xml.missing-attribute"))
+        << value;
+  }
+}
+
+TEST(XmlDialect, WordsOfOtherProgramsAreTranslated) {
+  const auto of = [](std::string_view object) {
+    return messages(read(in_root(fmt::format("<transblock>{}</transblock>", object))).diagnostics);
+  };
+  EXPECT_THAT(of("<object type=\"primitive\" name=\"Box\"/>"),
+              ElementsAre(HasSubstr("it is not drawn; did you mean cube?")));
+  EXPECT_THAT(of("<object type=\"primitive\" name=\"torus\"/>"),
+              ElementsAre(::testing::EndsWith("mesh); it is not drawn")));
+  EXPECT_THAT(of("<object type=\"group\"/>"), ElementsAre(HasSubstr("did you mean tree?")));
+  const auto light = [](std::string_view type) {
+    return messages(read(with_top(fmt::format("<lightdata><id v=\"0\"/><type v=\"{}\"/><direction "
+                                              "x=\"0\" y=\"-1\" z=\"0\"/><color r=\"1\" g=\"1\" "
+                                              "b=\"1\"/></lightdata>",
+                                              type)))
+                        .diagnostics);
+  };
+  EXPECT_THAT(light("sun"), ElementsAre(HasSubstr("did you mean directional?")));
+  EXPECT_THAT(light("laser"), ElementsAre(HasSubstr("the types are point")));
+}
+
 TEST(XmlDialect, MixedNames) {
   const Reading reading =
       read(with_top("<lightdata><id v=\"0\"/><color x=\"1\" g=\"2\" b=\"3\"/><position x=\"0\" "
@@ -173,6 +211,13 @@ TEST(XmlDialect, ARotationInOtherWords) {
                                  .transforms.at(0)
                                  .map),
             (Rotate{{0, 1, 0}, 60}));
+  const Reading degrees = rotation("<rotate x=\"0\" y=\"1\" z=\"0\" degrees=\"60\"/>");
+  EXPECT_THAT(messages(degrees.diagnostics),
+              ElementsAre("4:27 attribute degrees of <rotate> was read as angle"));
+  EXPECT_EQ(std::get<Rotate>(degrees.scene.nodes.at(1).transforms.at(0).map),
+            (Rotate{{0, 1, 0}, 60}));
+  EXPECT_THAT(findings(rotation("<rotate x=\"0\" y=\"1\" z=\"0\" anlge=\"60\"/>").diagnostics),
+              ElementsAre("4:27 error xml.misspelt-attribute"));
   EXPECT_TRUE(rotation("<rotate angle=\"60\"/>").scene.nodes.at(1).transforms.empty());
   EXPECT_THAT(messages(rotation("<rotate x=\"1\" angle=\"60\"/>").diagnostics),
               ElementsAre("4:1 <rotate> lacks attributes y, z"));

@@ -25,6 +25,9 @@ TEST(XmlSyntax, CrossedTagsNameBoth) {
   EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n</scenefile>"),
               ElementsAre("3:1 </scenefile> cannot close <object>, opened at line 2; </object> is "
                           "missing before it"));
+  EXPECT_THAT(
+      said(with_transforms("<scale x=\"1\" y=\"1\" z=\"1\">")).back(),
+      HasSubstr("</scale> is missing before it, or a / in front of the > that ends its tag"));
 }
 
 TEST(XmlSyntax, AFileThatEndsInAnElement) {
@@ -61,6 +64,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("< scale/>"), "4:2 a name must follow < at once");
   EXPECT_EQ(one("<--> note -->"), "4:1 a comment starts with <!--, not with <--");
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
+  EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
   EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
 }
 
@@ -246,6 +250,13 @@ TEST(XmlEncoding, DamagedUtf16IsAnError) {
   EXPECT_THAT(found("\xFF\xFE<"s), ElementsAre("1:1 error format.encoding"));
   EXPECT_THAT(found("<?xml version=\"1.0\" encoding=\"UTF-16\"?><scenefile/>"),
               ElementsAre("1:1 error format.encoding"));
+}
+
+TEST(XmlEncoding, Utf32IsNamed) {
+  using namespace std::string_literals;
+  for (const std::string& start : {"\xFF\xFE\0\0<\0\0\0"s, "\0\0\xFE\xFF\0\0\0<"s, "<\0\0\0"s}) {
+    EXPECT_THAT(said(start), ElementsAre("1:1 the file is UTF-32; save it as UTF-8"));
+  }
 }
 
 TEST(XmlEncoding, NamesInOtherEncodings) {

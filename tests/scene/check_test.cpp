@@ -418,15 +418,6 @@ void add_cases_of_trees(std::vector<Case>& cases) {
        }),
        templates([](Scene& s, NodeId) { add_instance(s, add_template(s, "late"), "table"); }),
        "\"late\""});
-  cases.push_back({&tree_forward, templates([](Scene& s, NodeId head) {
-                     s.nodes.back().location = {3, 1};
-                     s.nodes[head].location = {9, 1};
-                   }),
-                   templates([](Scene& s, NodeId head) {
-                     s.nodes.back().location = {9, 1};
-                     s.nodes[head].location = {3, 1};
-                   }),
-                   "(line 9)"});
   cases.push_back(
       {&tree_instance_contents,
        templates([](Scene& s, NodeId) { s.nodes.back().primitives.push_back(primitive()); }),

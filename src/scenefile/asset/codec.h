@@ -36,7 +36,7 @@ extern const Codec bmp_codec;
 extern const Codec tga_codec;
 
 /// The encoder of PNG behind encode_image(); the image is not empty.
-std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error);
+std::string encode_png(const Image& image, int bits, Rounding rounding);
 
 inline constexpr std::string_view ends_early = "the file ends early";
 

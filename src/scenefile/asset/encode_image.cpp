@@ -69,9 +69,9 @@ std::string encode_image(const Image& image, ImageFormat format, Rounding roundi
   }
   switch (format) {
     case ImageFormat::png8:
-      return encode_png(image, 8, rounding, error);
+      return encode_png(image, 8, rounding);
     case ImageFormat::png16:
-      return encode_png(image, 16, rounding, error);
+      return encode_png(image, 16, rounding);
     case ImageFormat::exr:
       return encode_picture_exr(image, error);
     case ImageFormat::pfm:

@@ -50,6 +50,8 @@ enum class Rounding : std::uint8_t { truncate, nearest };
 
 /// value * 255, clamped to [0, 255] (not a number counts as 0), truncated or rounded.
 std::uint8_t quantize(float value, Rounding rounding);
+/// `count` of them.
+void quantize(const float* values, std::size_t count, Rounding rounding, std::uint8_t* to);
 Texture quantize(const Image& image, Rounding rounding);
 /// value / 255.
 Image to_float(const Texture& texture);

@@ -1,4 +1,4 @@
-// PNG by libpng, both ways. libpng reports errors by longjmp, so the functions between setjmp and
+// PNG read by libpng, which reports errors by longjmp, so the functions between setjmp and
 // the library hold nothing with a destructor: all that lives in the callers.
 
 #include "scenefile/asset/codec.h"
@@ -208,90 +208,8 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
   return fine;
 }
 
-struct Target {
-  std::string bytes;
-  Message* message;
-};
-
-extern "C" void png_store(png_structp png, png_bytep from, png_size_t count) {
-  auto* target = static_cast<Target*>(png_get_io_ptr(png));
-  try {
-    target->bytes.append(reinterpret_cast<const char*>(from), count);
-  } catch (const std::bad_alloc&) {
-    target->message->out_of_memory = true;
-  }
-  if (target->message->out_of_memory) {
-    png_error(png, "out of memory");
-  }
-}
-
-extern "C" void png_flushed(png_structp) {}
-
-void quantize_row(const float* from, std::size_t count, int bits, Rounding rounding,
-                  std::uint8_t* to) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (bits == 8) {
-      to[i] = quantize(from[i], rounding);
-      continue;
-    }
-    const float clamped = from[i] > 0 ? (from[i] < 1 ? from[i] : 1.0f) : 0.0f;
-    const double scaled = double{clamped} * 65535 + (rounding == Rounding::nearest ? 0.5 : 0);
-    const auto value = static_cast<std::uint16_t>(scaled);
-    to[2 * i] = static_cast<std::uint8_t>(value >> 8);
-    to[2 * i + 1] = static_cast<std::uint8_t>(value & 255);
-  }
-}
-
-bool write_image(png_structp png, png_infop info, const Image& image, int bits, Rounding rounding,
-                 std::vector<std::uint8_t>& row) {
-  if (setjmp(png_jmpbuf(png)) != 0) {
-    return false;
-  }
-  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
-               static_cast<png_uint_32>(image.height), bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // Measured over rendered pictures of 1024 x 768: 10 ms and 317 kB. Level 6 with all filters takes
-  // 37 ms for 287 kB, as long as tracing a small scene.
-  png_set_compression_level(png, 2);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  png_write_info(png, info);
-  for (int y = 0; y < image.height; ++y) {
-    quantize_row(image.pixel(0, y), std::size_t{3} * static_cast<std::size_t>(image.width), bits,
-                 rounding, row.data());
-    png_write_row(png, row.data());
-  }
-  png_write_end(png, info);
-  return true;
-}
-
 }  // namespace
 
 const Codec png_codec{"PNG", recognizes, read_header, decode};
-
-std::string encode_png(const Image& image, int bits, Rounding rounding, std::string& error) {
-  Message message;
-  Target target{{}, &message};
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3 *
-                                static_cast<std::size_t>(bits / 8));
-  png_structp png = png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &message, png_failed,
-                                              png_warned, &message, png_take, png_give);
-  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-  if (info == nullptr) {
-    png_destroy_write_struct(&png, nullptr);
-    throw std::bad_alloc();
-  }
-  png_set_write_fn(png, &target, png_store, png_flushed);
-  const bool fine = write_image(png, info, image, bits, rounding, row);
-  png_destroy_write_struct(&png, &info);
-  if (message.out_of_memory) {
-    throw std::bad_alloc();
-  }
-  if (!fine) {
-    error = message.text.data();
-    return {};
-  }
-  return std::move(target.bytes);
-}
 
 }  // namespace scenefile

@@ -4,6 +4,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_codes.h"
+#include "scenefile/format/other_words.h"
 
 #include <fmt/format.h>
 
@@ -55,6 +56,16 @@ bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   return true;
 }
 
+// What to write for a number in quotes; nothing for other values.
+std::string number_hint(const JsonTape& tape, JsonIndex item) {
+  const std::string text = tape.is_string(item) ? tape.string(item) : std::string();
+  const ParsedNumber number = parse_number(text);
+  const std::string meant = number.error == NumberError::none
+                                ? number_text(static_cast<float>(number.value))
+                                : nearest_number(text);
+  return meant.empty() ? meant : fmt::format("; write {}", meant);
+}
+
 // The numbers of an array that holds exactly `out.size()` numbers and nothing else.
 bool read_numbers(JsonContext& context, JsonIndex key, JsonIndex array, std::span<float> out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
@@ -83,8 +94,8 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
   }
   if (const JsonIndex other = first_other(tape, value); other != tape.end(value)) {
     context.report(json_type, other,
-                   fmt::format("{} must be {}, found {} in it", key_name(context, key), expected,
-                               describe_json(tape, other)));
+                   fmt::format("{} must be {}, found {} in it{}", key_name(context, key), expected,
+                               describe_json(tape, other), number_hint(tape, other)));
     return false;
   }
   const std::size_t found = count_elements(tape, value);
@@ -136,17 +147,29 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
 // named apart from those it stands beside.
 void JsonFields::settle_unknown(JsonIndex key) {
   const std::string name = context_.tape.string(key);
-  const std::string_view near =
-      nearest_name(std::string_view(name).substr(0, 64), vocabulary_.keys);
-  const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), near);
-  const bool misspelt = known != vocabulary_.keys.end() &&
-                        !has(static_cast<std::size_t>(known - vocabulary_.keys.begin()));
-  context_.report(misspelt ? json_misspelt_key : json_unknown_key, key,
+  const std::string_view word = std::string_view(name).substr(0, 64);
+  const std::string_view near = lacked(nearest_name(word, vocabulary_.keys));
+  const std::string_view usual = lacked(in_our_words(word, vocabulary_.keys));
+  const std::string_view advice = json_key_advice(vocabulary_.what, word);
+  const std::string_view meant = near.empty() ? usual : near;
+  context_.report(near.empty() ? json_unknown_key : json_misspelt_key, key,
                   fmt::format("unknown key {} in {}{}", quoted(name), vocabulary_.what,
-                              misspelt ? fmt::format("; did you mean \"{}\"?", near) : ""));
-  if (misspelt) {
-    keys_[static_cast<std::size_t>(known - vocabulary_.keys.begin())] = key;
+                              !meant.empty()    ? fmt::format("; did you mean \"{}\"?", meant)
+                              : !advice.empty() ? fmt::format("; {}", advice)
+                                                : ""));
+  if (!near.empty()) {
+    keys_[place_of(near)] = key;
   }
+}
+
+std::size_t JsonFields::place_of(std::string_view name) const {
+  const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), name);
+  return static_cast<std::size_t>(known - vocabulary_.keys.begin());
+}
+
+// The name, unless the object has that key or it is none of the vocabulary.
+std::string_view JsonFields::lacked(std::string_view name) const {
+  return name.empty() || has(place_of(name)) ? std::string_view() : name;
 }
 
 // False: the vocabulary does not have it.
@@ -157,11 +180,11 @@ bool JsonFields::add(JsonIndex key) {
     decoded = context_.tape.string(key);
     name = decoded;
   }
-  const auto known = std::find(vocabulary_.keys.begin(), vocabulary_.keys.end(), name);
-  if (known == vocabulary_.keys.end()) {
+  const std::size_t place = place_of(name);
+  if (place == vocabulary_.keys.size()) {
     return false;
   }
-  JsonIndex& slot = keys_[static_cast<std::size_t>(known - vocabulary_.keys.begin())];
+  JsonIndex& slot = keys_[place];
   if (slot != 0) {
     const std::uint32_t first = context_.place(slot).line;
     context_.report(json_duplicate_key, key,
@@ -203,15 +226,16 @@ std::string describe_json(const JsonTape& tape, JsonIndex value) {
   }
 }
 
-void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected) {
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
+                      std::string_view hint) {
   context.report(json_type, key,
-                 fmt::format("{} must be {}, found {}", key_name(context, key), expected,
-                             describe_json(context.tape, key + 1)));
+                 fmt::format("{} must be {}, found {}{}", key_name(context, key), expected,
+                             describe_json(context.tape, key + 1), hint));
 }
 
 std::optional<float> number_value(JsonContext& context, JsonIndex key) {
   if (!context.tape.is_number(key + 1)) {
-    report_json_type(context, key, "a number");
+    report_json_type(context, key, "a number", number_hint(context.tape, key + 1));
     return std::nullopt;
   }
   float value = 0;

@@ -65,6 +65,8 @@ class JsonFields {
  private:
   bool add(JsonIndex key);
   void settle_unknown(JsonIndex key);
+  std::size_t place_of(std::string_view name) const;
+  std::string_view lacked(std::string_view name) const;
 
   JsonContext& context_;
   JsonIndex object_;
@@ -77,7 +79,9 @@ class JsonFields {
 std::string describe_json(const JsonTape& tape, JsonIndex value);
 
 /// Reports that the value of a key is not what it must be.
-void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected);
+/// `hint` ends the message.
+void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
+                      std::string_view hint = {});
 
 // The value of a key; nothing, with a report, when it is of another type.
 std::optional<float> number_value(JsonContext& context, JsonIndex key);

@@ -4,6 +4,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_codes.h"
 #include "scenefile/format/large_scene.h"
+#include "scenefile/format/other_words.h"
 
 #include <fmt/format.h>
 
@@ -107,6 +108,17 @@ bool is_identifier(std::string_view name) {
   });
 }
 
+// What an unknown type means: a word of ours, a light among primitives, or what there is.
+std::string type_hint(std::string_view word, std::span<const std::string_view> names) {
+  if (const std::string_view ours = in_our_words(word, names); !ours.empty()) {
+    return fmt::format("; did you mean \"{}\"?", ours);
+  }
+  const bool is_light =
+      std::find(light_words.begin(), light_words.end(), word) != light_words.end();
+  return is_light ? "; lights stand in the list \"lights\" of a group"
+                  : fmt::format("; known are {}", fmt::join(names, ", "));
+}
+
 // The place of the "type" of a light or primitive in `names`, after an error of the one that was
 // probably meant; nothing, with a report, when it is none of them.
 std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fields,
@@ -127,12 +139,12 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
   }
   const std::string_view near = nearest_name(std::string_view(*name).substr(0, 64), names);
   const bool misspelt = !near.empty();
-  context.diagnostics.report(
-      unknown, misspelt || !is_identifier(*name) ? Severity::error : unknown.severity,
-      context.place(key + 1),
-      fmt::format("unknown {} type {}{}", what, quoted(*name),
-                  misspelt ? fmt::format("; did you mean \"{}\"?", near)
-                           : fmt::format("; known are {}", fmt::join(names, ", "))));
+  context.diagnostics.report(unknown,
+                             misspelt || !is_identifier(*name) ? Severity::error : unknown.severity,
+                             context.place(key + 1),
+                             fmt::format("unknown {} type {}{}", what, quoted(*name),
+                                         misspelt ? fmt::format("; did you mean \"{}\"?", near)
+                                                  : type_hint(*name, names)));
   const auto meant = std::find(names.begin(), names.end(), near);
   return misspelt ? std::optional<std::size_t>(meant - names.begin()) : std::nullopt;
 }

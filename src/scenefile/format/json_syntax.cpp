@@ -1,5 +1,6 @@
 #include "scenefile/format/json_syntax.h"
 
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/json_codes.h"
@@ -40,6 +41,32 @@ struct Finding {
   Mend mend;
 };
 
+// "; write 0.6", where what was meant can be said: as its author wrote it where digits are all that
+// is missing.
+std::string corrected_number(std::string_view word) {
+  const bool minus = word.starts_with('-');
+  const std::string_view plain = word.substr(minus || word.starts_with('+') ? 1 : 0);
+  const std::size_t mantissa_end = std::min(plain.find_first_of("eE"), plain.size());
+  const std::string_view mantissa = plain.substr(0, mantissa_end);
+  std::string_view exponent = plain.substr(mantissa_end);
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  std::string_view whole = mantissa.substr(0, point);
+  const std::string_view fraction = mantissa.substr(std::min(point + 1, mantissa.size()));
+  const auto only_digits = [](std::string_view s) {
+    return std::all_of(s.begin(), s.end(), is_digit);
+  };
+  if (!only_digits(whole) || !only_digits(fraction) || (whole.empty() && fraction.empty())) {
+    const std::string meant = nearest_number(word);
+    return meant.empty() ? meant : fmt::format("; write {}", meant);
+  }
+  if (exponent.find_first_of("0123456789") == std::string_view::npos) {
+    exponent = {};
+  }
+  whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
+  return fmt::format("; write {}{}.{}{}", minus ? "-" : "", whole.empty() ? "0" : whole,
+                     fraction.empty() ? "0" : fraction, exponent);
+}
+
 // The first rule that applies explains the fault.
 class Explainer {
  public:
@@ -56,8 +83,9 @@ class Explainer {
     Finding finding;
     finding.offset = at_;
     (void)(by_limit(finding) || by_conflict(finding) || by_end(finding) || by_string(finding) ||
-           by_comment(finding) || by_number(finding) || by_comma(finding) || by_quotes(finding) ||
-           by_bracket(finding) || by_expectation(finding));
+           by_comment(finding) || by_number(finding) || by_decimal_comma(finding) ||
+           by_comma(finding) || by_quotes(finding) || by_bracket(finding) ||
+           by_expectation(finding));
     return finding;
   }
 
@@ -218,8 +246,8 @@ class Explainer {
     f.offset = static_cast<std::size_t>(word.data() - text_.data());
     f.message = is_special(word)
                     ? fmt::format("JSON has no {}; write a number", quoted(word))
-                    : fmt::format("{} is no JSON number{}", quoted(word), corrected(word));
-    f.mend = {f.offset, "0" + std::string(word.size() - 1, ' '), true};
+                    : fmt::format("{} is no JSON number{}", quoted(word), corrected_number(word));
+    f.mend = {f.offset, fmt::format("{:<{}}", 0, word.size()), true};
     return true;
   }
 
@@ -235,8 +263,7 @@ class Explainer {
     if (behind || !(error_.fault == JsonFault::value || (comma && at_ != first))) {
       return false;
     }
-    const bool digits = std::any_of(word.begin(), word.end(), is_digit) &&
-                        word.find_first_not_of("+-.0123456789eExXabcdfABCDF") == word.npos;
+    const bool digits = std::any_of(word.begin(), word.end(), is_digit);
     return is_special(word) || word == "-" ||
            (digits && (is_digit(word[0]) || word.find_first_of("+-.") == 0));
   }
@@ -249,28 +276,22 @@ class Explainer {
     return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
-  // "; write 0.6", where what was meant can be said.
-  static std::string corrected(std::string_view word) {
-    const bool minus = word.starts_with('-');
-    word.remove_prefix(minus || word.starts_with('+') ? 1 : 0);
-    const std::size_t mantissa_end = std::min(word.find_first_of("eE"), word.size());
-    const std::string_view mantissa = word.substr(0, mantissa_end);
-    std::string_view exponent = word.substr(mantissa_end);
-    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
-    std::string_view whole = mantissa.substr(0, point);
-    const std::string_view fraction = mantissa.substr(std::min(point + 1, mantissa.size()));
-    const auto only_digits = [](std::string_view s) {
-      return std::all_of(s.begin(), s.end(), is_digit);
-    };
-    if (!only_digits(whole) || !only_digits(fraction) || (whole.empty() && fraction.empty())) {
-      return {};
+  // "angle": 1,5
+  bool by_decimal_comma(Finding& f) {
+    const std::string_view word = word_around();
+    const std::size_t comma = at_ - 1;
+    const bool digits = !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+    if (error_.fault != JsonFault::key || !digits || at_ < 2 || text_[comma] != ',' ||
+        !is_digit(text_[comma - 1])) {
+      return false;
     }
-    if (exponent.find_first_of("0123456789") == std::string_view::npos) {
-      exponent = {};
-    }
-    whole.remove_prefix(std::min(whole.find_first_not_of('0'), whole.size()));
-    return fmt::format("; write {}{}.{}{}", minus ? "-" : "", whole.empty() ? "0" : whole,
-                       fraction.empty() ? "0" : fraction, exponent);
+    const std::size_t before = text_.find_last_not_of("+-.0123456789", comma - 1) + 1;
+    const std::string_view number = text_.substr(before, at_ + word.size() - before);
+    f.code = &json_number;
+    f.offset = before;
+    f.message = fmt::format("{} is no JSON number{}", quoted(number), corrected_number(number));
+    f.mend = {before, fmt::format("{:<{}}", 0, number.size()), true};
+    return true;
   }
 
   bool by_quotes(Finding& f) {
@@ -347,6 +368,8 @@ class Explainer {
     } else if (found() == ';') {
       f.message = "members and elements are separated by commas, not by semicolons";
       f.mend = {at_, ","};
+    } else if (std::string_view("+-*/^").find(found()) != std::string_view::npos) {
+      f.message = "JSON does not calculate; write the result";
     } else if (const std::string hint = bracket_hint(); !hint.empty()) {
       f.message = hint;
     } else if (lacks_comma()) {

@@ -152,6 +152,11 @@ std::optional<std::string_view> decode_declared(std::string_view bytes, const st
 std::optional<std::string_view> decode_text(std::string_view bytes, std::string& storage,
                                             Diagnostics& diagnostics) {
   using namespace std::string_view_literals;
+  if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv) ||
+      bytes.starts_with("<\0\0\0"sv) || bytes.starts_with("\0\0\0<"sv)) {
+    report_encoding(diagnostics, "the file is UTF-32; save it as UTF-8");
+    return std::nullopt;
+  }
   if (bytes.starts_with("\xEF\xBB\xBF"sv)) {
     return bytes.substr(3);
   }

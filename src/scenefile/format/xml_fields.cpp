@@ -3,13 +3,13 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/other_words.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -73,33 +73,21 @@ std::string_view local_name(std::string_view name) {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-// What other formats call the elements of this one.
-constexpr std::pair<std::string_view, std::string_view> other_words[] = {
-    {"fov", "heightangle"},       {"lookat", "focus"},          {"target", "focus"},
-    {"attenuation", "function"},  {"pos", "position"},          {"position", "pos"},
-    {"dir", "direction"},         {"intensity", "color"},       {"colour", "color"},
-    {"color", "diffuse"},         {"colour", "diffuse"},        {"refractive", "transparent"},
-    {"reflection", "reflective"}, {"translation", "translate"}, {"rotation", "rotate"},
-    {"group", "object"}};
-
-std::string_view translated(std::string_view name, std::span<const FieldName> names) {
-  for (const auto& [other, ours] : other_words) {
-    const bool known = std::any_of(names.begin(), names.end(),
-                                   [word = ours](const FieldName& n) { return n.name == word; });
-    if (other == name && known) {
-      return ours;
-    }
-  }
-  return {};
-}
-
-std::string_view nearest_field(std::string_view name, std::span<const FieldName> names) {
+std::vector<std::string_view> words_of(std::span<const FieldName> names) {
   std::vector<std::string_view> words;
   words.reserve(names.size());
   for (const FieldName& n : names) {
     words.push_back(n.name);
   }
-  const std::string_view near = nearest_name(local_name(name), words);
+  return words;
+}
+
+std::string_view translated(std::string_view name, std::span<const FieldName> names) {
+  return in_our_words(name, words_of(names));
+}
+
+std::string_view nearest_field(std::string_view name, std::span<const FieldName> names) {
+  const std::string_view near = nearest_name(local_name(name), words_of(names));
   const std::string_view meant = translated(name, names);
   return near.empty() || meant.empty() ? near : meant;
 }

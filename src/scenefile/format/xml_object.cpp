@@ -3,6 +3,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/other_words.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   if (near.empty()) {
     const std::string hint =
         shape == shape_words.size()
-            ? std::string()
+            ? did_you_mean(in_our_words(attribute.value, type_names))
             : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
     context.report(xml_unknown_object_type, attribute,
                    fmt::format("object type {} is not of the format, so the object was ignored{}",
@@ -189,7 +190,9 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
     if (near.empty()) {
       context.diagnostics.report(
           xml_unknown_shape, object.name_place,
-          fmt::format("shape {} is not of the format; it is not drawn", shape));
+          fmt::format("shape {} is not of the format ({}); it is not drawn{}", shape,
+                      fmt::join(shape_words, ", "),
+                      did_you_mean(in_our_words(object.name, shape_words))));
       return std::nullopt;
     }
     context.diagnostics.report(xml_misspelt_shape, object.name_place,
@@ -202,7 +205,10 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
   }
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {
-    context.report(xml_missing_attribute, tag, "the mesh lacks attribute filename");
+    context.report(xml_missing_attribute, tag,
+                   object.filename_place == tag.location
+                       ? "the mesh lacks attribute filename"
+                       : "the attribute filename of the mesh is empty");
     return std::nullopt;
   }
   if (shape != Shape::mesh && !object.filename.empty()) {

@@ -47,6 +47,13 @@ std::string cut_off_message(std::string_view text, std::size_t at,
                      opened_at(open.back()));
 }
 
+// All other elements of the format are single tags.
+bool holds_elements(std::string_view name) {
+  constexpr std::string_view blocks[] = {"scenefile", "globaldata", "cameradata", "lightdata",
+                                         "object",    "transblock", "matrix"};
+  return std::find(std::begin(blocks), std::end(blocks), lower_case(name)) != std::end(blocks);
+}
+
 std::string mismatch_message(std::string_view text, std::size_t at,
                              std::span<const OpenElement> open) {
   std::string_view rest = text.substr(at);
@@ -55,8 +62,11 @@ std::string mismatch_message(std::string_view text, std::size_t at,
   if (open.empty()) {
     return fmt::format("</{}> closes nothing", closing);
   }
-  return fmt::format("</{}> cannot close {}; </{}> is missing before it", closing,
-                     opened_at(open.back()), escaped(open.back().name, 40));
+  const OpenElement& inner = open.back();
+  const std::string_view slash =
+      holds_elements(inner.name) ? "" : ", or a / in front of the > that ends its tag";
+  return fmt::format("</{}> cannot close {}; </{}> is missing before it{}", closing,
+                     opened_at(inner), escaped(inner.name, 40), slash);
 }
 
 // Whether the offset lies in a comment that is still open there.
@@ -108,6 +118,9 @@ std::string hint_before(std::string_view text, std::size_t at) {
         "{} right behind a quotation mark: a blank is missing, or an earlier value "
         "lacks its closing quotation mark",
         found);
+  }
+  if (text[at] == '"' || text[at] == '\'') {
+    return "a quotation mark without a value that it opens; a value is written name=\"value\"";
   }
   std::size_t sign = at;
   while (sign > 0 && is_blank(text[sign - 1])) {
@@ -183,8 +196,10 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
   return fmt::format("{} ({})", token_message(text, at), detail);
 }
 
+// Whether Expat takes it for a part of the name of an entity.
 bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+         c == '-' || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 // The & of a reference that lacks its semicolon in front of the offset, else the offset.

@@ -13,7 +13,7 @@ namespace scenefile {
 namespace {
 
 constexpr AttributeForm rotate_forms[] = {{{"x", "y", "z", "angle"}}, {{"x", "y", "z", "a"}, true}};
-constexpr Signature rotate_signature{rotate_forms, 4, true};
+constexpr Signature rotate_signature{rotate_forms, 4, true, true};
 
 float read_part(const XmlContext& context, const XmlTag& tag, const XmlAttribute* part) {
   return part == nullptr ? 0 : read_number(context, tag, *part);

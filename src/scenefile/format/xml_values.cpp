@@ -144,6 +144,75 @@ void settle_others(const XmlContext& context, const XmlTag& tag, const Signature
   }
 }
 
+// The last part under a name of its own, beside the others under theirs.
+void take_last(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+               Parts& parts) {
+  const std::size_t last = signature.parts - 1;
+  const bool others =
+      std::find(parts.begin(), parts.begin() + last, nullptr) == parts.begin() + last;
+  const auto free =
+      std::find_if(tag.attributes.begin(), tag.attributes.end(),
+                   [&](const XmlAttribute& attribute) { return !is_part(parts, attribute); });
+  const std::string_view name = signature.forms.front().names[last];
+  if (!others || parts[last] != nullptr || tag.attributes.size() != signature.parts ||
+      !nearest_name(free->name, std::span(&name, 1)).empty()) {
+    return;
+  }
+  parts[last] = &*free;
+  context.report(xml_alias_attribute, *free,
+                 fmt::format("attribute {} of {} was read as {}", escaped(free->name, 40),
+                             element_text(tag.name), name));
+}
+
+// The numbers of "1 2 3", "1,2,3", and those of a color as #rrggbb, as text; none: it is another.
+std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
+  constexpr std::string_view separators = " \t\r\n,;";
+  constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
+  std::vector<std::string> numbers;
+  if (is_color && value.size() == 7 && value[0] == '#' &&
+      value.find_first_not_of(hexadecimal, 1) == std::string_view::npos) {
+    for (std::size_t i = 1; i < value.size(); i += 2) {
+      const int part = std::stoi(std::string(value.substr(i, 2)), nullptr, 16);
+      numbers.push_back(fmt::format("{:.3g}", part / 255.0));
+    }
+    return numbers;
+  }
+  for (std::size_t at = 0; (at = value.find_first_not_of(separators, at)) != value.npos;) {
+    const std::size_t end = std::min(value.find_first_of(separators, at), value.size());
+    const std::string_view word = value.substr(at, end - at);
+    if (parse_number(word).error != NumberError::none || numbers.size() == 4) {
+      return {};
+    }
+    numbers.emplace_back(word);
+    at = end;
+  }
+  return numbers;
+}
+
+// All parts in one attribute: says how to write them. False: that is not so.
+bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
+  const auto& names = signature.forms.front().names;
+  const bool is_color = names[0] == "r";
+  if (signature.parts == 1 || signature.optional || tag.attributes.size() != 1) {
+    return false;
+  }
+  std::vector<std::string> numbers = numbers_in(tag.attributes[0].value, is_color);
+  if (numbers.size() == 1 && (is_color || equal_ignoring_case(tag.name, "scale"))) {
+    numbers.resize(signature.parts, numbers[0]);
+  }
+  if (numbers.size() != signature.parts) {
+    return false;
+  }
+  std::string meant;
+  for (std::size_t i = 0; i < signature.parts; ++i) {
+    meant += fmt::format(" {}=\"{}\"", names[i], numbers[i]);
+  }
+  context.report(xml_missing_attribute, tag,
+                 fmt::format("{} lacks attributes {}; write{}", element_text(tag.name),
+                             names_text(signature), meant));
+  return true;
+}
+
 // All attributes in their order, as programs read them that do not look at the names.
 Parts by_order(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
   Parts parts{};
@@ -189,19 +258,9 @@ bool is_canonical(const XmlTag& tag, const Signature& signature) {
   return true;
 }
 
-// What was probably meant: a point for a comma, or the number without what follows it.
 std::string number_hint(std::string_view value) {
-  std::string with_point(value);
-  std::replace(with_point.begin(), with_point.end(), ',', '.');
-  const bool fits = with_point != value && parse_number(with_point).error == NumberError::none;
-  if (fits) {
-    return did_you_mean(with_point);
-  }
-  const std::string_view number = value.substr(0, value.find_first_not_of("+-.0123456789"));
-  const ParsedNumber meant = parse_number(number);
-  return meant.error == NumberError::none
-             ? did_you_mean(number_text(static_cast<float>(meant.value)))
-             : std::string();
+  const std::string meant = nearest_number(value);
+  return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
 std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag,
@@ -252,6 +311,12 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
   }
   if (found.dialect) {
     report_alias(context, tag, signature, found.parts);
+  }
+  if (found.count == 0 && report_one_for_all(context, tag, signature)) {
+    return std::nullopt;
+  }
+  if (signature.any_last) {
+    take_last(context, tag, signature, found.parts);
   }
   settle_others(context, tag, signature, found.parts);
   const auto end = found.parts.begin() + static_cast<std::ptrdiff_t>(signature.parts);

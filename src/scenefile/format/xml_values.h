@@ -27,6 +27,7 @@ struct Signature {
   std::span<const AttributeForm> forms;
   std::size_t parts = 1;
   bool optional = false;  ///< the caller judges missing parts itself
+  bool any_last = false;  ///< the last part may have any name, where the others have theirs
 };
 
 /// The attributes that hold the parts; null: missing.

@@ -256,7 +256,7 @@ class AssetSearch {
   // Says the same whether or not there is a file outside the roots, so that a scene cannot be used
   // to probe a machine.
   void explain() {
-    std::string why = obstacle_;
+    std::string why = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
     if (why.empty()) {
       why = "no such file in the scene's folder or an asset root; looked for " + places();
       for (const std::string& root : roots_.index().skipped()) {

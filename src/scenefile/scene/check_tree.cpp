@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 namespace scenefile {
@@ -70,7 +69,8 @@ std::string unknown_text(std::string_view name, const std::vector<std::string_vi
                      near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near)));
 }
 
-void check_instances(const Scene& scene, const TemplateNames& names, Reporter& reporter) {
+// Says whether every instance has its template.
+bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& reporter) {
   const std::vector<std::string_view> known = some_names(scene);
   std::size_t unknown = 0;
   std::vector<bool> seen(scene.nodes.size());
@@ -94,6 +94,7 @@ void check_instances(const Scene& scene, const TemplateNames& names, Reporter& r
       return 0;
     });
   }
+  return unknown == 0;
 }
 
 // "a -> b -> a", with the middle left out where it is long.
@@ -134,27 +135,19 @@ bool check_loops(const Scene& scene, const TemplateGraph& graph, Reporter& repor
   return found;
 }
 
-bool before(Location a, Location b) {
-  return std::tie(a.line, a.column) < std::tie(b.line, b.column);
-}
-
+// The root uses templates wherever it stands in the file: it is last in the list.
 void check_order(const Scene& scene, const TemplateGraph& graph, Reporter& reporter) {
-  for (std::uint32_t tree = 0; tree < graph.heads.size(); ++tree) {
+  for (std::uint32_t tree = 0; tree < graph.root(); ++tree) {
     for (std::uint32_t edge = graph.uses.first[tree]; edge < graph.uses.first[tree + 1]; ++edge) {
       const std::uint32_t target = graph.uses.target[edge];
-      const Node& used = scene.nodes[graph.heads[target]];
-      const Node& user = scene.nodes[graph.use_node[edge]];
-      // The root is last in the list wherever it stands in the file.
-      const bool forward = tree == graph.root()
-                               ? user.location.known() && before(user.location, used.location)
-                               : target > tree;
-      if (forward) {
-        reporter.report(
-            tree_forward, subject_of(scene, graph.use_node[edge]), Field::instance_of,
-            fmt::format(
-                "template {} is used before it is declared{}", quoted(used.name),
-                used.location.known() ? fmt::format(" (line {})", used.location.line) : ""));
+      if (target <= tree) {
+        continue;
       }
+      const Node& used = scene.nodes[graph.heads[target]];
+      reporter.report(
+          tree_forward, subject_of(scene, graph.use_node[edge]), Field::instance_of,
+          fmt::format("template {} is used before it is declared{}", quoted(used.name),
+                      used.location.known() ? fmt::format(" (line {})", used.location.line) : ""));
     }
   }
 }
@@ -220,14 +213,15 @@ void check_light_count(double lights, const Contents& contents, const Limits& li
 }
 
 void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents& contents,
-                  const Limits& limits, Reporter& reporter) {
+                  bool complete, const Limits& limits, Reporter& reporter) {
   const Subject whole{
       "scene", scene.root < scene.nodes.size() ? scene.nodes[scene.root].location : Location{}};
   const double lights = totals(graph.uses, contents.lights).back();
   check_light_count(lights, contents, limits, reporter);
-  if (totals(graph.uses, contents.primitives).back() == 0) {
+  const bool empty = totals(graph.uses, contents.primitives).back() == 0;
+  if (empty && complete) {
     reporter.report(scene_empty, whole, "the scene is empty: there is no object to draw");
-  } else if (totals(graph.uses, contents.shining).back() == 0) {
+  } else if (!empty && totals(graph.uses, contents.shining).back() == 0) {
     reporter.report(scene_no_light, whole,
                     lights == 0 ? "the scene has no light" : "all lights of the scene are black");
   }
@@ -293,13 +287,16 @@ void check_structure(const Scene& scene, Reporter& reporter) {
 void check_templates(const Scene& scene, const Limits& limits, Reporter& reporter) {
   const TemplateNames names = template_names(scene);
   check_names(scene, names, reporter);
-  check_instances(scene, names, reporter);
+  const bool all_known = check_instances(scene, names, reporter);
   const TemplateGraph graph = template_graph(scene);
   std::vector<bool> used(graph.heads.size());
-  if (!check_loops(scene, graph, reporter, used)) {
+  const bool loops = check_loops(scene, graph, reporter, used);
+  if (!loops) {
     check_order(scene, graph, reporter);
   }
-  check_totals(scene, graph, contents_of(scene, graph, used), limits, reporter);
+  // What is lost may hold anything.
+  const bool complete = all_known && !loops;
+  check_totals(scene, graph, contents_of(scene, graph, used), complete, limits, reporter);
   check_unused(scene, graph, used, reporter);
 }
 

@@ -5,6 +5,7 @@
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
 #include "scenefile/trace/ray_box.h"
+#include "scenefile/trace/tiles.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
@@ -290,9 +291,7 @@ struct EmbreeScenes::State {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    HandOver::give();
-    rtcCommitScene(scene);
-    HandOver::collect();
+    with_threads([&] { rtcCommitScene(scene); });
     return scene;
   }
 };

@@ -1,0 +1,159 @@
+#include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// Longer texts are no numbers with a slip in them.
+constexpr std::size_t max_length = 40;
+constexpr std::string_view blanks = " \t\r\n";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string_view trimmed(std::string_view text, std::string_view away = blanks) {
+  const std::size_t first = text.find_first_not_of(away);
+  return first == std::string_view::npos
+             ? std::string_view()
+             : text.substr(first, text.find_last_not_of(away) - first + 1);
+}
+
+// Characters that look like those of numbers become them.
+std::string in_ascii(std::string_view text) {
+  constexpr std::pair<std::string_view, char> looks[] = {
+      {"\u2212", '-'}, {"\u2010", '-'}, {"\u2011", '-'}, {"\u2012", '-'},
+      {"\u2013", '-'}, {"\u2014", '-'}, {"\u00A0", ' '}, {"\u2009", ' '},
+      {"\u202F", ' '}, {"\u201C", '"'}, {"\u201D", '"'}, {"\u2019", '\''}};
+  std::string result;
+  while (!text.empty()) {
+    const auto* const look = std::find_if(std::begin(looks), std::end(looks),
+                                          [&](const auto& l) { return text.starts_with(l.first); });
+    const bool found = look != std::end(looks);
+    result += found ? look->second : text[0];
+    text.remove_prefix(found ? look->first.size() : 1);
+  }
+  return result;
+}
+
+// 1_000, 1'000: not blanks, which rather part two numbers.
+void join_digits(std::string& text) {
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if ((text[i] == '_' || text[i] == '\'') && is_digit(text[i - 1]) && is_digit(text[i + 1])) {
+      text.erase(i, 1);
+    }
+  }
+}
+
+// One comma is a decimal point; in front of a point, commas part thousands.
+void place_point(std::string& text) {
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (text.find('.') != std::string::npos) {
+    text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+  } else if (commas == 1) {
+    std::replace(text.begin(), text.end(), ',', '.');
+  }
+}
+
+// "--5" and "- 5".
+void mend_sign(std::string& text) {
+  const bool twice = text.size() > 1 && (text[1] == '-' || text[1] == '+');
+  if (twice && (text[0] == '-' || text[0] == '+')) {
+    text.erase(0, 1);
+  }
+  while (text.size() > 1 && text[0] == '-' && text[1] == ' ') {
+    text.erase(1, 1);
+  }
+}
+
+std::optional<double> plain_value(std::string_view text) {
+  const ParsedNumber number = parse_number(text);
+  return number.error == NumberError::none ? std::optional(number.value) : std::nullopt;
+}
+
+std::optional<double> hexadecimal_value(std::string_view text) {
+  const bool minus = text.starts_with('-');
+  text.remove_prefix(minus ? 1 : 0);
+  if (text.size() < 3 || text.size() > 10 || text[0] != '0' || (text[1] != 'x' && text[1] != 'X')) {
+    return std::nullopt;
+  }
+  double value = 0;
+  for (const char c : lower_case(text.substr(2))) {
+    if (!is_digit(c) && !(c >= 'a' && c <= 'f')) {
+      return std::nullopt;
+    }
+    value = 16 * value + (is_digit(c) ? c - '0' : c - 'a' + 10);
+  }
+  return minus ? -value : value;
+}
+
+std::optional<double> fraction_value(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::optional<double> above = plain_value(text.substr(0, slash));
+  const std::optional<double> below = plain_value(text.substr(slash + 1));
+  return above && below && *below != 0 ? std::optional(*above / *below) : std::nullopt;
+}
+
+// "1d5".
+std::optional<double> fortran_value(std::string text) {
+  std::replace(text.begin(), text.end(), 'd', 'e');
+  std::replace(text.begin(), text.end(), 'D', 'e');
+  return plain_value(text);
+}
+
+// A number with something behind it that changes nothing, or a per cent sign.
+std::optional<double> value_before_unit(std::string_view text) {
+  const ParsedNumber number = parse_number(text);
+  if (number.used == 0 || number.error != NumberError::malformed) {
+    return std::nullopt;
+  }
+  const std::string_view rest = trimmed(text.substr(number.used));
+  if (rest == "%") {
+    return number.value / 100;
+  }
+  const bool hexadecimal = number.value == 0 && lower_case(rest).starts_with('x');
+  const bool unit =
+      rest == "\u00B0" || std::all_of(rest.begin(), rest.end(), [](char c) {
+        return is_letter(c) || std::string_view("'`\";:.,)]}+-").find(c) != std::string_view::npos;
+      });
+  // Angles are degrees here, so the number alone would be wrong.
+  const bool radians = lower_case(rest).starts_with("rad");
+  return unit && !hexadecimal && !radians ? std::optional(number.value) : std::nullopt;
+}
+
+}  // namespace
+
+std::string nearest_number(std::string_view text) {
+  if (text.size() > max_length) {
+    return {};
+  }
+  std::string plain(trimmed(in_ascii(text), " \t\r\n\"'`"));
+  join_digits(plain);
+  place_point(plain);
+  mend_sign(plain);
+  for (const std::optional<double>& value :
+       {plain_value(plain), hexadecimal_value(plain), fraction_value(plain), fortran_value(plain),
+        value_before_unit(plain)}) {
+    if (value && std::abs(*value) <= double{std::numeric_limits<float>::max()}) {
+      return number_text(static_cast<float>(*value));
+    }
+  }
+  return {};
+}
+
+}  // namespace scenefile

@@ -1,0 +1,120 @@
+#include "scenefile/format/other_words.h"
+
+#include "scenefile/base/text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using Pair = std::pair<std::string_view, std::string_view>;
+
+// A word may mean several of ours; those that are known where it stands decide.
+constexpr Pair translations[] = {
+    // Elements and keys.
+    {"fov", "heightangle"},
+    {"fov", "heightAngle"},
+    {"fovy", "heightangle"},
+    {"fovy", "heightAngle"},
+    {"lookat", "focus"},
+    {"target", "focus"},
+    {"eye", "pos"},
+    {"eye", "position"},
+    {"attenuation", "function"},
+    {"function", "attenuationCoeff"},
+    {"pos", "position"},
+    {"position", "pos"},
+    {"dir", "direction"},
+    {"intensity", "color"},
+    {"colour", "color"},
+    {"color", "diffuse"},
+    {"colour", "diffuse"},
+    {"albedo", "diffuse"},
+    {"refractive", "transparent"},
+    {"reflection", "reflective"},
+    {"reflect", "reflective"},
+    {"shine", "shininess"},
+    {"translation", "translate"},
+    {"rotation", "rotate"},
+    {"scaling", "scale"},
+    {"filename", "meshFile"},
+    {"children", "groups"},
+    {"objects", "groups"},
+    {"objects", "primitives"},
+    {"shapes", "primitives"},
+    {"templates", "templateGroups"},
+    {"masters", "templateGroups"},
+    // Elements, types of objects.
+    {"group", "object"},
+    {"group", "tree"},
+    {"instance", "master"},
+    // Shapes.
+    {"box", "cube"},
+    {"ball", "sphere"},
+    {"globe", "sphere"},
+    {"tube", "cylinder"},
+    {"model", "mesh"},
+    {"obj", "mesh"},
+    // Types of lights.
+    {"sun", "directional"},
+    {"distant", "directional"},
+    {"infinite", "directional"},
+    {"parallel", "directional"},
+    {"directionallight", "directional"},
+    {"omni", "point"},
+    {"pointlight", "point"},
+    {"spotlight", "spot"},
+    {"arealight", "area"},
+    {"rectangle", "area"},
+};
+
+struct Advice {
+  std::string_view object;
+  std::string_view key;
+  std::string_view text;
+};
+
+constexpr std::string_view to_the_group =
+    "transforms belong to the group that holds this in its list";
+constexpr std::string_view into_a_group = "put it into a group of \"groups\"";
+constexpr std::string_view to_the_scene = "it belongs into the scene, beside \"groups\"";
+
+constexpr Advice advices[] = {
+    {"a light", "position",
+     "a light stands at the origin of its group: give the group a \"translate\""},
+    {"a light", "translate", to_the_group},
+    {"a light", "rotate", to_the_group},
+    {"a light", "matrix", to_the_group},
+    {"a primitive", "position", to_the_group},
+    {"a primitive", "translate", to_the_group},
+    {"a primitive", "rotate", to_the_group},
+    {"a primitive", "scale", to_the_group},
+    {"a primitive", "matrix", to_the_group},
+    {"the scene", "lights", into_a_group},
+    {"the scene", "primitives", into_a_group},
+    {"a group", "templateGroups", to_the_scene},
+    {"a template group", "templateGroups", to_the_scene},
+    {"a group", "type", "what has a type stands in the lists \"primitives\" and \"lights\""},
+};
+
+}  // namespace
+
+std::string_view in_our_words(std::string_view word, std::span<const std::string_view> known) {
+  const auto* const found =
+      std::find_if(std::begin(translations), std::end(translations), [&](const Pair& pair) {
+        return equal_ignoring_case(pair.first, word) &&
+               std::find(known.begin(), known.end(), pair.second) != known.end();
+      });
+  return found == std::end(translations) ? std::string_view() : found->second;
+}
+
+std::string_view json_key_advice(std::string_view object, std::string_view key) {
+  const auto* const found = std::find_if(
+      std::begin(advices), std::end(advices),
+      [&](const Advice& advice) { return advice.object == object && advice.key == key; });
+  return found == std::end(advices) ? std::string_view() : found->text;
+}
+
+}  // namespace scenefile

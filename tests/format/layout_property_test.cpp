@@ -5,6 +5,7 @@
 #include "format/write_random_scene.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
+#include "scenefile/scene/prepare.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -34,24 +35,63 @@ std::string laid_out(const std::string& text) {
   return *result;
 }
 
+const std::string& any_of(std::mt19937& random, const std::vector<std::string>& choices) {
+  return choices[random() % choices.size()];
+}
+
+// Other blanks inside the tags of XML, or around the marks of JSON, where they mean nothing.
+std::string disordered_inside(const std::string& text, SceneFormat format, std::mt19937& random) {
+  const bool xml = format == SceneFormat::xml;
+  std::string result;
+  bool in_string = false;
+  bool in_tag = !xml;
+  for (const char c : text) {
+    in_string ^= c == '"' && in_tag;
+    in_tag = !xml || (in_string ? in_tag : c == '<' || (in_tag && c != '>'));
+    const bool inside = in_tag && !in_string;
+    if (inside && xml && c == ' ') {
+      result += any_of(random, {" ", "  ", "\n", "\t "});
+    } else if (inside && (xml ? c == '=' : c == ':' || c == ',')) {
+      result += any_of(random, {"", " ", "\n"}) + c + any_of(random, {"", "  ", "\r\n"});
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 // The same text as an author might have left it: other blanks, empty lines and comments between
-// the tokens of XML, other blanks between those of JSON.
+// the tokens of XML, other blanks between those of JSON, and other blanks inside tags.
 std::string disordered(const std::string& text, SceneFormat format) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const std::vector<std::string> xml_gaps = {
-      "", " ", "\n", "\n\n\n\t", "\r\n", "<!--c-->", "\n<!-- \n -->", " <!-- a --> "};
+      "", " ", "\n", "\n\n\n\t", "\r\n", "<!--c-->", "\n<!-- \n -->", " <!-- a  b --> "};
   const std::vector<std::string> json_gaps = {"", " ", "\n", "\n\n\t", "\r\n"};
   const std::vector<std::string>& gaps = format == SceneFormat::xml ? xml_gaps : json_gaps;
+  const std::string inside = disordered_inside(text, format, random);
   std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text[i] != '\n') {
-      result += text[i++];
+  bool in_tag = false;
+  for (std::size_t i = 0; i < inside.size();) {
+    in_tag = format == SceneFormat::xml && (inside[i] == '<' || (in_tag && inside[i] != '>'));
+    if (inside[i] != '\n' || in_tag) {
+      result += inside[i++];
       continue;
     }
-    result += gaps[random() % gaps.size()];
-    i = std::min(text.find_first_not_of(" \n", i), text.size());
+    result += any_of(random, gaps);
+    i = std::min(inside.find_first_not_of(" \n", i), inside.size());
   }
   return result;
+}
+
+// All comments of XML with the blanks in them.
+std::vector<std::string> comments_of(const std::string& text) {
+  std::vector<std::string> comments;
+  for (std::size_t at = 0; (at = text.find("<!--", at)) != std::string::npos;) {
+    const std::size_t end = text.find("-->", at);
+    comments.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return comments;
 }
 
 std::string without_blanks(std::string text) {
@@ -82,12 +122,18 @@ RC_GTEST_PROP(LayoutLaws, OnlyWhiteSpaceChanges, ()) {
   }
 }
 
+RC_GTEST_PROP(LayoutLaws, CommentsStay, ()) {
+  const std::string text = disordered(written_scene(SceneFormat::xml), SceneFormat::xml);
+  RC_ASSERT(comments_of(laid_out(text)) == comments_of(text));
+}
+
 RC_GTEST_PROP(LayoutLaws, TheSceneStays, ()) {
   for (const SceneFormat format : formats) {
     const std::string text = disordered(written_scene(format), format);
     const Reading before = read(text);
     const Reading after = read(laid_out(text));
     RC_ASSERT(before.scene == after.scene);
+    RC_ASSERT(same_meaning(before.scene, after.scene));
     RC_ASSERT(before.diagnostics.list().size() == after.diagnostics.list().size());
   }
 }

@@ -70,6 +70,18 @@ TEST(LayoutXml, ValuesAndTextStayAsWritten) {
             "</scenefile>\n");
 }
 
+TEST(LayoutXml, InstructionsAndTextStandInTheirLines) {
+  EXPECT_EQ(laid_out("<scenefile><?php echo \"<x/>\" ?>text <!-- c --><![CDATA[ <a>\n ]]>"
+                     "<a/><?q?></scenefile>"),
+            "<scenefile>\n"
+            "  <?php echo \"<x/>\" ?>\n"
+            "  text <!-- c -->\n"
+            "  <![CDATA[ <a>\n ]]>\n"
+            "  <a/>\n"
+            "  <?q?>\n"
+            "</scenefile>\n");
+}
+
 TEST(LayoutXml, DeclarationsStayAsWritten) {
   const std::string head =
       "<?xml  version='1.0' encoding='ISO-8859-1'?>\n"

@@ -32,6 +32,17 @@ std::optional<std::string> laid_out(std::string_view text) {
   return lay_out(text, {}, ignored);
 }
 
+// Of XML, with the blanks in them.
+std::vector<std::string_view> comments_of(std::string_view text) {
+  std::vector<std::string_view> comments;
+  for (std::size_t at = 0; (at = text.find("<!--", at)) != text.npos;) {
+    const std::size_t end = std::min(text.find("-->", at), text.size());
+    comments.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return comments;
+}
+
 bool is_refused(std::string_view text) {
   Diagnostics diagnostics;
   read_scene(text, {}, diagnostics);
@@ -47,6 +58,9 @@ void try_text_laws(std::string_view text, Breaches& breaches) {
   }
   if (laid_out(*once) != *once) {
     breaches.push_back("laying it out twice is not laying it out once");
+  }
+  if (comments_of(*once) != comments_of(text)) {
+    breaches.push_back("laying it out changes its comments");
   }
   const Reading before = read(text);
   const Reading after = read(*once);

@@ -144,24 +144,49 @@ void settle_others(const XmlContext& context, const XmlTag& tag, const Signature
   }
 }
 
-// The last part under a name of its own, beside the others under theirs.
-void take_last(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+bool any_near(const XmlTag& tag, const Signature& signature, const Parts& parts) {
+  const std::vector<std::string_view> missing = missing_names(signature, parts);
+  return std::any_of(tag.attributes.begin(), tag.attributes.end(), [&](const XmlAttribute& a) {
+    return !is_part(parts, a) && !nearest_name(a.name, missing).empty();
+  });
+}
+
+// The last part, or all others, under names of their own, beside the rest under theirs.
+void take_rest(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                Parts& parts) {
   const std::size_t last = signature.parts - 1;
-  const bool others =
-      std::find(parts.begin(), parts.begin() + last, nullptr) == parts.begin() + last;
-  const auto free =
-      std::find_if(tag.attributes.begin(), tag.attributes.end(),
-                   [&](const XmlAttribute& attribute) { return !is_part(parts, attribute); });
-  const std::string_view name = signature.forms.front().names[last];
-  if (!others || parts[last] != nullptr || tag.attributes.size() != signature.parts ||
-      !nearest_name(free->name, std::span(&name, 1)).empty()) {
+  const auto count = std::count(parts.begin(), parts.begin() + signature.parts, nullptr);
+  const bool only_last = count == 1 && parts[last] == nullptr;
+  const bool all_others = count == static_cast<std::ptrdiff_t>(last) && parts[last] != nullptr;
+  if ((!only_last && !all_others) || tag.attributes.size() != signature.parts ||
+      any_near(tag, signature, parts)) {
     return;
   }
-  parts[last] = &*free;
-  context.report(xml_alias_attribute, *free,
-                 fmt::format("attribute {} of {} was read as {}", escaped(free->name, 40),
-                             element_text(tag.name), name));
+  const std::string names = fmt::format("{}", fmt::join(missing_names(signature, parts), ", "));
+  std::vector<std::string> taken;
+  std::size_t next = only_last ? last : 0;
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (!is_part(parts, attribute)) {
+      taken.push_back(escaped(attribute.name, 40));
+      parts[next++] = &attribute;
+    }
+  }
+  context.report(only_last ? xml_alias_attribute : xml_positional_attributes,
+                 *parts[only_last ? last : 0],
+                 fmt::format("attribute{} {} of {} {} read as {}", only_last ? "" : "s",
+                             fmt::join(taken, ", "), element_text(tag.name),
+                             only_last ? "was" : "were", names));
+}
+
+// Whether no attribute has a name that the format gives a part of the value.
+bool all_names_foreign(const XmlTag& tag, const Signature& signature) {
+  return std::all_of(tag.attributes.begin(), tag.attributes.end(), [&](const XmlAttribute& a) {
+    return std::all_of(
+        signature.forms.begin(), signature.forms.end(), [&](const AttributeForm& form) {
+          return form.dialect ||
+                 std::find(form.names.begin(), form.names.end(), a.name) == form.names.end();
+        });
+  });
 }
 
 // The numbers of "1 2 3", "1,2,3", and those of a color as #rrggbb, as text; none: it is another.
@@ -306,7 +331,8 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
     return parts;
   }
   FoundForm found = find_best_form(tag, signature);
-  if (found.count == 0 && tag.attributes.size() == signature.parts) {
+  if (found.count < signature.parts && tag.attributes.size() == signature.parts &&
+      all_names_foreign(tag, signature)) {
     return by_order(context, tag, signature);
   }
   if (found.dialect) {
@@ -315,8 +341,8 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
   if (found.count == 0 && report_one_for_all(context, tag, signature)) {
     return std::nullopt;
   }
-  if (signature.any_last) {
-    take_last(context, tag, signature, found.parts);
+  if (signature.free_names) {
+    take_rest(context, tag, signature, found.parts);
   }
   settle_others(context, tag, signature, found.parts);
   const auto end = found.parts.begin() + static_cast<std::ptrdiff_t>(signature.parts);

@@ -26,8 +26,8 @@ struct AttributeForm {
 struct Signature {
   std::span<const AttributeForm> forms;
   std::size_t parts = 1;
-  bool optional = false;  ///< the caller judges missing parts itself
-  bool any_last = false;  ///< the last part may have any name, where the others have theirs
+  bool optional = false;    ///< the caller judges missing parts itself
+  bool free_names = false;  ///< the last part, or all others, may have any names
 };
 
 /// The attributes that hold the parts; null: missing.

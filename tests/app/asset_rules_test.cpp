@@ -1,0 +1,127 @@
+// Where textures and meshes are found, rule by rule, as `info --files` tells it; what lies outside
+// the roots stays shut.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+// A scene with a mesh of that name in the folder "fun".
+struct AssetRules : ::testing::Test {
+  void SetUp() override { folder.write("fun/sub/a.obj", triangle); }
+
+  std::string scene(const std::string& file) const {
+    std::string text = good_scene;
+    text.replace(text.find("name=\"sphere\""), 13, "name=\"mesh\" filename=\"" + file + "\"");
+    return folder.write("fun/s.xml", text);
+  }
+
+  std::string told(const std::string& file, std::vector<std::string> options = {},
+                   const RunSettings& settings = {}) const {
+    options.insert(options.begin(), {"info", "--files"});
+    options.push_back(scene(file));
+    const ProgramRun run = run_program(options, settings);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.out.substr(std::min(run.out.find("mesh \""), run.out.size()));
+  }
+
+  std::string found(const std::string& rule, const std::string& path) const {
+    return rule + ": " + folder.path(path) + "\n";
+  }
+
+  TempFolder folder;
+};
+
+TEST_F(AssetRules, AbsoluteInsideARoot) {
+  EXPECT_THAT(told(folder.path("fun/sub/a.obj")), HasSubstr(found("as written", "fun/sub/a.obj")));
+}
+
+TEST_F(AssetRules, BesideTheScene) {
+  EXPECT_THAT(told("sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
+  EXPECT_THAT(told("sub\\a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
+  EXPECT_THAT(told(":/sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
+}
+
+TEST_F(AssetRules, BesideTheScenesFolder) {
+  folder.write("mesh/b.obj", triangle);
+  folder.write("other/c.obj", triangle);
+  EXPECT_THAT(told("mesh/b.obj"), HasSubstr(found("beside the scene's folder", "mesh/b.obj")));
+  EXPECT_THAT(told("other/c.obj"), HasSubstr("no such file"));
+}
+
+TEST_F(AssetRules, InTheWorkingDirectory) {
+  folder.write("fun/work/deep/d.obj", triangle);
+  EXPECT_THAT(told("deep/d.obj", {}, {.folder = folder.path("fun/work")}),
+              HasSubstr(found("in the working directory", "fun/work/deep/d.obj")));
+}
+
+TEST_F(AssetRules, UnderTheAssetRootsInTheirOrder) {
+  folder.write("one/e.obj", triangle);
+  folder.write("two/e.obj", triangle);
+  folder.write("two/f.obj", triangle);
+  const std::vector<std::string> roots{"--asset-root", folder.path("one"), "--asset-root",
+                                       folder.path("two")};
+  EXPECT_THAT(told("e.obj", roots), HasSubstr(found("in an asset root", "one/e.obj")));
+  EXPECT_THAT(told("f.obj", roots), HasSubstr(found("in an asset root", "two/f.obj")));
+  EXPECT_THAT(told("f.obj"), HasSubstr("no such file"));
+}
+
+TEST_F(AssetRules, TheCoursesFolder) {
+  folder.write("data/image/g.obj", triangle);
+  EXPECT_THAT(told("/course/cs123/data/image/g.obj", {},
+                   {.environment = {"CS123_DATA=" + folder.path("data")}}),
+              HasSubstr(found("by the end of its path", "data/image/g.obj")));
+}
+
+TEST_F(AssetRules, TheEndOfThePathThenAnyCase) {
+  EXPECT_THAT(told("/home/someone/sub/a.obj"),
+              HasSubstr(found("by the end of its path", "fun/sub/a.obj")));
+  EXPECT_THAT(told("C:\\Projects\\sub\\a.obj"),
+              HasSubstr(found("by the end of its path", "fun/sub/a.obj")));
+  EXPECT_THAT(told("Sub/A.OBJ"), HasSubstr(found("by the end of its path", "fun/sub/a.obj")));
+}
+
+TEST_F(AssetRules, TheNameAloneWhereItIsUnique) {
+  EXPECT_THAT(told("elsewhere/a.obj"), HasSubstr(found("by its name alone", "fun/sub/a.obj")));
+  folder.write("fun/other/a.obj", triangle);
+  EXPECT_THAT(told("elsewhere/a.obj"), HasSubstr("2 files have its name"));
+}
+
+TEST_F(AssetRules, OutsideOnlyWhereItIsAllowed) {
+  const std::string secret = folder.write("secret/h.obj", triangle);
+  ASSERT_EQ(::symlink("../secret/h.obj", folder.path("fun/link.obj").c_str()), 0);
+  for (const std::string& name :
+       {secret, std::string("../secret/h.obj"), std::string("link.obj")}) {
+    EXPECT_THAT(told(name), AllOf(HasSubstr("no such file"), Not(HasSubstr("permission")))) << name;
+    EXPECT_THAT(told(name, {"--allow-outside"}), HasSubstr(": " + secret + "\n")) << name;
+    const std::string file = scene(name);
+    EXPECT_EQ(run_program({"check", file}).status, 1) << name;
+    EXPECT_EQ(run_program({"check", "--allow-outside", file}).status, 0) << name;
+    EXPECT_EQ(run_program({"check", "--asset-root", folder.path("secret"), file}).status, 0)
+        << name;
+  }
+}
+
+TEST_F(AssetRules, JsonNamesTheRule) {
+  const rapidjson::Document report =
+      parse_json(run_program({"info", "--files", "--json", scene("sub/a.obj")}).out);
+  EXPECT_STREQ(report["files"][0]["rule"].GetString(), "beside the scene");
+}
+
+}  // namespace
+
+}  // namespace scenefile

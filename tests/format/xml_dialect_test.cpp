@@ -119,6 +119,19 @@ TEST(XmlDialect, AllPartsInOneAttributeSayHowToWriteThem) {
   }
 }
 
+TEST(XmlDialect, ValuesInAWrongPlaceSayWhereTheyBelong) {
+  const auto of = [](const std::string& text) { return messages(read(text).diagnostics).back(); };
+  EXPECT_EQ(of(with_top("<globaldata ambientcoeff=\"0.5\"/>")),
+            "2:13 attribute ambientcoeff of <globaldata> has no effect; write it as an element "
+            "inside");
+  EXPECT_EQ(of(with_top("<globaldata ka=\"0.5\"/>")),
+            "2:13 unknown attribute ka of <globaldata> has no effect");
+  EXPECT_THAT(of(in_root("<scale x=\"1\" y=\"1\" z=\"1\"/>")),
+              HasSubstr("it was ignored; transforms stand in a transblock"));
+  EXPECT_THAT(of(with_transforms("<globaldata/>")), HasSubstr("in <scenefile>"));
+  EXPECT_THAT(of(in_root("scale x=\"1\"/>")), HasSubstr("is the < of an element missing?"));
+}
+
 TEST(XmlDialect, WordsOfOtherProgramsAreTranslated) {
   const auto of = [](std::string_view object) {
     return messages(read(in_root(fmt::format("<transblock>{}</transblock>", object))).diagnostics);

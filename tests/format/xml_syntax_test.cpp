@@ -30,6 +30,15 @@ TEST(XmlSyntax, CrossedTagsNameBoth) {
       HasSubstr("</scale> is missing before it, or a / in front of the > that ends its tag"));
 }
 
+TEST(XmlSyntax, MisspeltClosingTagsAreSuggested) {
+  for (const std::string closing : {"TransBlock", "tranblock", "transblok"}) {
+    EXPECT_THAT(said(in_root("<transblock>\n</" + closing + ">")),
+                ElementsAre("4:1 </" + closing +
+                            "> cannot close <transblock>, opened at line 3; did you mean "
+                            "</transblock>?"));
+  }
+}
+
 TEST(XmlSyntax, AFileThatEndsInAnElement) {
   EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n"),
               ElementsAre(HasSubstr("the file ends inside <object>, opened at line 2")));
@@ -65,6 +74,11 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<--> note -->"), "4:1 a comment starts with <!--, not with <--");
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
+  EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by blanks, not by commas");
+  EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag is followed by > at once");
+  EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));
+  EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");
+  EXPECT_EQ(one("<a\u00A0b=\"1\"/>"), "4:3 a special blank, U+00A0; use an ordinary one");
   EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
 }
 

@@ -33,6 +33,10 @@ bool equal_ignoring_case(std::string_view a, std::string_view b);
 /// How many characters the text has; a byte that is not UTF-8 counts as one.
 std::size_t count_code_points(std::string_view text);
 
+/// Whether a character looks like a blank, or like nothing, and is no blank of XML or JSON: as web
+/// pages and word processors leave behind.
+bool is_odd_blank(char32_t c);
+
 /// Whether a character is not shown as itself: controls, format and bidirectional characters.
 bool is_invisible(char32_t c);
 

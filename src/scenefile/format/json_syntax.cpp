@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -393,6 +394,11 @@ class Explainer {
       return fmt::format(
           "{} right behind a quotation mark: an earlier string lacks its closing one",
           found_text());
+    }
+    const CodePoint c = first_code_point(text_.substr(at_));
+    if (is_odd_blank(c.value)) {
+      return fmt::format("a special blank, U+{:04X}; use an ordinary one",
+                         static_cast<std::uint32_t>(c.value));
     }
     for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
       if (text_.substr(at_).starts_with(quote)) {

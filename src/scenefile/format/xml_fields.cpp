@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -67,6 +68,26 @@ bool is_known(std::string_view name) {
          std::end(all_elements);
 }
 
+// Where an element of the format stands, for one that stands elsewhere; nothing where that may
+// vary.
+std::string_view home_of(std::string_view name) {
+  constexpr std::pair<std::string_view, std::string_view> homes[] = {
+      {"translate", "; transforms stand in a transblock, in front of its object"},
+      {"rotate", "; transforms stand in a transblock, in front of its object"},
+      {"scale", "; transforms stand in a transblock, in front of its object"},
+      {"matrix", "; transforms stand in a transblock, in front of its object"},
+      {"transblock", "; transblocks stand in trees"},
+      {"object", "; an object stands in a transblock of a tree"},
+      {"globaldata", "; it stands beside the trees, in <scenefile>"},
+      {"cameradata", "; it stands beside the trees, in <scenefile>"},
+      {"lightdata", "; it stands beside the trees, in <scenefile>"},
+      {"diffuse", "; it stands in the primitive that it colors"},
+      {"texture", "; it stands in the primitive that it covers"}};
+  const auto* const found = std::find_if(std::begin(homes), std::end(homes),
+                                         [&](const auto& home) { return home.first == name; });
+  return found == std::end(homes) ? std::string_view() : found->second;
+}
+
 // The name without a namespace prefix.
 std::string_view local_name(std::string_view name) {
   const std::size_t colon = name.rfind(':');
@@ -113,9 +134,10 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
                             std::span<const FieldName> names) {
   const std::string where = element_text(block);
   if (is_known(tag.name)) {
+    const std::string meant = did_you_mean(translated(tag.name, names), "<>");
     context.report(xml_misplaced_element, tag,
                    fmt::format("{} does not belong in {}; it was ignored{}", element_text(tag.name),
-                               where, did_you_mean(translated(tag.name, names), "<>")));
+                               where, meant.empty() ? home_of(tag.name) : meant));
     return;
   }
   const std::string_view near = nearest_field(tag.name, names);
@@ -157,8 +179,20 @@ std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& t
 
 void expect_no_attributes(const XmlContext& context, const XmlTag& tag) {
   for (const XmlAttribute& attribute : tag.attributes) {
-    report_unknown_attribute(context, tag, attribute, {});
+    report_block_attribute(context, tag, attribute, {});
   }
+}
+
+void report_block_attribute(const XmlContext& context, const XmlTag& tag,
+                            const XmlAttribute& attribute,
+                            std::span<const std::string_view> known) {
+  if (!is_known(attribute.name)) {
+    report_unknown_attribute(context, tag, attribute, known);
+    return;
+  }
+  context.report(xml_unknown_attribute, attribute,
+                 fmt::format("attribute {} of {} has no effect; write it as an element inside",
+                             attribute.name, element_text(tag.name)));
 }
 
 void SeenFields::note(const XmlContext& context, const XmlTag& tag, std::size_t field) {

@@ -29,6 +29,9 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
 
 /// Reports every attribute of an element that has none.
 void expect_no_attributes(const XmlContext& context, const XmlTag& tag);
+/// Reports an attribute that a block does not have; suggests an element, or one of `known`.
+void report_block_attribute(const XmlContext& context, const XmlTag& tag,
+                            const XmlAttribute& attribute, std::span<const std::string_view> known);
 
 /// Where the children of a block stood.
 class SeenFields {

@@ -159,7 +159,7 @@ LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
   for (const XmlAttribute& attribute : tag.attributes) {
     const bool is_type = attribute.name == "type";
     if (!is_type && attribute.name != "id") {
-      report_unknown_attribute(context, tag, attribute, known);
+      report_block_attribute(context, tag, attribute, known);
       continue;
     }
     context.report(xml_alias_attribute, attribute,

@@ -79,9 +79,10 @@ void SceneBuilder::text(std::string_view characters, Location location) {
   text_reported_ = true;
   context_.diagnostics.report(
       xml_text, location,
-      fmt::format("the text {} has no effect; values are attributes, comments are written "
-                  "<!-- like this -->",
-                  quoted(characters)));
+      fmt::format("the text {} has no effect; {}", quoted(characters),
+                  characters.find("/>") != std::string_view::npos
+                      ? "is the < of an element missing?"
+                      : "values are attributes, comments are written <!-- like this -->"));
 }
 
 Scene SceneBuilder::finish(bool complete) {

@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_syntax_error.h"
 
+#include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/xml_tag.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -63,6 +65,12 @@ std::string mismatch_message(std::string_view text, std::size_t at,
     return fmt::format("</{}> closes nothing", closing);
   }
   const OpenElement& inner = open.back();
+  const bool outer = std::any_of(open.begin(), open.end(),
+                                 [&](const OpenElement& e) { return e.name == name_at(rest); });
+  if (!outer && !nearest_name(name_at(rest), std::span(&inner.name, 1)).empty()) {
+    return fmt::format("</{}> cannot close {}; did you mean </{}>?", closing, opened_at(inner),
+                       escaped(inner.name, 40));
+  }
   const std::string_view slash =
       holds_elements(inner.name) ? "" : ", or a / in front of the > that ends its tag";
   return fmt::format("</{}> cannot close {}; </{}> is missing before it{}", closing,
@@ -92,6 +100,9 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
     return {};
   }
   const std::string_view tag = text.substr(open, at - open);
+  if (tag.size() == 1) {
+    return "two < in a row; one is enough";
+  }
   const auto quotes = std::count(tag.begin(), tag.end(), '"');
   if (quotes % 2 != 0) {
     return {};
@@ -112,6 +123,15 @@ std::string hint_before(std::string_view text, std::size_t at) {
   if (before == '<') {
     return text.substr(at).starts_with("--") ? "a comment starts with <!--"
                                              : "a name must follow < at once";
+  }
+  if (before == '/') {
+    return "the / that ends a tag is followed by > at once";
+  }
+  if (text[at] == '\\') {
+    return "a tag ends with >, or with /> where nothing is inside; no \\ belongs there";
+  }
+  if ((before == '"' || before == '\'') && text[at] == ',') {
+    return "attributes are separated by blanks, not by commas";
   }
   if (before == '"' || before == '\'') {
     return fmt::format(
@@ -147,6 +167,10 @@ std::string token_message(std::string_view text, std::size_t at) {
   }
   if (c.value < ' ' && c.value != '\t' && c.value != '\n' && c.value != '\r') {
     return fmt::format("the character {} is not allowed in XML", quoted(rest.substr(0, 1)));
+  }
+  if (is_odd_blank(c.value)) {
+    return fmt::format("a special blank, U+{:04X}; use an ordinary one",
+                       static_cast<std::uint32_t>(c.value));
   }
   if (rest[0] == '&') {
     return "a bare & is not allowed; write &amp;";

@@ -6,7 +6,7 @@
 SHIM is fail_call.c, built to be preloaded. A run counts the calls of a kind; then each of them (N of them when N is given) fails, once
 alone and once with all that follow. Every run must end by itself with status 0 and the good output, or with 1 to 4, a message,
 the output as it was before, and no other file. One allocation in Embree is known to make its first build wait for ever when it alone
-fails; a second such place is a failure. EXR is left out: tinyexr ends the process when memory runs out.
+fails; a second such place is a failure.
 """
 import argparse
 import os
@@ -52,6 +52,7 @@ COMMANDS = {
     "check": ("check scene.xml", None),
     "info": ("info scene.xml --files --tree", None),
     "render": ("render scene.xml -o out.png --size 8x8 --threads 2", "out.png"),
+    "render-layers": ("render scene.xml -o out.exr --size 8x8 --threads 2 --aov depth,normal", "out.exr"),
     "denoise": ("render scene.xml -o out.pfm --size 8x8 --threads 2 --denoise", "out.pfm"),
     "checkpoint": ("render scene.xml -o out.png --size 8x8 --threads 2 --checkpoint kept", "out.png"),
     "convert": ("convert scene.xml out.json", "out.json"),

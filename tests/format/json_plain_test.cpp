@@ -3,13 +3,14 @@
 #include "scenefile/format/json_plain.h"
 
 #include "format/write_random_scene.h"
+#include "scenefile/format/json_parser.h"
 #include "scenefile/format/write_scene.h"
+#include "support/plain_agreement.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,22 +21,6 @@ namespace {
 bool is_plain(std::string_view text, std::uint32_t max_depth = 100) {
   JsonTape tape;
   return read_plain_json(text, max_depth, tape);
-}
-
-bool agrees_with_rapidjson(const std::string& text, std::uint32_t max_depth = 100) {
-  JsonTape own;
-  if (!read_plain_json(text, max_depth, own)) {
-    return true;
-  }
-  JsonTape tape;
-  if (parse_json(text, max_depth, tape).fault != JsonFault::none) {
-    return false;
-  }
-  const auto same = [](const JsonItem& a, const JsonItem& b) {
-    return a.offset == b.offset && a.extent == b.extent;
-  };
-  return own.text == tape.text &&
-         std::equal(own.items.begin(), own.items.end(), tape.items.begin(), tape.items.end(), same);
 }
 
 TEST(JsonPlain, WhatIsPlain) {

@@ -4,8 +4,8 @@
 
 #include "format/write_random_scene.h"
 #include "scenefile/format/write_scene.h"
+#include "support/plain_agreement.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -16,59 +16,8 @@
 namespace scenefile::testing {
 namespace {
 
-// Writes down all that it is told.
-class Log : public XmlHandler {
- public:
-  explicit Log(const TextCursor& places) : places_(places) {}
-
-  bool start(const XmlTag& tag) override {
-    said += fmt::format("{}:{} {:.6f} <{}", tag.location.line, tag.location.column,
-                        places_.progress(), tag.name);
-    for (const XmlAttribute& attribute : tag.attributes) {
-      said += fmt::format(" {}=[{}]", attribute.name, attribute.value);
-    }
-    said += ">\n";
-    return tag.name != "stop";
-  }
-  void end() override { said += "end\n"; }
-  void text(std::string_view characters, Location) override {
-    said += fmt::format("text {}\n", characters);
-  }
-
-  std::string said;
-
- private:
-  const TextCursor& places_;
-};
-
-struct Told {
-  PlainEnd end = PlainEnd::complete;
-  std::string said;
-};
-
-Told plain(std::string_view text, const Limits& limits) {
-  TextCursor places(text);
-  Log log(places);
-  const PlainEnd end = read_plain_events(text, limits, places, log);
-  return {end, log.said};
-}
-
-// Whether Expat says the same, or has to be asked.
-bool agrees_with_expat(const std::string& text, const Limits& limits) {
-  const Told told = plain(text, limits);
-  if (told.end == PlainEnd::not_plain) {
-    return true;
-  }
-  TextCursor places(text);
-  Log log(places);
-  Diagnostics diagnostics;
-  const bool whole = read_events(text, limits, places, log, diagnostics);
-  return whole == (told.end == PlainEnd::complete) && log.said == told.said &&
-         diagnostics.list().empty();
-}
-
 PlainEnd end_of(std::string_view text, const Limits& limits = {}) {
-  return plain(text, limits).end;
+  return plain_events(text, limits).end;
 }
 
 TEST(XmlPlain, WhatIsPlain) {

@@ -41,7 +41,7 @@ const std::map<std::string, std::string> third_party = {
     {"rapidjson/", "format/json_parser.cpp"},
     {"png.h", "asset/png_file.cpp"},
     {"jpeglib.h", "asset/jpeg_file.cpp"},
-    {"tinyexr.h", "asset/exr_file.cpp"},
+    {"zlib.h", "asset/exr_file.cpp"},
     {"embree3/", "trace/embree_scenes.cpp"},
     {"embree4/", "trace/embree_scenes.cpp"},
     {"tbb/", "trace/tiles.cpp"},

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/direction.h"
 #include "scenefile/format/json_codes.h"
 #include "scenefile/format/large_scene.h"
 #include "scenefile/format/other_words.h"
@@ -181,7 +182,7 @@ void read_direction(JsonContext& context, JsonIndex object, const JsonFields& fi
   if (fields.has(focus)) {
     glm::vec3 point = camera.position + camera.look;
     assigner.vector(focus, Field::look, point);
-    camera.look = point - camera.position;
+    camera.look = direction_to(point, camera.position);
   }
 }
 }  // namespace camera

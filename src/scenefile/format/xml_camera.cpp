@@ -1,11 +1,11 @@
 #include "scenefile/format/xml_camera.h"
 
 #include "scenefile/format/codes.h"
+#include "scenefile/format/direction.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 
 namespace scenefile {
@@ -68,14 +68,6 @@ void report_defaults(const XmlContext& context, const CameraDraft& draft) {
   if (!draft.seen.has(c_height_angle)) {
     report_default(context, draft, "<heightangle>", "45");
   }
-}
-
-// Between points that are far apart the difference may be too large for a float; its direction is
-// not.
-glm::vec3 direction_to(const glm::vec3& to, const glm::vec3& from) {
-  const glm::vec3 direction = to - from;
-  const bool finite = glm::length(glm::dvec3(direction)) < std::numeric_limits<float>::max();
-  return finite ? direction : to * 0.25f - from * 0.25f;
 }
 
 // A focus is a point to look at; behind the reader there are directions only.

@@ -84,7 +84,7 @@ class PlainReader {
         places_(places),
         handler_(handler),
         p_(text.data()),
-        end_(text.data() + text.find_last_not_of(" \t\r\n") + 1) {}
+        end_(text.data() + (text.find_last_not_of(" \t\r\n") + 1)) {}
 
   PlainEnd run();
 

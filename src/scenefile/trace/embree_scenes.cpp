@@ -282,6 +282,13 @@ RTCGeometry mesh_geometry(RTCDevice device, MeshScene& mesh) {
 struct EmbreeScenes::State {
   RTCDevice device = nullptr;
   std::vector<RTCScene> scenes;
+  bool failed = false;
+
+  // Asking for the error forgets it.
+  bool good() {
+    failed = failed || device == nullptr || rtcGetDeviceError(device) != RTC_ERROR_NONE;
+    return !failed;
+  }
 
   // Takes the geometry over.
   RTCScene commit(RTCGeometry geometry, RTCSceneFlags flags) {
@@ -301,26 +308,33 @@ EmbreeScenes::EmbreeScenes() : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice("frequency_level=simd256");
 }
 
+// What failed is left to the end of the process: releasing it may wait for a task that could not be
+// made, for ever.
 EmbreeScenes::~EmbreeScenes() {
+  if (!state_->good()) {
+    return;
+  }
   for (RTCScene scene : state_->scenes) {
     rtcReleaseScene(scene);
   }
-  if (state_->device != nullptr) {
-    rtcReleaseDevice(state_->device);
-  }
+  rtcReleaseDevice(state_->device);
 }
 
 bool EmbreeScenes::good() const {
-  return state_->device != nullptr && rtcGetDeviceError(state_->device) == RTC_ERROR_NONE;
+  return state_->good();
 }
 
 void EmbreeScenes::add(Group& group) {
-  group.scene = state_->commit(parts_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
+  if (state_->good()) {
+    group.scene = state_->commit(parts_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
+  }
 }
 
 // Robust: without it rays slip through between triangles.
 void EmbreeScenes::add(MeshScene& mesh) {
-  mesh.scene = state_->commit(mesh_geometry(state_->device, mesh), RTC_SCENE_FLAG_ROBUST);
+  if (state_->good()) {
+    mesh.scene = state_->commit(mesh_geometry(state_->device, mesh), RTC_SCENE_FLAG_ROBUST);
+  }
 }
 
 void search_group_scene(Query& q, const Group& group, const Ray& ray) {

@@ -19,7 +19,8 @@ class EmbreeScenes {
   EmbreeScenes(const EmbreeScenes&) = delete;
   EmbreeScenes& operator=(const EmbreeScenes&) = delete;
 
-  /// Nothing has failed so far. Once something has, make no more.
+  /// Nothing has failed so far. Once something has, no more are made: when memory runs out at one
+  /// place of a build, the library's next build in that thread would wait for ever.
   bool good() const;
   /// Makes the scene of a group, by its parts and boxes. `group` must stay where it is.
   void add(Group& group);

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 namespace scenefile::app {
 
@@ -82,8 +83,12 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
       bar.update(done);
       return DeferredSignals::pending() == 0;
     };
-    result = render(scene.ready.scene, scene.assets, report.options, progress, checkpoints,
-                    preview_of(options));
+    const auto trace = [&](auto&& ready) {
+      return render(std::forward<decltype(ready)>(ready), scene.assets, report.options, progress,
+                    checkpoints, preview_of(options));
+    };
+    result = options.json ? trace(std::as_const(scene.ready.scene))
+                          : trace(std::move(scene.ready.scene));
   }
   deferred.reset();
   report.stats = result.stats;

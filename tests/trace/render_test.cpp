@@ -52,6 +52,19 @@ TEST(Render, ThreadsDoNotChangeABit) {
   }
 }
 
+TEST(Render, ASceneThatIsUsedUpLooksTheSameAndGivesItsMemoryBack) {
+  const SceneBuilder b = busy_scene();
+  for (const Profile profile : {Profile::course, Profile::fine}) {
+    RenderOptions options = default_options(profile);
+    options.width = 93;
+    options.height = 71;
+    RenderScene scene = b.scene;
+    const RenderResult used_up = render(std::move(scene), b.assets, options);
+    EXPECT_EQ(used_up.image.rgb, b.picture(93, 71, options).rgb);
+    EXPECT_TRUE(scene.groups.empty());
+  }
+}
+
 // Progress, states and previews are taken while other threads write; made for ThreadSanitizer.
 TEST(Render, WatchersDisturbNoNumberOfThreads) {
   const SceneBuilder b = busy_scene();

@@ -337,15 +337,18 @@ class Renderer {
   SharedCounts counts_;
 };
 
-}  // namespace
-
-RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress, const Checkpoints& checkpoints,
-                    const Preview& preview) {
+// `spare`: what may be given back once the acceleration structure stands.
+RenderResult render_scene(const RenderScene& scene, std::vector<RenderGroup>* spare,
+                          const Assets& assets, const RenderOptions& options,
+                          const Progress& progress, const Checkpoints& checkpoints,
+                          const Preview& preview) {
   RenderResult result;
   const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
   const Tracer tracer(scene, assets, options);
+  if (spare != nullptr) {
+    std::vector<RenderGroup>().swap(*spare);
+  }
   result.stats.build_seconds = seconds_since(start);
   result.status = tracer.status();
   const PixelRegion crop = crop_of(tracer.options);
@@ -372,6 +375,20 @@ RenderResult render(const RenderScene& scene, const Assets& assets, const Render
   }
   result.stats.trace_seconds = seconds_since(built);
   return result;
+}
+
+}  // namespace
+
+RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
+                    const Progress& progress, const Checkpoints& checkpoints,
+                    const Preview& preview) {
+  return render_scene(scene, nullptr, assets, options, progress, checkpoints, preview);
+}
+
+RenderResult render(RenderScene&& scene, const Assets& assets, const RenderOptions& options,
+                    const Progress& progress, const Checkpoints& checkpoints,
+                    const Preview& preview) {
+  return render_scene(scene, &scene.groups, assets, options, progress, checkpoints, preview);
 }
 
 }  // namespace scenefile

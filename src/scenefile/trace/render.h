@@ -148,5 +148,10 @@ struct Preview {
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress = {}, const Checkpoints& checkpoints = {},
                     const Preview& preview = {});
+/// The same, for one who needs the scene no more: what only finding hits needed is given back
+/// before the first ray, 64 bytes a primitive.
+RenderResult render(RenderScene&& scene, const Assets& assets, const RenderOptions& options,
+                    const Progress& progress = {}, const Checkpoints& checkpoints = {},
+                    const Preview& preview = {});
 
 }  // namespace scenefile

@@ -158,7 +158,7 @@ tidy: ## clang-tidy all sources
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
 .PHONY: bench bench-build
-BENCH_TARGETS = scenefile $(addprefix scenefile_bench_,load kernels psnr inside)
+BENCH_TARGETS = scenefile $(addprefix scenefile_bench_,load kernels psnr inside replay memory)
 bench-build:
 	@scripts/install-deps core bench
 	@$(MAKE) $(QUIET) configure

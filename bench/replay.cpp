@@ -1,0 +1,197 @@
+// scenefile_bench_replay SCENE [RUNS]: the physical limit of a render. Records the rays that a
+// picture of 1024 x 768 with the profile course asks about, and asks Embree about them again, with
+// nothing between: all objects in one user geometry of one structure, their inverses in 48 bytes,
+// callbacks in single precision. Rays of a tile that are alike (camera rays; shadow rays to one
+// light; mirrored rays of one depth) go in packets of 1, 8 or 16; for each kind the width counts
+// that takes least CPU time, and of RUNS the least. Prints "RAYS SECONDS OBJECTS".
+
+#include "replay_shapes.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/io/asset_roots.h"
+#include "scenefile/io/file.h"
+#include "scenefile/scene/prepare.h"
+#include "scenefile/trace/course_samples.h"
+#include "scenefile/trace/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+#include <string>
+
+namespace {
+
+using namespace scenefile;
+using bench::RayRecord;
+
+constexpr int width = 1024;
+constexpr int height = 768;
+constexpr int tile = 16;
+
+// Rays that are asked about in one way, cut into runs of such as are near each other.
+struct Kind {
+  std::vector<RayRecord> rays;
+  std::vector<std::size_t> runs{0};  // where each ends
+  bool shadow = false;
+};
+
+enum { camera_rays, other_rays, camera_shadows, other_shadows, kinds };
+
+// Writes down what the accelerator is asked about in a tile.
+class RayLog final : public Recorder {
+ public:
+  void begin_ray(RayKind kind, int depth, const Ray& ray, double start) override {
+    deep_ = depth > 0 || kind != RayKind::camera;
+    put(deep_ ? other_rays : camera_rays, static_cast<int>(kind) + 4 * depth, ray, start, 1e30);
+    light_ = 0;
+  }
+  void wall(const Ray&, double start, const SurfacePoint& point, const glm::dvec3&,
+            const glm::dvec3& direction, bool) override {
+    put(other_rays, -1, {point.position, direction}, start, 1e30);
+  }
+  void shadow(const Ray& ray, double start, double end, const Color&) override {
+    put(deep_ ? other_shadows : camera_shadows, light_, ray, start, end);
+  }
+  void light(std::uint32_t index, std::uint32_t, const Color&) override {
+    light_ = static_cast<int>(index) + 1;
+  }
+
+  void end_tile(Kind (&all)[kinds]) {
+    for (auto& [key, rays] : tile_) {
+      Kind& kind = all[key.first];
+      kind.rays.insert(kind.rays.end(), rays.begin(), rays.end());
+      kind.runs.push_back(kind.rays.size());
+    }
+    tile_.clear();
+  }
+
+ private:
+  void put(int kind, int group, const Ray& ray, double start, double end) {
+    const glm::vec3 o(ray.origin);
+    const glm::vec3 d(ray.direction);
+    tile_[{kind, group}].push_back(
+        {o.x, o.y, o.z, static_cast<float>(start), d.x, d.y, d.z, static_cast<float>(end)});
+  }
+
+  std::map<std::pair<int, int>, std::vector<RayRecord>> tile_;
+  bool deep_ = false;
+  int light_ = 0;
+};
+
+void record(const Tracer& tracer, Kind (&all)[kinds]) {
+  const CameraRays camera = tracer.camera();
+  RayLog log;
+  RayCounts counts;
+  counts.recorder = &log;
+  for (int y0 = 0; y0 < height; y0 += tile) {
+    for (int x0 = 0; x0 < width; x0 += tile) {
+      for (int i = 0; i < tile * tile; ++i) {
+        // Blocks of 4 x 4, so that a packet of 16 is as narrow as can be.
+        const int x = x0 + i / 16 % 4 * 4 + i % 4;
+        const int y = y0 + i / 64 * 4 + i / 4 % 4;
+        course_pixel(tracer, camera, x, y, counts);
+      }
+      log.end_tile(all);
+    }
+  }
+}
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Least CPU time over the widths.
+double replay(const bench::BareScene& scene, const Kind& kind, int runs) {
+  double best = 1e30;
+  for (int run = 0; run < runs; ++run) {
+    for (const int lanes : {1, 8, 16}) {
+      const double start = cpu_seconds();
+      for (std::size_t i = 1; i < kind.runs.size(); ++i) {
+        const std::size_t from = kind.runs[i - 1];
+        scene.ask(&kind.rays[from], kind.runs[i] - from, lanes, kind.shadow);
+      }
+      best = std::min(best, cpu_seconds() - start);
+    }
+  }
+  return best;
+}
+
+struct Placed {
+  std::uint32_t group;
+  DAffine world_from_group;
+};
+
+// All objects, templates copied out. False: more than fit.
+bool copy_out(const RenderScene& scene, std::vector<bench::BareObject>& objects) {
+  constexpr std::size_t most = 4'000'000;
+  std::vector<Placed> stack{{scene.root, {}}};
+  while (!stack.empty()) {
+    const Placed now = stack.back();
+    stack.pop_back();
+    for (const RenderInstance& instance : scene.groups[now.group].instances) {
+      stack.push_back(
+          {instance.group, now.world_from_group * DAffine(instance.group_from_instance)});
+    }
+    for (const RenderPrimitive& primitive : scene.groups[now.group].primitives) {
+      const DAffine world_from_object = now.world_from_group * DAffine(primitive.group_from_object);
+      if (primitive.shape == Shape::mesh || objects.size() == most) {
+        return false;
+      }
+      objects.push_back({Affine(inverse(world_from_object)),
+                         shape_bounds(primitive.shape, world_from_object), primitive.shape});
+    }
+    if (stack.size() > most) {
+      return false;
+    }
+  }
+  return true;
+}
+
+RenderScene load(const char* path) {
+  std::string text;
+  if (!read_file(path, std::uint64_t{1} << 32, text).empty()) {
+    std::exit(3);
+  }
+  Diagnostics diagnostics;
+  return prepare(read_scene(text, {.compat_course = true, .limits = {}}, diagnostics), {}).scene;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    return 2;
+  }
+  const RenderScene scene = load(argv[1]);
+  std::vector<bench::BareObject> objects;
+  if (!copy_out(scene, objects)) {
+    fmt::print("- - -\n");  // meshes, or too many
+    return 0;
+  }
+  RenderOptions options = default_options(Profile::course);
+  options.width = width;
+  options.height = height;
+  options.features.super_sample = false;
+  options.features.depthoffield = false;
+  options.features.texture = false;
+  const Assets assets{std::vector<Texture>(scene.texture_files.size()), {}};
+  Kind all[kinds];
+  all[camera_shadows].shadow = all[other_shadows].shadow = true;
+  {
+    const Tracer tracer(scene, assets, options);
+    record(tracer, all);
+  }
+  const bench::BareScene bare(objects);
+  std::size_t rays = 0;
+  double seconds = 0;
+  for (const Kind& kind : all) {
+    rays += kind.rays.size();
+    seconds += kind.rays.empty() ? 0 : replay(bare, kind, argc > 2 ? std::atoi(argv[2]) : 3);
+  }
+  fmt::print("{} {:.4f} {}\n", rays, seconds, objects.size());
+}

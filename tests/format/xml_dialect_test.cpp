@@ -132,6 +132,19 @@ TEST(XmlDialect, ValuesInAWrongPlaceSayWhereTheyBelong) {
   EXPECT_THAT(of(in_root("scale x=\"1\"/>")), HasSubstr("is the < of an element missing?"));
 }
 
+TEST(XmlDialect, AMasterAfterTheRootSaysWhereItIsUsed) {
+  const std::string late = "<object type=\"tree\" name=\"late\"/></scenefile>";
+  const std::string used =
+      "<scenefile><object type=\"tree\" name=\"root\">\n<transblock><object type=\"master\" "
+      "name=\"late\"/></transblock>\n</object>" +
+      late;
+  EXPECT_EQ(messages(read(used).diagnostics).front(),
+            "3:10 the master \"late\" is declared after the root, though line 2 uses it");
+  EXPECT_EQ(messages(read("<scenefile><object type=\"tree\" name=\"root\"/>\n" + late).diagnostics)
+                .front(),
+            "2:1 the master \"late\" is declared after the root");
+}
+
 TEST(XmlDialect, WordsOfOtherProgramsAreTranslated) {
   const auto of = [](std::string_view object) {
     return messages(read(in_root(fmt::format("<transblock>{}</transblock>", object))).diagnostics);

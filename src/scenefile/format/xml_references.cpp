@@ -69,7 +69,13 @@ void XmlReferences::use(Scene& scene, NodeId node, std::string_view name, Locati
   scene.field_places.push_back({scene.nodes[node].location, Field::instance_of, place});
   if (!declared_.contains(std::string(name))) {
     early_uses_.push_back({node, place, is_tree});
+    first_early_uses_.emplace(name, place);
   }
+}
+
+Location XmlReferences::early_use(const std::string& name) const {
+  const auto found = first_early_uses_.find(name);
+  return found == first_early_uses_.end() ? Location{} : found->second;
 }
 
 void XmlReferences::move_last_use(NodeId from, NodeId to) {

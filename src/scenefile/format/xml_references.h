@@ -19,6 +19,8 @@ class XmlReferences {
   /// The node is an instance of the name. `is_tree`: said by an empty tree of that name, which may
   /// turn out to be just that.
   void use(Scene& scene, NodeId node, std::string_view name, Location place, bool is_tree);
+  /// Where the name was first used before it was declared; unknown: nowhere.
+  Location early_use(const std::string& name) const;
   /// What was used last by `from` is used by `to` instead.
   void move_last_use(NodeId from, NodeId to);
   /// Where a part of the file could not be read, which may declare what is used: turns uses of
@@ -40,6 +42,7 @@ class XmlReferences {
 
   std::unordered_map<std::string, Location> declared_;
   std::vector<Use> early_uses_;
+  std::unordered_map<std::string, Location> first_early_uses_;
 };
 
 }  // namespace scenefile

@@ -225,8 +225,11 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
     node = is_new ? add_template(scene_, std::string(object->name)) : add_node(tag.location);
   }
   if (is_new && !is_root && scene_.nodes[scene_.root].location.known()) {
-    context_.report(xml_master_after_root, tag,
-                    fmt::format("the master {} is declared after the root", quoted(object->name)));
+    const Location use = references_.early_use(std::string(object->name));
+    context_.report(
+        xml_master_after_root, tag,
+        fmt::format("the master {} is declared after the root{}", quoted(object->name),
+                    use.known() ? fmt::format(", though line {} uses it", use.line) : ""));
   }
   if (is_root) {
     scene_.nodes[node].name = "root";

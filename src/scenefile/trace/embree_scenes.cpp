@@ -5,7 +5,6 @@
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
 #include "scenefile/trace/ray_box.h"
-#include "scenefile/trace/tiles.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
@@ -298,7 +297,10 @@ struct EmbreeScenes::State {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    with_threads([&] { rtcCommitScene(scene); });
+    // Not in an arena of its own: scenes outlive it, and TBB would keep it for ever.
+    HandOver::give();
+    rtcCommitScene(scene);
+    HandOver::collect();
     return scene;
   }
 };

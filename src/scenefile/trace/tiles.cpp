@@ -29,12 +29,17 @@ int tiles_of(int size) {
 // Calls work(i) for 0 to count - 1 from all threads.
 template <typename Work>
 void for_each_index(std::size_t count, const Work& work) {
+  const auto threads =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(static_cast<int>(threads));
   const auto piece = [&work](std::size_t i) {
     const HandOver hand_over;
     const NoDenormals no_denormals;
     work(i);
   };
-  with_threads([&] { tbb::parallel_for(std::size_t(0), count, piece); });
+  HandOver::give();
+  arena.execute([&] { tbb::parallel_for(std::size_t(0), count, piece); });
+  HandOver::collect();
 }
 
 // TBB gets to know the thread that asks for work. Where memory runs out in that, it counts the
@@ -137,15 +142,6 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
     }
     watch.advance(done);
   });
-}
-
-void with_threads(const std::function<void()>& work) {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::task_arena arena(static_cast<int>(threads));
-  HandOver::give();
-  arena.execute(work);
-  HandOver::collect();
 }
 
 void for_each_line(int count, const std::function<void(int)>& work) {

@@ -90,10 +90,6 @@ class Watch {
 void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
                     const std::function<bool(const Tile&)>& work);
 
-/// Calls `work`, which may use all threads. Without this TBB goes on to expect parallel work of the
-/// calling thread, and starts threads for it as soon as a ThreadLimit ends.
-void with_threads(const std::function<void()>& work);
-
 /// Calls `work` for 0 to count - 1 from all threads.
 void for_each_line(int count, const std::function<void(int)>& work);
 

@@ -301,7 +301,7 @@ constexpr std::array table{
     OptionRow{
         "--samples", "", "N",
         "Most samples a pixel, for the profile fine (default 16; with --engine gl 1, 4, 16 or 64, "
-        "by default 4, or 16 where the objects are as small as pixels).",
+        "by default 4, or 16 where most objects are a few pixels wide).",
         for_tracing,
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
     OptionRow{

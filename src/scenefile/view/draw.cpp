@@ -44,7 +44,7 @@ void blit(const gl::Functions& gl, const PixelSurface& from, const PixelSurface&
 }
 
 int samples_for(const Frame& frame, const std::vector<WorldObject>& objects) {
-  constexpr double small = 2;  // pixels
+  constexpr double small = 4;  // pixels, half the diagonal of the box
   std::size_t seen = 0;
   std::size_t few_pixels = 0;
   for (const WorldObject& object : objects) {

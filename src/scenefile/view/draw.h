@@ -114,7 +114,7 @@ struct DrawOptions {
   bool transparency = true;       ///< not bent; false: as the tracer without `refract`
   bool directional_only = false;  ///< of the lights (the course's ray caster)
   /// A pixel: 1, 4 (light is computed once), 16 (four times) or 64 (16 times). 0: 4, and 16 where
-  /// more than half of the objects in the picture are about as small as a pixel.
+  /// more than half of the objects in the picture are only a few pixels wide.
   int samples = 4;
   /// By index into RenderScene::lights, true: it shines; lights beyond the list do.
   std::vector<bool> lights;

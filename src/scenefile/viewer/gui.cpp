@@ -49,7 +49,7 @@ void build_grip(Session& session, const Box& panel, double scale) {
 
 // Cuts the outline off the room.
 void build_left(Session& session, const GuiFrame& frame, Box& room) {
-  const double width = std::min(session.settings.panel_width * frame.scale, room.size.x * 0.6);
+  const double width = std::min(session.settings.panel_width * frame.scale, room.size.x * 0.45);
   const Box panel{room.at, {width, room.size.y}};
   begin_panel("##left", panel, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   build_outline(session, frame);

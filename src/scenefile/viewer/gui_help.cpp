@@ -85,14 +85,18 @@ void build_help(const GuiFrame& frame) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::SetNextWindowSizeConstraints({0, 0}, window);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
-                      {static_cast<float>(8 * frame.scale), static_cast<float>(4 * frame.scale)});
+                      {static_cast<float>(8 * frame.scale), static_cast<float>(6 * frame.scale)});
   ImGui::Begin("##help", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_HorizontalScrollbar);
   const float top = ImGui::GetCursorPosY();
   const float left = ImGui::GetCursorPosX();
   build_left();
-  ImGui::SetCursorPos({left + 33 * ImGui::GetFontSize(), top});
+  const float second = left + 34 * ImGui::GetFontSize();
+  if (window.x >= second + 26 * ImGui::GetFontSize()) {
+    ImGui::SetCursorPos({second, top});
+  }
   build_right();
   ImGui::End();
   ImGui::PopStyleVar(4);

@@ -89,7 +89,7 @@ void dim_text(const std::string& text) {
 void build_title(const Session& session) {
   const std::string text = escaped(scene_name(session), 80);
   const float width = ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetFontSize());
+  ImGui::SameLine(ImGui::GetWindowWidth() - width - 1.6F * ImGui::GetFontSize());
   dim_text(text);
 }
 
@@ -127,8 +127,10 @@ void build_menu(Session& session) {
 
 void build_status(const Session& session, const GuiFrame& frame) {
   if (session.shown == nullptr) {
-    dim_text(session.loading.busy() ? "reading " + escaped(scene_name(session), 80)
-                                    : "drop a scene into the window");
+    const std::string name = escaped(scene_name(session), 80);
+    dim_text(session.loading.busy()      ? "reading " + name
+             : session.broken != nullptr ? name + " is read again when it changes"
+                                         : "drop a scene into the window");
     return;
   }
   const glm::dvec3& p = session.camera.position;

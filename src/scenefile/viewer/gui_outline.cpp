@@ -111,9 +111,8 @@ class RowPainter {
     return static_cast<Shape>(std::min<std::ptrdiff_t>(found - shape_words.begin(), 4));
   }
 
-  void paint_shape(const ImVec2& c, float r) const {
+  void paint_shape(const ImVec2& c, float r, ImU32 color) const {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImU32 color = material_color();
     switch (shape()) {
       case Shape::sphere:
         draw.AddCircleFilled(c, r, color, 20);
@@ -140,7 +139,8 @@ class RowPainter {
     const ImU32 line = rgba(color_dim);
     switch (row_.kind) {
       case RowKind::primitive:
-        paint_shape(c, r);
+        paint_shape(c, r + 1, line);  // a rim, for what is as dark as the panel
+        paint_shape(c, r, material_color());
         break;
       case RowKind::light:
         draw.AddCircleFilled(c, r * 0.6F, rgba(color_light), 16);

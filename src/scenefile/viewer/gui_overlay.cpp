@@ -37,17 +37,19 @@ void paint_picture(const Box& box, unsigned name, double from, double to, double
                                            vec({to, bottom}));
 }
 
-// A word on a dark ground; `anchor`: where in the text the point is, from 0 to 1.
+// Words on a dark ground, in lines of the room at most; `anchor`: where in the text the point is,
+// from 0 to 1.
 void paint_label(const glm::dvec2& at, const std::string& text, const glm::dvec2& anchor,
-                 double scale, unsigned color = color_text) {
+                 double scale, unsigned color = color_text, double room = 1e4) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const auto wrap = static_cast<float>(std::max(room - 18 * scale, 40.0));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
   const glm::dvec2 padding = glm::dvec2(9, 5) * scale;
   const glm::dvec2 whole = glm::dvec2(size.x, size.y) + 2.0 * padding;
   const glm::dvec2 begin = glm::floor(at - anchor * whole);
   draw.AddRectFilled(vec(begin), vec(begin + whole), rgba(0x101114, 205),
                      static_cast<float>(6 * scale));
-  draw.AddText(vec(begin + padding), rgba(color), text.c_str());
+  draw.AddText(nullptr, 0, vec(begin + padding), rgba(color), text.c_str(), nullptr, wrap);
 }
 
 void paint_pictures(const Session& session, const GuiFrame& frame) {
@@ -113,7 +115,8 @@ void paint_comparison(const Session& session, const GuiFrame& frame) {
   if (session.comparison) {
     const Box& box = session.picture;
     paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 12 * frame.scale),
-                measures_text(session.comparison->measures), {0.5, 1}, frame.scale);
+                measures_text(session.comparison->measures), {0.5, 1}, frame.scale, color_text,
+                box.size.x);
   }
 }
 
@@ -246,12 +249,23 @@ void paint_welcome(const Session& session, const GuiFrame& frame) {
               color_dim);
 }
 
+// What the colors mean, where that is not plain.
+void paint_legend(const Session& session, const GuiFrame& frame) {
+  if (session.shown != nullptr && session.mode == DrawMode::bounding_boxes &&
+      session.compare <= CompareView::split) {
+    paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale,
+                "bounding boxes: the brighter, the more lie behind each other", {0, 0}, frame.scale,
+                color_dim, session.picture.size.x);
+  }
+}
+
 }  // namespace
 
 void build_overlay(Session& session, const GuiFrame& frame) {
   paint_pictures(session, frame);
   paint_selection(session, frame);
   paint_comparison(session, frame);
+  paint_legend(session, frame);
   paint_welcome(session, frame);
   if (session.settings.statistics && !session.picture_only) {
     build_statistics(session, frame);
@@ -260,7 +274,7 @@ void build_overlay(Session& session, const GuiFrame& frame) {
     const Box& box = session.picture;
     paint_label(box.at + glm::dvec2(box.size.x / 2, box.size.y - 58 * frame.scale),
                 escaped(session.notice->text, 300), {0.5, 0.5}, frame.scale,
-                session.notice->bad ? color_error : color_good);
+                session.notice->bad ? color_error : color_good, box.size.x);
   }
 }
 

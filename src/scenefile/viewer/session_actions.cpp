@@ -20,6 +20,11 @@ void frame(Session& session) {
 }
 
 void save(Session& session) {
+  if (session.shown->opened.path != session.path) {
+    say(session,
+        fmt::format("the view is not saved: the picture is not of {}", scene_name(session)), true);
+    return;
+  }
   const Camera camera = camera_of(session.camera, session.shown->camera);
   SavedView saved = save_view(session.path, session.known_text, camera, session.setup.read);
   const std::string name = scene_name(session);

@@ -1,5 +1,6 @@
 #include "app/gl_picture.h"
 
+#include "scenefile/view/codes.h"
 #include "scenefile/view/headless.h"
 
 #include <fmt/format.h>
@@ -49,6 +50,13 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
   DrawStats stats;
   image = draw_image(*device, drawing, ready.camera, draw_options(options), options.width,
                      options.height, error, &stats);
+  if (stats.left_out != 0) {
+    scene.diagnostics.report(
+        gl_copies_left_out, {},
+        fmt::format("the picture shows more than OpenGL draws in a fit time: of {} objects the "
+                    "farthest {} are left out; the ray tracer draws them all",
+                    stats.objects + stats.left_out, stats.left_out));
+  }
   report = {device->renderer(), stats.draw_calls, stats.shadow_maps, stats.objects,
             stats.triangles};
   return {error.empty() ? ExitCode::fine : ExitCode::environment, error};

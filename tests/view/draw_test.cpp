@@ -87,6 +87,22 @@ TEST_F(Drawn, CopiesBeyondTheLimitAreLeftOutWithAWarning) {
   EXPECT_EQ(diagnostics.list()[0].code->name, "gl.copies-left-out");
 }
 
+TEST_F(Drawn, TheFarthestAreLeftOutWhereThePictureIsCoveredTooOften) {
+  SceneBuilder builder;
+  const std::uint32_t red = builder.glowing({1, 0, 0});
+  const std::uint32_t green = builder.glowing({0, 1, 0});
+  for (int i = 0; i < 3000; ++i) {
+    builder.add(Shape::cube, place({0, 0, -30 - 0.01f * float(i)}, 40), i == 2999 ? red : green);
+  }
+  Drawing drawing = uploaded(builder);
+  const Image image = draw_square(drawing, builder.scene.camera, one_sample(), 512);
+  EXPECT_EQ(at(image, 256, 256), glm::vec3(0, 1, 0));
+  EXPECT_GT(stats.left_out, 500u);
+  EXPECT_EQ(stats.left_out + stats.objects, 3000u);
+  draw_square(drawing, builder.scene.camera, one_sample(), 64);
+  EXPECT_EQ(stats.left_out, 0u);
+}
+
 TEST_F(Drawn, SmallObjectsHaveMoreSamplesWhereNobodySaysHowMany) {
   const auto image_with = [&](float size, int samples) {
     SceneBuilder builder;

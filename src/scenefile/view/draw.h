@@ -146,6 +146,7 @@ struct DrawStats {
   std::uint32_t shadow_maps = 0;   ///< square depth images in use
   std::uint64_t objects = 0;
   std::uint64_t triangles = 0;  ///< of all objects, or lines
+  std::uint64_t left_out = 0;   ///< of the objects in the picture the farthest: there are too many
 };
 
 /// Draws the scene as the camera sees it (the lens is taken for a pinhole). Of the GL state,

@@ -32,9 +32,24 @@ struct Batch {
 
 struct Item {
   BatchKey key;
-  double distance = 0;  // of the object's middle, for what is seen through
+  double distance = 0;  // of the object's middle
+  double work = 0;      // as many pixels would take as long
   std::uint32_t object = 0;
 };
+
+// More than any scene of an author; only bombs of templates come here, and must come to an end.
+constexpr double most_work = 6e8;
+constexpr double work_of_triangle = 15;
+
+// Opaque ones in batches, the nearest first, so that hidden pixels are not lit; behind them those
+// that are seen through, the farthest first.
+bool comes_before(const Item& a, const Item& b) {
+  if (a.key.see_through) {
+    return b.key.see_through && std::tie(b.distance, a.object) < std::tie(a.distance, b.object);
+  }
+  return b.key.see_through ||
+         std::tie(a.key, a.distance, a.object) < std::tie(b.key, b.distance, b.object);
+}
 
 // Coefficients of x^2 + z^2 + a y^2 + b y + c = 0, the round sides; 0 for meshes.
 glm::vec3 quadric_of(Shape shape) {
@@ -63,7 +78,11 @@ class Pass {
         options_(options),
         output_(output),
         boxes_(output == Output::box),
-        lines_(output == Output::flat_color) {}
+        lines_(output == Output::flat_color),
+        // All shadow maps together may take as long as the picture.
+        most_work_(output == Output::nothing
+                       ? most_work / double(std::max<std::size_t>(1, drawing.shadows.views.size()))
+                       : most_work) {}
 
   DrawStats draw() {
     choose_objects();
@@ -171,24 +190,54 @@ class Pass {
   float kt() const { return drawing_.global.transparent.value_or(options_.course ? 0.0f : 0.5f); }
 
   void choose_objects() {
+    double work = 0;
     for (std::uint32_t i = 0; i < drawing_.scene.objects.size(); ++i) {
       const WorldObject& object = drawing_.scene.objects[i];
       if (!may_be_seen(frame_, object) || is_hidden(drawing_.scene.names[i]) ||
           (output_ == Output::nothing && !throws_shadow(object))) {
         continue;
       }
-      Item item{key_of(object), 0, i};
-      if (item.key.see_through) {
-        const glm::dvec3 middle = 0.5 * (glm::dvec3(object.box_min) + glm::dvec3(object.box_max));
-        item.distance = glm::length(middle - frame_.camera.position);
-      }
-      items_.push_back(item);
+      const glm::dvec3 middle = 0.5 * (glm::dvec3(object.box_min) + glm::dvec3(object.box_max));
+      const BatchKey key = key_of(object);
+      items_.push_back(
+          {key, glm::length(middle - frame_.camera.position), work_of(object, key), i});
+      work += items_.back().work;
     }
-    // Opaque ones in batches; behind them those that are seen through, the farthest first.
-    std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
-      return std::tie(a.key.see_through, b.distance, a.key, a.object) <
-             std::tie(b.key.see_through, a.distance, b.key, b.object);
-    });
+    if (work > most_work_) {
+      leave_out_farthest();
+    }
+    std::sort(items_.begin(), items_.end(), comes_before);
+  }
+
+  double work_of(const WorldObject& object, const BatchKey& key) const {
+    const double radius = radius_in_pixels(frame_, object);
+    const double whole = double(frame_.height) * frame_.height * frame_.tan_x / frame_.tan_y;
+    const double segments = level_segments[key.level];
+    const double triangles = object.shape == Shape::mesh
+                                 ? double(drawing_.mesh_triangles[object.mesh].size()) / 3
+                             : object.shape == Shape::cube ? 12
+                                                           : segments * segments;
+    return std::min(2 * radius * radius, whole) + work_of_triangle * triangles;
+  }
+
+  void leave_out_farthest() {
+    const auto nearer = [](const Item& a, const Item& b) {
+      return std::tie(a.distance, a.object) < std::tie(b.distance, b.object);
+    };
+    const auto easier = [](const Item& a, const Item& b) { return a.work < b.work; };
+    const double least = std::min_element(items_.begin(), items_.end(), easier)->work;
+    const auto at_most = std::min(items_.size(), static_cast<std::size_t>(most_work_ / least));
+    const auto end = items_.begin() + std::ptrdiff_t(at_most);
+    std::nth_element(items_.begin(), end, items_.end(), nearer);
+    std::sort(items_.begin(), end, nearer);
+    double work = 0;
+    std::size_t kept = 0;
+    while (kept < at_most && work + items_[kept].work <= most_work_) {
+      work += items_[kept++].work;
+    }
+    kept = std::max<std::size_t>(kept, 1);
+    stats_.left_out = items_.size() - kept;
+    items_.resize(kept);
   }
 
   InstanceRecord record_of(const Item& item) const {
@@ -336,6 +385,7 @@ class Pass {
   Output output_;
   bool boxes_;
   bool lines_;
+  double most_work_;
   int emitter_count_ = 0;
   std::vector<Item> items_;
   std::vector<Batch> batches_;

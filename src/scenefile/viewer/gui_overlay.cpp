@@ -223,6 +223,9 @@ void build_statistics(const Session& session, const GuiFrame& frame) {
                             1 / std::max(frame.frame_seconds, 1e-6)));
   line("picture", fmt::format("{} x {}", session.pixels.x, session.pixels.y));
   line("objects", count_text(frame.drawn.objects));
+  if (frame.drawn.left_out != 0) {
+    line("left out", count_text(frame.drawn.left_out) + ", the farthest");
+  }
   line("triangles", count_text(frame.drawn.triangles));
   line("draw calls",
        fmt::format("{} + {} shadows", frame.drawn.draw_calls, frame.drawn.shadow_calls));

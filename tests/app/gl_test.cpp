@@ -1,0 +1,141 @@
+// render --engine gl: options, answers, and scenes that are too much.
+
+#include "app/run_program.h"
+#include "scenefile/asset/compare_images.h"
+#include "scenefile/asset/image_file.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::HasSubstr;
+
+struct RenderWithGl : ::testing::Test {
+  ProgramRun render(std::vector<std::string> more, const std::string& size = "64x48") const {
+    std::vector<std::string> words{"render", scene, "-o", folder.path("gl.png"), "--size", size};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+  ProgramRun draw(std::vector<std::string> more) const {
+    more.insert(more.end(), {"--engine", "gl"});
+    return render(more);
+  }
+  Texture picture(const std::string& name) const {
+    const Limits limits;
+    std::uint64_t budget = limits.texture_bytes;
+    std::string error;
+    Texture result = decode_image(folder.read(name), limits, budget, error);
+    EXPECT_EQ(error, "");
+    return result;
+  }
+  static bool has_gl(const ProgramRun& run) { return run.status != 3; }
+
+  TempFolder folder;
+  std::string scene = folder.write("scene.xml", good_scene);
+};
+
+TEST_F(RenderWithGl, AnswersInJson) {
+  const ProgramRun run = draw({"--json"});
+  if (!has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  EXPECT_EQ(run.status, 0) << run.err;
+  const rapidjson::Document json = parse_json(run.out);
+  EXPECT_STREQ(json["engine"].GetString(), "gl");
+  EXPECT_STRNE(json["renderer"].GetString(), "");
+  EXPECT_EQ(json["objects"].GetUint(), 1U);
+  EXPECT_EQ(json["draw_calls"].GetUint(), 1U);
+  EXPECT_STREQ(parse_json(render({"--json"}).out)["engine"].GetString(), "trace");
+}
+
+TEST_F(RenderWithGl, HasNoOptionsOfRays) {
+  for (const std::vector<std::string>& option :
+       std::vector<std::vector<std::string>>{{"--max-depth", "2"},
+                                             {"--seed", "1"},
+                                             {"--fresnel"},
+                                             {"--threads", "2"},
+                                             {"--checkpoint", folder.path("c")},
+                                             {"--preview", folder.path("p.png")},
+                                             {"--aov", "depth"},
+                                             {"--crop", "0,0,4,4"},
+                                             {"--denoise"}}) {
+    const ProgramRun run = draw(option);
+    EXPECT_EQ(run.status, 2) << option[0];
+    EXPECT_THAT(run.err, HasSubstr(option[0] + " is for the ray tracer"));
+  }
+  const ProgramRun samples = draw({"--samples", "7"});
+  EXPECT_EQ(samples.status, 2);
+  EXPECT_THAT(samples.err, HasSubstr("1, 4, 16 or 64"));
+  EXPECT_EQ(folder.list(), std::vector<std::string>{"scene.xml"});
+}
+
+TEST_F(RenderWithGl, SaysWhereThereIsNoOpenGl) {
+  const ProgramRun run =
+      run_program({"render", scene, "--engine", "gl", "-o", folder.path("gl.png")},
+                  {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/none", "DISPLAY="}});
+  if (run.status == 0) {
+    GTEST_SKIP() << "this EGL needs no vendor files";
+  }
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("--engine gl: "));
+  EXPECT_EQ(folder.list(), std::vector<std::string>{"scene.xml"});
+}
+
+TEST_F(RenderWithGl, TheCoursesProfileIsThatOfTheTracer) {
+  if (const ProgramRun run = draw({"--profile", "course"}); !has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  ASSERT_EQ(render({"--profile", "course", "-o", folder.path("trace.png")}).status, 0);
+  EXPECT_GT(compare_images(picture("gl.png"), picture("trace.png")).psnr_db, 32);
+}
+
+TEST_F(RenderWithGl, FloatsAreThePixels) {
+  if (const ProgramRun run = draw({}); !has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  ASSERT_EQ(draw({"-o", folder.path("gl.exr")}).status, 0);
+  EXPECT_EQ(picture("gl.exr").rgb, picture("gl.png").rgb);
+}
+
+// Each template holds the one before it twice.
+std::string bomb(int levels) {
+  std::string text = R"(<scenefile><cameradata><pos x="0" y="0" z="9"/><look x="0" y="0" z="-1"/>
+<up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>
+<lightdata><id v="0"/><color r="1" g="1" b="1"/><type v="point"/><position x="3" y="5" z="8"/></lightdata>
+<object type="tree" name="t0"><transblock><object type="primitive" name="cube"><diffuse r="1" g="0" b="0"/></object></transblock></object>
+)";
+  for (int i = 1; i <= levels; ++i) {
+    text += fmt::format("<object type=\"tree\" name=\"t{}\">", i);
+    for (const char* const side : {"1", "-1"}) {
+      text += fmt::format(
+          "<transblock><translate x=\"{}\" y=\"0\" z=\"0\"/><object type=\"master\" "
+          "name=\"t{}\"/></transblock>",
+          side, i - 1);
+    }
+    text += "</object>\n";
+  }
+  return text + fmt::format(
+                    "<object type=\"tree\" name=\"root\"><transblock><object "
+                    "type=\"master\" name=\"t{}\"/></transblock></object></scenefile>",
+                    levels);
+}
+
+TEST_F(RenderWithGl, ABombOfTemplatesComesToAnEnd) {
+  folder.write("scene.xml", bomb(40));
+  const ProgramRun run = draw({});
+  if (!has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, HasSubstr("OpenGL draws the first 1048576"));
+  EXPECT_THAT(run.err, HasSubstr("[gl.copies-left-out]"));
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -76,9 +76,12 @@ inline void redirect(const WaveScene& scene, const WaveHits& hits, const WavePoi
                      const glm::dvec3& direction, double turning, Path& path) {
   if (scene.by_footprint) {
     const Tracer& tracer = scene.tracer;
-    const Hit hit = hit_of(scene, hits, points.ray[k], path.ray);
-    path.cone = bent_cone(surface_point(tracer.scene, tracer.assets, path.ray, hit, true),
-                          path.cone, hit.t, turning);
+    const auto surface = [&] {
+      const Hit hit = hit_of(scene, hits, points.ray[k], path.ray);
+      return surface_point(tracer.scene, tracer.assets, path.ray, hit, true);
+    };
+    path.cone = bent_cone(points.known[k] ? points.surface[k] : surface(), path.cone, points.t[k],
+                          turning);
   }
   path.ray = {get(points.position, k), direction};
   path.start = points.offset[k];

@@ -44,6 +44,8 @@ struct WavePoints {
   int count = 0;
   std::uint32_t ray[wave_rays];  ///< rising
   const WaveMaterial* material[wave_rays];
+  bool known[wave_rays];            ///< in full, as `surface`
+  SurfacePoint surface[wave_rays];  ///< of points that were made by the functions for one
   WaveVectors position;
   WaveVectors normal;
   WaveVectors geometric;  ///< normal of the surface itself

@@ -118,7 +118,9 @@ inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const W
   const std::uint32_t r = points.ray[i];
   const Ray ray{get(rays.origin, r), get(rays.direction, r)};
   const Hit hit = hit_of(scene, hits, r, ray);
-  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
+  SurfacePoint& point = points.surface[i];
+  point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
+  points.known[i] = true;
   const double width = rays.cone[r].width_at(hit.t);
   Color diffuse(0);
   if (lit) {
@@ -303,6 +305,7 @@ inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const Wa
       shape_surfaces(scene, hits, lit, points, at);
     }
     for (int i = at; i < at + lanes; ++i) {
+      points.known[i] = false;
       if (!shapes || (lit && points.material[i]->by_footprint)) {
         surface_of_one(scene, rays, hits, lit, points, i);
       }

@@ -80,8 +80,8 @@ inline void redirect(const WaveScene& scene, const WaveHits& hits, const WavePoi
       const Hit hit = hit_of(scene, hits, points.ray[k], path.ray);
       return surface_point(tracer.scene, tracer.assets, path.ray, hit, true);
     };
-    path.cone = bent_cone(points.known[k] ? points.surface[k] : surface(), path.cone, points.t[k],
-                          turning);
+    path.cone =
+        bent_cone(points.known[k] ? points.surface[k] : surface(), path.cone, points.t[k], turning);
   }
   path.ray = {get(points.position, k), direction};
   path.start = points.offset[k];

@@ -120,6 +120,15 @@ tsan: ## the tests of what runs in several threads under ThreadSanitizer
 	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app)
 	@ctest --preset tsan -j $(JOBS)
 
+.PHONY: coverage
+coverage: ## lines and error branches of reader, checker and writer that the tests run
+	@scripts/install-deps core tests coverage
+	@cmake --preset coverage && cmake --build --preset coverage --target \
+	  scenefile_replays $(call ROOM_TESTS,base scene format asset io)
+	@find build/coverage -name '*.gcda' -delete
+	@ctest --preset coverage -j $(JOBS)
+	@scripts/coverage build/coverage
+
 .PHONY: fuzz
 fuzz: ## SECONDS=60: each fuzz target for so long
 	@scripts/install-deps core tests fuzz
@@ -135,10 +144,11 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, fuzzing
+ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, coverage, fuzzing
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) faults
+	@$(MAKE) $(QUIET) coverage
 	@$(MAKE) $(QUIET) fuzz SECONDS=60
 
 .PHONY: portable

@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -200,6 +201,19 @@ TEST_F(View, ComparesWithAReference) {
   const Texture difference = picture("difference.png");
   EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
   EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
+}
+
+TEST_F(View, StaysWholeWhileOpenGlIsCompared) {
+  const std::string reference = folder.path("reference.png");
+  ASSERT_EQ(run_program({"render", path, "--size", "320x240", "-o", reference, "--quiet"}).status,
+            0);
+  const ProgramRun run = view({path, reference, "--screenshot", folder.path("w.png")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const Texture window = picture("w.png");
+  const std::uint8_t* const corner = window.texel(window.width - 3, window.height - 3);
+  EXPECT_EQ(std::vector<int>(corner, corner + 3), (std::vector<int>{0x20, 0x22, 0x26}))
+      << "the status line reaches the corner";
+  EXPECT_GT(count(window, 255, 255, 255), 300) << "the line of the split";
 }
 
 TEST_F(View, KeysAndPanels) {

@@ -106,16 +106,17 @@ bool Accelerator::occluded(const Ray& ray, double t_min, double t_max) const {
 }
 
 glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max,
-                                      const Transmission& transmission) const {
-  if (transmission.all_opaque()) {
-    return glm::dvec3(occluded(ray, t_min, t_max) ? 0 : 1);
-  }
+                                      const Transmission& transmission,
+                                      const void** blocker) const {
   Query q;
   q.t_min = t_min;
   q.best = t_max;
   q.shadow = true;
-  q.transmission = &transmission;
+  q.transmission = transmission.all_opaque() ? nullptr : &transmission;
   impl_->search(q, ray);
+  if (blocker != nullptr && q.part != nullptr) {
+    *blocker = q.part;
+  }
   return q.blocked ? glm::dvec3(0) : Transmission::factor(q.density);
 }
 

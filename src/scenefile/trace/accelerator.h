@@ -104,8 +104,9 @@ class Accelerator {
   bool occluded(const Ray& ray, double t_min, double t_max) const;
 
   /// What is left of light along the ray at t_min < t < t_max; each object in the way counts once.
+  /// `blocker`: becomes the Hit::part of what alone lets none through, if such was met.
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,
-                           const Transmission& transmission) const;
+                           const Transmission& transmission, const void** blocker = nullptr) const;
 
   /// What is searched, for those who search it otherwise. Of no groups when it is empty.
   const Parts& parts() const;

@@ -10,19 +10,20 @@ namespace scenefile {
 namespace {
 
 // A shadow ray met an object.
-void obstruct(Query& q, std::uint32_t material) {
-  if (q.transmission == nullptr) {
+void obstruct(Query& q, const Part& part) {
+  if (q.transmission == nullptr || Transmission::blocks(q.transmission->density(part.material))) {
     q.blocked = true;
+    q.part = &part;
     return;
   }
-  q.density += q.transmission->density(material);
+  q.density += q.transmission->density(part.material);
   q.blocked = Transmission::blocks(q.density);
 }
 
 void search_mesh(Query& q, const Part& part, const Ray& ray) {
   q.mesh_scale = q.mesh_distances ? glm::length(ray.direction) : 1;
   if (mesh_scene_crossed(q, part, ray)) {
-    obstruct(q, part.material);
+    obstruct(q, part);
   }
 }
 
@@ -34,7 +35,7 @@ void test_shape(Query& q, const Part& part, const Ray& ray) {
     return;
   }
   if (q.shadow) {
-    obstruct(q, part.material);
+    obstruct(q, part);
   } else if (improves(q, hit.t, 0)) {
     accept(q, part, hit.t);
     q.face = hit.face;

@@ -39,7 +39,7 @@ struct Query {
   double mesh_scale = 1;
   double reach = 1;
 
-  // The nearest hit.
+  // The nearest hit; for shadow rays `part` alone: what lets no light through.
   bool found = false;
   std::uint32_t found_depth = 0;
   std::array<std::uint32_t, max_instance_nesting + 1> found_path;

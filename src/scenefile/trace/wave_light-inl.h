@@ -94,8 +94,7 @@ struct LightSamples {
     alignas(64) double v[lanes];
     for (int lane = 0; lane < lanes; ++lane) {
       const SampleKey& key = rays.key[points.ray[chunk + lane]];
-      const glm::dvec2 p =
-          stratified_2d(key.sample * count + i, mixed_bits(key.pattern, pattern));
+      const glm::dvec2 p = stratified_2d(key.sample * count + i, mixed_bits(key.pattern, pattern));
       u[lane] = p.x;
       v[lane] = p.y;
     }
@@ -162,6 +161,7 @@ inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory
   const std::vector<RenderLight>& lights = scene.tracer.scene.lights;
   memory.light.apart = memory.hits.apart;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
+    memory.light.index = i;
     if (shines_in(scene.tracer, lights[i])) {
       add_light(scene, LightSamples(scene, rays, memory.points, i), memory, counts);
     }

@@ -3,6 +3,8 @@
 
 #include "scenefile/trace/wave.h"
 
+#include <utility>
+
 namespace scenefile {
 
 inline constexpr int wave_rays = 512;    ///< on their way at once
@@ -58,6 +60,19 @@ struct WavePoints {
   WaveVectors color;
 };
 
+/// Parts of the root group that were in the way of a light not long ago: with luck they are so
+/// again. Those that prove themselves rise.
+struct RecentBlockers {
+  static constexpr std::uint32_t most = 8;
+  std::uint32_t last = no_index;  ///< of bundles
+  std::uint32_t part[most] = {no_index, no_index, no_index, no_index,
+                              no_index, no_index, no_index, no_index};
+  std::uint32_t added = 0;
+
+  void rise(std::uint32_t i) { std::swap(part[i], part[i == 0 ? 0 : i - 1]); }
+  void add(std::uint32_t index) { part[most / 2 + added++ % (most / 2)] = index; }
+};
+
 /// What one light sends to the points.
 struct WaveLight {
   bool apart = false;       ///< rays to the last light went apart: bundles are of no use here
@@ -70,6 +85,8 @@ struct WaveLight {
   alignas(64) double mirrored[wave_rays];  ///< to the highlight
   std::uint8_t asks[wave_rays];            ///< a bit for each lane: whether anything comes of it
   std::uint8_t blocked[wave_rays];         ///< a bit for each lane
+  std::uint32_t index = 0;                 ///< of the light
+  RecentBlockers recent[8];                ///< by index, in turn
   WaveVectors left;                        ///< share that objects let through, where some do
 };
 

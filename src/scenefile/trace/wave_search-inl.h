@@ -157,25 +157,6 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
   }
 }
 
-inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& points, int at,
-                                 WaveLight& light) {
-  const Tracer& tracer = scene.tracer;
-  unsigned blocked = 0;
-  for (unsigned rest = light.asks[at / lanes]; rest != 0; rest &= rest - 1) {
-    const int i = std::countr_zero(rest);
-    const int k = at + i;
-    const Ray ray{{points.position.x[k], points.position.y[k], points.position.z[k]},
-                  {light.to_light.x[k], light.to_light.y[k], light.to_light.z[k]}};
-    const Color left =
-        tracer.accelerator.transmittance(ray, points.offset[k], light.end[k], tracer.transmission);
-    blocked |= unsigned(left == Color(0)) << i;
-    if (scene.clear_shadows) {
-      put(left, light.left, k);
-    }
-  }
-  light.blocked[at / lanes] = static_cast<std::uint8_t>(blocked);
-}
-
 // Shadow rays of a chunk, from the points.
 inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int at) {
   const Rays rays{load3(points.position, at), load3(light.to_light, at)};
@@ -190,11 +171,6 @@ inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int a
   }
   return chunk;
 }
-
-// The part that was in the way last is so next, as a rule: it is tried first.
-struct LastBlocker {
-  std::uint32_t part = no_index;
-};
 
 // Shadow rays on their way through the parts.
 struct Shadows {
@@ -223,6 +199,56 @@ struct Shadows {
   }
 };
 
+inline RecentBlockers& recent_blockers(WaveLight& light) {
+  return light.recent[light.index % std::size(light.recent)];
+}
+
+// Parts that were in the way not long ago, all lanes at once.
+inline void meet_recent(RecentBlockers& recent, Shadows& shadows) {
+  for (std::uint32_t i = 0; i < RecentBlockers::most && any(shadows.open); ++i) {
+    if (recent.part[i] != no_index && shadows.meet(recent.part[i])) {
+      recent.rise(i);
+    }
+  }
+}
+
+inline void keep_blocker(const std::vector<Part>& root, const void* blocker,
+                         RecentBlockers& recent) {
+  const auto* const part = static_cast<const Part*>(blocker);
+  if (part >= root.data() && part < root.data() + root.size() && part->kind == PartKind::shape) {
+    recent.add(static_cast<std::uint32_t>(part - root.data()));
+  }
+}
+
+inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& points, int at,
+                                 WaveLight& light) {
+  if (light.asks[at / lanes] == 0) {
+    return;
+  }
+  const Tracer& tracer = scene.tracer;
+  const Parts& all = tracer.accelerator.parts();
+  const std::vector<Part>& root = all.groups[all.root].parts;
+  RecentBlockers& recent = recent_blockers(light);
+  const Chunk chunk = shadow_chunk(points, light, at);
+  Shadows shadows{scene, root, chunk, load(points.offset + at), chunk.mask};
+  meet_recent(recent, shadows);
+  unsigned blocked = bits(chunk.mask & !shadows.open);
+  for (unsigned rest = light.asks[at / lanes] & ~blocked; rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const int k = at + i;
+    const Ray ray{get(points.position, k), get(light.to_light, k)};
+    const void* blocker = nullptr;
+    const Color left = tracer.accelerator.transmittance(ray, points.offset[k], light.end[k],
+                                                        tracer.transmission, &blocker);
+    blocked |= unsigned(left == Color(0)) << i;
+    keep_blocker(root, blocker, recent);
+    if (scene.clear_shadows) {
+      put(left, light.left, k);
+    }
+  }
+  light.blocked[at / lanes] = static_cast<std::uint8_t>(blocked);
+}
+
 // What is left of the light, where some passed through objects.
 inline void put_left(const Shadows& shadows, int at, WaveLight& light) {
   const V3& d = shadows.density;
@@ -241,20 +267,21 @@ inline void put_left(const Shadows& shadows, int at, WaveLight& light) {
 
 template <typename PartOf>
 void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
-                        const WavePoints& points, int at, LastBlocker& last, WaveLight& light) {
+                        const WavePoints& points, int at, WaveLight& light) {
   if (light.asks[at / lanes] == 0) {
     return;
   }
   const Parts& all = scene.tracer.accelerator.parts();
   const Chunk chunk = shadow_chunk(points, light, at);
   Shadows shadows{scene, all.groups[all.root].parts, chunk, load(points.offset + at), chunk.mask};
-  const std::uint32_t first = last.part;
+  std::uint32_t& last = recent_blockers(light).last;
+  const std::uint32_t first = last;
   if (first != no_index) {
     shadows.meet(first);
   }
   for (int i = 0; i < count && any(shadows.open); ++i) {
     if (part(i) != first && shadows.meet(part(i))) {
-      last.part = part(i);
+      last = part(i);
     }
   }
   light.blocked[at / lanes] = static_cast<std::uint8_t>(bits(chunk.mask & !shadows.open));
@@ -265,13 +292,12 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
 
 /// Which of the points that ask for light do not see it.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
-  LastBlocker last;
   if (scene.few_parts) {
     const Parts& all = scene.tracer.accelerator.parts();
     const auto count = static_cast<int>(all.groups[all.root].parts.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < points.count; at += lanes) {
-      find_blocked_among(scene, count, each_part, points, at, last, light);
+      find_blocked_among(scene, count, each_part, points, at, light);
     }
   } else if (scene.tree.empty() || light.apart) {
     for (int at = 0; at < points.count; at += lanes) {
@@ -284,8 +310,7 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
         [&](int c) { return light_chunk(points, light, c * lanes); },
         [&](int c, const Candidates& list) {
           find_blocked_among(
-              scene, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, last,
-              light);
+              scene, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, light);
         },
         [&](int c) {
           ++gave_up;

@@ -1,4 +1,7 @@
 #include "geometry/solids.h"
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/normals-inl.h"
 #include "scenefile/geometry/shapes.h"
 
 #include <gtest/gtest.h>
@@ -122,6 +125,20 @@ TEST(SurfaceAt, PolesAndApexAreFinite) {
   EXPECT_EQ(apex.normal, dvec3(0, 1, 0));
   EXPECT_EQ(apex.tangent_u, dvec3(0));
   EXPECT_EQ(apex.uv.y, 1);
+}
+
+TEST(SurfaceAt, AnglesAreThoseOfTheStandardLibrary) {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 100000; ++i) {
+    const double x = test::uniform(random, -1, 1);
+    const double y = test::uniform(random, -1, 1) * std::exp2(test::uniform(random, -40, 40));
+    EXPECT_NEAR(one::angle_of(y, x), std::atan2(y, x), 4.5e-16 * std::abs(std::atan2(y, x)));
+  }
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    for (const double y : {-1.0, -0.0, 0.0, 1.0}) {
+      EXPECT_EQ(one::angle_of(y, x), std::atan2(y, x)) << y << ' ' << x;
+    }
+  }
 }
 
 RC_GTEST_PROP(SurfaceLaw, PointsOffTheSurfaceAreTakenToIt, ()) {

@@ -2,6 +2,7 @@
 // (base/one_lane.h). See surface_at(). No guard: included once for each number of lanes.
 
 #include <cmath>
+#include <iterator>
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -39,18 +40,52 @@ inline V3 cone_normal(const Around& around) {
                 V3{splat(0), splat(1), splat(0)});
 }
 
-/// The u of round sides; the lanes of the mask.
-inline F around_u(const Around& around, M wanted) {
+/// As std::atan2(y, x) of finite numbers, to 2 units in the last place, and 0 where both are 0.
+/// The rational approximation is that of atan() in Cephes (Moshier, 1989).
+inline F angle_of(F y, F x) {
+  constexpr double half_turn = 3.14159265358979323846;
+  const F longer = greatest(magnitude(x), magnitude(y));
+  const F shorter = least(magnitude(x), magnitude(y));
+  const M steep = shorter > splat(0.66) * longer;
+  const F over = select(steep, shorter - longer, shorter);
+  const F under = select(steep, shorter + longer, longer);
+  const F t = over / select(under > splat(0), under, splat(1));
+  const F z = t * t;
+  constexpr double above[] = {-8.750608600031904122785e-1, -1.615753718733365076637e1,
+                              -7.500855792314704667340e1, -1.228866684490136173410e2,
+                              -6.485021904942025371773e1};
+  constexpr double below[] = {1,
+                              2.485846490142306297962e1,
+                              1.650270098316988542046e2,
+                              4.328810604912902668951e2,
+                              4.853903996359136964868e2,
+                              1.945506571482613964425e2};
+  const auto polynomial = [&](const auto& factors) {
+    F sum = splat(factors[0]);
+    for (std::size_t i = 1; i < std::size(factors); ++i) {
+      sum = sum * z + splat(factors[i]);
+    }
+    return sum;
+  };
+  const F arc = t + t * (z * polynomial(above) / polynomial(below));
+  // What the constant lacks to pi is added where it tells.
+  const F eighth = select(steep, splat(half_turn / 4) + (arc + splat(3.061616997868383e-17)), arc);
+  const F quarter = select(magnitude(y) > magnitude(x),
+                           splat(half_turn / 2) - (eighth - splat(6.123233995736766e-17)), eighth);
+  const F half = select(x < splat(0), splat(half_turn) - quarter, quarter);
+  return with_sign_of(half, y);
+}
+
+/// The u of round sides.
+inline F around_u(const Around& around) {
   const F turn = splat(2 * 3.14159265358979323846);
-  const auto angle = [](double sine, double cosine) { return std::atan2(sine, cosine); };
-  const F phi = each(wanted, angle, around.sine, around.cosine);
+  const F phi = angle_of(around.sine, around.cosine);
   return select(phi < splat(0), -phi / turn, splat(1) - phi / turn);
 }
 
-/// The v of the sphere; the lanes of the mask.
-inline F sphere_v(F height, const Around& around, M wanted) {
-  const auto angle = [](double y, double distance) { return std::atan2(y, distance); };
-  const F latitude = each(wanted, angle, height, around.distance);
+/// The v of the sphere.
+inline F sphere_v(F height, const Around& around) {
+  const F latitude = angle_of(height, around.distance);
   return within(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);
 }
 

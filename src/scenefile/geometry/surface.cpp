@@ -25,10 +25,6 @@ dvec3 vector_of(const one::V3& v) {
   return {v.x, v.y, v.z};
 }
 
-double around_u(const Around& around) {
-  return one::around_u(around, true);
-}
-
 // d/du of a point that circles the axis at this distance: u runs against phi.
 dvec3 around_tangent(const Around& around, double distance) {
   return 2 * pi * distance * dvec3(around.sine, 0, -around.cosine);
@@ -45,7 +41,7 @@ Surface sphere_surface(const dvec3& p) {
   const double out = std::cos(latitude);
   Surface s;
   s.normal = vector_of(one::sphere_normal(one::splat3(p), around));
-  s.uv = dvec2(around_u(around), one::sphere_v(p.y, around, true));
+  s.uv = dvec2(around_u(around), one::sphere_v(p.y, around));
   s.tangent_u = around_tangent(around, around.distance > 0 ? 0.5 * out : 0);
   s.tangent_v = 0.5 * pi * dvec3(-up * around.cosine, out, -up * around.sine);
   return s;

@@ -148,9 +148,9 @@ inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   }
   const Around around = around_axis(p);
   const M ball = round & (shape == splat(static_cast<int>(Shape::sphere)));
-  u = select(round, around_u(around, round), u);
+  u = select(round, around_u(around), u);
   v = select(round, within(p.y + splat(0.5), 0, 1), v);
-  v = select(ball, sphere_v(p.y, around, ball), v);
+  v = select(ball, sphere_v(p.y, around), v);
 }
 
 // The texels of a chunk: of each lane a texture, and how often it repeats.
@@ -189,18 +189,17 @@ inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
 // Colors of texels at whole positions.
 inline V3 texels(const ChunkTextures& chunk, F x, F y) {
   alignas(64) double offsets[lanes];
-  alignas(32) std::int32_t rgb[3][lanes] = {};
+  alignas(32) std::int32_t rgb[lanes] = {};
   store(splat(3) * (y * chunk.width + x), offsets);
   for (int i = 0; i < lanes; ++i) {
     if (chunk.texture[i] != nullptr) {
       const std::uint8_t* const texel =
           chunk.texture[i]->rgb.data() + static_cast<std::size_t>(offsets[i]);
-      rgb[0][i] = texel[0];
-      rgb[1][i] = texel[1];
-      rgb[2][i] = texel[2];
+      rgb[i] = texel[0] | texel[1] << 8 | texel[2] << 16;
     }
   }
-  return V3{load_whole(rgb[0]), load_whole(rgb[1]), load_whole(rgb[2])} / splat(255);
+  return {share_of_255(load_byte<0>(rgb)), share_of_255(load_byte<1>(rgb)),
+          share_of_255(load_byte<2>(rgb))};
 }
 
 // A whole position within a texture that repeats.
@@ -281,8 +280,7 @@ inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, bool li
   const ChunkParts chunk = chunk_parts(parts);
   const V3 position = load3(points.normal, at) + load(points.t + at) * load3(points.direction, at);
   const V3 object_point = chunk.map.point(position);
-  const V3 normal =
-      world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point));
+  const V3 normal = world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point));
   store3(position, points.position, at);
   store3(normal, points.normal, at);
   store3(normal, points.geometric, at);

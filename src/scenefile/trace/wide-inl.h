@@ -111,8 +111,29 @@ inline F load(const double* from) {
 inline void store(F x, double* to) {
   hn::Store(x.v, D(), to);
 }
-inline F load_whole(const std::int32_t* from) {
-  return {hn::PromoteTo(D(), hn::Load(hn::Rebind<std::int32_t, D>(), from))};
+/// A byte of each of so many numbers, 0 the lowest.
+template <int byte>
+F load_byte(const std::int32_t* from) {
+  const hn::Rebind<std::int32_t, D> integers;
+  const auto shifted = hn::ShiftRight<8 * byte>(hn::Load(integers, from));
+  return {hn::PromoteTo(D(), hn::And(shifted, hn::Set(integers, 255)))};
+}
+// 1 / 255 in two parts: products of bytes with the first are exact, so that the sum is rounded
+// once.
+inline constexpr double high_255th = 0x0.010101010101p0;
+inline constexpr double low_255th = 0x1p-48 / 255;
+constexpr bool divides_bytes() {
+  for (int x = 0; x < 256; ++x) {
+    if (x * high_255th + x * low_255th != x / 255.0) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(divides_bytes());
+/// x / 255 of bytes.
+inline F share_of_255(F x) {
+  return x * splat(high_255th) + x * splat(low_255th);
 }
 /// A bit for each lane.
 inline unsigned bits(M m) {

@@ -93,6 +93,9 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
   deferred.reset();
   report.stats = result.stats;
   Outcome outcome = judge(result.status, context);
+  if (result.status == RenderStatus::cancelled && !options.checkpoint.empty()) {
+    outcome.error += "; the same command goes on from the checkpoint";
+  }
   if (outcome.error.empty()) {
     outcome = write_pictures(options, result, context);
   }

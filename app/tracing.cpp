@@ -63,7 +63,7 @@ Outcome judge(RenderStatus status, const Context& context) {
       return {};
     case RenderStatus::cancelled:
       return {DeferredSignals::pending() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted,
-              "interrupted; the same command goes on from the checkpoint"};
+              "interrupted"};
     case RenderStatus::not_resumed:
       return {ExitCode::findings, "the checkpoint is of another picture"};
     case RenderStatus::limit_reached:

@@ -1,9 +1,12 @@
 #include "scenefile/io/interrupt.h"
 
 #include "io/temp_folder.h"
+#include "scenefile/io/file.h"
 #include "scenefile/io/temporary.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -114,6 +117,42 @@ TEST(DeferredSignals, OnlyWhileItLives) {
         std::raise(SIGINT);
       },
       ::testing::ExitedWithCode(130), "");
+}
+
+TEST(DeferredSignals, LiveInsideEachOther) {
+  EXPECT_EXIT(
+      {
+        handle_signals();
+        const DeferredSignals outer;
+        { const DeferredSignals inner; }
+        std::raise(SIGINT);
+        std::_Exit(DeferredSignals::pending() == SIGINT ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+// The signal comes as soon as the temporary file is there; where it comes too late the write was
+// done.
+TEST(DeferredSignals, AWriteIsFinishedAndSaidToBe) {
+  const TempFolder folder;
+  const std::string file = folder.path("output");
+  const std::string bytes(std::size_t{8} << 20, 'x');
+  const pid_t child = ::fork();
+  if (child == 0) {
+    handle_signals();
+    ::_exit(write_file(file, bytes).empty() ? 0 : 3);
+  }
+  const auto entries = [&] {
+    return std::distance(std::filesystem::directory_iterator(folder.path(".")), {});
+  };
+  while (entries() == 0) {
+  }
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(folder.read("output") == bytes);
+  EXPECT_EQ(entries(), 1);
 }
 
 }  // namespace

@@ -100,12 +100,10 @@ void end_after(double seconds, const std::string& message) {
   start_timer(seconds);
 }
 
-DeferredSignals::DeferredSignals() {
-  deferring = true;
-}
+DeferredSignals::DeferredSignals() : deferring_before_(deferring.exchange(true)) {}
 
 DeferredSignals::~DeferredSignals() {
-  deferring = false;
+  deferring = deferring_before_;
 }
 
 int DeferredSignals::pending() {

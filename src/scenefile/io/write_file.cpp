@@ -1,4 +1,5 @@
 #include "scenefile/io/descriptor.h"
+#include "scenefile/io/interrupt.h"
 #include "scenefile/io/temporary.h"
 
 #include <fcntl.h>
@@ -146,6 +147,8 @@ class TemporaryGuard {
 };
 
 IoError replace(const std::string& path, const Target& target, const std::string& bytes) {
+  // A signal between the rename and the end of the program would report as undone what is done.
+  const DeferredSignals deferred;
   const std::string temporary = temporary_name(target.folder);
   TemporaryGuard guard(temporary);
   int error = write_temporary(temporary, target, bytes);

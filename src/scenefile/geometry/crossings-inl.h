@@ -180,14 +180,17 @@ inline Crossing cube_crossing(const V3& p, const V3& d, F t_min, F t_max, M acti
 }
 
 // Whether a ray surely stays outside of the sphere around a round shape. Cheap, and wide enough
-// for what the rounding of the tests proper could make a hit.
+// for what the rounding of the tests proper could make a hit. A ray that goes away from the center
+// is outside for good once it is outside at t_min, as rays are that begin on a sphere itself.
 inline M passes_by(Shape shape, const V3& origin, const V3& direction, F length2, F t_min) {
-  const F reach2 = splat(shape == Shape::sphere ? 0.26 : 0.52);
+  const bool ball = shape == Shape::sphere;
   const F distance2 = dot(origin, origin);
+  const F ahead = dot(origin, direction);
   const V3 w = cross(origin, direction);
-  const M departs =
-      (t_min >= splat(0)) & (distance2 > reach2) & (dot(origin, direction) > splat(0));
-  return (distance2 < splat(1e12)) & (departs | (dot(w, w) > reach2 * length2));
+  const M departs = (t_min >= splat(0)) & (ahead > splat(0)) &
+                    (distance2 + splat(2) * t_min * ahead > splat(ball ? 0.25 + 1e-12 : 0.52));
+  const M beside = dot(w, w) > splat(ball ? 0.26 : 0.52) * length2;
+  return (distance2 < splat(1e12)) & (departs | beside);
 }
 
 inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F length2, F t_min,

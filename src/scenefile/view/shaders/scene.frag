@@ -135,7 +135,7 @@ vec3 texture_color(Point point) {
   // Filtered: along the longer axis, at the level of the shorter. Averaged: a grid over the pixel.
   float width = max(max(shorter, longer / 16.0), 1.0);
   vec2 taps = lookup == 3 ? vec2(clamp(ceil(longer / width), 1.0, 16.0), 1.0)
-                          : clamp(ceil(2.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 3.0 : 4.0);
+                          : clamp(ceil(3.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 3.0 : 5.0);
   along_x /= taps.x;
   along_y /= taps.y;
   if (lookup == 2) {

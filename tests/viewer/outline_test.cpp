@@ -82,6 +82,46 @@ TEST_F(OutlineTest, HidingTakesAwayWhatARowHolds) {
   EXPECT_EQ(green.lights[0].type, LightType::point);
 }
 
+TEST(OutlineOfGroups, SaysWhatTheyHold) {
+  const testing_support::TempFolder folder;
+  const auto group = [](const std::string& objects) { return R"({"groups":[)" + objects + "]},"; };
+  const std::string cone = R"({"primitives":[{"type":"cone"}]})";
+  const std::string lamp = R"({"lights":[{"type":"point","color":[1,1,1]}]})";
+  const std::string text =
+      R"({"globalData":{"ambientCoeff":1,"diffuseCoeff":1,"specularCoeff":1},)"
+      R"("cameraData":{"position":[0,0,6],"up":[0,1,0],"heightAngle":30,"look":[0,0,-1]},"groups":[)" +
+      group(cone + "," + lamp + "," + cone) +
+      group(cone + R"(,{"name":"a","groups":[]},{"name":"b"},{"name":"c"},{"name":"a"})") +
+      R"({"name":"named","groups":[]}]})";
+  const OpenedScene opened = testing::open_file(folder.write("a.json", text));
+  ASSERT_FALSE(opened.diagnostics.has_errors());
+  const Outline outline = make_outline(opened.written, opened.ready);
+  std::vector<std::string> details;
+  for (const OutlineRow& row : outline.rows) {
+    if (row.depth == 1) {
+      details.push_back(row.detail);
+    }
+  }
+  EXPECT_EQ(details,
+            (std::vector<std::string>{"cone \u00d72, point light", "cone, a \u00d72, b, ...", ""}));
+}
+
+TEST_F(OutlineTest, RowsAreFoundInAnotherVersion) {
+  std::string text = testing::scene_text;
+  const std::string sphere = R"(<object type="primitive" name="sphere">)";
+  text.replace(text.find(sphere), sphere.size(), R"(<object type="primitive" name="cone">)");
+  const OpenedScene next = testing::open_file(folder.write("b.xml", text));
+  const Outline after = make_outline(next.written, next.ready);
+  const std::vector<std::uint32_t> now = match_rows(outline, after);
+  EXPECT_EQ(now[row("group")], row("group")) << "what it holds has changed";
+  EXPECT_EQ(now[row("sphere")], no_index) << "gone";
+  EXPECT_EQ(now[row("cube")], row("cube"));
+  EXPECT_EQ(now[row("cone")], after.rows.size() - 1);
+  EXPECT_EQ(now[row("spike", 1)], row("spike", 1));
+  EXPECT_EQ(match_rows(outline, outline)[row("cone")], row("cone"));
+  EXPECT_EQ(match_rows(outline, {})[row("root")], no_index);
+}
+
 TEST_F(OutlineTest, BoundsOfWhatIsSelected) {
   const Bounds sphere = bounds_of(opened.ready.scene, {}, sources_in(outline, row("sphere")));
   EXPECT_NEAR(sphere.min.x, -1.5, 1e-6);

@@ -355,6 +355,38 @@ TEST_F(SessionTest, NoticesGoAway) {
   EXPECT_FALSE(session.notice.has_value());
 }
 
+TEST_F(SessionTest, ANoticeIsOfWhatWasDroppedLast) {
+  folder.write("empty/readme.txt");
+  drop(session, {folder.path("empty")});
+  ASSERT_TRUE(session.notice.has_value());
+  EXPECT_THAT(session.notice->text, HasSubstr("no scene in this folder"));
+  drop(session, {path});
+  EXPECT_FALSE(session.notice.has_value());
+}
+
+TEST_F(SessionTest, TheSceneThatIsSeenKeepsItsName) {
+  drop(session, {folder.path("none.xml")});
+  settle();
+  EXPECT_EQ(scene_name(session), "none.xml");
+  EXPECT_EQ(shown_name(session), "a.xml");
+}
+
+TEST_F(SessionTest, TheSelectionStaysWithItsGroup) {
+  click(140, 150);
+  rewrite("<object type=\"primitive\" name=\"sphere\">",
+          "<object type=\"primitive\" name=\"cone\"/>"
+          "</transblock><transblock><translate x=\"-1\" y=\"0.5\" z=\"0\"/>"
+          "<object type=\"primitive\" name=\"sphere\">");
+  EXPECT_EQ(selected(), "sphere");
+  EXPECT_NEAR(session.selected_box.max.y, 1, 1e-6) << "it has moved";
+  rewrite("<object type=\"primitive\" name=\"sphere\">",
+          "<object type=\"tree\" name=\"ball\"><transblock>"
+          "<object type=\"primitive\" name=\"sphere\"/></transblock></object></transblock>"
+          "<transblock><object type=\"primitive\" name=\"cube\">");
+  EXPECT_EQ(selected(), "") << "it lies in another group";
+  EXPECT_TRUE(session.selected_box.empty());
+}
+
 TEST_F(SessionTest, FramesWhatIsSelected) {
   click(260, 150);
   perform(session, Action::frame);

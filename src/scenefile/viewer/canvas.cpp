@@ -30,7 +30,7 @@ void Canvas::update(Session& session) {
       session.drawing_notes.push_back(finding.message);
     }
   }
-  if (session.traced) {
+  if (session.traced && traced_.version() != session.traced_version) {
     traced_.show(quantize(session.traced->image, rounding_of(session.setup.trace.profile)),
                  session.traced_version);
   }

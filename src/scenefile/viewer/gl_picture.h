@@ -22,6 +22,9 @@ class GlPicture {
   /// on its head.
   void take(int x, int y, int width, int height);
 
+  /// That of the picture that is there.
+  std::uint64_t version() const { return version_; }
+
   /// The name of the texture; 0: no picture yet.
   unsigned name() const { return name_; }
 

@@ -99,11 +99,10 @@ void build_heading(const Session& session) {
   colored(rgba(color_error), escaped(verdict, 400));
   if (session.shown != nullptr) {
     ImGui::SameLine();
-    const std::string& drawn = session.shown->opened.path;
     ImGui::TextDisabled(
-        "%s", drawn == session.path
+        "%s", session.shown->opened.path == session.path
                   ? "the picture is of the last good version"
-                  : ("the picture still shows " + escaped(file_name_of(drawn), 80)).c_str());
+                  : ("the picture still shows " + escaped(shown_name(session), 80)).c_str());
   }
 }
 

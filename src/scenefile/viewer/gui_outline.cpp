@@ -14,6 +14,26 @@ namespace scenefile::viewer {
 
 namespace {
 
+// As much of a text as there is room for, in pixels; the end is then three dots.
+std::string fitting(const std::string& text, float room) {
+  const auto width = [](const std::string& t) { return ImGui::CalcTextSize(t.c_str()).x; };
+  if (width(text) <= room) {
+    return text;
+  }
+  std::string some = text;
+  do {
+    // Whole characters: the bytes that go on with one begin with the bits 10.
+    while (!some.empty() && (static_cast<unsigned char>(some.back()) & 0xC0) == 0x80) {
+      some.pop_back();
+    }
+    if (some.empty()) {
+      return some;
+    }
+    some.pop_back();
+  } while (width(some + "...") > room);
+  return some + "...";
+}
+
 /// Draws one row; sizes follow the height of the text.
 class RowPainter {
  public:
@@ -171,7 +191,7 @@ class RowPainter {
   float paint_right(const ImVec2& at, float width, float y) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     float x = at.x + width - height_ * 1.2F;
-    if (!sources_in(scene_.outline, index_).empty()) {
+    if (has_sources(scene_.outline, index_)) {
       paint_switch({x + height_ * 0.6F, y + height_ * 0.52F});
     }
     if (row_.location.known()) {
@@ -201,17 +221,21 @@ class RowPainter {
     }
   }
 
+  // Hidden, or put out by another light that shines alone.
+  bool is_faint() const {
+    const std::vector<RenderLight>& lights = scene_.opened.ready.scene.lights;
+    return hidden_ || (row_.kind == RowKind::light && session_.only_light &&
+                       lights[*session_.only_light].source != row_.source);
+  }
+
   void paint_text(float x, float y, float right) const {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PushClipRect({x, y - 2}, {right, y + height_ + 4}, true);
-    const std::string label = escaped(row_.label, 80);
-    draw.AddText({x, y}, rgba(color_text, hidden_ ? 110 : 255), label.c_str());
-    if (!row_.detail.empty()) {
-      const float after = x + ImGui::CalcTextSize(label.c_str()).x + height_ * 0.5F;
-      draw.AddText({after, y}, rgba(color_dim, hidden_ ? 90 : 220),
-                   escaped(row_.detail, 80).c_str());
-    }
-    draw.PopClipRect();
+    const bool faint = is_faint();
+    const std::string label = fitting(escaped(row_.label, 80), right - x);
+    draw.AddText({x, y}, rgba(color_text, faint ? 110 : 255), label.c_str());
+    const float after = x + ImGui::CalcTextSize(label.c_str()).x + height_ * 0.5F;
+    const std::string detail = fitting(escaped(row_.detail, 80), right - after);
+    draw.AddText({after, y}, rgba(color_dim, faint ? 90 : 220), detail.c_str());
   }
 
   Session& session_;
@@ -339,7 +363,7 @@ void build_inspector(Session& session) {
   ImGui::TextUnformatted(escaped(row.label, 60).c_str());
   if (row.location.known()) {
     ImGui::SameLine();
-    ImGui::TextDisabled("%s:%u:%u", escaped(scene_name(session), 60).c_str(), row.location.line,
+    ImGui::TextDisabled("%s:%u:%u", escaped(shown_name(session), 60).c_str(), row.location.line,
                         row.location.column);
   }
   if (!session.selected_path.empty()) {

@@ -177,7 +177,7 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   if (!session.selected || session.compare > CompareView::split) {
     return;
   }
-  const Bounds box = selected_bounds(session);
+  const Bounds& box = session.selected_box;
   if (box.empty()) {
     return;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace scenefile::viewer {
@@ -39,6 +40,37 @@ std::string primitive_detail(const Primitive& primitive) {
          : texture                    ? texture->file
                                       : std::string();
 }
+
+/// "cylinder ×6, cone": words in the order of their first mention.
+class WordCounts {
+ public:
+  void add(const std::string& word) {
+    const auto known = std::find_if(words_.begin(), words_.end(),
+                                    [&](const auto& counted) { return counted.first == word; });
+    if (known != words_.end()) {
+      ++known->second;
+    } else if (words_.size() < most) {
+      words_.emplace_back(word, 1);
+    } else {
+      more_ = true;
+    }
+  }
+  std::string text() const {
+    std::string text;
+    for (const auto& [word, count] : words_) {
+      text.append(text.empty() ? "" : ", ").append(word);
+      if (count > 1) {
+        text += fmt::format(" \u00d7{}", count);
+      }
+    }
+    return text + (more_ ? ", ..." : "");
+  }
+
+ private:
+  static constexpr std::size_t most = 3;
+  std::vector<std::pair<std::string, int>> words_;
+  bool more_ = false;
+};
 
 class OutlineMaker {
  public:
@@ -109,24 +141,32 @@ class OutlineMaker {
     }
   }
 
+  // What a node is called, or the one thing that it holds.
+  std::string word_for(const Node& node) const {
+    const std::string& name = node.name.empty() ? node.instance_of : node.name;
+    if (!name.empty()) {
+      return name;
+    }
+    if (node.children.empty() && node.lights.size() + node.primitives.size() == 1) {
+      return node.lights.empty() ? std::string(word_of(node.primitives.front().shape))
+                                 : light_label(node.lights.front());
+    }
+    return "group";
+  }
+
   // What a group without a name holds, in a few words.
   std::string contents_of(const Node& node) const {
-    constexpr std::size_t most = 3;
-    std::vector<std::string> words;
+    WordCounts words;
+    for (const Light& light : node.lights) {
+      words.add(light_label(light));
+    }
     for (const Primitive& primitive : node.primitives) {
-      words.emplace_back(word_of(primitive.shape));
+      words.add(std::string(word_of(primitive.shape)));
     }
     for (const NodeId child : node.children) {
-      const Node& inner = scene_.nodes[child];
-      const std::string& name = inner.name.empty() ? inner.instance_of : inner.name;
-      words.push_back(!name.empty() ? name
-                      : inner.primitives.size() == 1
-                          ? std::string(word_of(inner.primitives.front().shape))
-                          : "group");
+      words.add(word_for(scene_.nodes[child]));
     }
-    const std::size_t all = words.size();
-    words.resize(std::min(all, most));
-    return fmt::format("{}{}", fmt::join(words, ", "), all > most ? ", ..." : "");
+    return words.text();
   }
 
   std::uint32_t add_node(const Node& node, std::uint32_t depth, const std::string& otherwise) {
@@ -158,42 +198,76 @@ class OutlineMaker {
   std::vector<std::uint32_t> open_;  ///< the rows around the last one, and itself
 };
 
-/// A row among those of one parent: the parent, and what is the same in all versions.
-struct RowKey {
-  std::uint32_t parent = no_index;  ///< at the top no_index
-  RowKind kind = RowKind::group;
-  std::string_view label;
-  std::string_view detail;
+/// Finds the rows of one version of a scene in another, parents first.
+class RowMatcher {
+ public:
+  RowMatcher(const Outline& before, const Outline& after)
+      : before_(before),
+        after_(after),
+        matches_(before.rows.size(), no_index),
+        taken_(after.rows.size(), false) {}
 
-  auto operator<=>(const RowKey&) const = default;
+  std::vector<std::uint32_t> match() {
+    match_siblings(rows_from(before_, 0, before_.rows.size()),
+                   rows_from(after_, 0, after_.rows.size()));
+    for (std::uint32_t row = 0; row < before_.rows.size(); ++row) {
+      const std::uint32_t now = matches_[row];
+      if (now != no_index) {
+        match_siblings(rows_from(before_, row + 1, before_.rows[row].end),
+                       rows_from(after_, now + 1, after_.rows[now].end));
+      }
+    }
+    return std::move(matches_);
+  }
+
+ private:
+  using Rows = std::vector<std::uint32_t>;
+  using Key = std::tuple<RowKind, std::string_view, std::string_view>;
+
+  // The outermost rows from one to another.
+  static Rows rows_from(const Outline& outline, std::size_t begin, std::size_t end) {
+    Rows rows;
+    for (std::size_t row = begin; row < end; row = outline.rows[row].end) {
+      rows.push_back(static_cast<std::uint32_t>(row));
+    }
+    return rows;
+  }
+
+  // What has not changed first, so that what has changed is not taken for it.
+  void match_siblings(const Rows& before, const Rows& after) {
+    match_siblings(before, after, true);
+    match_siblings(before, after, false);
+  }
+  void match_siblings(const Rows& before, const Rows& after, bool with_detail) {
+    const auto key_of = [&](const OutlineRow& row) {
+      return Key(row.kind, row.label, with_detail ? row.detail : std::string_view());
+    };
+    std::map<Key, Rows> free;
+    for (auto row = after.rbegin(); row != after.rend(); ++row) {
+      if (!taken_[*row]) {
+        free[key_of(after_.rows[*row])].push_back(*row);
+      }
+    }
+    for (const std::uint32_t row : before) {
+      Rows& same = free[key_of(before_.rows[row])];
+      if (matches_[row] == no_index && !same.empty()) {
+        matches_[row] = same.back();
+        taken_[same.back()] = true;
+        same.pop_back();
+      }
+    }
+  }
+
+  const Outline& before_;
+  const Outline& after_;
+  std::vector<std::uint32_t> matches_;
+  std::vector<bool> taken_;
 };
-
-RowKey key_of(const OutlineRow& row, std::uint32_t index, std::uint32_t parent) {
-  return {row.parent == index ? no_index : parent, row.kind, row.label, row.detail};
-}
 
 }  // namespace
 
 std::vector<std::uint32_t> match_rows(const Outline& before, const Outline& after) {
-  std::map<RowKey, std::vector<std::uint32_t>> rows_of_key;
-  for (std::uint32_t i = 0; i < after.rows.size(); ++i) {
-    const OutlineRow& row = after.rows[i];
-    rows_of_key[key_of(row, i, row.parent)].push_back(i);
-  }
-  std::map<RowKey, std::size_t> taken;
-  std::vector<std::uint32_t> matches(before.rows.size(), no_index);
-  for (std::uint32_t i = 0; i < before.rows.size(); ++i) {
-    const OutlineRow& row = before.rows[i];
-    if (row.parent != i && matches[row.parent] == no_index) {
-      continue;
-    }
-    const RowKey key = key_of(row, i, matches[row.parent]);
-    const auto found = rows_of_key.find(key);
-    if (found != rows_of_key.end() && taken[key] < found->second.size()) {
-      matches[i] = found->second[taken[key]++];
-    }
-  }
-  return matches;
+  return RowMatcher(before, after).match();
 }
 
 Outline make_outline(const Scene& scene, const Prepared& ready) {
@@ -218,6 +292,12 @@ std::set<std::uint32_t> sources_in(const Outline& outline, std::uint32_t row) {
     }
   }
   return sources;
+}
+
+bool has_sources(const Outline& outline, std::uint32_t row) {
+  const auto first = outline.rows.begin() + row;
+  const auto end = outline.rows.begin() + outline.rows[row].end;
+  return std::any_of(first, end, [](const OutlineRow& r) { return r.source != no_index; });
 }
 
 std::vector<std::uint32_t> rows_around(const Outline& outline, std::uint32_t row) {

@@ -34,8 +34,8 @@ struct Outline {
 Outline make_outline(const Scene& scene, const Prepared& ready);
 
 /// Where the rows of a version of a scene are in another: for each row of `before` its index in
-/// `after`, no_index where it is gone. Rows are the same when their parents are, and kind, label and
-/// detail, counted among those that are equal in these.
+/// `after`, no_index where it is gone. Rows are the same when their parents are, and kind and
+/// label, counted among those that are equal in these; with the same detail before others.
 std::vector<std::uint32_t> match_rows(const Outline& before, const Outline& after);
 
 /// Indices of the rows that show when `open` rows show what they hold.
@@ -44,6 +44,9 @@ std::vector<std::uint32_t> visible_rows(const Outline& outline,
 
 /// The sources of a row and of all that it holds; not through copies.
 std::set<std::uint32_t> sources_in(const Outline& outline, std::uint32_t row);
+
+/// Whether there is any; found at the first one.
+bool has_sources(const Outline& outline, std::uint32_t row);
 
 /// The rows around a row, outermost first: what must be open for it to show.
 std::vector<std::uint32_t> rows_around(const Outline& outline, std::uint32_t row);

@@ -108,6 +108,10 @@ bool tick_notice(Session& session) {
   return false;
 }
 
+std::string name_of_scene(const std::string& path) {
+  return path == "-" ? "<stdin>" : file_name_of(path);
+}
+
 }  // namespace
 
 bool tick_files(Session& session);  // session_files.cpp
@@ -174,10 +178,11 @@ void show_only_light(Session& session, std::optional<std::uint32_t> light) {
   picture_changed(session);
 }
 
-void select(Session& session, std::optional<std::uint32_t> row) {
+void select(Session& session, std::optional<std::uint32_t> row, std::vector<std::uint32_t> copy) {
   session.selected = row;
   session.selected_path.clear();
-  session.selected_copy.clear();
+  session.selected_copy = std::move(copy);
+  session.selected_box = selected_bounds(session);
   if (row && session.shown != nullptr) {
     for (const std::uint32_t around : rows_around(session.shown->outline, *row)) {
       session.open_rows.insert(around);
@@ -199,10 +204,12 @@ Bounds selected_bounds(const Session& session) {
 }
 
 bool is_hidden(const Session& session, std::uint32_t row) {
-  const std::set<std::uint32_t> sources = sources_in(session.shown->outline, row);
-  return !sources.empty() && std::all_of(sources.begin(), sources.end(), [&](std::uint32_t source) {
-    return session.hidden.contains(source);
-  });
+  const Outline& outline = session.shown->outline;
+  const auto first = outline.rows.begin() + row;
+  const auto end = outline.rows.begin() + outline.rows[row].end;
+  return has_sources(outline, row) && std::all_of(first, end, [&](const OutlineRow& inner) {
+           return inner.source == no_index || session.hidden.contains(inner.source);
+         });
 }
 
 void toggle_hidden(Session& session, std::uint32_t row) {
@@ -286,7 +293,11 @@ DrawOptions draw_options(const Session& session) {
 }
 
 std::string scene_name(const Session& session) {
-  return session.path == "-" ? "<stdin>" : file_name_of(session.path);
+  return name_of_scene(session.path);
+}
+
+std::string shown_name(const Session& session) {
+  return name_of_scene(session.shown->opened.path);
 }
 
 std::string mode_text(const Session& session) {

@@ -106,6 +106,7 @@ struct Session {
   std::optional<std::uint32_t> selected;  ///< row of the outline
   std::string selected_path;              ///< the way to the object that was clicked, or the node
   std::vector<std::uint32_t> selected_copy;  ///< sources of the copies it lies in; of clicks alone
+  Bounds selected_box;                       ///< selected_bounds()
   std::set<std::uint32_t> open_rows;         ///< rows of the outline that show what they hold
   bool reveal_selected = false;              ///< the outline is to scroll there
 
@@ -169,9 +170,11 @@ void wheel_turned(Session& session, double steps);
 void set_camera(Session& session, const ViewCamera& camera);
 /// The picture is another one: what was traced and compared does not count any more.
 void picture_changed(Session& session);
-void select(Session& session, std::optional<std::uint32_t> row);
+/// `copy`: sources of the copies that it lies in, from the outermost, where one was clicked.
+void select(Session& session, std::optional<std::uint32_t> row,
+            std::vector<std::uint32_t> copy = {});
 /// The box around what is selected, of the copy that was clicked or of all; empty where there is
-/// nothing to see.
+/// nothing to see. In time linear in the size of the scene: Session::selected_box keeps it.
 Bounds selected_bounds(const Session& session);
 /// Switches a row of the outline with all that it holds off, or on again.
 void toggle_hidden(Session& session, std::uint32_t row);
@@ -193,8 +196,9 @@ bool shows_traced(const Session& session);
 /// What is drawn, for OpenGL.
 DrawOptions draw_options(const Session& session);
 
-/// What the title and the status line say.
+/// What the title and the status line say: the scene that was asked for, and the one that is seen.
 std::string scene_name(const Session& session);
+std::string shown_name(const Session& session);
 std::string mode_text(const Session& session);
 
 }  // namespace scenefile::viewer

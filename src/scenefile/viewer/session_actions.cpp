@@ -14,7 +14,7 @@ namespace scenefile::viewer {
 namespace {
 
 void frame(Session& session) {
-  const Bounds box = selected_bounds(session);
+  const Bounds& box = session.selected_box;
   const double aspect = session.picture.size.x / session.picture.size.y;
   set_camera(session, framing(session.camera, box.empty() ? session.shown->bounds : box, aspect));
 }
@@ -45,6 +45,7 @@ void go_to_neighbor(Session& session, int steps) {
     say(session, "there is no other scene in this folder");
     return;
   }
+  session.notice.reset();  // of the scene before
   open_scene(session, path);
 }
 

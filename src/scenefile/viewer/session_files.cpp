@@ -172,6 +172,7 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
     start_state(session);
   }
   session.shown = std::move(scene);
+  session.selected_box = selected_bounds(session);
   ++session.version;
   session.known_text = session.shown->opened.text;
   session.home = home_of(*session.shown);
@@ -277,6 +278,7 @@ bool open_reference(Session& session, const std::string& path) {
 }
 
 void drop(Session& session, const std::vector<std::string>& paths) {
+  session.notice.reset();  // of what was dropped before
   for (const std::string& path : paths) {
     if (!is_folder(path) && !is_scene_name(path) && is_picture(path)) {
       open_reference(session, path);

@@ -53,10 +53,9 @@ void select_under(Session& session) {
     return;
   }
   const std::uint32_t row = scene.outline.row_of_source[pick->source];
-  select(session, row != no_index ? std::optional(row) : std::nullopt);
+  select(session, row != no_index ? std::optional(row) : std::nullopt, pick->instances);
   const ObjectNames names(scene.opened.written, scene.opened.ready.sources);
   session.selected_path = names.text({pick->source, pick->instances});
-  session.selected_copy = pick->instances;
 }
 
 Drag drag_of(const Session& session, int button, const KeyPress& with) {

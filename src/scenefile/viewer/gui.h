@@ -27,6 +27,10 @@ struct GuiFrame {
 /// found; empty: all is well.
 std::string set_gui_style(double scale);
 
+/// As much of a text as there is room for, in pixels; the end is then three dots. Between the
+/// beginning of a frame and its end.
+std::string fitting(const std::string& text, float room);
+
 /// Builds all of the frame; sets session.picture. `window`: its size.
 void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window);
 

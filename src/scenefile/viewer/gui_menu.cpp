@@ -87,9 +87,10 @@ void dim_text(const std::string& text) {
 
 // At the right end of the menu bar.
 void build_title(const Session& session) {
-  const std::string text = escaped(scene_name(session), 80);
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  ImGui::SameLine(ImGui::GetWindowWidth() - width - 1.6F * ImGui::GetFontSize());
+  const float right = ImGui::GetWindowWidth() - 1.6F * ImGui::GetFontSize();
+  const float room = right - ImGui::GetCursorPosX() - ImGui::GetFontSize();
+  const std::string text = fitting(escaped(scene_name(session), 80), room);
+  ImGui::SameLine(right - ImGui::CalcTextSize(text.c_str()).x);
   dim_text(text);
 }
 
@@ -139,11 +140,12 @@ void build_status(const Session& session, const GuiFrame& frame) {
   if (session.comparing.busy()) {
     text += "   comparing";
   }
-  ImGui::AlignTextToFramePadding();
-  dim_text(text);
   const std::string hint = fmt::format("{}F1 help", session.loading.busy() ? "reading   " : "");
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(hint.c_str()).x -
-                  static_cast<float>(14 * frame.scale));
+  const float hint_at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(hint.c_str()).x -
+                        static_cast<float>(14 * frame.scale);
+  ImGui::AlignTextToFramePadding();
+  dim_text(fitting(text, hint_at - ImGui::GetCursorPosX() - ImGui::GetFontSize()));
+  ImGui::SameLine(hint_at);
   dim_text(hint);
 }
 

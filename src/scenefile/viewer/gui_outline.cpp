@@ -14,26 +14,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-// As much of a text as there is room for, in pixels; the end is then three dots.
-std::string fitting(const std::string& text, float room) {
-  const auto width = [](const std::string& t) { return ImGui::CalcTextSize(t.c_str()).x; };
-  if (width(text) <= room) {
-    return text;
-  }
-  std::string some = text;
-  do {
-    // Whole characters: the bytes that go on with one begin with the bits 10.
-    while (!some.empty() && (static_cast<unsigned char>(some.back()) & 0xC0) == 0x80) {
-      some.pop_back();
-    }
-    if (some.empty()) {
-      return some;
-    }
-    some.pop_back();
-  } while (width(some + "...") > room);
-  return some + "...";
-}
-
 /// Draws one row; sizes follow the height of the text.
 class RowPainter {
  public:

@@ -200,7 +200,7 @@ std::string count_text(std::uint64_t count) {
   std::string text = fmt::format("{}", count);
   for (std::size_t i = text.size(); i > 3;) {
     i -= 3;
-    text.insert(i, " ");
+    text.insert(i, 1, ' ');
   }
   return text;
 }
@@ -210,6 +210,7 @@ void build_statistics(const Session& session, const GuiFrame& frame) {
   const double margin = 12 * frame.scale;
   ImGui::SetNextWindowPos(vec({box.at.x + box.size.x - margin, box.at.y + margin}), 0, {1, 0});
   ImGui::SetNextWindowBgAlpha(0.85F);
+  ImGui::SetNextWindowSizeConstraints({0, 0}, vec(glm::max(box.size - 2 * margin, 1.0)));
   ImGui::Begin("##figures", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |

@@ -82,6 +82,13 @@ void remember_error(int /*code*/, const char* text) {
   last_glfw_error = text;
 }
 
+// Pixels to one of an ordinary screen.
+double screen_density(GLFWwindow* window) {
+  float density = 1;
+  glfwGetWindowContentScale(window, &density, nullptr);
+  return density > 0 ? static_cast<double>(density) : 1;
+}
+
 /// GLFW, ImGui and the canvas, from the opening of the window to its end.
 class Window {
  public:
@@ -397,9 +404,7 @@ void Window::follow_session() {
 }
 
 void Window::begin_gui_frame() {
-  float density = 1;
-  glfwGetWindowContentScale(window_, &density, nullptr);
-  const double scale = density * session_.settings.text_scale;
+  const double scale = screen_density(window_) * session_.settings.text_scale;
   if (scale != gui_scale_) {
     gui_scale_ = scale;
     const std::string note = set_gui_style(scale);
@@ -478,7 +483,12 @@ bool Window::write_screenshot(const std::string& path) {
 void Window::remember_settings() {
   Settings settings = session_.settings;
   if (!full_screen_) {
-    glfwGetWindowSize(window_, &settings.window_width, &settings.window_height);
+    // As it was asked for: on a dense screen the window opens as much larger.
+    glm::ivec2 pixels(0);
+    glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
+    const glm::dvec2 size = glm::dvec2(pixels) / screen_density(window_);
+    settings.window_width = static_cast<int>(std::lround(size.x));
+    settings.window_height = static_cast<int>(std::lround(size.y));
   }
   if (!scripted()) {
     save_settings(options_.settings, settings);

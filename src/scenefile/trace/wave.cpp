@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <utility>
 
 // What is left out is older than any machine with 64 bits that still runs, or nothing new to this
@@ -57,16 +58,16 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
     rays.origin.y[i] = sample.point.y;
     rays.direction.x[i] = sample.lens.x;
     rays.direction.y[i] = sample.lens.y;
-    rays.start[i] = 0;
-    rays.node[i] = static_cast<std::uint32_t>(i);
-    rays.depth[i] = 0;
-    rays.weight[i] = 1;
     rays.cone[i] = sample.cone;
     rays.key[i] = sample.key;
-    rays.budget[i] = rays_of_a_sample;
-    rays.inside[i] = nullptr;
-    memory.nodes[i] = {};
   }
+  std::iota(rays.node, rays.node + count, 0u);
+  std::fill_n(rays.start, count, 0.0);
+  std::fill_n(rays.depth, count, 0);
+  std::fill_n(rays.weight, count, 1.0);
+  std::fill_n(rays.budget, count, rays_of_a_sample);
+  std::fill_n(rays.inside, count, nullptr);
+  std::fill_n(memory.nodes, count, WaveNode{});
   rays.count = count;
   memory.node_count = count;
   memory.inside_count = 0;

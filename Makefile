@@ -117,7 +117,7 @@ asan-files: ## the same for what reads and writes files, and the fuzz targets' s
 	@ctest --preset asan-files -j $(JOBS)
 tsan: ## the tests of what runs in several threads under ThreadSanitizer
 	@scripts/install-deps core tests
-	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app)
+	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app viewer)
 	@ctest --preset tsan -j $(JOBS)
 
 .PHONY: coverage

@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -36,10 +35,13 @@ class Screen {
       ::_exit(127);
     }
     ::close(ends[1]);
-    char digits[16] = {};
-    const ssize_t size = ::read(ends[0], digits, sizeof digits - 1);
+    // The server writes the line in two pieces.
+    std::string digits;
+    for (char c = 0; ::read(ends[0], &c, 1) == 1 && c != '\n';) {
+      digits += c;
+    }
     ::close(ends[0]);
-    name_ = size > 1 ? ":" + std::to_string(std::atoi(digits)) : "";
+    name_ = digits.empty() ? "" : ":" + digits;
   }
   ~Screen() {
     if (server_ > 0) {
@@ -168,6 +170,14 @@ TEST_F(View, ReloadsAndSurvivesBrokenFiles) {
   EXPECT_EQ(color_at(last, sphere_x, middle_y - 60), 'b') << "the last good picture stays";
   EXPECT_GT(count(last, 0xFF, 0x6B, 0x64), 20) << "the message is red";
   EXPECT_EQ(count(picture("2.png"), 0xFF, 0x6B, 0x64), 0);
+}
+
+TEST_F(View, QuitsInTheMiddleOfEverything) {
+  for (const int frames : {1, 2, 4, 8, 16}) {
+    const ProgramRun run = tour("key R\nframes " + std::to_string(frames) + "\nkey F5\nquit\n");
+    EXPECT_THAT(run.err, ::testing::IsEmpty()) << frames;
+    EXPECT_LE(run.status, 1) << frames;  // 1: nothing was drawn yet
+  }
 }
 
 TEST_F(View, SelectsAndSavesTheView) {

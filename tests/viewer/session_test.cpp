@@ -347,6 +347,31 @@ TEST_F(SessionTest, PicturesAndFoldersAreDropped) {
   EXPECT_TRUE(session.notice->bad);
 }
 
+TEST_F(SessionTest, EndsInTheMiddleOfEverything) {
+  const std::string reference = write_picture("right.png", 32, 24);
+  for (int i = 0; i < 30; ++i) {
+    Session other;
+    other.setup = session.setup;
+    other.settings.ray_tracing = true;
+    other.picture = session.picture;
+    other.pixels = {200, 150};
+    open_scene(other, path);
+    open_reference(other, reference);
+    for (int step = 0; step < i; ++step) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      tick(other, 0.3 * step);
+      if (step % 7 == 6) {
+        perform(other, Action::reload);
+      }
+      if (wants_picture(other)) {
+        compare_with(other, quantize(Image(32, 24), Rounding::nearest));
+      }
+    }
+  }
+  tick(session, time);
+  EXPECT_TRUE(settled(session));
+}
+
 TEST_F(SessionTest, NoticesGoAway) {
   say(session, "hello");
   pass(1);

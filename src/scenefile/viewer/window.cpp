@@ -89,6 +89,19 @@ double screen_density(GLFWwindow* window) {
   return density > 0 ? static_cast<double>(density) : 1;
 }
 
+struct GlfwEnd {
+  bool due = false;
+
+  GlfwEnd() = default;
+  GlfwEnd(const GlfwEnd&) = delete;
+  GlfwEnd& operator=(const GlfwEnd&) = delete;
+  ~GlfwEnd() {
+    if (due) {
+      glfwTerminate();
+    }
+  }
+};
+
 /// GLFW, ImGui and the canvas, from the opening of the window to its end.
 class Window {
  public:
@@ -132,9 +145,9 @@ class Window {
   }
 
   const WindowOptions& options_;
+  GlfwEnd glfw_;  // after the threads of the session, which wake the window
   Session session_;
   GLFWwindow* window_ = nullptr;
-  bool glfw_ready_ = false;
   bool gui_ready_ = false;
   std::unique_ptr<Canvas> canvas_;
   double gui_scale_ = 0;
@@ -161,9 +174,6 @@ Window::~Window() {
   }
   if (window_ != nullptr) {
     glfwDestroyWindow(window_);
-  }
-  if (glfw_ready_) {
-    glfwTerminate();
   }
 }
 
@@ -200,8 +210,8 @@ WindowResult Window::open() {
   }
   session_.settings.ray_tracing = options_.ray_tracing.value_or(session_.settings.ray_tracing);
   glfwSetErrorCallback(remember_error);
-  glfw_ready_ = glfwInit() == GLFW_TRUE;
-  if (!glfw_ready_) {
+  glfw_.due = glfwInit() == GLFW_TRUE;
+  if (!glfw_.due) {
     return {WindowStatus::no_display, "no window can be opened: " + last_glfw_error};
   }
   if (!create_window()) {

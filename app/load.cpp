@@ -4,6 +4,7 @@
 #include "scenefile/format/read_scene.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/memory.h"
+#include "scenefile/io/parallel.h"
 #include "scenefile/scene/check.h"
 
 #include <cstdlib>
@@ -38,6 +39,9 @@ void load_files(LoadedScene& scene, const Options& options, bool textures, bool 
   load.textures = textures;
   load.allow_missing = allow_missing;
   load.limits = options.limits;
+  load.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+    for_each_index(count, options.threads, work);
+  };
   scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files, fetch,
                              load, scene.diagnostics);
   scene.asset_fingerprint = hash.value();

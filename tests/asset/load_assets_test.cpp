@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace scenefile {
 namespace {
@@ -91,6 +93,45 @@ TEST(LoadAssets, TheTextureLimitHoldsForAllTogether) {
   EXPECT_FALSE(assets.textures[0].empty());
   EXPECT_TRUE(assets.textures[1].empty());
   EXPECT_THAT(findings(diagnostics), HasSubstr("2:1 texture.limit texture \"b.png\""));
+}
+
+// Textures and findings with some limit, where all are decoded one after the other or not.
+std::pair<std::vector<Texture>, std::string> load_with(std::uint64_t limit,
+                                                       const ForEach& for_each) {
+  Folder folder;
+  folder.files = {{"a.png", test::fixture("rgb.png")},
+                  {"bad.png", "this is not an image"},
+                  {"cut.png", test::fixture("rgb.png").substr(0, 200)},
+                  {"b.png", test::fixture("rgba.png")},
+                  {"c.jpg", test::fixture("gray.jpg")}};
+  const std::vector<FileReference> textures = {{"a.png", {1, 1}},   {"gone.png", {2, 1}},
+                                               {"bad.png", {3, 1}}, {"cut.png", {4, 1}},
+                                               {"b.png", {5, 1}},   {"c.jpg", {6, 1}}};
+  LoadOptions options;
+  options.limits.texture_bytes = limit;
+  options.for_each = for_each;
+  Diagnostics diagnostics;
+  Assets assets = load_assets(textures, {}, folder.fetch(), options, diagnostics);
+  return {std::move(assets.textures), findings(diagnostics)};
+}
+
+TEST(LoadAssets, TheOrderOfDecodingShowsNowhere) {
+  std::size_t together = 0;
+  const ForEach backward = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+    together = std::max(together, count);
+    for (std::size_t i = count; i-- > 0;) {
+      work(i);
+    }
+  };
+  for (const std::uint64_t limit : {100, 600, 1100, 1200, 1700, 2300, 100'000'000}) {
+    const auto [expected, expected_findings] = load_with(limit, {});
+    const auto [textures, found] = load_with(limit, backward);
+    EXPECT_EQ(found, expected_findings) << limit;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(textures[i].rgb, expected[i].rgb) << limit << ' ' << i;
+    }
+  }
+  EXPECT_EQ(together, 6u);
 }
 
 TEST(LoadAssets, AMeshThatCannotBeUsedIsAnErrorOrAWarning) {

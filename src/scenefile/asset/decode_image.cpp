@@ -82,6 +82,18 @@ bool decode(const Codec& codec, std::string_view bytes, const Limits& limits, st
 
 }  // namespace
 
+std::uint64_t decoded_bytes(std::string_view bytes) {
+  const Codec* const codec = codec_of(bytes);
+  ImageHeader header;
+  std::string error;
+  if (codec == nullptr || !codec->read_header(bytes, header, error)) {
+    return 0;
+  }
+  constexpr std::uint64_t most = 1u << 24;  // no product overflows
+  return 3 * std::min<std::uint64_t>(header.width, most) *
+         std::min<std::uint64_t>(header.height, most);
+}
+
 bool is_image(std::string_view bytes) {
   return codec_of(bytes) != nullptr;
 }

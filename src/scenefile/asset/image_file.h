@@ -22,6 +22,10 @@ namespace scenefile {
 Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
                      std::string& error, bool* over_limit = nullptr);
 
+/// What decode_image() will take from its budget where it succeeds, by the header alone; 0 where no
+/// header can be read.
+std::uint64_t decoded_bytes(std::string_view bytes);
+
 /// Whether the bytes start as those of a format that decode_image() knows.
 bool is_image(std::string_view bytes);
 

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace scenefile {
 
 namespace {
@@ -15,26 +18,94 @@ FileContents no_access(const std::string& /*name*/) {
   return {"", "no files are opened here"};
 }
 
-Texture load_texture(const FileReference& file, const FetchFile& fetch, const Limits& limits,
-                     std::uint64_t& budget, Diagnostics& diagnostics) {
-  const auto warn = [&](const Code& code, const std::string& why) {
-    diagnostics.report(
+// Loads textures within the budget of all of them, several at once.
+class TextureLoader {
+ public:
+  TextureLoader(const FetchFile& fetch, const LoadOptions& options, Diagnostics& diagnostics)
+      : fetch_(fetch),
+        options_(options),
+        diagnostics_(diagnostics),
+        budget_(options.limits.texture_bytes) {}
+
+  void load(std::span<const FileReference> files, std::vector<Texture>& textures) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      FileContents contents = fetch_(files[i].name);
+      const std::uint64_t decoded = decoded_bytes(contents.bytes);
+      if (!fits(contents.bytes.size(), decoded)) {
+        finish();
+      }
+      decoded_ += decoded;
+      encoded_ += contents.bytes.size();
+      waiting_.push_back({files[i], std::move(contents), textures[i], "", false});
+    }
+    finish();
+  }
+
+ private:
+  struct Waiting {
+    const FileReference& file;
+    FileContents contents;
+    Texture& texture;
+    std::string error;
+    bool over_limit;
+  };
+
+  // What is decoded together fits into the budget, so that it is refused or not as one after the
+  // other would be; and its files take little memory.
+  bool fits(std::size_t encoded, std::uint64_t decoded) const {
+    constexpr std::size_t most_files = 64;
+    constexpr std::size_t most_bytes = 64'000'000;
+    return waiting_.size() < most_files && encoded_ + encoded <= most_bytes &&
+           decoded_ + decoded <= budget_;
+  }
+
+  void decode(Waiting& one) const {
+    if (one.contents.error.empty()) {
+      std::uint64_t budget = budget_;
+      one.texture =
+          decode_image(one.contents.bytes, options_.limits, budget, one.error, &one.over_limit);
+    }
+  }
+
+  void finish() {
+    const auto work = [&](std::size_t i) { decode(waiting_[i]); };
+    if (options_.for_each && waiting_.size() > 1) {
+      options_.for_each(waiting_.size(), work);
+    } else {
+      std::for_each(waiting_.begin(), waiting_.end(), [&](Waiting& one) { decode(one); });
+    }
+    for (const Waiting& one : waiting_) {
+      report(one);
+      budget_ -= one.texture.rgb.size();
+    }
+    waiting_.clear();
+    encoded_ = 0;
+    decoded_ = 0;
+  }
+
+  void report(const Waiting& one) {
+    if (!one.contents.error.empty()) {
+      warn(texture_missing, one.file, one.contents.error);
+    } else if (!one.error.empty()) {
+      warn(one.over_limit ? texture_limit : texture_undecodable, one.file,
+           "cannot decode: " + one.error);
+    }
+  }
+
+  void warn(const Code& code, const FileReference& file, const std::string& why) {
+    diagnostics_.report(
         code, file.location,
         fmt::format("texture {}: {}; shading with the diffuse color", quoted(file.name, 200), why));
-  };
-  const FileContents contents = fetch(file.name);
-  if (!contents.error.empty()) {
-    warn(texture_missing, contents.error);
-    return {};
   }
-  std::string error;
-  bool over_limit = false;
-  Texture texture = decode_image(contents.bytes, limits, budget, error, &over_limit);
-  if (!error.empty()) {
-    warn(over_limit ? texture_limit : texture_undecodable, "cannot decode: " + error);
-  }
-  return texture;
-}
+
+  const FetchFile& fetch_;
+  const LoadOptions& options_;
+  Diagnostics& diagnostics_;
+  std::uint64_t budget_;
+  std::vector<Waiting> waiting_;
+  std::uint64_t encoded_ = 0;
+  std::uint64_t decoded_ = 0;
+};
 
 // Loads meshes within the budgets of all of them.
 class MeshLoader {
@@ -92,9 +163,8 @@ Assets load_assets(std::span<const FileReference> texture_files,
   Assets assets;
   assets.textures.resize(texture_files.size());
   assets.meshes.resize(mesh_files.size());
-  std::uint64_t budget = options.limits.texture_bytes;
-  for (std::size_t i = 0; options.textures && i < texture_files.size(); ++i) {
-    assets.textures[i] = load_texture(texture_files[i], fetch, options.limits, budget, diagnostics);
+  if (options.textures) {
+    TextureLoader(fetch, options, diagnostics).load(texture_files, assets.textures);
   }
   MeshLoader meshes(fetch, options, diagnostics);
   for (std::size_t i = 0; i < mesh_files.size(); ++i) {

@@ -7,6 +7,8 @@
 #include "scenefile/base/location.h"
 #include "scenefile/geometry/mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -33,16 +35,23 @@ using FetchFile = std::function<FileContents(const std::string& name)>;
 
 enum class AssetKind : std::uint8_t { texture, mesh };
 
+/// Calls work(0) to work(count - 1), each once, in any order and several at once where it likes;
+/// returns when all are done.
+using ForEach =
+    std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
+
 struct LoadOptions {
   bool textures = true;        ///< false: leave all of them empty, without a word
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
   Limits limits;
+  ForEach for_each;  ///< decodes textures; empty: one after the other
 };
 
 /// Loads every file of the lists once, in their order. A texture that cannot be used is a warning
 /// (it shades with the diffuse color), a mesh an error; their place is that of the reference.
 /// Findings inside a mesh file bear its name and line. The limits on textures and meshes hold for
-/// all of them together. Codes: asset/codes.h.
+/// all of them together. Files are fetched one after the other; result and findings are the same
+/// however textures are decoded. Codes: asset/codes.h.
 Assets load_assets(std::span<const FileReference> texture_files,
                    std::span<const FileReference> mesh_files, const FetchFile& fetch,
                    const LoadOptions& options, Diagnostics& diagnostics);

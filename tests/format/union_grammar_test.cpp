@@ -227,8 +227,13 @@ const std::vector<Rule> rules = {
      "<lightdata name=\"sun\"><id v=\"1\"/><color r=\"1\" g=\"1\" b=\"1\"/>"
      "<position x=\"0\" y=\"5\" z=\"0\"/></lightdata>",
      unknown},
-    {"name_in_front_of_type", in_block, "<object name=\"cube\" type=\"primitive\"/>",
-     "<object type=\"primitive\" name=\"cube\"/>", nothing, "<object name=\"cube\"/>", lacking},
+    {"name_in_front_of_type",
+     in_block,
+     "<object name=\"cube\" type=\"primitive\"/>",
+     "<object type=\"primitive\" name=\"cube\"/>",
+     {"warning xml.attribute-order"},
+     "<object name=\"cube\"/>",
+     lacking},
     {"meshfile",
      in_block,
      "<object type=\"primitive\" name=\"mesh\" meshfile=\"a.obj\"/>",
@@ -327,8 +332,13 @@ const std::vector<Rule> rules = {
      "<matrix><row a=\"1\" b=\"0\" c=\"0\" d=\"2\"/><row a=\"0\" b=\"1\" c=\"0\" d=\"0\"/>"
      "<row a=\"0\" b=\"0\" c=\"1\" d=\"0\"/></matrix>",
      {"error xml.matrix-rows"}},
-    {"material_color_as_vector", with_material, "<diffuse x=\"1\" y=\"0\" z=\"0\"/>",
-     "<diffuse r=\"1\" g=\"0\" b=\"0\"/>", alias, "<diffuse b=\"0\" g=\"0\" r=\"1\"/>", nothing},
+    {"material_color_as_vector",
+     with_material,
+     "<diffuse x=\"1\" y=\"0\" z=\"0\"/>",
+     "<diffuse r=\"1\" g=\"0\" b=\"0\"/>",
+     alias,
+     "<diffuse b=\"0\" g=\"0\" r=\"1\"/>",
+     {"warning xml.attribute-order"}},
     {"material_alpha",
      with_material,
      "<diffuse r=\"1\" g=\"0\" b=\"0\" a=\"1\"/>",
@@ -429,9 +439,9 @@ INSTANTIATE_TEST_SUITE_P(All, UnionGrammar, ::testing::ValuesIn(rules),
 // What only some programs read, --strict refuses.
 TEST(UnionGrammar, SpellingsOfSomeProgramsAreMarkedAsDialect) {
   const std::vector<std::string> dialects = {
-      "xml.alias-attribute",    "xml.alias-element", "xml.positional-attributes",
-      "xml.name-case",          "xml.texture-blend", "xml.object-without-transblock",
-      "xml.misspelt-transblock"};
+      "xml.alias-attribute",     "xml.alias-element",  "xml.positional-attributes",
+      "xml.name-case",           "xml.texture-blend",  "xml.object-without-transblock",
+      "xml.misspelt-transblock", "xml.attribute-order"};
   std::size_t marked = 0;
   for (const Rule& rule : rules) {
     const Reading spelled = read(rule.frame(rule.spelled));

@@ -36,7 +36,7 @@ const std::vector<Verdict> verdicts = {
     {"instance-of-root", {"4:7 error xml.reserved-root"}},
     {"second-camera", {"8:3 warning xml.second-camera"}},
     {"master-without-name", {"2:3 error xml.master-name"}},
-    {"filename-not-next-to-name", {}},
+    {"filename-not-next-to-name", {"4:15 warning xml.attribute-order"}},
     {"lights-0-to-7", {}},
     {"missing-globals-camera-type", {}},
 };
@@ -85,8 +85,27 @@ TEST(XmlDialect, AttributesOfOtherNamesAreReadInTheirOrder) {
 
 TEST(XmlDialect, NamesCountBeforeTheOrder) {
   const Reading reading = read(with_transforms("<translate z=\"3\" y=\"2\" x=\"1\"/>"));
-  EXPECT_THAT(findings(reading.diagnostics), IsEmpty());
+  EXPECT_THAT(findings(reading.diagnostics), ElementsAre("4:12 warning xml.attribute-order"));
+  EXPECT_THAT(
+      messages(reading.diagnostics),
+      ElementsAre("4:12 the attributes of <translate> were read by their names; programs that "
+                  "go by their order differ: write them in the order x, y, z"));
   EXPECT_EQ(translation(reading), glm::vec3(1, 2, 3));
+}
+
+TEST(XmlDialect, AnotherOrderOfEqualValuesIsNoMatter) {
+  EXPECT_THAT(findings(read(with_transforms("<scale z=\"2\" y=\"2\" x=\"2\"/>"
+                                            "<rotate y=\"0\" x=\"0\" z=\"1\" angle=\"9\"/>"))
+                           .diagnostics),
+              IsEmpty());
+}
+
+TEST(XmlDialect, ObjectsAndTexturesHaveAnOrderToo) {
+  EXPECT_THAT(
+      findings(read(in_root("<transblock>\n<object name=\"cube\" type=\"primitive\">\n"
+                            "<texture u=\"2\" v=\"3\" file=\"a.png\"/></object></transblock>"))
+                   .diagnostics),
+      ElementsAre("4:9 warning xml.attribute-order", "5:10 warning xml.attribute-order"));
 }
 
 TEST(XmlDialect, SomeNamesAreNotEnough) {

@@ -232,7 +232,7 @@ TEST(XmlScene, Shapes) {
 TEST(XmlScene, MeshesNameTheirFile) {
   for (const std::string_view attribute : {"filename", "meshfile"}) {
     const Reading reading = read(in_root(fmt::format(
-        "<transblock><object {}=\"a.obj\" type=\"primitive\" name=\"mesh\"/></transblock>",
+        "<transblock><object type=\"primitive\" name=\"mesh\" {}=\"a.obj\"/></transblock>",
         attribute)));
     EXPECT_THAT(found(reading), IsEmpty());
     EXPECT_EQ(only_child(reading.scene).primitives.at(0).shape, Shape::mesh);

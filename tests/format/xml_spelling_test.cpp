@@ -1,6 +1,7 @@
 // How a file is laid out does not change what it means.
 
 #include "format/reading.h"
+#include "scenefile/format/codes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -132,6 +133,16 @@ Element scene_of(const std::vector<int>& seeds) {
   return {"scenefile", {}, {std::move(camera), std::move(light), std::move(part), std::move(root)}};
 }
 
+// The first finding, but for those about the order of attributes; empty: none.
+std::string other_finding(const Reading& reading) {
+  for (const Diagnostic& d : reading.diagnostics.list()) {
+    if (d.code != &xml_attribute_order) {
+      return d.message;
+    }
+  }
+  return {};
+}
+
 RC_GTEST_PROP(XmlSpelling, DoesNotChangeTheScene, ()) {
   const auto seeds = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1000));
   const auto dice = *rc::gen::nonEmpty<std::vector<int>>(
@@ -140,9 +151,9 @@ RC_GTEST_PROP(XmlSpelling, DoesNotChangeTheScene, ()) {
   const Reading plain = read(Writer({0}).write(scene));
   const std::string text = Writer(dice).write(scene);
   const Reading varied = read(text);
-  RC_ASSERT(plain.diagnostics.list().empty());
-  if (!varied.diagnostics.list().empty()) {
-    RC_FAIL(varied.diagnostics.list()[0].message + "\n" + text);
+  RC_ASSERT(other_finding(plain).empty());
+  if (const std::string finding = other_finding(varied); !finding.empty()) {
+    RC_FAIL(finding + "\n" + text);
   }
   RC_ASSERT(varied.scene == plain.scene);
 }

@@ -141,6 +141,11 @@ inline constexpr Code xml_positional_attributes{
     "None of the names that the format gives these attributes is there. Some programs go by the "
     "order alone; those that go by names refuse the file.",
     CodeKind::dialect};
+inline constexpr Code xml_attribute_order{
+    "xml.attribute-order", Severity::warning, "attributes stand in another order",
+    "They were read by their names. Programs that go by the order alone take each for another one "
+    "and draw another picture. `scenefile convert old.xml new.xml` writes the usual order.",
+    CodeKind::dialect};
 inline constexpr Code xml_color_alpha{
     "xml.color-alpha", Severity::note, "a color has a fourth part",
     "Colors have three parts; `transparent` says how much light passes through."};

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -125,6 +126,8 @@ Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
   if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
     return {};
   }
+  const std::array<const XmlAttribute*, 3> in_order = {file, to.tag.find("u"), to.tag.find("v")};
+  report_order(to.context, to.tag, in_order);
   TextureUse texture{std::string(file->value), 1, 1, to.tag.location};
   for (const XmlAttribute& attribute : to.tag.attributes) {
     if (&attribute == file) {

@@ -160,6 +160,8 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
                    "<object> lacks attribute type: tree, master or primitive");
     return std::nullopt;
   }
+  const std::array<const XmlAttribute*, 3> in_order = {found.type, found.name, found.filename};
+  report_order(context, tag, in_order);
   const std::optional<ObjectType> type = read_type(context, *found.type);
   if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
     return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -151,8 +152,9 @@ bool any_near(const XmlTag& tag, const Signature& signature, const Parts& parts)
   });
 }
 
-// The last part, or all others, under names of their own, beside the rest under theirs.
-void take_rest(const XmlContext& context, const XmlTag& tag, const Signature& signature,
+// The last part, or all others, under names of their own, beside the rest under theirs. Whether
+// there were such.
+bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                Parts& parts) {
   const std::size_t last = signature.parts - 1;
   const auto count = std::count(parts.begin(), parts.begin() + signature.parts, nullptr);
@@ -160,7 +162,7 @@ void take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
   const bool all_others = count == static_cast<std::ptrdiff_t>(last) && parts[last] != nullptr;
   if ((!only_last && !all_others) || tag.attributes.size() != signature.parts ||
       any_near(tag, signature, parts)) {
-    return;
+    return false;
   }
   const std::string names = fmt::format("{}", fmt::join(missing_names(signature, parts), ", "));
   std::vector<std::string> taken;
@@ -176,6 +178,7 @@ void take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
                  fmt::format("attribute{} {} of {} {} read as {}", only_last ? "" : "s",
                              fmt::join(taken, ", "), element_text(tag.name),
                              only_last ? "was" : "were", names));
+  return true;
 }
 
 // Whether no attribute has a name that the format gives a part of the value.
@@ -341,16 +344,40 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
   if (found.count == 0 && report_one_for_all(context, tag, signature)) {
     return std::nullopt;
   }
-  if (signature.free_names) {
-    take_rest(context, tag, signature, found.parts);
-  }
+  const bool by_order_too = signature.free_names && take_rest(context, tag, signature, found.parts);
   settle_others(context, tag, signature, found.parts);
   const auto end = found.parts.begin() + static_cast<std::ptrdiff_t>(signature.parts);
   if (!signature.optional && std::find(found.parts.begin(), end, nullptr) != end) {
     report_missing(context, tag, signature, found.parts);
     return std::nullopt;
   }
+  if (!by_order_too) {
+    report_order(context, tag, std::span(found.parts).first(signature.parts));
+  }
   return found.parts;
+}
+
+void report_order(const XmlContext& context, const XmlTag& tag,
+                  std::span<const XmlAttribute* const> in_order) {
+  std::vector<const XmlAttribute*> wanted(in_order.begin(), in_order.end());
+  std::erase(wanted, nullptr);
+  // The attributes of a tag are stored as they are written.
+  std::vector<const XmlAttribute*> written = wanted;
+  std::sort(written.begin(), written.end(), std::less<>());
+  const auto other = std::mismatch(
+      written.begin(), written.end(), wanted.begin(),
+      [](const XmlAttribute* a, const XmlAttribute* b) { return a->value == b->value; });
+  if (other.first == written.end()) {
+    return;
+  }
+  std::vector<std::string> names;
+  for (const XmlAttribute* attribute : wanted) {
+    names.push_back(escaped(attribute->name, 40));
+  }
+  context.report(xml_attribute_order, **other.first,
+                 fmt::format("the attributes of {} were read by their names; programs that go by "
+                             "their order differ: write them in the order {}",
+                             element_text(tag.name), fmt::join(names, ", ")));
 }
 
 float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {

@@ -42,6 +42,11 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
 void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                     const Parts& parts);
 
+/// The warning that the attributes stand in another order than that of `in_order`, where a program
+/// that goes by the order alone would read other values. Null ones are missing.
+void report_order(const XmlContext& context, const XmlTag& tag,
+                  std::span<const XmlAttribute* const> in_order);
+
 /// The value of a numeric attribute; reports what is wrong with it. `not_known` after an error.
 float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute);
 

@@ -28,6 +28,7 @@ ExitCode worse(ExitCode a, ExitCode b);
 struct Context {
   std::string_view phase = "starting";  ///< static text
   std::uint64_t max_memory = 0;         ///< by --max-memory, in bytes; 0: not given
+  char* const* command_line = nullptr;  ///< as main() got it, for another program in this place
 };
 
 /// How many arguments a command takes.

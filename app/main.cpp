@@ -195,6 +195,7 @@ int main(int argc, char** argv) {
   using namespace scenefile::app;
   scenefile::handle_signals();
   Context context;
+  context.command_line = argv;
   // Nothing here may need memory.
   try {
     const std::span<const char* const> words{argv + std::min(argc, 1),

@@ -89,6 +89,18 @@ TEST_F(RenderWithGl, SaysWhereThereIsNoOpenGl) {
   EXPECT_EQ(folder.list(), std::vector<std::string>{"scene.xml"});
 }
 
+TEST_F(RenderWithGl, SaysWhereThereIsNoEgl) {
+  const std::string libraries = folder.path("lib");
+  folder.write("lib/libEGL.so.1", "no library");
+  const std::vector<std::string> search{"LD_LIBRARY_PATH=" + libraries};
+  const ProgramRun run = run_program(
+      {"render", scene, "--engine", "gl", "-o", folder.path("gl.png")}, {.environment = search});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("--engine gl: there is no EGL (libEGL.so.1)"));
+  EXPECT_EQ(run_program({"info", scene}, {.environment = search}).status, 0)
+      << "all else needs none";
+}
+
 TEST_F(RenderWithGl, TheCoursesProfileIsThatOfTheTracer) {
   if (const ProgramRun run = draw({"--profile", "course"}); !has_gl(run)) {
     GTEST_SKIP() << run.err;

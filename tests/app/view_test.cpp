@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -244,6 +245,20 @@ TEST_F(View, SaysWhatIsWrong) {
   const ProgramRun run = tour("settle\njump\n");
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is no step"));
+}
+
+TEST(ViewWithoutItsProgram, IsSaid) {
+  const TempFolder folder;
+  const std::string alone = folder.path("scenefile");
+  std::filesystem::copy_file(SCENEFILE_PROGRAM, alone);
+  const std::string path = std::string(SCENEFILE_SCENES) + "/hello.xml";
+  const ProgramRun run = run_program({"view", path}, {.program = alone});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr(folder.path("scenefile-window")));
+  EXPECT_THAT(run.err, HasSubstr("cannot be started: No such file"));
+  const ProgramRun wrong = run_program({"view", path, "--frames", "none"}, {.program = alone});
+  EXPECT_EQ(wrong.status, 2) << "the command line is read before";
+  EXPECT_EQ(run_program({"info", path}, {.program = alone}).status, 0);
 }
 
 TEST(ViewWithoutScreen, IsSaid) {

@@ -2,6 +2,7 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
@@ -11,22 +12,43 @@
 
 namespace scenefile {
 
-struct HeadlessContext::State {
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLContext context = EGL_NO_CONTEXT;
+namespace {
 
-  ~State() {
-    if (display != EGL_NO_DISPLAY) {
-      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-      if (context != EGL_NO_CONTEXT) {
-        eglDestroyContext(display, context);
-      }
-      eglTerminate(display);
-    }
-  }
+#define SCENEFILE_EGL_FUNCTIONS(ROW) \
+  ROW(BindAPI)                       \
+  ROW(ChooseConfig)                  \
+  ROW(CreateContext)                 \
+  ROW(DestroyContext)                \
+  ROW(GetDisplay)                    \
+  ROW(GetPlatformDisplay)            \
+  ROW(GetProcAddress)                \
+  ROW(Initialize)                    \
+  ROW(MakeCurrent)                   \
+  ROW(QueryString)                   \
+  ROW(Terminate)
+
+/// The library, loaded when it is asked for: most programs that could draw never do.
+struct Egl {
+#define ROW(name) decltype(&egl##name) name = nullptr;
+  SCENEFILE_EGL_FUNCTIONS(ROW)
+#undef ROW
 };
 
-namespace {
+// False: there is no such library. It is never closed, for drivers leave threads behind.
+bool load(Egl& egl) {
+  void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    return false;
+  }
+#define ROW(name)                                                                 \
+  egl.name = reinterpret_cast<decltype(egl.name)>(::dlsym(library, "egl" #name)); \
+  if (egl.name == nullptr) {                                                      \
+    return false;                                                                 \
+  }
+  SCENEFILE_EGL_FUNCTIONS(ROW)
+#undef ROW
+  return true;
+}
 
 bool has_extension(const char* list, std::string_view name) {
   std::istringstream words(list == nullptr ? "" : list);
@@ -34,25 +56,25 @@ bool has_extension(const char* list, std::string_view name) {
          std::istream_iterator<std::string>();
 }
 
-EGLDisplay open_display() {
-  const char* const extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+EGLDisplay open_display(const Egl& egl) {
+  const char* const extensions = egl.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (has_extension(extensions, "EGL_MESA_platform_surfaceless")) {
-    return eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    return egl.GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   }
   if (has_extension(extensions, "EGL_EXT_platform_device") &&
       has_extension(extensions, "EGL_EXT_device_enumeration")) {
     const auto query =
-        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl.GetProcAddress("eglQueryDevicesEXT"));
     EGLDeviceEXT device = nullptr;
     EGLint count = 0;
     if (query != nullptr && query(1, &device, &count) == EGL_TRUE && count > 0) {
-      return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+      return egl.GetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
     }
   }
-  return eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  return egl.GetDisplay(EGL_DEFAULT_DISPLAY);
 }
 
-EGLContext make_context(EGLDisplay display) {
+EGLContext make_context(const Egl& egl, EGLDisplay display) {
   constexpr std::array<EGLint, 3> config_wishes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   constexpr std::array<EGLint, 7> context_wishes{EGL_CONTEXT_MAJOR_VERSION,
                                                  4,
@@ -64,11 +86,27 @@ EGLContext make_context(EGLDisplay display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   // A surface is never made, so no configuration is fine too (EGL_KHR_no_config_context).
-  eglChooseConfig(display, config_wishes.data(), &config, 1, &count);
-  return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wishes.data());
+  egl.ChooseConfig(display, config_wishes.data(), &config, 1, &count);
+  return egl.CreateContext(display, config, EGL_NO_CONTEXT, context_wishes.data());
 }
 
 }  // namespace
+
+struct HeadlessContext::State {
+  Egl egl;
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+
+  ~State() {
+    if (display != EGL_NO_DISPLAY) {
+      egl.MakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      if (context != EGL_NO_CONTEXT) {
+        egl.DestroyContext(display, context);
+      }
+      egl.Terminate(display);
+    }
+  }
+};
 
 HeadlessContext::HeadlessContext(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -76,19 +114,24 @@ HeadlessContext::~HeadlessContext() = default;
 
 std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
   auto state = std::make_unique<State>();
-  const EGLDisplay display = open_display();
-  if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
+  const Egl& egl = state->egl;
+  if (!load(state->egl)) {
+    error = "there is no EGL (libEGL.so.1) to draw with; install Mesa (libegl1, libgl1-mesa-dri)";
+    return nullptr;
+  }
+  const EGLDisplay display = open_display(egl);
+  if (display == EGL_NO_DISPLAY || egl.Initialize(display, nullptr, nullptr) != EGL_TRUE) {
     error = "there is no EGL display to draw with; install Mesa (libegl1, libgl1-mesa-dri)";
     return nullptr;
   }
   state->display = display;
-  if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
+  if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) {
     error = "EGL offers no OpenGL here; install Mesa (libgl1-mesa-dri)";
     return nullptr;
   }
-  state->context = make_context(display);
+  state->context = make_context(egl, display);
   if (state->context == EGL_NO_CONTEXT ||
-      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context) != EGL_TRUE) {
+      egl.MakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context) != EGL_TRUE) {
     error = "EGL has no OpenGL 4.1 core context without a window";
     return nullptr;
   }
@@ -96,7 +139,7 @@ std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
 }
 
 GetProcAddress HeadlessContext::get_proc_address() const {
-  return &eglGetProcAddress;
+  return state_->egl.GetProcAddress;
 }
 
 }  // namespace scenefile

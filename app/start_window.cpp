@@ -1,0 +1,45 @@
+// In place of view.cpp in the program itself: the window is a program beside it.
+
+#include "app/command.h"
+#include "app/output.h"
+
+#include <fmt/format.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+namespace scenefile::app {
+
+namespace {
+
+constexpr const char* window_program = "scenefile-window";
+
+// Where the program lies, not the link that it was called by.
+std::filesystem::path beside_this_program() {
+  std::error_code none;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
+  return none ? std::filesystem::path() : self.parent_path() / window_program;
+}
+
+}  // namespace
+
+ExitCode run_view(const Options& /*options*/, Context& context) {
+  const std::filesystem::path path = beside_this_program();
+  // Timers outlive this program, what they call does not; the next one sets its own.
+  const itimerval no_timer{};
+  ::setitimer(ITIMER_REAL, &no_timer, nullptr);
+  if (path.empty()) {
+    ::execvp(window_program, context.command_line);
+  } else {
+    ::execv(path.c_str(), context.command_line);
+  }
+  const std::error_code error(errno, std::generic_category());
+  say_error(fmt::format("view: {}, the program with the window, cannot be started: {}",
+                        path.empty() ? window_program : path.string(), error.message()));
+  return ExitCode::environment;
+}
+
+}  // namespace scenefile::app

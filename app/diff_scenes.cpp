@@ -15,7 +15,8 @@ namespace {
 LoadedScene load(const std::string& path, const Options& options, Context& context) {
   LoadedScene scene = load_scene(path, options, LoadDepth::prepared, true, context);
   if (!options.json) {
-    say(findings_text(scene, Verbosity::errors, wants_color(Stream::chatter)));
+    say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                      wants_color(Stream::chatter)));
   }
   return scene;
 }

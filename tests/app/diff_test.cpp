@@ -46,6 +46,14 @@ TEST_F(DiffScenes, WhatCannotBeReadIsNoDifference) {
   EXPECT_EQ(run_program({"diff", a}).status, 2);
 }
 
+TEST_F(DiffScenes, SaysWhatTheReadersWarnOf) {
+  const std::string a = folder.write("a.xml", good_scene);
+  const std::string b = folder.write("b.xml", scene_with(R"(<ior value="1"/>)"));
+  EXPECT_THAT(run_program({"diff", a, b}).err, HasSubstr("[xml.alias-attribute]"));
+  EXPECT_EQ(run_program({"diff", "-q", a, b}).err, "");
+  EXPECT_THAT(run_program({"diff", a, a}).err, "");
+}
+
 TEST_F(DiffScenes, AnswersPrograms) {
   const std::string a = folder.write("a.xml", good_scene);
   const std::string b = folder.write("b.xml", scene_with(R"(<ior v="2"/>)"));
@@ -55,7 +63,7 @@ TEST_F(DiffScenes, AnswersPrograms) {
   for (const auto& difference : document["differences"].GetArray()) {
     if (difference["where"].GetString() == std::string("root/#1: sphere 1: ior")) {
       found = true;
-      EXPECT_STREQ(difference["a"]["text"].GetString(), "default");
+      EXPECT_STREQ(difference["a"]["text"].GetString(), "1");
       EXPECT_STREQ(difference["b"]["text"].GetString(), "2");
       EXPECT_GT(difference["b"]["line"].GetInt(), 0);
     }

@@ -96,6 +96,56 @@ RC_GTEST_PROP(WriteLaws, MeaningIsKept, ()) {
   }
 }
 
+// What XML cannot say of an area light is warned of, and nothing else differs.
+RC_GTEST_PROP(WriteLaws, AreaLightsMeanTheSameOrAreNamed, ()) {
+  const Scene scene = any_scene();
+  Diagnostics diagnostics;
+  const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
+  const bool turned = diagnostics.count(Severity::warning) != 0;
+  RC_CLASSIFY(turned);
+  RC_ASSERT(same_meaning(scene, read_silently(text)) == !turned);
+}
+
+float number_in(int low, int high) {
+  return static_cast<float>(*rc::gen::inRange(100 * low, 100 * high)) / 100.0f;
+}
+
+Transform even_transform(int kind) {
+  const auto number = [] { return number_in(-9, 9); };
+  const float factor = number_in(0, 3) + 0.01f;
+  switch (kind) {
+    case 0:
+      return {Translate{{number(), number(), number()}}, {}};
+    case 1:
+      return {Rotate{{0, 1, 0}, number() * 40}, {}};
+    default:
+      return {Scale{glm::vec3(factor)}, {}};
+  }
+}
+
+// Groups that move, turn about the vertical and scale evenly leave a light that XML can say.
+RC_GTEST_PROP(WriteLaws, AreaLightsInEvenGroupsMeanTheSame, ()) {
+  Scene scene = any_scene(false);
+  scene.nodes[scene.root].transforms.clear();
+  const NodeId group = add_child(scene, scene.root);
+  for (const int kind : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 3))) {
+    scene.nodes[group].transforms.push_back(even_transform(kind));
+  }
+  Light light;
+  light.type = LightType::area;
+  light.direction = {number_in(-3, 3), number_in(-3, 3), 1};
+  light.width = number_in(0, 3) + 0.01f;
+  light.height = number_in(0, 3) + 0.01f;
+  scene.nodes[group].lights = {light};
+  Diagnostics diagnostics;
+  check(scene, {}, diagnostics);
+  RC_PRE(!diagnostics.has_errors());
+  Diagnostics writing;
+  const std::string text = write_scene(scene, SceneFormat::xml, {}, writing);
+  RC_ASSERT(writing.count(Severity::warning) == 0U);
+  RC_ASSERT(same_meaning(scene, read_silently(text)));
+}
+
 RC_GTEST_PROP(WriteLaws, MeaningIsKeptThereAndBack, ()) {
   const Scene scene = any_scene(false);
   for (const SceneFormat format : formats) {

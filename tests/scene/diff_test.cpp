@@ -52,7 +52,7 @@ TEST(Diff, BothZerosAreOneValue) {
                 s.nodes[0].primitives[0].material.specular = {1, -0.0f, 0};
                 s.nodes[1].transforms = {translate(1, -0.0f, 0), rotate({0, 1, 0}, -0.0f)};
               }),
-              ElementsAre("root: cube 1: specular: default -> 1 0 0",
+              ElementsAre("root: cube 1: specular: 0 0 0 -> 1 0 0",
                           "root/arm: transforms: translate 1 0 0 -> translate 1 0 0, rotate 0 "
                           "about 0 1 0"));
 }
@@ -61,13 +61,13 @@ TEST(Diff, NamesValues) {
   EXPECT_THAT(texts([](Scene& s) {
                 s.nodes[0].primitives[2].material.diffuse = {1, 0, 0};
               }),
-              ElementsAre("root: sphere 2: diffuse: default -> 1 0 0"));
+              ElementsAre("root: sphere 2: diffuse: 1 1 1 -> 1 0 0"));
   EXPECT_THAT(texts([](Scene& s) {
                 s.nodes[0].lights[0].position = {3, 3, 4};
               }),
               ElementsAre("root: point light 1: position: 3 3 3 -> 3 3 4"));
   EXPECT_THAT(texts([](Scene& s) { s.global.transparent = 0.25f; }),
-              ElementsAre("global data: transparentcoeff: default -> 0.25"));
+              ElementsAre("global data: transparentcoeff: none -> 0.25"));
   EXPECT_THAT(texts([](Scene& s) { s.camera = Camera{}; }),
               ElementsAre("camera: not given -> given"));
   EXPECT_THAT(texts([](Scene& s) { s.name = "x"; }), ElementsAre("scene name: \"\" -> \"x\""));
@@ -83,7 +83,7 @@ TEST(Diff, CameraValues) {
   a.camera = Camera{};
   Scene b = a;
   b.camera->height_angle_deg = 60;
-  EXPECT_EQ(difference_text(diff(a, b).at(0)), "camera: heightangle: default -> 60");
+  EXPECT_EQ(difference_text(diff(a, b).at(0)), "camera: heightangle: 45 -> 60");
 }
 
 TEST(Diff, AnAddedObjectDoesNotShiftTheRest) {
@@ -114,7 +114,7 @@ TEST(Diff, FindsChangesInTemplates) {
   EXPECT_THAT(texts([](Scene& s) {
                 s.nodes[s.nodes[s.templates[0]].children[0]].primitives[0].material.shininess = 9;
               }),
-              ElementsAre("lamp/#1: cone 1: shininess: default -> 9"));
+              ElementsAre("lamp/#1: cone 1: shininess: 0 -> 9"));
 }
 
 TEST(Diff, StopsWhenAsked) {
@@ -174,17 +174,74 @@ TEST(DiffMeaning, NamesOneChangeBetweenScenesThatAreGroupedApart) {
   EXPECT_THAT(regrouped_texts([](Scene& s) {
                 s.nodes[5].primitives[0].material.diffuse = {1, 0, 0};
               }),
-              ElementsAre("root: sphere 2: diffuse: default -> 1 0 0"));
+              ElementsAre("root: sphere 2: diffuse: 1 1 1 -> 1 0 0"));
   EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[6].transforms = {translate(1, 2, 0)}; }),
               ElementsAre("root: sphere 3: transforms: translate 1 0 0 -> translate 1 2 0"));
   EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[1].transforms = {translate(3, 3, 4)}; }),
               ElementsAre("point light 1: position: 3 3 3 -> 3 3 4"));
   EXPECT_THAT(regrouped_texts([](Scene& s) { s.camera.emplace().height_angle_deg = 60; }),
-              ElementsAre("camera: heightangle: default -> 60"));
+              ElementsAre("camera: heightangle: 45 -> 60"));
   EXPECT_THAT(regrouped_texts([](Scene& s) {
                 s.nodes[s.nodes[s.templates[0]].children[0]].primitives[0].material.shininess = 9;
               }),
-              ElementsAre("lamp: cone 1: shininess: default -> 9"));
+              ElementsAre("lamp: cone 1: shininess: 0 -> 9"));
   EXPECT_THAT(regrouped_texts([](Scene& s) { s.nodes[3].primitives.clear(); }),
               ElementsAre("root: cube 1: only in the first: cube"));
+}
+
+namespace {
+
+// An area light of 2 by 1 in a group of its own, shining along `direction`.
+Scene area_light(std::vector<Transform> place, glm::vec3 direction = {-1, -2, -0.5f}) {
+  Scene scene = fine_scene();
+  scene.nodes[0].lights.clear();
+  const NodeId lamp = add_group(scene, 0, std::move(place));
+  Light light;
+  light.type = LightType::area;
+  light.position = {0, 0, 0};
+  light.direction = direction;
+  light.width = 2;
+  light.height = 1;
+  scene.nodes[lamp].lights = {light};
+  return scene;
+}
+
+// The same light at the root, of the size given.
+Scene lit_at_root(float width, float height, glm::vec3 direction = {-1, -2, -0.5f}) {
+  Scene scene = area_light({}, direction);
+  scene.nodes[0].lights = scene.nodes[1].lights;
+  scene.nodes[1].lights.clear();
+  scene.nodes[0].lights[0].width = width;
+  scene.nodes[0].lights[0].height = height;
+  return scene;
+}
+
+std::vector<std::string> meaning_texts(const Scene& a, const Scene& b) {
+  const SceneDiff diff = diff_meaning(a, b);
+  EXPECT_EQ(diff.same_meaning, diff.differences.empty());
+  std::vector<std::string> result;
+  for (const SceneDifference& difference : diff.differences) {
+    result.push_back(difference_text(difference));
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST(DiffMeaning, AreaLightsAreComparedAsTheyAreInTheWorld) {
+  const Scene a = area_light({scale(1.1f, 1.1f, 1.1f)});
+  EXPECT_THAT(meaning_texts(a, lit_at_root(2.2f, 1.1f)), IsEmpty());
+  EXPECT_THAT(meaning_texts(a, lit_at_root(2.3f, 1.1f)),
+              ElementsAre("area light 1: width: 2.2 -> 2.3"));
+}
+
+TEST(DiffMeaning, NamesATurnOfAnAreaLight) {
+  const glm::vec3 down(0, -1, 0);
+  const Scene turned = area_light({rotate({0, 1, 0}, 30)}, down);
+  EXPECT_THAT(meaning_texts(turned, lit_at_root(2, 1, down)),
+              ElementsAre("area light 1: turned: width along 0.866 0 -0.5, height along -0.5 0 "
+                          "-0.866 -> no"));
+  // Half a turn leaves the rectangle where it is.
+  EXPECT_THAT(meaning_texts(area_light({rotate({0, 1, 0}, 180)}, down), lit_at_root(2, 1, down)),
+              IsEmpty());
 }

@@ -40,10 +40,6 @@ glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
   return wanted.direction;
 }
 
-bool close(const glm::vec3& a, const glm::vec3& b) {
-  return glm::length(glm::dvec3(a) - glm::dvec3(b)) <= 1e-5 * glm::length(glm::dvec3(a));
-}
-
 bool is_finite(const RenderLight& light) {
   const glm::vec3 sum = glm::abs(light.position) + glm::abs(light.half_u) + glm::abs(light.half_v);
   return std::isfinite(2 * (sum.x + sum.y + sum.z));
@@ -187,7 +183,7 @@ class WorldLights {
   void place_rectangle(Light& result, const Light& light, const RenderLight& wanted) {
     const auto same_sides = [&] {
       const std::optional<RenderLight> ready = ready_light(result, DAffine());
-      return ready && close(wanted.half_u, ready->half_u) && close(wanted.half_v, ready->half_v);
+      return ready && alike(wanted, *ready);
     };
     if (same_sides()) {
       return;

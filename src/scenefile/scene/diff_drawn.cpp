@@ -3,8 +3,11 @@
 #include "scenefile/base/text.h"
 #include "scenefile/scene/diff_list.h"
 #include "scenefile/scene/prepare.h"
+#include "scenefile/scene/prepare_parts.h"
 #include "scenefile/scene/transforms.h"
 #include "scenefile/scene/walk.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
@@ -25,6 +28,58 @@ struct Drawn {
   Location location;
   Affine map;
 };
+
+// A light in world space, without what has no effect.
+struct WorldLight {
+  Light light;
+  std::string turned;  // how an area light lies otherwise than its direction says; "no"
+  Location location;
+};
+
+std::string_view label_of(const WorldLight& world) {
+  return scenefile::label_of(world.light);
+}
+
+Values values_of(const WorldLight& world) {
+  Values values = scenefile::values_of(world.light);
+  if (world.light.type == LightType::area) {
+    values.push_back({"turned", world.turned});
+  }
+  return values;
+}
+
+std::string axis_text(const glm::vec3& side) {
+  const glm::vec3 axis = glm::length(side) > 0 ? glm::normalize(side) : side;
+  return fmt::format("{:.3g} {:.3g} {:.3g}", axis.x + 0.0f, axis.y + 0.0f, axis.z + 0.0f);
+}
+
+// Gives the light the size that it has in the world.
+void size_rectangle(WorldLight& world, const RenderLight& ready) {
+  world.light.width = 2 * glm::length(ready.half_u);
+  world.light.height = 2 * glm::length(ready.half_v);
+  const std::optional<RenderLight> level = ready_light(world.light, DAffine());
+  world.turned = level && alike(ready, *level)
+                     ? "no"
+                     : fmt::format("width along {}, height along {}", axis_text(ready.half_u),
+                                   axis_text(ready.half_v));
+}
+
+// What differs by roundings alone shall not be told.
+void forget_roundings(const std::vector<WorldLight>& of, std::vector<WorldLight>& in) {
+  for (std::size_t i = 0; i < std::min(of.size(), in.size()); ++i) {
+    const Light& wanted = of[i].light;
+    Light& light = in[i].light;
+    const auto settle = [](float from, float& to) {
+      to = alike(glm::vec3(from), glm::vec3(to)) ? from : to;
+    };
+    if (wanted.type == LightType::area && light.type == LightType::area) {
+      settle(wanted.width, light.width);
+      settle(wanted.height, light.height);
+      light.direction =
+          alike(wanted.direction, light.direction) ? wanted.direction : light.direction;
+    }
+  }
+}
 
 std::uint64_t hash_of(const Affine& map) {
   std::uint64_t hash = 0;
@@ -106,10 +161,9 @@ class Side {
   // Names of templates that objects() came upon.
   std::vector<std::string> take_used() { return std::exchange(used_, {}); }
 
-  // In world space and without what has no effect.
-  std::vector<Light> lights() const {
+  std::vector<WorldLight> lights() const {
     const Prepared prepared = prepare(scene_, {});
-    std::vector<Light> result;
+    std::vector<WorldLight> result;
     for (const RenderLight& ready : prepared.scene.lights) {
       const Source& source = prepared.sources[ready.source];
       const std::vector<Light>& written = scene_.nodes[source.node].lights;
@@ -124,7 +178,11 @@ class Side {
       light.attenuation = ready.attenuation;
       light.id.reset();
       light.name.clear();
-      result.push_back(std::move(light));
+      WorldLight world{std::move(light), "no", source.location};
+      if (ready.type == LightType::area) {
+        size_rectangle(world, ready);
+      }
+      result.push_back(std::move(world));
     }
     return result;
   }
@@ -149,7 +207,10 @@ class Comparison {
     const Camera camera_b = b.camera.value_or(Camera());
     list_.compare_values("camera: ", values_of(camera_a), values_of(camera_b), camera_a.location,
                          camera_b.location);
-    list_.compare_items("", a_.lights(), b_.lights());
+    const std::vector<WorldLight> lights = a_.lights();
+    std::vector<WorldLight> other_lights = b_.lights();
+    forget_roundings(lights, other_lights);
+    list_.compare_items("", lights, other_lights);
     compare_trees("root", a.root, b.root);
     while (!pending_.empty() && !list_.full()) {
       const std::string name = std::move(pending_.back());

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -69,7 +70,7 @@ void DifferenceList::compare_values(const std::string& where, const Values& a, c
         return value.text;
       }
     }
-    return std::string("default");
+    return default_text(name);
   };
   for (const Value& value : a) {
     const std::string other = find(b, value.name);
@@ -78,8 +79,8 @@ void DifferenceList::compare_values(const std::string& where, const Values& a, c
     }
   }
   for (const Value& value : b) {
-    if (find(a, value.name) == "default") {
-      add(where + std::string(value.name), "default", value.text, in_a, in_b);
+    if (std::none_of(a.begin(), a.end(), [&](const Value& v) { return v.name == value.name; })) {
+      add(where + std::string(value.name), default_text(value.name), value.text, in_a, in_b);
     }
   }
 }

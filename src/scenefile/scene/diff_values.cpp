@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <variant>
 
 namespace scenefile {
@@ -65,82 +66,117 @@ std::string text_of(const std::vector<Transform>& transforms) {
   return text;
 }
 
-template <typename T>
-void add(Values& values, std::string_view name, const T& value, const T& standard) {
-  if (!(value == standard)) {
-    values.push_back({name, text_of(value)});
+enum class Listing { others, all };
+
+// Collects the values that are not the default, or all.
+struct Lister {
+  Listing listing = Listing::others;
+  Values values = {};
+
+  template <typename T>
+  void add(std::string_view name, const T& value, const T& standard) {
+    if (listing == Listing::all || !(value == standard)) {
+      values.push_back({name, text_of(value)});
+    }
   }
+};
+
+void list(Lister& to, const Material& m) {
+  static const Material standard;
+  to.add("ambient", m.ambient, standard.ambient);
+  to.add("diffuse", m.diffuse, standard.diffuse);
+  to.add("specular", m.specular, standard.specular);
+  to.add("reflective", m.reflective, standard.reflective);
+  to.add("transparent", m.transparent, standard.transparent);
+  to.add("shininess", m.shininess, standard.shininess);
+  to.add("ior", m.ior, standard.ior);
+  to.add("blend", m.blend, standard.blend);
+  to.add("texture", m.texture, standard.texture);
+  to.add("bumpmap", m.bump_map, standard.bump_map);
 }
 
-void add(Values& values, const Material& m) {
-  static const Material standard;
-  add(values, "ambient", m.ambient, standard.ambient);
-  add(values, "diffuse", m.diffuse, standard.diffuse);
-  add(values, "specular", m.specular, standard.specular);
-  add(values, "reflective", m.reflective, standard.reflective);
-  add(values, "transparent", m.transparent, standard.transparent);
-  add(values, "shininess", m.shininess, standard.shininess);
-  add(values, "ior", m.ior, standard.ior);
-  add(values, "blend", m.blend, standard.blend);
-  add(values, "texture", m.texture, standard.texture);
-  add(values, "bumpmap", m.bump_map, standard.bump_map);
+void list(Lister& to, const Global& global) {
+  const Global standard;
+  to.add("ambientcoeff", global.ambient, standard.ambient);
+  to.add("diffusecoeff", global.diffuse, standard.diffuse);
+  to.add("specularcoeff", global.specular, standard.specular);
+  to.add("transparentcoeff", global.transparent, standard.transparent);
+}
+
+void list(Lister& to, const Camera& camera) {
+  const Camera standard;
+  to.add("pos", camera.position, standard.position);
+  to.add("look", camera.look, standard.look);
+  to.add("up", camera.up, standard.up);
+  to.add("heightangle", camera.height_angle_deg, standard.height_angle_deg);
+  to.add("aperture", camera.aperture, standard.aperture);
+  to.add("focallength", camera.focal_length, standard.focal_length);
+}
+
+void list(Lister& to, const Light& light) {
+  const Light standard;
+  to.values.push_back({"type", std::string(light_type_name(light.type))});
+  to.add("name", light.name, standard.name);
+  to.add("id", light.id, standard.id);
+  to.add("color", light.color, standard.color);
+  to.add("position", light.position, standard.position);
+  to.add("direction", light.direction, standard.direction);
+  to.add("function", light.attenuation, standard.attenuation);
+  to.add("angle", light.angle_deg, standard.angle_deg);
+  to.add("penumbra", light.penumbra_deg, standard.penumbra_deg);
+  to.add("width", light.width, standard.width);
+  to.add("height", light.height, standard.height);
+}
+
+void list(Lister& to, const Primitive& primitive) {
+  to.values.push_back({"type", std::string(word_of(primitive.shape))});
+  to.add("file", primitive.mesh_file.str(), std::string());
+  list(to, primitive.material);
+}
+
+template <typename Item>
+Values listed(const Item& item, Listing listing = Listing::others) {
+  Lister lister{listing};
+  list(lister, item);
+  return std::move(lister.values);
 }
 
 }  // namespace
 
 Values values_of(const Global& global) {
-  const Global standard;
-  Values values;
-  add(values, "ambientcoeff", global.ambient, standard.ambient);
-  add(values, "diffusecoeff", global.diffuse, standard.diffuse);
-  add(values, "specularcoeff", global.specular, standard.specular);
-  add(values, "transparentcoeff", global.transparent, standard.transparent);
-  return values;
+  return listed(global);
 }
-
 Values values_of(const Camera& camera) {
-  const Camera standard;
-  Values values;
-  add(values, "pos", camera.position, standard.position);
-  add(values, "look", camera.look, standard.look);
-  add(values, "up", camera.up, standard.up);
-  add(values, "heightangle", camera.height_angle_deg, standard.height_angle_deg);
-  add(values, "aperture", camera.aperture, standard.aperture);
-  add(values, "focallength", camera.focal_length, standard.focal_length);
-  return values;
+  return listed(camera);
 }
-
 Values values_of(const Light& light) {
-  const Light standard;
-  Values values{{"type", std::string(light_type_name(light.type))}};
-  add(values, "name", light.name, standard.name);
-  add(values, "id", light.id, standard.id);
-  add(values, "color", light.color, standard.color);
-  add(values, "position", light.position, standard.position);
-  add(values, "direction", light.direction, standard.direction);
-  add(values, "function", light.attenuation, standard.attenuation);
-  add(values, "angle", light.angle_deg, standard.angle_deg);
-  add(values, "penumbra", light.penumbra_deg, standard.penumbra_deg);
-  add(values, "width", light.width, standard.width);
-  add(values, "height", light.height, standard.height);
-  return values;
+  return listed(light);
 }
-
 Values values_of(const Primitive& primitive) {
-  Values values{{"type", std::string(word_of(primitive.shape))}};
-  add(values, "file", primitive.mesh_file.str(), std::string());
-  add(values, primitive.material);
-  return values;
+  return listed(primitive);
 }
 
 Values values_of(const Node& node) {
-  Values values;
-  add(values, "name", node.name.str(), std::string());
-  add(values, "instance of", node.instance_of.str(), std::string());
+  Lister to;
+  to.add("name", node.name.str(), std::string());
+  to.add("instance of", node.instance_of.str(), std::string());
   if (!node.transforms.empty()) {
-    values.push_back({"transforms", text_of(node.transforms)});
+    to.values.push_back({"transforms", text_of(node.transforms)});
   }
-  return values;
+  return std::move(to.values);
+}
+
+std::string default_text(std::string_view name) {
+  static const Values parts[] = {listed(Global(), Listing::all), listed(Camera(), Listing::all),
+                                 listed(Light(), Listing::all), listed(Primitive(), Listing::all)};
+  for (const Values& values : parts) {
+    for (const Value& value : values) {
+      if (value.name == name) {
+        return value.text;
+      }
+    }
+  }
+  return "none";
 }
 
 }  // namespace scenefile

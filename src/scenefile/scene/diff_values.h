@@ -18,6 +18,9 @@ struct Value {
 };
 using Values = std::vector<Value>;
 
+/// The text of the value that counts where none is written; "none" where there is none.
+std::string default_text(std::string_view name);
+
 Values values_of(const Global& global);
 Values values_of(const Camera& camera);
 Values values_of(const Light& light);

@@ -199,7 +199,14 @@ Prepared prepare(const Scene& scene, const Limits& limits) {
 }
 
 bool same_meaning(const Scene& a, const Scene& b) {
-  return prepare(a, Limits{}).scene == prepare(b, Limits{}).scene;
+  const RenderScene ready_a = prepare(a, Limits{}).scene;
+  RenderScene ready_b = prepare(b, Limits{}).scene;
+  const std::vector<RenderLight>& lights = ready_a.lights;
+  if (std::equal(lights.begin(), lights.end(), ready_b.lights.begin(), ready_b.lights.end(),
+                 [](const RenderLight& x, const RenderLight& y) { return alike(x, y); })) {
+    ready_b.lights = lights;
+  }
+  return ready_a == ready_b;
 }
 
 }  // namespace scenefile

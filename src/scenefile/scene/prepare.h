@@ -44,7 +44,8 @@ RenderCamera ready_camera(const Camera& camera);
 /// `#k`, their place among their siblings from 1. For messages.
 std::string node_path(const Scene& scene, NodeId node);
 
-/// Whether two scenes are drawn alike: equal results of prepare().
+/// Whether two scenes are drawn alike: equal results of prepare(), but for roundings (a part in
+/// 100,000) in the sides and the direction of area lights, whose size in the world is a product.
 bool same_meaning(const Scene& a, const Scene& b);
 
 }  // namespace scenefile

@@ -153,6 +153,24 @@ std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_
   return ready;
 }
 
+bool alike(const glm::vec3& a, const glm::vec3& b) {
+  return glm::length(glm::dvec3(a) - glm::dvec3(b)) <= 1e-5 * glm::length(glm::dvec3(a));
+}
+
+bool alike(const RenderLight& a, const RenderLight& b) {
+  const auto same_side = [](const glm::vec3& x, const glm::vec3& y) {
+    return alike(x, y) || alike(x, -y);
+  };
+  RenderLight moved = b;
+  if (a.type == LightType::area && alike(a.direction, b.direction) &&
+      same_side(a.half_u, b.half_u) && same_side(a.half_v, b.half_v)) {
+    moved.direction = a.direction;
+    moved.half_u = a.half_u;
+    moved.half_v = a.half_v;
+  }
+  return a == moved;
+}
+
 std::vector<RenderLight> world_lights(const std::vector<Part>& parts, std::uint32_t max_lights) {
   return LightWalk(parts, max_lights).run();
 }

@@ -18,6 +18,12 @@ namespace scenefile {
 /// it lights nothing because it has no direction or no finite place.
 std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_from_node);
 
+/// Whether a length or direction equals another but for the roundings of a change of space.
+bool alike(const glm::vec3& a, const glm::vec3& b);
+/// Whether two ready lights are the same. The sides of area lights are so up to roundings and sign,
+/// both of which a light that is moved out of its group has; all other values to the bit.
+bool alike(const RenderLight& a, const RenderLight& b);
+
 /// Numbers materials, textures and meshes, each once.
 class MaterialTable {
  public:

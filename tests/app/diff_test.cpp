@@ -63,7 +63,7 @@ TEST_F(DiffScenes, AnswersPrograms) {
   for (const auto& difference : document["differences"].GetArray()) {
     if (difference["where"].GetString() == std::string("root/#1: sphere 1: ior")) {
       found = true;
-      EXPECT_STREQ(difference["a"]["text"].GetString(), "1");
+      EXPECT_STREQ(difference["a"]["text"].GetString(), "0");
       EXPECT_STREQ(difference["b"]["text"].GetString(), "2");
       EXPECT_GT(difference["b"]["line"].GetInt(), 0);
     }

@@ -82,6 +82,32 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
 }
 
+TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
+  const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
+  EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1/>\n<a/>"),
+            "4:22 the value that begins here, in <scale>, lacks its closing quotation mark");
+  EXPECT_EQ(one("<a b='1/>\n<c/>"),
+            "4:6 the value that begins here, in <a>, lacks its closing quotation mark");
+  EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
+  EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1\"/></scale>"),
+            "4:27 </scale> closes nothing: <scale> ends in itself with />; remove </scale>");
+  EXPECT_EQ(one("<!- note -->"), "4:1 a comment starts with <!-- and ends with -->");
+  EXPECT_EQ(one("<! note -->"), "4:1 a comment starts with <!-- and ends with -->");
+  EXPECT_EQ(said("<?xml version=\"1.0\">\n<scenefile/>"),
+            std::vector<std::string>{"1:1 <?xml lacks its end ?>: write ? in front of the >"});
+  EXPECT_EQ(said("<scenefile>\n<globaldata>\n</globaldata\n</scenefile>").back(),
+            "4:1 the tag </globaldata> of line 3 lacks its >");
+  EXPECT_EQ(said("<scenefile>\nglobaldata>\n</globaldata>\n</scenefile>").back(),
+            "2:1 the tag globaldata> lacks its <; </globaldata> of line 3 has nothing to close");
+}
+
+TEST(XmlSyntax, TheEndOfACommentHasNoGap) {
+  const std::string gap = "4:8 a comment ends with -->, without blanks in it; close the gap";
+  EXPECT_THAT(said(with_transforms("<!-- a -- >")), ElementsAre(gap));
+  EXPECT_THAT(said(with_transforms("<!-- a -- >\n<!-- b -->")), ElementsAre(gap));
+  EXPECT_THAT(found(with_transforms("<!-- a -- >")), ElementsAre("4:8 error xml.comment"));
+}
+
 TEST(XmlSyntax, ADeclarationMustComeFirst) {
   EXPECT_THAT(said("\n<?xml version=\"1.0\"?><scenefile/>"),
               ElementsAre("2:1 <?xml ...?> must be the very first thing in the file; "

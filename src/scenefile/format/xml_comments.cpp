@@ -45,7 +45,11 @@ class CommentMender {
         continue;
       }
       if (!std::exchange(reported, true)) {
-        report(at, "-- is not allowed inside a comment; write - or == instead",
+        const std::size_t next = text_.find_first_not_of(" \t\r\n", at + 2);
+        report(at,
+               next > at + 2 && text_[next] == '>'
+                   ? broken_comment_end_text
+                   : "-- is not allowed inside a comment; write - or == instead",
                "-- inside a comment, which XML does not allow, was taken as a part of it");
       }
       blank(at, at + 1);

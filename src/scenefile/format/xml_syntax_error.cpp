@@ -3,6 +3,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/xml_syntax_cause.h"
 #include "scenefile/format/xml_tag.h"
 
 #include <fmt/format.h>
@@ -107,9 +108,10 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
   if (quotes % 2 != 0) {
     return {};
   }
-  return fmt::format("the tag <{}> of line {} lacks its > or />",
-                     escaped(name_at(tag.substr(1)), 40),
-                     TextCursor(text).advance_to(tag.data()).line);
+  const bool closing = tag.starts_with("</");
+  return fmt::format("the tag <{}{}> of line {} lacks its >{}", closing ? "/" : "",
+                     escaped(name_at(tag.substr(closing ? 2 : 1)), 40),
+                     TextCursor(text).advance_to(tag.data()).line, closing ? "" : " or />");
 }
 
 bool is_blank(char c) {
@@ -283,6 +285,11 @@ void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view 
     return;
   }
   at = exact_place(fault, text, at);
+  if (const std::optional<SyntaxCause> cause = find_cause(fault, text, at, open)) {
+    diagnostics.report(*cause->code, TextCursor(text).advance_to(text.data() + cause->at),
+                       cause->message);
+    return;
+  }
   diagnostics.report(xml_syntax, TextCursor(text).advance_to(text.data() + at),
                      message_of(fault, detail, text, at, open));
 }

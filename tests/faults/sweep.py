@@ -39,6 +39,8 @@ SCENE = """<scenefile>
     <transblock><translate x="1" y="0" z="0"/><object type="master" name="twice"/></transblock>
     <transblock><object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><blend v="1"/>
       <texture file="picture.png" u="1" v="1"/></object></transblock>
+    <transblock><translate x="0" y="1" z="0"/><object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><blend v="1"/>
+      <texture file="./picture.png" u="1" v="1"/></object></transblock>
     <transblock><object type="primitive" name="mesh" filename="triangle.obj"><diffuse r="1" g="0" b="0"/></object></transblock>
   </object>
 </scenefile>

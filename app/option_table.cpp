@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <charconv>
@@ -224,6 +225,14 @@ std::string set_preview(Options& options, const std::string& value) {
   return value.empty() ? "the name is empty" : "";
 }
 
+std::string add_asset_root(Options& options, const std::string& value) {
+  struct stat info {};
+  options.asset_roots.push_back(value);
+  return ::stat(value.c_str(), &info) == 0 && S_ISDIR(info.st_mode)
+             ? std::string()
+             : fmt::format("there is no folder {}", quoted(value));
+}
+
 template <std::string Options::*name>
 std::string set_name(Options& options, const std::string& value) {
   options.*name = value;
@@ -404,16 +413,14 @@ constexpr std::array table{
               "number.",
               for_all_readers | for_pictures | for_view, set_compat},
     OptionRow{"--asset-root", "", "DIR",
-              "Look for textures and meshes there too. May be given several times.",
-              for_all_readers | for_pictures | for_view,
-              [](Options& o, const std::string& v) {
-                o.asset_roots.push_back(v);
-                return std::string(v.empty() ? "the name is empty" : "");
-              }},
-    OptionRow{"--allow-outside", "", "",
-              "Open textures and meshes wherever the scene says, not only in its folder and the "
-              "asset roots.",
-              for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
+              "Look for textures and meshes in this folder too. May be given several times; "
+              "docs/assets.md has the rules.",
+              for_all_readers | for_pictures | for_view, add_asset_root},
+    OptionRow{
+        "--allow-outside", "", "",
+        "Open textures and meshes wherever the scene says, not only in its folder, the folders "
+        "for images and meshes beside that, and the asset roots.",
+        for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
               for_tracing | for_check | for_view, set_flag<&Options::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,

@@ -64,6 +64,8 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--threads", "-1"), "--threads");
   is_misuse(render("--seed", "1.5"), "--seed");
   is_misuse(render("--compat", "modern"), "course");
+  is_misuse(render("--asset-root", "no/such"), R"(--asset-root: there is no folder "no/such")");
+  is_misuse(render("--asset-root", SCENEFILE_PROGRAM), "there is no folder");
   is_misuse({"check", "a.xml", "--deny", "all"}, R"("all" is neither warnings nor a code)");
   is_misuse({"check", "a.xml", "--deny", "xml.numbre"}, "did you mean xml.number?");
   is_misuse({"check", "a.xml", "--json", "--sarif"}, "choose one");

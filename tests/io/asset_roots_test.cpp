@@ -269,6 +269,8 @@ TEST_F(Layout, SaysWhereItLooked) {
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("image/no.png")));
   EXPECT_THAT(asset.error.text, HasSubstr(home.path("scenes/image/no.png")));
+  EXPECT_THAT(asset.error.text,
+              HasSubstr("; files elsewhere need --asset-root DIR or --allow-outside"));
 }
 
 TEST_F(Layout, TheSizeIsBounded) {

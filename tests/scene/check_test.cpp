@@ -298,6 +298,10 @@ void add_cases_of_transforms(std::vector<Case>& cases) {
       {&transform_flat, placed({matrix(glm::mat4(0))}), placed({matrix(glm::mat4(-1))}), "matrix"});
   cases.push_back({&transform_degenerate, placed(std::vector<Transform>(400, scale(10, 10, 10))),
                    placed(std::vector<Transform>(20, scale(10, 10, 10))), "transforms"});
+  cases.push_back({&transform_degenerate, placed({scale(1e30f, 1, 1)}),
+                   placed({scale(1e20f, 1, 1)}), "scale 1e+30 1 1 is too large"});
+  cases.push_back({&transform_degenerate, placed({scale(1, 1e-31f, 1)}), placed({scale(1, 0, 1)}),
+                   "scale 1 1e-31 1 is too small"});
   cases.push_back({&transform_projective, placed({matrix(last_row({1, 2, 3, 1}, {0, 0, 0}))}),
                    placed({matrix(last_row({0, 0, 0, 1}, {1, 2, 3}))}), "transposed"});
   cases.push_back({&transform_projective, placed({matrix(last_row({0, 0, 0, 2}, {1, 2, 3}))}),

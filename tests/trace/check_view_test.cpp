@@ -16,6 +16,7 @@ namespace scenefile::trace_test {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Diagnostics judge(const SceneBuilder& b, bool shadows = true, double aspect = 4) {
@@ -197,6 +198,16 @@ TEST(CheckView, MaterialsThatShowNoLight) {
   EXPECT_THAT(codes(judge(b)), ElementsAre("scene.unlit")) << "shininess 0 is no highlight";
   b.scene.materials[b.plain].shininess = 5;
   EXPECT_THAT(codes(judge(b)), IsEmpty());
+}
+
+TEST(CheckView, SaysWhetherMaterialsOrCoefficientsShowNoLight) {
+  Ball b;
+  b.add_ball({0, 0, 0});
+  b.scene.global.diffuse = 0;
+  EXPECT_THAT(judge(b).list().at(0).message, HasSubstr("coefficient of the global data is 0"));
+  b.scene.global.diffuse = 0.5f;
+  b.scene.materials[b.plain].diffuse = {0, 0, 0};
+  EXPECT_THAT(judge(b).list().at(0).message, HasSubstr("no material has"));
 }
 
 TEST(CheckView, EndsOnTemplateBombs) {

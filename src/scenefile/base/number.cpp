@@ -147,6 +147,11 @@ ParsedNumber parse_number(std::string_view text) {
   return {value, whole ? NumberError::none : NumberError::malformed, start + end};
 }
 
+bool underflows(std::string_view text, float value) {
+  return value == 0 &&
+         text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != text.npos;
+}
+
 std::string number_text(float value) {
   return fmt::format("{}", value);
 }

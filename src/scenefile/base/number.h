@@ -26,6 +26,9 @@ struct ParsedNumber {
 /// A value too small for a float is 0 or the nearest one.
 ParsedNumber parse_number(std::string_view text);
 
+/// Whether a valid number other than 0 becomes 0 because no float is as small.
+bool underflows(std::string_view text, float value);
+
 /// The shortest text that parse_number() reads back as the same float.
 std::string number_text(float value);
 

@@ -160,6 +160,9 @@ inline constexpr Code xml_number{
 inline constexpr Code xml_number_range{
     "xml.number-range", Severity::error, "a number is too large",
     "It does not fit a single precision number, whose largest is about 3.4e38."};
+inline constexpr Code xml_number_underflow{
+    "xml.number-underflow", Severity::warning, "a number is too small to be kept",
+    "It is nearer to 0 than the least single precision number, about 1.4e-45, and counts as 0."};
 inline constexpr Code xml_empty_number{"xml.empty-number", Severity::warning, "a number is empty",
                                        "It counts as 0."};
 

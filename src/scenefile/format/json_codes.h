@@ -36,6 +36,9 @@ inline constexpr Code json_number{
 inline constexpr Code json_number_range{
     "json.number-range", Severity::error, "a number that is too large",
     "Values are kept in single precision, which ends at about 3.4e38."};
+inline constexpr Code json_number_underflow{
+    "json.number-underflow", Severity::warning, "a number that is too small to be kept",
+    "It is nearer to 0 than the least single precision number, about 1.4e-45, and counts as 0."};
 inline constexpr Code json_conflict_marker{
     "json.conflict-marker", Severity::error, "an unresolved git conflict",
     "git left both versions of a part in the file, between lines of <<<<<<<, ======= and >>>>>>>. "

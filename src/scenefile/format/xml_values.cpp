@@ -383,7 +383,15 @@ void report_order(const XmlContext& context, const XmlTag& tag,
 float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
   const ParsedNumber number = parse_number(attribute.value);
   if (number.error == NumberError::none) {
-    return static_cast<float>(number.value);
+    const auto value = static_cast<float>(number.value);
+    if (underflows(attribute.value, value)) {
+      context.report(xml_number_underflow, attribute,
+                     fmt::format("attribute {} of {}: {} is too small for a number here; it counts "
+                                 "as 0",
+                                 escaped(attribute.name, 40), element_text(tag.name),
+                                 quoted(attribute.value)));
+    }
+    return value;
   }
   const std::string what =
       fmt::format("attribute {} of {}", escaped(attribute.name, 40), element_text(tag.name));

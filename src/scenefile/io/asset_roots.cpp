@@ -263,6 +263,9 @@ class AssetSearch {
         why += fmt::format("; {} has too many files to search by name", escaped(root, PATH_MAX));
       }
     }
+    if (!roots_.options_.allow_outside) {
+      why += "; files elsewhere need --asset-root DIR or --allow-outside";
+    }
     result_.error.text = why;
   }
 
@@ -275,7 +278,8 @@ class AssetSearch {
       }
     }
     if (result_.tried.size() > shown) {
-      text += fmt::format(" and {} more places", result_.tried.size() - shown);
+      const std::size_t more = result_.tried.size() - shown;
+      text += fmt::format(" and {} more place{}", more, more == 1 ? "" : "s");
     }
     return text.empty() ? "it nowhere, for want of an asset root" : text;
   }

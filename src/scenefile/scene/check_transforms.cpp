@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <variant>
 
 namespace scenefile {
@@ -70,12 +71,34 @@ class TransformCheck {
   // `what` says it in words, which few scenes need.
   template <typename What>
   bool has_inverse(What what) {
-    if (storable(composed(DAffine(), transform_))) {
+    const DAffine map = composed(DAffine(), transform_);
+    if (storable(map)) {
       return true;
+    }
+    if (const std::string_view extent = extent_text(map.linear); !extent.empty()) {
+      reporter_.report(transform_degenerate, subject_,
+                       fmt::format("{} is too {} for the numbers of a renderer; what stands in it "
+                                   "is not drawn",
+                                   what(), extent));
+      return false;
     }
     reporter_.report(transform_flat, subject_,
                      fmt::format("{} leaves no volume; what stands in it is not drawn", what()));
     return false;
+  }
+
+  // "large" or "small" where the lengths alone are why there is no inverse.
+  static std::string_view extent_text(const glm::dmat3& linear) {
+    constexpr double most = 1e30;
+    std::string_view text;
+    for (int i = 0; i < 3; ++i) {
+      const double length = glm::length(linear[i]);
+      if (length >= most) {
+        return "large";
+      }
+      text = length > 0 && length <= 1 / most ? "small" : text;
+    }
+    return text;
   }
 
   bool finite(std::string_view name, const glm::vec3& value) {

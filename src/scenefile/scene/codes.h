@@ -150,7 +150,8 @@ inline constexpr Code transform_flat{
 inline constexpr Code transform_degenerate{
     "transform.degenerate", Severity::warning, "transforms that together are degenerate",
     "Each transform alone is fine, but multiplied they are too large, too small or too skewed for "
-    "the numbers of a renderer. What stands in them is not drawn."};
+    "the numbers of a renderer; or one alone scales by 1e30 or 1e-30. What stands in them is not "
+    "drawn."};
 inline constexpr Code transform_projective{
     "transform.matrix-projective", Severity::warning, "a matrix with an unusual last row",
     "Files list a matrix row by row, and the translation is the last column; the last row is 0 0 0 "

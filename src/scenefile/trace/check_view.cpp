@@ -15,6 +15,7 @@ namespace scenefile {
 namespace {
 
 constexpr glm::vec3 black(0);
+constexpr std::string_view nothing_lit = "none of the lights lights anything that can be seen";
 
 class ViewCheck {
  public:
@@ -46,10 +47,8 @@ class ViewCheck {
         lit = reaches(light) || lit;
       }
     }
-    if (any && (!lit || !answers_light())) {
-      diagnostics_.report(scene_unlit, {},
-                          lit ? "no material has a diffuse or specular part that light could show"
-                              : "none of the lights lights anything that can be seen");
+    if (any && (!lit || !answers_light(scene_.global))) {
+      diagnostics_.report(scene_unlit, {}, std::string(lit ? dark_text() : nothing_lit));
     }
   }
 
@@ -88,7 +87,7 @@ class ViewCheck {
             }
             diagnostics_.report(light_inside_object, question_.place_of(light.source),
                                 fmt::format("the light is inside {}", text_of(*e.primitive)));
-            shut_in = !has_highlight(m);
+            shut_in = !has_highlight(scene_.global, m);
             return false;
           });
     }
@@ -98,15 +97,24 @@ class ViewCheck {
   bool is_transparent(const RenderMaterial& m) const {
     return scene_.global.transparent.value_or(1) != 0 && m.transparent != black;
   }
-  bool has_highlight(const RenderMaterial& m) const {
-    return scene_.global.specular != 0 && m.specular != black && m.shininess > 0;
+  static bool has_highlight(const RenderGlobal& global, const RenderMaterial& m) {
+    return global.specular != 0 && m.specular != black && m.shininess > 0;
   }
-  bool answers_light() const {
-    return std::any_of(
-        scene_.materials.begin(), scene_.materials.end(), [&](const RenderMaterial& m) {
-          const bool textured = m.texture.used() && m.blend > 0;
-          return textured || has_highlight(m) || (scene_.global.diffuse != 0 && m.diffuse != black);
-        });
+  bool answers_light(const RenderGlobal& global) const {
+    return std::any_of(scene_.materials.begin(), scene_.materials.end(),
+                       [&](const RenderMaterial& m) {
+                         const bool textured = m.texture.used() && m.blend > 0;
+                         return textured || has_highlight(global, m) ||
+                                (global.diffuse != 0 && m.diffuse != black);
+                       });
+  }
+  // Why no light shows.
+  std::string_view dark_text() const {
+    return answers_light(RenderGlobal())
+               ? "the diffuse or specular coefficient of the global data is 0, which takes away "
+                 "all "
+                 "that light could show"
+               : "no material has a diffuse or specular part that light could show";
   }
 
   const RenderScene& scene_;

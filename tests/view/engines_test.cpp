@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <random>
 
 namespace scenefile {
 
@@ -79,6 +81,24 @@ TEST_F(BothEngines, DrawMirroredAndStretchedShapesAlike) {
             shape);
   }
   expect_text_alike(sun, objects, 6);
+}
+
+// Bumps from texel to texel, on faces that are seen at a slant.
+TEST_F(BothEngines, DrawBumpyFacesAlike) {
+  Image bumps(400, 400);
+  std::minstd_rand random(1);
+  for (int y = 0; y < bumps.height; ++y) {
+    for (int x = 0; x < bumps.width; ++x) {
+      std::fill_n(bumps.pixel(x, y), 3, static_cast<float>(random() % 256) / 255);
+    }
+  }
+  std::string error;
+  folder.write("bumps.png", encode_image(bumps, ImageFormat::png8, Rounding::nearest, error));
+  expect_text_alike(
+      sun,
+      R"(<transblock><rotate x="1" y="0" z="0" angle="35"/><rotate x="0" y="1" z="0" angle="45"/>
+<object type="primitive" name="cube"><diffuse r="0.9" g="0.6" b="0.3"/><bumpmap file="bumps.png" u="1" v="1"/></object></transblock>)",
+      3);
 }
 
 TEST_F(BothEngines, DrawGiantAndTinyScenesAlike) {

@@ -192,9 +192,20 @@ uniform sampler2D bumps;
 
 const float bump_height = 1.0 / 16.0;
 
-float height(vec2 uv, vec2 scale, float level) {
-  vec2 place = vec2(uv.x, 1.0 - uv.y) * scale;
-  return bump_height * dot(textureLod(bumps, place, level).rgb, vec3(1.0 / 3.0));
+// What a place is averaged over: steps of uv along the longer axis, at a level of the shorter.
+struct Average {
+  vec2 step;
+  float taps;
+  float level;
+};
+
+float height(vec2 uv, vec2 scale, Average over) {
+  float sum = 0.0;
+  for (float i = 0.5 - 0.5 * over.taps; i < 0.5 * over.taps; i += 1.0) {
+    vec2 place = vec2(uv.x + i * over.step.x, 1.0 - uv.y - i * over.step.y) * scale;
+    sum += dot(textureLod(bumps, place, over.level).rgb, vec3(1.0 / 3.0));
+  }
+  return bump_height * sum / over.taps;
 }
 
 // The normal in object space so many pixels aside, tilted by the slope of the map over a
@@ -210,15 +221,27 @@ vec3 bumped(Point point, vec2 shift) {
   down -= dot(down, n) * n;
   vec2 along_x = uv_step(point, across, dFdx(mesh_uv));
   vec2 along_y = uv_step(point, down, dFdy(mesh_uv));
-  float width = 0.5 * min(length(along_x * repeats * size), length(along_y * repeats * size));
-  float level = log2(max(width, 1.0));
-  vec2 reach = max(1.0 / max(abs(repeats) * size, vec2(1e-6)),
-                   min(0.5 * max(abs(along_x), abs(along_y)), vec2(0.25)));
+  // The axes of the ellipse that a circle as wide as a quarter of the pixel is in the map, in texels.
+  vec2 texels = repeats * size;
+  mat2 map = 0.5 * mat2(along_x * texels, along_y * texels);
+  mat2 square = map * transpose(map);
+  float middle = 0.5 * (square[0][0] + square[1][1]);
+  float aside = 0.5 * (square[0][0] - square[1][1]);
+  float longer = sqrt(middle + length(vec2(aside, square[0][1])));
+  float shorter = abs(determinant(map)) / max(longer, 1e-9);
+  float turn = 0.5 * atan(square[0][1], aside);
+  vec2 axis = vec2(cos(turn), sin(turn)) / max(abs(texels), vec2(1e-6)) * sign(texels);
+  vec2 minor = vec2(-sin(turn), cos(turn)) / max(abs(texels), vec2(1e-6));
+  float width = max(max(shorter, longer / 4.0), 1.0);
+  float taps = clamp(ceil(longer / width), 1.0, 4.0);
+  Average over = Average(longer / taps * axis, taps, log2(width));
+  vec2 reach = max(1.0 / max(abs(texels), vec2(1e-6)),
+                   min(max(longer * abs(axis), shorter * abs(minor)), vec2(0.25)));
   vec2 right = vec2(reach.x, 0.0);
   vec2 up = vec2(0.0, reach.y);
   vec2 uv = find_uv(point) + shift.x * along_x + shift.y * along_y;
-  vec2 slope = vec2(height(uv + right, repeats, level) - height(uv - right, repeats, level),
-                    height(uv + up, repeats, level) - height(uv - up, repeats, level)) /
+  vec2 slope = vec2(height(uv + right, repeats, over) - height(uv - right, repeats, over),
+                    height(uv + up, repeats, over) - height(uv - up, repeats, over)) /
                (2.0 * reach);
   float area = dot(across, cross(down, n));
   if (abs(area) < 1e-12 * length(across) * length(down) || repeats.x == 0.0 || repeats.y == 0.0) {
@@ -285,11 +308,11 @@ void main() {
 #if MODE == SHADED
   vec3 diffuse = diffuse_color(point);
 #ifdef BUMPED
-  // Light follows a bumpy normal too wildly for one in the middle of the pixel: one in each quarter.
+  // Light follows a bumpy normal too wildly for one in the middle of the pixel: one in each ninth.
   vec3 result = vec3(0.0);
-  for (int i = 0; i < 4; ++i) {
-    vec3 tilted = bumped(point, vec2(0.5 * float(i % 2) - 0.25, 0.5 * float(i / 2) - 0.25));
-    result += 0.25 * lit(point, normalize(world_from_normal * tilted), diffuse);
+  for (int i = 0; i < 9; ++i) {
+    vec3 tilted = bumped(point, vec2(i % 3 - 1, i / 3 - 1) / 3.0);
+    result += 1.0 / 9.0 * lit(point, normalize(world_from_normal * tilted), diffuse);
   }
 #else
   vec3 result = lit(point, normal, diffuse);

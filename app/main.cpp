@@ -28,6 +28,7 @@ constexpr std::array table{
             "scenefile render chess.xml -o chess.png\n"
             "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
             "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
+            "scenefile render chess.xml -o chess.png --engine gl\n"
             "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},

@@ -88,6 +88,7 @@ struct Session {
   bool load_again = false;  ///< when what is loading is done
   FileWatch watch;
   double watched_at = 0;
+  std::uint64_t looks = 0;  ///< how often the files were looked at
 
   // The view.
   ViewCamera home;

@@ -239,6 +239,7 @@ bool tick_files(Session& session) {
   }
   if (session.now - session.watched_at >= watch_interval) {
     session.watched_at = session.now;
+    ++session.looks;
     if (session.watch.changed()) {
       std::string ignored;
       if (!session.reference_path.empty()) {

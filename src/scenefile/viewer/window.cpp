@@ -159,7 +159,7 @@ class Window {
   std::array<int, 4> windowed_{};  // place and size before the full screen
   std::size_t step_ = 0;
   int step_frames_ = 0;
-  double step_since_ = 0;
+  std::uint64_t step_looks_ = 0;  // Session::looks when the step began
   std::array<bool, 3> buttons_{};
   glm::dvec2 pointer_{-1};
   std::string failure_;
@@ -326,7 +326,7 @@ bool Window::copy_file(const ScriptStep& step) {
 
 // True: the step is done.
 bool Window::do_step(const ScriptStep& step) {
-  constexpr double file_seconds = 0.8;  // until a change of a file has surely been seen
+  constexpr std::uint64_t looks_for_change = 2;  // see FileWatch::changed()
   switch (step.kind) {
     case StepKind::key:
       on_key(parse_key(step.text), true);
@@ -354,8 +354,8 @@ bool Window::do_step(const ScriptStep& step) {
     case StepKind::frames:
       return step_frames_ >= step.number;
     case StepKind::settle:
-      return step_frames_ > frames_after_event && glfwGetTime() - step_since_ > file_seconds &&
-             settled(session_);
+      return step_frames_ > frames_after_event &&
+             session_.looks - step_looks_ >= looks_for_change && settled(session_);
     case StepKind::screenshot:
       draw_frame(true);
       write_screenshot(step.text);
@@ -378,7 +378,7 @@ bool Window::do_step() {
   if (do_step(steps[step_])) {
     ++step_;
     step_frames_ = 0;
-    step_since_ = glfwGetTime();
+    step_looks_ = session_.looks;
   } else {
     ++step_frames_;
   }

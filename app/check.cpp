@@ -23,7 +23,7 @@ class Report {
     if (options_.json) {
       json_.push_back(scene_json(scene));
     } else if (options_.sarif) {
-      sarif_.add(scene);
+      sarif_.add(scene, options_);
     } else {
       return print(scene);
     }

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 
 namespace scenefile::app {
 
@@ -52,30 +54,62 @@ void add_rule(Json& json, const Code& code) {
   json.end_object();
 }
 
-// Code hosts show nothing without a line, so a finding without a place stands at the first.
-void add_location(Json& json, const std::string& scene, const Diagnostic& d) {
-  const bool here = d.file.empty() && d.location.known();
-  json.begin_array("locations");
-  json.begin_object();
+// Code hosts show nothing without a line, so what has no place stands at the first.
+void add_place(Json& json, const std::string& path, Location location) {
   json.begin_object("physicalLocation");
   json.begin_object("artifactLocation");
-  json.add("uri", scene == "-" ? "stdin" : uri_of(scene));
-  if (!scene.starts_with('/')) {
+  json.add("uri", path == "-" ? "stdin" : uri_of(path));
+  if (!path.starts_with('/')) {
     json.add("uriBaseId", "%SRCROOT%");
   }
   json.end_object();
   json.begin_object("region");
-  json.add("startLine", here ? d.location.line : 1u);
-  if (here && d.location.column != 0) {
-    json.add("startColumn", d.location.column);
+  json.add("startLine", location.known() ? location.line : 1u);
+  if (location.known() && location.column != 0) {
+    json.add("startColumn", location.column);
   }
   json.end_object();
   json.end_object();
-  json.end_object();
-  json.end_array();
 }
 
-// Findings inside a mesh: the log names the scene that uses it, the message the mesh.
+void add_locations(Json& json, const std::string& scene, const std::string& file, Location location,
+                   Location used_at) {
+  json.begin_array("locations");
+  json.begin_object();
+  add_place(json, file.empty() ? scene : file, location);
+  json.end_object();
+  json.end_array();
+  if (!file.empty()) {
+    json.begin_array("relatedLocations");
+    json.begin_object();
+    add_place(json, scene, used_at);
+    add_text(json, "message", "the scene names the file here");
+    json.end_object();
+    json.end_array();
+  }
+}
+
+// The path as seen from the working directory, where it lies in that.
+std::string shown_path(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::current_path(error);
+  const std::string relative = std::filesystem::path(path).lexically_relative(here).string();
+  return error || relative.empty() || relative.starts_with("..") ? path : relative;
+}
+
+// The file that a finding is in, where there is one.
+const AssetFile* file_of(const Diagnostic& d, const std::vector<AssetFile>& files) {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const AssetFile& file) {
+    return !d.file.empty() && file.reference.name == d.file && !file.resolved.path.empty();
+  });
+  return found == files.end() ? nullptr : &*found;
+}
+
+bool is_in_a_file(const Diagnostic& d) {
+  return !d.file.empty();
+}
+
+// Findings inside a mesh name it and its line.
 std::string message_of(const Diagnostic& d) {
   if (d.file.empty()) {
     return d.message;
@@ -148,15 +182,22 @@ void add_invocation(Json& json, const std::vector<std::string>& unreadable, Exit
 
 }  // namespace
 
-void SarifLog::add(const LoadedScene& scene) {
+void SarifLog::add(const LoadedScene& scene, const Options& options) {
   if (!scene.unreadable.empty()) {
     unreadable_.push_back(scene.unreadable.text);
   }
+  const std::vector<Diagnostic>& findings = scene.diagnostics.list();
+  const std::vector<AssetFile> files = std::any_of(findings.begin(), findings.end(), is_in_a_file)
+                                           ? locate_files(scene, options)
+                                           : std::vector<AssetFile>();
   Lines lines(scene.text);
   std::map<std::string, int> seen;
   for (const Diagnostic* d : by_place(scene.diagnostics)) {
     const std::string fingerprint = fingerprint_of(*d, lines);
-    results_.push_back({scene.path, *d, fmt::format("{}:{}", fingerprint, ++seen[fingerprint])});
+    const AssetFile* const file = file_of(*d, files);
+    results_.push_back({scene.path, file != nullptr ? shown_path(file->resolved.path) : "",
+                        file != nullptr ? file->reference.location : Location{}, *d,
+                        fmt::format("{}:{}", fingerprint, ++seen[fingerprint])});
     rules_.emplace(d->code->name, d->code);
   }
 }
@@ -179,7 +220,10 @@ std::string SarifLog::text(ExitCode status) const {
     json.add("ruleIndex", std::distance(rules_.begin(), rules_.find(name)));
     json.add("level", level_of(result.finding.severity));
     add_text(json, "message", message_of(result.finding));
-    add_location(json, result.scene, result.finding);
+    // What is in a file that was not found again stands at the first line of the scene.
+    const bool placed = result.finding.file.empty() || !result.file.empty();
+    add_locations(json, result.scene, result.file, placed ? result.finding.location : Location{},
+                  result.used_at);
     json.begin_object("partialFingerprints");
     json.add("codeAndLine/v1", result.fingerprint);
     json.end_object();

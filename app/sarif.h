@@ -13,14 +13,16 @@ namespace scenefile::app {
 /// Collects the findings of several scenes, one log with one run.
 class SarifLog {
  public:
-  /// The scene's findings, after apply_policy().
-  void add(const LoadedScene& scene);
+  /// The scene's findings, after apply_policy(). Those in a mesh are placed in its file.
+  void add(const LoadedScene& scene, const Options& options);
   /// `status` is what the program is going to exit with.
   std::string text(ExitCode status) const;
 
  private:
   struct Result {
     std::string scene;  ///< as given on the command line
+    std::string file;   ///< the path of the mesh that the finding is in; empty: in the scene
+    Location used_at;   ///< where the scene names the mesh
     Diagnostic finding;
     std::string fingerprint;  ///< stays when lines in front of it come and go
   };

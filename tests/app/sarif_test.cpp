@@ -119,8 +119,8 @@ TEST_F(Sarif, FollowsThePolicy) {
   EXPECT_EQ(check({"--allow", code, "s.xml"}, 0)["runs"][0]["results"].Size(), 0u);
 }
 
-TEST_F(Sarif, WhatIsInAMeshStandsAtTheSceneThatNamesIt) {
-  folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+TEST_F(Sarif, WhatIsInAMeshStandsThereAndNamesTheScene) {
+  folder.write("meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
   std::string text = scene_with("");
   const std::string sphere = R"(name="sphere")";
   ASSERT_NE(text.find(sphere), std::string::npos);
@@ -131,8 +131,17 @@ TEST_F(Sarif, WhatIsInAMeshStandsAtTheSceneThatNamesIt) {
   bool found = false;
   for (const Value& result : log["runs"][0]["results"].GetArray()) {
     const Value& place = result["locations"][0]["physicalLocation"];
-    EXPECT_STREQ(place["artifactLocation"]["uri"].GetString(), "s.xml");
-    found = found || text_of(result["message"]).starts_with("t.obj:4: ");
+    const std::string uri = place["artifactLocation"]["uri"].GetString();
+    if (!text_of(result["message"]).starts_with("t.obj:4: ")) {
+      EXPECT_EQ(uri, "s.xml");
+      continue;
+    }
+    found = true;
+    EXPECT_EQ(uri, "meshes/t.obj");
+    EXPECT_EQ(place["region"]["startLine"].GetInt(), 4);
+    const Value& scene = result["relatedLocations"][0]["physicalLocation"];
+    EXPECT_STREQ(scene["artifactLocation"]["uri"].GetString(), "s.xml");
+    EXPECT_GT(scene["region"]["startLine"].GetInt(), 1);
   }
   EXPECT_TRUE(found);
 }

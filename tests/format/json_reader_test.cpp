@@ -309,7 +309,7 @@ TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
 
 TEST(JsonReader, NoTranslationOfWhatIsThere) {
   const Reading r = read_primitive(R"({"type": "cube", "color": [1, 0, 0], "diffuse": [1, 0, 0]})");
-  EXPECT_EQ(r.all_messages(), "6:18 unknown key \"color\" in a primitive\n");
+  EXPECT_EQ(r.all_messages(), "6:18 unknown key \"color\" in a primitive is ignored\n");
 }
 
 TEST(JsonReader, TemplatesMayStandBehindTheGroups) {

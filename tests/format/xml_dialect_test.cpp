@@ -14,6 +14,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 struct Verdict {
   std::string file;                   // in fixtures/format, behind "checklist."
@@ -91,6 +92,19 @@ TEST(XmlDialect, NamesCountBeforeTheOrder) {
       ElementsAre("4:12 the attributes of <translate> were read by their names; programs that "
                   "go by their order differ: write them in the order x, y, z"));
   EXPECT_EQ(translation(reading), glm::vec3(1, 2, 3));
+}
+
+TEST(XmlDialect, NamesOfAttributesOfObjectsInAnotherCase) {
+  const Reading reading =
+      read(in_root("<transblock>\n<object TYPE=\"primitive\" Name=\"cube\"/></transblock>"));
+  EXPECT_THAT(findings(reading.diagnostics),
+              ElementsAre("4:9 warning xml.name-case", "4:26 warning xml.name-case"));
+  EXPECT_EQ(reading.scene.nodes.at(1).primitives.size(), 1u);
+}
+
+TEST(XmlDialect, ASceneWithoutARootIsNotCalledEmptyToo) {
+  EXPECT_TRUE(read("<scenefile/>").scene.incomplete);
+  EXPECT_FALSE(read(in_root("")).scene.incomplete);
 }
 
 TEST(XmlDialect, AnotherOrderOfEqualValuesIsNoMatter) {
@@ -326,7 +340,12 @@ TEST(XmlDialect, NamespacesHaveNoEffect) {
   EXPECT_THAT(findings(read("<scenefile xmlns=\"urn:x\" xml:lang=\"en\"><object type=\"tree\" "
                             "name=\"root\"/></scenefile>")
                            .diagnostics),
-              IsEmpty());
+              ElementsAre("1:12 warning xml.unknown-attribute"));
+  EXPECT_THAT(
+      findings(read("<scenefile xmlns:xsi=\"urn:x\" xsi:noNamespaceSchemaLocation=\"s.xsd\">"
+                    "<object type=\"tree\" name=\"root\"/></scenefile>")
+                   .diagnostics),
+      IsEmpty());
   EXPECT_THAT(findings(read("<s:scenefile xmlns:s=\"urn:x\"/>").diagnostics),
               ElementsAre("1:1 error xml.root-element", "1:1 warning xml.no-root"));
 }

@@ -8,6 +8,7 @@
 namespace scenefile::testing {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -99,6 +100,25 @@ TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
             "4:1 the tag </globaldata> of line 3 lacks its >");
   EXPECT_EQ(said("<scenefile>\nglobaldata>\n</globaldata>\n</scenefile>").back(),
             "2:1 the tag globaldata> lacks its <; </globaldata> of line 3 has nothing to close");
+}
+
+TEST(XmlSyntax, ValuesBetweenTagsAreShownAsAttributes) {
+  const auto last = [](std::string_view inside) { return said(with_material(inside)).back(); };
+  EXPECT_THAT(
+      last("<diffuse>1 0 0</diffuse>"),
+      HasSubstr("the text \"1 0 0\" has no effect; write <diffuse r=\"1\" g=\"0\" b=\"0\"/>"));
+  EXPECT_THAT(last("<blend> 1 </blend>"), HasSubstr("write <blend v=\"1\"/>"));
+  EXPECT_THAT(last("<texture>a.png</texture>"), HasSubstr("write <texture file=\"a.png\"/>"));
+  EXPECT_THAT(said(with_transforms("<rotate>0 1 0 30</rotate>")).back(),
+              HasSubstr("write <rotate x=\"0\" y=\"1\" z=\"0\" angle=\"30\"/>"));
+  EXPECT_THAT(said(in_root("<transblock>sphere</transblock>")).front(),
+              HasSubstr("values are attributes"));
+}
+
+TEST(XmlSyntax, ShapesAreObjects) {
+  EXPECT_THAT(said(in_root("<transblock><Sphere/></transblock>")),
+              Contains(HasSubstr("it was ignored: write <object type=\"primitive\" "
+                                 "name=\"sphere\"/>")));
 }
 
 TEST(XmlSyntax, TheEndOfACommentHasNoGap) {

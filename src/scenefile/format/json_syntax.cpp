@@ -1,5 +1,6 @@
 #include "scenefile/format/json_syntax.h"
 
+#include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
@@ -301,7 +302,11 @@ class Explainer {
       f.message = "strings and keys stand in double quotes, not in single ones";
       f.mend = {at_, in_double_quotes()};
     } else if (!word.empty() && error_.fault == JsonFault::key) {
-      f.message = fmt::format("the key {} must stand in double quotes", quoted(word));
+      const std::size_t before = text_.find_last_not_of(" \t\r\n", at_ == 0 ? 0 : at_ - 1);
+      const bool is_list = before != std::string_view::npos && text_[before] == '{' &&
+                           parse_number(word).error == NumberError::none;
+      f.message = is_list ? std::string("numbers in { }; a list of numbers stands in [ ]")
+                          : fmt::format("the key {} must stand in double quotes", quoted(word));
     } else if (!word.empty() && error_.fault == JsonFault::value) {
       f.offset = static_cast<std::size_t>(word.data() - text_.data());
       f.message = literal(word);

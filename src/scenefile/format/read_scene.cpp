@@ -1,10 +1,12 @@
 #include "scenefile/format/read_scene.h"
 
+#include "scenefile/format/codes.h"
 #include "scenefile/format/json_reader.h"
 #include "scenefile/format/syntax.h"
 #include "scenefile/format/text_encoding.h"
 #include "scenefile/format/xml_scene.h"
 
+#include <algorithm>
 #include <string>
 
 namespace scenefile {
@@ -25,12 +27,18 @@ Scene read(std::string_view text, const ReadOptions& options, Diagnostics& diagn
                                      : read_json(*decoded, options, diagnostics);
 }
 
+bool has(const Diagnostics& diagnostics, const Code& code) {
+  return std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                     [&](const Diagnostic& d) { return d.code == &code; });
+}
+
 }  // namespace
 
 Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.count(Severity::error);
   Scene scene = read(text, options, diagnostics);
-  scene.incomplete = diagnostics.count(Severity::error) != errors;
+  // Without a root nothing is drawn, and saying so once is enough.
+  scene.incomplete = diagnostics.count(Severity::error) != errors || has(diagnostics, xml_no_root);
   return scene;
 }
 

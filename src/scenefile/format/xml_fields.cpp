@@ -140,6 +140,16 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
                                where, meant.empty() ? home_of(tag.name) : meant));
     return;
   }
+  const auto* const shape =
+      std::find_if(std::begin(shape_words), std::end(shape_words),
+                   [&](std::string_view word) { return equal_ignoring_case(word, tag.name); });
+  if (shape != std::end(shape_words)) {
+    context.report(xml_unknown_element, tag,
+                   fmt::format("unknown element {} in {}; it was ignored: write <object "
+                               "type=\"primitive\" name=\"{}\"/>",
+                               element_text(tag.name), where, *shape));
+    return;
+  }
   const std::string_view near = nearest_field(tag.name, names);
   if (near.empty()) {
     context.report(xml_unknown_element, tag,

@@ -72,18 +72,31 @@ struct Found {
   bool is_mesh() const { return name != nullptr && equal_ignoring_case(name->value, "mesh"); }
 };
 
-Found find_attributes(const XmlTag& tag) {
-  Found found;
+// The one of that name in any case, as no program of the course reads it; its own case goes first.
+const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& tag,
+                                     std::string_view name) {
+  if (const XmlAttribute* exact = tag.find(name)) {
+    return exact;
+  }
   for (const XmlAttribute& attribute : tag.attributes) {
-    if (attribute.name == "type") {
-      found.type = &attribute;
-    } else if (attribute.name == "name") {
-      found.name = &attribute;
-    } else if (attribute.name == "filename") {
-      found.filename = &attribute;
-    } else if (attribute.name == "meshfile") {
-      found.meshfile = &attribute;
-    } else {
+    if (equal_ignoring_case(attribute.name, name)) {
+      context.report(xml_name_case, attribute,
+                     fmt::format("attribute {} of <object> was read as {}", attribute.name, name));
+      return &attribute;
+    }
+  }
+  return nullptr;
+}
+
+Found find_attributes(const XmlContext& context, const XmlTag& tag) {
+  Found found;
+  found.type = find_in_any_case(context, tag, "type");
+  found.name = find_in_any_case(context, tag, "name");
+  found.filename = find_in_any_case(context, tag, "filename");
+  found.meshfile = find_in_any_case(context, tag, "meshfile");
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (&attribute != found.type && &attribute != found.name && &attribute != found.filename &&
+        &attribute != found.meshfile) {
       found.others.push_back(&attribute);
     }
   }
@@ -152,7 +165,7 @@ bool name_fits(const XmlContext& context, const XmlAttribute* attribute) {
 }  // namespace
 
 std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag) {
-  Found found = find_attributes(tag);
+  Found found = find_attributes(context, tag);
   settle_mesh_file(context, found);
   settle_others(context, tag, found);
   if (found.type == nullptr) {

@@ -77,10 +77,13 @@ void SceneBuilder::text(std::string_view characters, Location location) {
     return;
   }
   text_reported_ = true;
+  const std::string meant =
+      top().block == Block::leaf ? as_attributes(top().element, characters) : std::string();
   context_.diagnostics.report(
       xml_text, location,
       fmt::format("the text {} has no effect; {}", quoted(characters),
-                  characters.find("/>") != std::string_view::npos
+                  !meant.empty() ? "write " + meant
+                  : characters.find("/>") != std::string_view::npos
                       ? "is the < of an element missing?"
                       : "values are attributes, comments are written <!-- like this -->"));
 }
@@ -148,6 +151,11 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
                     fmt::format("{} was read as <scenefile>", element_text(tag.name)));
   }
   for (const XmlAttribute& attribute : tag.attributes) {
+    if (attribute.name == "xmlns") {
+      context_.report(xml_unknown_attribute, attribute,
+                      "attribute xmlns of <scenefile> has no effect: the format has no namespace, "
+                      "and validators refuse one; remove it");
+    }
     // xsi:noNamespaceSchemaLocation is how editors are told of the schema.
     if (!attribute.name.starts_with("xml") && !attribute.name.starts_with("xsi:")) {
       report_unknown_attribute(context_, tag, attribute, {});

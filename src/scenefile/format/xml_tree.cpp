@@ -37,8 +37,10 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
     report_unknown_element(context_, tag, top().element);
     return false;
   }
-  context_.report(xml_object_without_transblock, tag,
-                  "the object stands in a tree without a transblock around it");
+  context_.report(
+      xml_object_without_transblock, tag,
+      "the object stands in a tree without a transblock around it; it was read as if one "
+      "without transforms were there: put <transblock> and </transblock> around it");
   top().has_content = true;
   const std::size_t depth = frames_.size();
   push(Block::transblock, add_child_node(top().node, tag.location), tag.name);

@@ -316,6 +316,40 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
                   element_text(tag.name), did_you_mean(nearest_name(attribute.name, known))));
 }
 
+std::string as_attributes(std::string_view element, std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+  const std::string word(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
+  std::vector<std::string> numbers = numbers_in(text, true);
+  std::vector<std::string_view> names;
+  if (element == "texture" || element == "bumpmap") {
+    names = {"file"};
+    numbers = {word};
+  } else if (numbers.size() <= 1) {
+    names = {"v"};
+    numbers = {word};
+  } else if (numbers.size() == 3) {
+    constexpr std::string_view of_colors[] = {"color",      "diffuse",     "ambient", "specular",
+                                              "reflective", "transparent", "emissive"};
+    const bool color =
+        std::find(std::begin(of_colors), std::end(of_colors), element) != std::end(of_colors);
+    names = color                   ? std::vector<std::string_view>{"r", "g", "b"}
+            : element == "function" ? std::vector<std::string_view>{"v1", "v2", "v3"}
+                                    : std::vector<std::string_view>{"x", "y", "z"};
+  } else if (numbers.size() == 4 && element == "rotate") {
+    names = {"x", "y", "z", "angle"};
+  }
+  if (names.size() != numbers.size() || word.empty() || word.size() > 60 ||
+      word.find_first_of("<>&\"\n\r") != std::string::npos) {
+    return {};
+  }
+  std::string written = fmt::format("<{}", element);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    written += fmt::format(" {}=\"{}\"", names[i], escaped(numbers[i], 60));
+  }
+  return written + "/>";
+}
+
 void report_missing(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                     const Parts& parts) {
   const std::vector<std::string_view> missing = missing_names(signature, parts);

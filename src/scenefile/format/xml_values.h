@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -57,6 +58,10 @@ std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& ta
 std::optional<glm::vec3> read_color(const XmlContext& context, const XmlTag& tag);
 std::optional<glm::vec3> read_attenuation(const XmlContext& context, const XmlTag& tag);
 std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag);
+
+/// How to write as attributes what stands between the tags of the element, such as `<pos x="1"
+/// y="2" z="3"/>` for 1 2 3; empty: it is not known.
+std::string as_attributes(std::string_view element, std::string_view text);
 
 /// The attribute is not part of the format; suggests the nearest of `known`.
 void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,

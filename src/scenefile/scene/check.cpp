@@ -15,15 +15,24 @@ namespace scenefile {
 
 namespace {
 
-// The ids of lights, which should differ and be 0 to 7.
+// The ids of lights, which should differ and be 0 to 7; of more lights, which is another finding,
+// higher ones must be.
 class LightIds {
  public:
+  explicit LightIds(const Scene& scene) {
+    std::size_t lights = 0;
+    for (const Node& node : scene.nodes) {
+      lights += node.lights.size();
+    }
+    highest_ = std::max<std::size_t>(highest_, lights == 0 ? 0 : lights - 1);
+  }
+
   void check(const Light& light, NodeId node, Reporter& reporter) {
     if (!light.id) {
       return;
     }
     const Subject subject{"light", light.location, node};
-    if (*light.id < 0 || *light.id > 7) {
+    if (*light.id < 0 || static_cast<std::size_t>(*light.id) > highest_) {
       reporter.report(light_id_range, subject, Field::id,
                       fmt::format("id {} of a light is not between 0 and 7", *light.id));
     }
@@ -37,11 +46,12 @@ class LightIds {
   }
 
  private:
+  std::size_t highest_ = 7;
   std::map<int, Location> first_;
 };
 
 void check_contents(const Scene& scene, Reporter& reporter) {
-  LightIds ids;
+  LightIds ids(scene);
   std::vector<bool> seen(scene.nodes.size());
   for (const NodeId head : tree_heads(scene)) {
     walk_nodes(scene, head, 0, seen, [&](NodeId id, int) {

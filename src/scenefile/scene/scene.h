@@ -199,8 +199,8 @@ struct Scene {
   /// For messages alone, in any order. A value that is not listed is taken to stand where its owner
   /// stands.
   std::vector<FieldPlace> field_places;
-  /// The file had errors: parts may be missing, and numbers may be `not_known`. check() then leaves
-  /// out what it would find for these reasons alone.
+  /// The file had errors or no root: parts may be missing, and numbers may be `not_known`. check()
+  /// then leaves out what it would find for these reasons alone.
   bool incomplete = false;
 
   /// Same structure and values; neither places in the file nor the order of `nodes` count.

@@ -29,7 +29,8 @@ class RandomScene {
     }
     const int templates = below(size_ + 1);
     for (int t = 0; t < templates; ++t) {
-      const NodeId head = add_template(scene_, fmt::format("{}{}", word(), t));
+      const bool root = t == 0 && one_in(4);
+      const NodeId head = add_template(scene_, root ? "root" : fmt::format("{}{}", word(), t));
       templates_ = t;
       fill_tree(head);
     }

@@ -4,6 +4,7 @@
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/format/write_codes.h"
+#include "scenefile/scene/check.h"
 #include "scenefile/scene/prepare.h"
 
 #include <gtest/gtest.h>
@@ -289,6 +290,24 @@ TEST(WriteScene, TemplatesStandBehindThoseTheyUse) {
     ASSERT_EQ(back.templates.size(), 2u);
     EXPECT_EQ(back.nodes[back.templates[0]].name, "b");
   }
+}
+
+TEST(WriteScene, ATemplateCalledRootGetsAnotherNameInXml) {
+  constexpr std::string_view json = R"({
+    "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 0.5, "specularCoeff": 0.5},
+    "cameraData": {"position": [0, 0, 5], "up": [0, 1, 0], "look": [0, 0, -1], "heightAngle": 45},
+    "templateGroups": [{"name": "root", "primitives": [{"type": "cube"}]}],
+    "groups": [{"name": "root"}]})";
+  Diagnostics reading;
+  const Scene scene = read_scene(json, {}, reading);
+  check(scene, {}, reading);
+  EXPECT_FALSE(reading.has_errors());
+  Diagnostics writing;
+  const std::string xml = write_scene(scene, SceneFormat::xml, {}, writing);
+  ASSERT_EQ(writing.list().size(), 1u);
+  EXPECT_EQ(writing.list()[0].code, &write_renamed);
+  EXPECT_TRUE(same_meaning(scene, read_scene(xml, {}, reading)));
+  EXPECT_FALSE(reading.has_errors());
 }
 
 TEST(WriteScene, DeepScenesNeedNoStack) {

@@ -396,8 +396,6 @@ void add_cases_of_trees(std::vector<Case>& cases) {
   cases.push_back({&tree_template_duplicate,
                    templates([](Scene& s, NodeId) { add_template(s, "table"); }),
                    templates([](Scene& s, NodeId) { add_template(s, "Table"); }), "\"table\""});
-  cases.push_back({&tree_reserved_name, [](Scene& s) { add_template(s, "root"); },
-                   [](Scene& s) { add_template(s, "Root"); }, "root"});
   cases.push_back({&tree_template_unknown,
                    templates([](Scene& s, NodeId) { add_instance(s, 0, "tabel"); }),
                    templates([](Scene&, NodeId) {}), "did you mean \"table\"?"});

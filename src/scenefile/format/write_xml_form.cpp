@@ -145,6 +145,7 @@ class XmlForm {
     for (const NodeId head : scene_.templates) {
       names.take(scene_.nodes[head].name);
     }
+    free_the_root(names);
     for (NodeId id = 0; id < written; ++id) {
       RareText& name = scene_.nodes[id].name;
       if (is_head_[id] || name.empty() || scene_.nodes[id].children.empty() || names.take(name)) {
@@ -155,6 +156,26 @@ class XmlForm {
           write_renamed, scene_.nodes[id].location,
           fmt::format("the name {} is taken; the group is called {}", quoted(name), quoted(free)));
       name = std::move(free);
+    }
+  }
+
+  // JSON reserves no name: a template may be called root there.
+  void free_the_root(NameTable& names) {
+    const auto root =
+        std::find_if(scene_.templates.begin(), scene_.templates.end(),
+                     [this](NodeId head) { return scene_.nodes[head].name == "root"; });
+    if (root == scene_.templates.end()) {
+      return;
+    }
+    const std::string free = names.make_free("root");
+    diagnostics_.report(
+        write_renamed, scene_.nodes[*root].location,
+        fmt::format("root is the scene itself in XML; the template is called {}", quoted(free)));
+    scene_.nodes[*root].name = free;
+    for (Node& node : scene_.nodes) {
+      if (node.instance_of == "root") {
+        node.instance_of = free;
+      }
     }
   }
 

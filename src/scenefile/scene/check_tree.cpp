@@ -14,7 +14,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view reserved_name = "root";
 constexpr double lights_of_the_format = 8;
 // Suggestions compare with every name; this keeps a file of many wrong names linear.
 constexpr std::size_t most_suggestions = 1000;
@@ -35,10 +34,6 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
       reporter.report(tree_template_unnamed, subject_of(scene, id),
                       "a template needs a name to be used by");
       continue;
-    }
-    if (name == reserved_name) {
-      reporter.report(tree_reserved_name, subject_of(scene, id),
-                      "a template must not be named \"root\", the name of the scene itself");
     }
     const std::uint32_t first = names.at(name);
     if (first != i) {
@@ -61,7 +56,7 @@ std::vector<std::string_view> some_names(const Scene& scene) {
 }
 
 std::string unknown_text(std::string_view name, const std::vector<std::string_view>& known) {
-  if (name == reserved_name) {
+  if (name == "root") {
     return "\"root\" is the scene itself, which cannot stand inside itself";
   }
   const std::string_view near = nearest_name(name, known);

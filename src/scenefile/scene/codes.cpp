@@ -57,7 +57,6 @@ std::span<const Code* const> scene_codes() {
       &tree_loop,
       &tree_mesh_unnamed,
       &tree_nesting_limit,
-      &tree_reserved_name,
       &tree_template_unnamed,
       &tree_template_unknown,
       &tree_template_unused,

@@ -229,9 +229,6 @@ inline constexpr Code tree_template_duplicate{
     "tree.duplicate-template", Severity::error, "two templates with one name",
     "Master objects (JSON: template groups) are used by name. With two of a name it is not clear "
     "which is meant, and programs differ. Rename one."};
-inline constexpr Code tree_reserved_name{
-    "tree.reserved-name", Severity::error, "a template named root",
-    "root is the name of the scene itself. Give the master object another name."};
 inline constexpr Code tree_template_unknown{
     "tree.unknown-template", Severity::error, "an instance of nothing",
     "Only master objects (JSON: template groups) that the file declares can be instantiated. Names "

@@ -71,7 +71,8 @@ struct WaveScene {
 /// Whether pictures of this kind are made of waves. The others are made ray by ray.
 bool takes_waves(const Tracer& tracer, const CameraRays& camera);
 
-/// The memory of one wave, to be used again. Large.
+/// The memory of one wave, to be used again for the same scene: it remembers what was in the way of
+/// lights, which changes no color. Large.
 struct WaveDeleter {
   void operator()(WaveMemory* memory) const;
 };

@@ -3,12 +3,15 @@
 #include "finding_laws.h"
 #include "law.h"
 #include "scene_laws.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/scene/diff.h"
 #include "scenefile/scene/summary.h"
 #include "write_laws.h"
+
+#include <algorithm>
 
 namespace scenefile::fuzz {
 
@@ -42,7 +45,11 @@ void judge(std::string_view text, const ReadOptions& options) {
   const Scene same = read_scene(text, options, again);
   require(again.list().size() == diagnostics.list().size(), "reading is a function");
   // Numbers that could not be read are equal to nothing.
-  require(scene.incomplete == diagnostics.has_errors(), "a scene of a file with errors says so");
+  const bool no_root =
+      std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+                  [](const Diagnostic& diagnostic) { return diagnostic.code == &xml_no_root; });
+  require(scene.incomplete == (diagnostics.has_errors() || no_root),
+          "a scene of a file with errors, or without a root, says so");
   require(scene.incomplete || scene == same, "reading gives the same finite values each time");
   check(scene, options.limits, diagnostics);
   require_sound(diagnostics, options.limits, text);

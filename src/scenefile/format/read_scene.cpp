@@ -27,8 +27,10 @@ Scene read(std::string_view text, const ReadOptions& options, Diagnostics& diagn
                                      : read_json(*decoded, options, diagnostics);
 }
 
-bool has(const Diagnostics& diagnostics, const Code& code) {
-  return std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
+// Whether the code was reported after so many others.
+bool has_since(std::size_t before, const Diagnostics& diagnostics, const Code& code) {
+  const auto& list = diagnostics.list();
+  return std::any_of(list.begin() + static_cast<std::ptrdiff_t>(before), list.end(),
                      [&](const Diagnostic& d) { return d.code == &code; });
 }
 
@@ -36,9 +38,11 @@ bool has(const Diagnostics& diagnostics, const Code& code) {
 
 Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
   const std::size_t errors = diagnostics.count(Severity::error);
+  const std::size_t before = diagnostics.list().size();
   Scene scene = read(text, options, diagnostics);
   // Without a root nothing is drawn, and saying so once is enough.
-  scene.incomplete = diagnostics.count(Severity::error) != errors || has(diagnostics, xml_no_root);
+  scene.incomplete =
+      diagnostics.count(Severity::error) != errors || has_since(before, diagnostics, xml_no_root);
   return scene;
 }
 

@@ -18,8 +18,13 @@ namespace {
 std::vector<const Code*> collect() {
   // One a line, so that additions do not meet.
   std::vector<const Code*> codes{
-      &convert_comments, &convert_file_left_behind,    &convert_file_renamed, &gl_copies_left_out,
-      &gl_not_drawn,     &render_no_directional_light,
+      &convert_comments,
+      &convert_file_left_behind,
+      &convert_file_renamed,
+      &gl_copies_left_out,
+      &gl_not_drawn,
+      &gl_shadows_left_out,
+      &render_no_directional_light,
   };
   for (const auto& room :
        {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes()}) {

@@ -57,8 +57,16 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
                     "farthest {} are left out; the ray tracer draws them all",
                     stats.objects + stats.left_out, stats.left_out));
   }
-  report = {device->renderer(), stats.draw_calls, stats.shadow_maps, stats.objects,
-            stats.triangles};
+  if (stats.shadowless != 0) {
+    scene.diagnostics.report(
+        gl_shadows_left_out, {},
+        fmt::format(
+            "there are more lights than OpenGL keeps shadows for: {} of {} {} no shadows; the "
+            "ray tracer draws them all",
+            stats.shadowless, ready.lights.size(), stats.shadowless == 1 ? "throws" : "throw"));
+  }
+  report = {device->renderer(), stats.draw_calls, stats.shadow_maps,
+            stats.objects,      stats.triangles,  stats.samples};
   return {error.empty() ? ExitCode::fine : ExitCode::environment, error};
 }
 

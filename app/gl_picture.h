@@ -16,6 +16,7 @@ struct GlReport {
   std::uint32_t shadow_maps = 0;
   std::uint64_t objects = 0;
   std::uint64_t triangles = 0;
+  int samples = 0;  ///< of each pixel
 };
 
 /// Draws the scene; adds to its diagnostics what OpenGL leaves out.

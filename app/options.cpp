@@ -170,6 +170,13 @@ std::string check_gl(const Options& options) {
                            samples);
 }
 
+// What the options of view cannot see alone.
+std::string check_window(const Options& options) {
+  return options.frames != 1 && options.screenshot.empty()
+             ? "--frames is for --screenshot: say where the picture goes"
+             : std::string();
+}
+
 // What the options of render cannot see alone.
 std::string check_render(const Options& options) {
   if (options.engine == Engine::gl) {
@@ -239,7 +246,9 @@ std::string check_together(const Command& command, Options& options) {
     return fmt::format("--size: {}x{} is more than the limit of {} pixels a side", options.width,
                        options.height, most);
   }
-  return command.bit == for_render ? check_render(options) : std::string();
+  return command.bit == for_render ? check_render(options)
+         : command.bit == for_view ? check_window(options)
+                                   : std::string();
 }
 
 }  // namespace

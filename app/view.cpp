@@ -55,17 +55,31 @@ std::string missing(const Options& options) {
   return {};
 }
 
-// What is done without a user.
+viewer::ScriptStep& add_step(viewer::Script& script, viewer::StepKind kind) {
+  viewer::ScriptStep step;
+  step.kind = kind;
+  return script.steps.emplace_back(std::move(step));
+}
+
+// What is done without a user, and then the window closes.
 viewer::Script script_of(const Options& options, std::string& error) {
   std::string text;
   if (!options.script.empty()) {
     error = read_file(options.script, options.limits.file_bytes, text).text;
   }
+  viewer::Script script = viewer::parse_script(text);
   if (!options.screenshot.empty()) {
-    text +=
-        fmt::format("settle\nframes {}\nscreenshot {}\nquit\n", options.frames, options.screenshot);
+    add_step(script, viewer::StepKind::settle);
+    add_step(script, viewer::StepKind::frames).number = options.frames;
+    add_step(script, viewer::StepKind::screenshot).text = options.screenshot;
   }
-  return viewer::parse_script(text);
+  if (script.steps.empty() && !options.script.empty()) {
+    add_step(script, viewer::StepKind::settle);
+  }
+  if (!script.steps.empty()) {
+    add_step(script, viewer::StepKind::quit);
+  }
+  return script;
 }
 
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
@@ -115,7 +129,11 @@ ExitCode run_view(const Options& options, Context& context) {
               (no_display ? "; \"scenefile render\" draws into files without a screen" : ""));
     return ExitCode::environment;
   }
-  return unattended && !result.shown ? ExitCode::findings : ExitCode::fine;
+  if (unattended && !result.shown) {
+    say_error("the window could not show the scene; \"scenefile check\" says why");
+    return ExitCode::findings;
+  }
+  return ExitCode::fine;
 }
 
 }  // namespace scenefile::app

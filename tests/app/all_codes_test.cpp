@@ -123,6 +123,7 @@ std::vector<std::string> all_codes() {
 const std::map<std::string, std::string> in_rooms{
     {"gl.copies-left-out", "tests/view"},
     {"gl.not-drawn", "tests/view"},
+    {"gl.shadows-left-out", "tests/app/gl_test.cpp"},
     {"scene.bad-index", "tests/scene/check_test.cpp"},
     {"scene.not-finite", "tests/scene/check_test.cpp"},
     {"scene.shared-node", "tests/scene/check_test.cpp"},

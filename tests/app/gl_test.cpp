@@ -53,6 +53,7 @@ TEST_F(RenderWithGl, AnswersInJson) {
   EXPECT_STRNE(json["renderer"].GetString(), "");
   EXPECT_EQ(json["objects"].GetUint(), 1U);
   EXPECT_EQ(json["draw_calls"].GetUint(), 1U);
+  EXPECT_EQ(json["samples"].GetInt(), 4);
   EXPECT_STREQ(parse_json(render({"--json"}).out)["engine"].GetString(), "trace");
 }
 
@@ -127,6 +128,36 @@ TEST_F(RenderWithGl, FloatsAreThePixels) {
       EXPECT_NEAR(floats[(47 - y) * row + i] * 255, pixels.rgb[y * row + i], 0.01);
     }
   }
+}
+
+// Sixteen point lights take the 96 images there are.
+std::string with_point_lights(int count) {
+  std::string text = good_scene;
+  const std::size_t at = text.find("  <lightdata>");
+  std::string lights;
+  for (int i = 1; i <= count; ++i) {
+    lights += fmt::format(
+        "<lightdata><id v=\"{}\"/><type v=\"point\"/><color r=\"0.1\" g=\"0.1\" b=\"0.1\"/>"
+        "<position x=\"{}\" y=\"3\" z=\"3\"/></lightdata>\n",
+        i, i);
+  }
+  return text.insert(at, lights);
+}
+
+TEST_F(RenderWithGl, LightsWithoutShadowsAreCounted) {
+  for (const int lights : {15, 17}) {
+    folder.write("scene.xml", with_point_lights(lights));
+    const ProgramRun run = draw({"--features", "shadows"});
+    if (!has_gl(run)) {
+      GTEST_SKIP() << run.err;
+    }
+    EXPECT_EQ(run.status, 0);
+    // And the directional light of the scene.
+    EXPECT_EQ(run.err.find("2 of 18 throw no shadows") != std::string::npos, lights == 17)
+        << run.err;
+    EXPECT_EQ(run.err.find("[gl.shadows-left-out]") != std::string::npos, lights == 17);
+  }
+  EXPECT_EQ(draw({"--features", "texture"}).err.find("gl.shadows"), std::string::npos);
 }
 
 // Each template holds the one before it twice.

@@ -245,6 +245,20 @@ TEST_F(View, SaysWhatIsWrong) {
   const ProgramRun run = tour("settle\njump\n");
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is no step"));
+  EXPECT_THAT(tour("settle\ncopy none.xml b.xml\n").err, HasSubstr("the script, line 2: none.xml"));
+  EXPECT_THAT(view({path, "--frames", "5"}).err, HasSubstr("--frames is for --screenshot"));
+  const ProgramRun broken =
+      view({folder.write("b.xml", "<scenefile>"), "--screenshot", folder.path("b.png")});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_THAT(broken.err, HasSubstr("could not show the scene"));
+  const ProgramRun nowhere = view({path, "--screenshot", folder.path("none/b.png")});
+  EXPECT_EQ(nowhere.status, 3);
+  EXPECT_EQ(nowhere.err.find("script"), std::string::npos) << nowhere.err;
+}
+
+TEST_F(View, AScriptWithoutStepsIsAtItsEnd) {
+  const ProgramRun run = tour("# nothing\n");
+  EXPECT_EQ(run.status, 0) << run.err;
 }
 
 TEST(ViewWithoutItsProgram, IsSaid) {

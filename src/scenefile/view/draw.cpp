@@ -91,9 +91,14 @@ const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawi
   gl.Viewport(0, 0, width * scale, height * scale);
   clear(gl, options.background);
   const DrawStats pass = draw_objects(device, drawing, frame, options, output);
-  stats = {
-      pass.draw_calls, stats.shadow_calls, static_cast<std::uint32_t>(drawing.shadows.views.size()),
-      pass.objects,    pass.triangles,     pass.left_out};
+  stats = {pass.draw_calls,
+           stats.shadow_calls,
+           static_cast<std::uint32_t>(drawing.shadows.views.size()),
+           pass.objects,
+           pass.triangles,
+           pass.left_out,
+           count_shadowless(drawing),
+           wanted};
   blit(gl, device.multisampled, device.resolved);
   PixelSurface* last = &device.resolved;
   for (; scale > 1; scale /= 2) {

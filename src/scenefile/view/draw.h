@@ -145,8 +145,10 @@ struct DrawStats {
   std::uint32_t shadow_calls = 0;  ///< for shadow maps; 0 where they were still good
   std::uint32_t shadow_maps = 0;   ///< square depth images in use
   std::uint64_t objects = 0;
-  std::uint64_t triangles = 0;  ///< of all objects, or lines
-  std::uint64_t left_out = 0;   ///< of the objects in the picture the farthest: there are too many
+  std::uint64_t triangles = 0;   ///< of all objects, or lines
+  std::uint64_t left_out = 0;    ///< of the objects in the picture the farthest: there are too many
+  std::uint32_t shadowless = 0;  ///< lights whose depth images found no room: they throw no shadows
+  int samples = 1;               ///< of each pixel
 };
 
 /// Draws the scene as the camera sees it (the lens is taken for a pinhole). Of the GL state,

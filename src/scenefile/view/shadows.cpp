@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace scenefile {
 
@@ -206,6 +207,16 @@ std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
   plan_shadows(drawing.emitters, drawing.scene.objects, shadows);
   make_layers(device.gl, shadows);
   return draw_layers(device, drawing, options);
+}
+
+std::uint32_t count_shadowless(const Drawing::State& drawing) {
+  std::set<std::uint32_t> lights;
+  for (std::size_t i = 0; i < drawing.shadows.codes.size(); ++i) {
+    if (drawing.shadows.codes[i] < 0) {
+      lights.insert(drawing.emitters[i].light);
+    }
+  }
+  return static_cast<std::uint32_t>(lights.size());
 }
 
 void bind_shadows(const gl::Functions& gl, ShadowMaps& shadows, const glm::dvec3& eye) {

@@ -39,6 +39,9 @@ inline constexpr int shadow_texels = 5;
 std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
                            const DrawOptions& options);
 
+/// Lights that should throw shadows and found no room for their layers.
+std::uint32_t count_shadowless(const Drawing::State& drawing);
+
 /// Binds layers and table for a camera that stands at `eye`.
 void bind_shadows(const gl::Functions& functions, ShadowMaps& shadows, const glm::dvec3& eye);
 

@@ -93,6 +93,11 @@ KeyPress parse_key(std::string_view text) {
   return key;
 }
 
+bool is_flying_key(const KeyPress& key) {
+  constexpr std::array<std::string_view, 6> keys{"W", "A", "S", "D", "Q", "E"};
+  return !key.control && std::find(keys.begin(), keys.end(), key.name) != keys.end();
+}
+
 const ActionRow* action_of(const KeyPress& key) {
   const auto find = [](const std::string& text) {
     const auto found = std::find_if(table.begin(), table.end(),

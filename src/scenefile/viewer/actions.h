@@ -80,5 +80,7 @@ KeyPress parse_key(std::string_view text);
 
 /// The row of a key; null: the key does nothing.
 const ActionRow* action_of(const KeyPress& key);
+/// Whether the camera flies while the key is held.
+bool is_flying_key(const KeyPress& key);
 
 }  // namespace scenefile::viewer

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
+#include "scenefile/viewer/actions.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,12 @@ namespace scenefile::viewer {
 namespace {
 
 constexpr std::array<std::string_view, 3> button_names{"left", "right", "middle"};
+
+// Whether the window does something at the key.
+bool is_key(std::string_view text) {
+  const KeyPress key = parse_key(text);
+  return action_of(key) != nullptr || is_flying_key(key) || key.name == "Shift";
+}
 
 /// The words of a line, and what follows each of them.
 class Words {
@@ -140,13 +147,17 @@ class ScriptParser {
                              : verb == "drop" ? StepKind::drop
                                               : StepKind::screenshot);
       step.text = words.rest();
-      return !step.text.empty();
+      return step.kind == StepKind::key          ? is_key(step.text)
+             : step.kind == StepKind::screenshot ? step.text.ends_with(".png")
+                                                 : !step.text.empty();
     }
     if (verb == "hold") {
       ScriptStep& step = add(StepKind::hold);
       step.text = words.next();
       step.number = words.frames();
-    } else if (verb == "frames") {
+      return !words.bad() && is_key(step.text);
+    }
+    if (verb == "frames") {
       add(StepKind::frames).number = words.frames();
     } else if (verb == "copy") {
       ScriptStep& step = add(StepKind::copy);

@@ -4,7 +4,7 @@
 // One step a line; empty lines and those that begin with # count for nothing. Places are in pixels
 // of the window, from its top left.
 //
-//     key Ctrl+S            press and release a key
+//     key Ctrl+S            press and release a key that does something
 //     hold W 10             hold a key for so many frames
 //     move 400 300          the pointer goes there
 //     press left            or middle, right
@@ -48,8 +48,8 @@ struct ScriptStep {
   std::string other;  ///< the second path
   double x = 0;       ///< pixels; wheel: steps upward in y
   double y = 0;
-  int number = 1;  ///< frames, or the button: 0 left, 1 right, 2 middle
-  std::uint32_t line = 0;
+  int number = 1;          ///< frames, or the button: 0 left, 1 right, 2 middle
+  std::uint32_t line = 0;  ///< 0: of no text
 };
 
 struct Script {

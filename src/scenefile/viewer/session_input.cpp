@@ -4,7 +4,6 @@
 #include "scenefile/viewer/session.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace scenefile::viewer {
@@ -14,13 +13,6 @@ namespace {
 constexpr double degrees_per_height = 180;  // of a drag over the whole picture
 constexpr double click_slack = 4;           // pixels
 constexpr double split_slack = 8;
-
-constexpr std::array<std::string_view, 6> flying_keys{"W", "A", "S", "D", "Q", "E"};
-
-bool is_flying_key(const KeyPress& key) {
-  return !key.control &&
-         std::find(flying_keys.begin(), flying_keys.end(), key.name) != flying_keys.end();
-}
 
 bool near_split(const Session& session, const glm::dvec2& at) {
   const Box& box = session.picture;

@@ -375,7 +375,12 @@ bool Window::do_step() {
   if (step_ >= steps.size()) {
     return false;
   }
-  if (do_step(steps[step_])) {
+  const ScriptStep& step = steps[step_];
+  const bool done = do_step(step);
+  if (!failure_.empty() && step.line != 0) {
+    failure_ = fmt::format("the script, line {}: {}", step.line, failure_);
+  }
+  if (done) {
     ++step_;
     step_frames_ = 0;
     step_looks_ = session_.looks;
@@ -536,9 +541,7 @@ WindowResult Window::run() {
   result.shown = session_.shown != nullptr && session_.broken == nullptr;
   if (!failure_.empty()) {
     result.status = WindowStatus::failed;
-    result.error = fmt::format(
-        "the script, line {}: {}",
-        options_.script.steps[std::min(step_, options_.script.steps.size()) - 1].line, failure_);
+    result.error = failure_;
   }
   return result;
 }

@@ -8,12 +8,12 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/stat.h>
 
 #include <array>
 #include <charconv>
@@ -226,11 +226,8 @@ std::string set_preview(Options& options, const std::string& value) {
 }
 
 std::string add_asset_root(Options& options, const std::string& value) {
-  struct stat info {};
   options.asset_roots.push_back(value);
-  return ::stat(value.c_str(), &info) == 0 && S_ISDIR(info.st_mode)
-             ? std::string()
-             : fmt::format("there is no folder {}", quoted(value));
+  return is_folder(value) ? std::string() : fmt::format("there is no folder {}", quoted(value));
 }
 
 template <std::string Options::*name>

@@ -137,7 +137,9 @@ ExitCode run_render(const Options& options, Context& context) {
   Image drawn;
   if (options.engine == Engine::gl && outcome.status == ExitCode::fine) {
     outcome = draw_with_gl(options, scene, drawn, report.gl, context);
-    report.options.samples = report.gl.samples;
+    if (outcome.status == ExitCode::fine) {
+      report.options.samples = report.gl.samples;
+    }
   }
   if (!options.json) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,

@@ -151,17 +151,21 @@ Scene regrouped() {
   return scene;
 }
 
-template <typename Change>
-std::vector<std::string> regrouped_texts(Change change) {
-  Scene changed = regrouped();
-  change(changed);
-  const SceneDiff diff = diff_meaning(sample(), changed);
+std::vector<std::string> meaning_texts(const Scene& a, const Scene& b) {
+  const SceneDiff diff = diff_meaning(a, b);
   EXPECT_EQ(diff.same_meaning, diff.differences.empty());
   std::vector<std::string> result;
   for (const SceneDifference& difference : diff.differences) {
     result.push_back(difference_text(difference));
   }
   return result;
+}
+
+template <typename Change>
+std::vector<std::string> regrouped_texts(Change change) {
+  Scene changed = regrouped();
+  change(changed);
+  return meaning_texts(sample(), changed);
 }
 
 }  // namespace
@@ -214,16 +218,6 @@ Scene lit_at_root(float width, float height, glm::vec3 direction = {-1, -2, -0.5
   scene.nodes[0].lights[0].width = width;
   scene.nodes[0].lights[0].height = height;
   return scene;
-}
-
-std::vector<std::string> meaning_texts(const Scene& a, const Scene& b) {
-  const SceneDiff diff = diff_meaning(a, b);
-  EXPECT_EQ(diff.same_meaning, diff.differences.empty());
-  std::vector<std::string> result;
-  for (const SceneDifference& difference : diff.differences) {
-    result.push_back(difference_text(difference));
-  }
-  return result;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct LoadOptions {
   bool textures = true;        ///< false: leave all of them empty, without a word
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
   Limits limits;
-  ForEach for_each;  ///< decodes textures; empty: one after the other
+  ForEach for_each = {};  ///< decodes textures; empty: one after the other
 };
 
 /// Loads every file of the lists once, in their order. A texture that cannot be used is a warning

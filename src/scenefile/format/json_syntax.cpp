@@ -6,6 +6,7 @@
 #include "scenefile/format/codes.h"
 #include "scenefile/format/json_codes.h"
 #include "scenefile/format/json_places.h"
+#include "scenefile/format/syntax.h"
 
 #include <fmt/format.h>
 
@@ -402,8 +403,7 @@ class Explainer {
     }
     const CodePoint c = first_code_point(text_.substr(at_));
     if (is_odd_blank(c.value)) {
-      return fmt::format("a special blank, U+{:04X}; use an ordinary one",
-                         static_cast<std::uint32_t>(c.value));
+      return odd_blank_text(c.value);
     }
     for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
       if (text_.substr(at_).starts_with(quote)) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 namespace scenefile {
 
 namespace {
@@ -75,6 +77,11 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
                   "JSON scene is an object and starts with {{",
                   quoted(content.substr(0, 40), 10)));
   return std::nullopt;
+}
+
+std::string odd_blank_text(char32_t blank) {
+  return fmt::format("a special blank, U+{:04X}; use an ordinary one",
+                     static_cast<std::uint32_t>(blank));
 }
 
 }  // namespace scenefile

@@ -5,6 +5,7 @@
 #include "scenefile/format/write_scene.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -13,5 +14,8 @@ namespace scenefile {
 /// JSON. Nothing, after an error that says what the file may be, for others. `text` is UTF-8
 /// without a byte order mark.
 std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics);
+
+/// What to say of a character for which is_odd_blank() is true.
+std::string odd_blank_text(char32_t blank);
 
 }  // namespace scenefile

@@ -17,10 +17,6 @@ using Cause = std::optional<SyntaxCause>;
 
 constexpr std::string_view blanks = " \t\r\n";
 
-std::string_view name_at(std::string_view text) {
-  return text.substr(0, text.find_first_of(" \t\r\n=/>&;\"'<"));
-}
-
 std::uint32_t line_of(std::string_view text, std::size_t at) {
   return TextCursor(text).advance_to(text.data() + at).line;
 }
@@ -128,6 +124,10 @@ Cause opened_as_text(std::string_view text, std::size_t at, std::span<const Open
 }
 
 }  // namespace
+
+std::string_view name_at(std::string_view text) {
+  return text.substr(0, text.find_first_of(" \t\r\n=/>&;\"'<"));
+}
 
 std::optional<SyntaxCause> find_cause(SyntaxFault fault, std::string_view text, std::size_t at,
                                       std::span<const OpenElement> open) {

@@ -13,6 +13,9 @@
 
 namespace scenefile {
 
+/// The name that the text begins with; empty where it begins with none.
+std::string_view name_at(std::string_view text);
+
 /// What is wrong, and where.
 struct SyntaxCause {
   const Code* code;

@@ -3,23 +3,19 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/syntax.h"
 #include "scenefile/format/xml_syntax_cause.h"
 #include "scenefile/format/xml_tag.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
-
-std::string_view name_at(std::string_view text) {
-  return text.substr(0, text.find_first_of(" \t\r\n=/>&;\"'<"));
-}
 
 // The line that holds the offset, from its start.
 std::string_view line_at(std::string_view text, std::size_t at) {
@@ -171,8 +167,7 @@ std::string token_message(std::string_view text, std::size_t at) {
     return fmt::format("the character {} is not allowed in XML", quoted(rest.substr(0, 1)));
   }
   if (is_odd_blank(c.value)) {
-    return fmt::format("a special blank, U+{:04X}; use an ordinary one",
-                       static_cast<std::uint32_t>(c.value));
+    return odd_blank_text(c.value);
   }
   if (rest[0] == '&') {
     return "a bare & is not allowed; write &amp;";

@@ -112,8 +112,7 @@ class ViewCheck {
   std::string_view dark_text() const {
     return answers_light(RenderGlobal())
                ? "the diffuse or specular coefficient of the global data is 0, which takes away "
-                 "all "
-                 "that light could show"
+                 "all that light could show"
                : "no material has a diffuse or specular part that light could show";
   }
 

@@ -17,8 +17,7 @@ inline constexpr Code gl_not_drawn{
 inline constexpr Code gl_shadows_left_out{
     "gl.shadows-left-out", Severity::warning, "more lights than OpenGL keeps shadows for",
     "Shadows are looked up in 96 images of the scene as its lights see it: one for a directional "
-    "light "
-    "or a spotlight, six for a point or area light. The lights at the end of the file that find no "
-    "room shine without shadows; render without --engine gl has them all."};
+    "light or a spotlight, six for a point or area light. The lights at the end of the file that "
+    "find no room shine without shadows; render without --engine gl has them all."};
 
 }  // namespace scenefile

@@ -99,18 +99,28 @@ inline bool has_room(const WaveMemory& memory, const WaveRays& rays) {
          memory.inside_count < wave_insides;
 }
 
+// What a ray sees by way of a mirror or glass.
+inline void arrive(WaveMemory& memory, std::uint32_t ray, RayKind way, const Color& seen,
+                   bool in_part) {
+  WaveNode& node = memory.nodes[ray];
+  const bool mirrored = way == RayKind::reflected;
+  (mirrored ? memory.links[ray].mirrored : memory.links[ray].refracted) = seen;
+  (mirrored ? node.mirrored : node.refracted) = true;
+  node.penumbra = node.penumbra || in_part;
+}
+
 inline void add_child(WaveMemory& memory, WaveRays& rays, const WaveScene& scene, const Path& path,
                       const Color& factor, std::uint32_t parent, RayCounts& counts) {
   ++counts.secondary;
   if (!has_room(memory, rays)) {
     const WaveSight sight = follow_alone(scene, path, counts);
-    memory.nodes[parent].put(path.kind, factor * sight.color, sight.penumbra);
+    arrive(memory, parent, path.kind, factor * sight.color, sight.penumbra);
     return;
   }
   const auto index = static_cast<std::uint32_t>(memory.node_count++);
   WaveNode& node = memory.nodes[index];
   node = {};
-  node.factor = factor;
+  memory.links[index].factor = factor;
   node.parent = parent;
   node.kind = path.kind;
   push(path, index, rays);
@@ -244,12 +254,16 @@ inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRay
 inline void sum_up(const WaveScene& scene, WaveMemory& memory) {
   for (int i = memory.node_count - 1; i >= 0; --i) {
     WaveNode& node = memory.nodes[i];
-    node.color += node.mirrored + node.refracted;
+    if (node.mirrored || node.refracted) {
+      const WaveLink& link = memory.links[i];
+      node.color += (node.mirrored ? link.mirrored : Color(0)) +
+                    (node.refracted ? link.refracted : Color(0));
+    }
     if (scene.course) {
       node.color = glm::clamp(node.color, Color(0), Color(1));
     }
     if (node.parent != no_index) {
-      memory.nodes[node.parent].put(node.kind, node.factor * node.color, node.penumbra);
+      arrive(memory, node.parent, node.kind, memory.links[i].factor * node.color, node.penumbra);
     }
   }
 }

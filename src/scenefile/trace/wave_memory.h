@@ -92,18 +92,19 @@ struct WaveLight {
 
 /// A ray of any generation: what it sees, and where that goes.
 struct WaveNode {
-  Color color{0};      ///< without what follows
-  Color mirrored{0};   ///< by way of a mirror
-  Color refracted{0};  ///< by way of glass
-  Color factor{0};     ///< of what its parent gets
+  Color color{0};  ///< without what follows
   std::uint32_t parent = no_index;
   RayKind kind = RayKind::camera;
-  bool penumbra = false;  ///< saw area lights in part, or what came of it did
+  bool penumbra = false;   ///< saw area lights in part, or what came of it did
+  bool mirrored = false;   ///< something came by way of a mirror
+  bool refracted = false;  ///< by way of glass
+};
 
-  void put(RayKind way, const Color& seen, bool in_part) {
-    (way == RayKind::reflected ? mirrored : refracted) = seen;
-    penumbra = penumbra || in_part;
-  }
+/// What is more of a ray that others follow, or that follows one. Apart, because most do neither.
+struct WaveLink {
+  Color factor;     ///< of what its parent gets
+  Color mirrored;   ///< where WaveNode says so
+  Color refracted;  ///< likewise
 };
 
 struct WaveMemory {
@@ -114,6 +115,7 @@ struct WaveMemory {
   WaveLight light;
   int node_count = 0;
   WaveNode nodes[wave_nodes];
+  WaveLink links[wave_nodes];  ///< by node
   int inside_count = 0;
   Hit objects[wave_insides];
   Inside insides[wave_insides];

@@ -71,6 +71,7 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
   rays.count = count;
   memory.node_count = count;
   memory.inside_count = 0;
+  memory.hits.apart = false;
   for (int at = 0; at < count; at += lanes) {
     const CameraRay ray =
         camera_ray(scene.camera.frame(), load(rays.origin.x + at), load(rays.origin.y + at),

@@ -34,7 +34,8 @@ struct WaveRays {
 
 /// What each ray of a generation hit first.
 struct WaveHits {
-  bool apart = false;                  ///< most rays went where bundles are of no use
+  bool apart = false;  ///< most rays of this generation or one before it went where bundles are of
+                       ///< no use
   alignas(64) double t[wave_rays];     ///< infinite: nothing
   alignas(64) double face[wave_rays];  ///< number of a Face
   alignas(64) double part[wave_rays];  ///< index in the root group; -1: it is in `others`

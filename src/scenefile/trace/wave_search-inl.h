@@ -132,13 +132,12 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
   const Parts& all = scene.tracer.accelerator.parts();
   const std::vector<Part>& parts = all.groups[all.root].parts;
-  hits.apart = false;
   if (scene.few_parts) {
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < rays.count; at += lanes) {
       find_among(parts, static_cast<int>(parts.size()), each_part, rays, at, hits);
     }
-  } else if (scene.tree.empty()) {
+  } else if (scene.tree.empty() || hits.apart) {
     find_by_lane(scene, rays, 0, rays.count, hits);
   } else {
     int gave_up = 0;

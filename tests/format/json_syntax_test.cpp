@@ -60,6 +60,17 @@ TEST(JsonSyntax, NumbersSayHowToWriteThem) {
   }
 }
 
+TEST(JsonSyntax, OnlyNumbersAreProposedAndOnlyShortOnes) {
+  for (const std::string& word : {std::string("3e38p5"), "1e5" + std::string(3000, 'x'),
+                                  std::string(3000, '0') + "1", "." + std::string(3000, '5')}) {
+    const Diagnostics diagnostics = diagnostics_of("{\"a\": " + word + "}");
+    ASSERT_FALSE(diagnostics.list().empty());
+    const std::string& message = diagnostics.list().front().message;
+    EXPECT_TRUE(message.ends_with("is no JSON number")) << message;
+    EXPECT_LT(message.size(), 100u);
+  }
+}
+
 TEST(JsonSyntax, CommasAndBrackets) {
   const Case cases[] = {
       {"{\"a\": [1, 2,]}", json_trailing_comma, {1, 12}, "before the closing ]"},

@@ -44,9 +44,17 @@ struct Finding {
   Mend mend;
 };
 
+// e12, E-3, and what only begins so: e, e+.
+bool is_exponent(std::string_view text) {
+  text.remove_prefix(std::min<std::size_t>(text.size(), 1));
+  text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0);
+  return std::all_of(text.begin(), text.end(), is_digit);
+}
+
 // "; write 0.6", where what was meant can be said: as its author wrote it where digits are all that
 // is missing.
 std::string corrected_number(std::string_view word) {
+  constexpr std::size_t longest = 40;
   const bool minus = word.starts_with('-');
   const std::string_view plain = word.substr(minus || word.starts_with('+') ? 1 : 0);
   const std::size_t mantissa_end = std::min(plain.find_first_of("eE"), plain.size());
@@ -58,7 +66,9 @@ std::string corrected_number(std::string_view word) {
   const auto only_digits = [](std::string_view s) {
     return std::all_of(s.begin(), s.end(), is_digit);
   };
-  if (!only_digits(whole) || !only_digits(fraction) || (whole.empty() && fraction.empty())) {
+  const bool digits =
+      only_digits(whole) && only_digits(fraction) && !(whole.empty() && fraction.empty());
+  if (!digits || !is_exponent(exponent) || word.size() > longest) {
     const std::string meant = nearest_number(word);
     return meant.empty() ? meant : fmt::format("; write {}", meant);
   }

@@ -77,6 +77,23 @@ bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) 
   return true;
 }
 
+bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const {
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  if (!impl_->search(q, ray)) {
+    return false;
+  }
+  if (q.found_depth == 0 && q.part->kind == PartKind::shape) {
+    hit.t = q.best;
+    hit.face = q.face;
+    hit.part = q.part;
+  } else {
+    impl_->fill(q, ray, hit);
+  }
+  return true;
+}
+
 std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
                                                              double t_max) const {
   Query q;

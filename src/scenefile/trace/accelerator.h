@@ -96,6 +96,10 @@ class Accelerator {
   /// The nearest surface at t_min < t < t_max. A ray that is not finite hits nothing.
   bool closest(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
+  /// The same for those who know parts(): of a shape of the root group t, face and part are told
+  /// alone.
+  bool closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const;
+
   /// The instances that the nearest surface lies in, as their `source`, the outermost first; empty
   /// where they are unnamed or nothing is hit. Searches again.
   std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;

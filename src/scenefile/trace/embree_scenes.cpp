@@ -62,14 +62,16 @@ bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& exte
                   RTCRay& out) {
   double enter = t_min;
   double leave = t_max;
-  if (!clip_to_box(ray, extent.bounds, enter, leave)) {
+  const bool begins_inside = t_min >= 0 && holds(extent.bounds, ray.origin);
+  if (!begins_inside && !clip_to_box(ray, extent.bounds, enter, leave)) {
     return false;
   }
-  const double length = glm::length(ray.direction);
-  if (!(length > 1e-30 && length < 1e30)) {
+  const glm::dvec3 size = glm::abs(ray.direction);
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > 1e-30 && largest < 1e30)) {
     return false;
   }
-  level = {&ray, enter - 1e-6 * extent.diagonal / length, extent.scale};
+  level = {&ray, enter - 1e-6 * extent.diagonal / largest, extent.scale};
   const glm::vec3 origin(extent.scale * (ray.origin + level.shift * ray.direction));
   const glm::vec3 direction(ray.direction);
   if (!in_embree_range(origin) || !in_embree_range(direction)) {
@@ -137,7 +139,11 @@ void group_intersect_callback(const RTCIntersectFunctionNArguments* arguments) {
   Search& s = search_of(arguments->context);
   Query& q = *s.query;
   const auto& group = *static_cast<const Group*>(arguments->geometryUserPtr);
+  const double before = q.best;
   test_part(q, group, arguments->primID, *s.level.ray);
+  if (q.best == before) {
+    return;
+  }
   auto& ray = *reinterpret_cast<RTCRayHit*>(arguments->rayhit);
   const float end = q.overwhelmed ? -1.0f : s.level.embree_t(q.best * q.reach);
   if (end < ray.ray.tfar) {

@@ -2,6 +2,7 @@
 
 #include "scenefile/geometry/solid.h"
 #include "scenefile/trace/group_bounds.h"
+#include "scenefile/trace/ray_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +21,6 @@ constexpr double once = 0.999;
 DAffine box_from_cube(const Bounds& box) {
   const glm::dvec3 size = box.max - box.min;
   return {glm::dmat3(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z), 0.5 * (box.min + box.max)};
-}
-
-bool holds(const Bounds& box, const glm::dvec3& p) {
-  return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
 }
 
 // Whether one of the half-spaces has nothing of the shape, by more than rounding can be wrong.

@@ -85,7 +85,7 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
 inline void put_hit(const std::vector<Part>& root, const Hit& hit, int i, WaveHits& hits) {
   const auto* const part = static_cast<const Part*>(hit.part);
   const bool of_root =
-      hit.shape != Shape::mesh && part >= root.data() && part < root.data() + root.size();
+      part >= root.data() && part < root.data() + root.size() && part->kind == PartKind::shape;
   hits.t[i] = hit.t;
   hits.face[i] = static_cast<int>(hit.face);
   hits.part[i] = of_root ? static_cast<double>(part - root.data()) : -1;
@@ -98,7 +98,7 @@ inline void find_by_lane(const WaveScene& scene, const WaveRays& rays, int first
   for (int i = first; i < last; ++i) {
     const Ray ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]},
                   {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
-    if (scene.tracer.accelerator.closest(ray, rays.start[i], infinity, hits.others[i])) {
+    if (scene.tracer.accelerator.closest_part(ray, rays.start[i], infinity, hits.others[i])) {
       put_hit(all.groups[all.root].parts, hits.others[i], i, hits);
     } else {
       hits.t[i] = infinity;

@@ -2,12 +2,14 @@
 
 #include "scenefile/trace/accelerator.h"
 
+#include "scenefile/trace/parts.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -199,6 +201,28 @@ RC_GTEST_PROP(Accelerator, FindsWhatLookingAtEveryObjectFinds, ()) {
     compare_closest(b, accelerator, ray, std::max(0.0, t_min), t_max, tally);
   }
   RC_ASSERT(tally.differ <= 1);
+}
+
+RC_GTEST_PROP(Accelerator, TheClosestPartIsThatOfTheClosestHit, ()) {
+  Random random(*rc::gen::arbitrary<unsigned>());
+  const SceneBuilder b = random_scene(random);
+  const Accelerator accelerator(b.scene, b.assets);
+  const std::vector<Part>& root = accelerator.parts().groups[accelerator.parts().root].parts;
+  for (int i = 0; i < 200; ++i) {
+    const Ray ray = random_ray(random, between(random, 0, 8));
+    Hit whole;
+    Hit part;
+    const bool found = accelerator.closest(ray, 0, infinity, whole);
+    RC_ASSERT(accelerator.closest_part(ray, 0, infinity, part) == found);
+    if (!found) {
+      continue;
+    }
+    RC_ASSERT(part.t == whole.t && part.face == whole.face && part.part == whole.part);
+    const bool of_root = std::any_of(root.begin(), root.end(), [&](const Part& p) {
+      return &p == whole.part && p.kind == PartKind::shape;
+    });
+    RC_ASSERT(of_root || part.object_point == whole.object_point);
+  }
 }
 
 RC_GTEST_PROP(Accelerator, MeshesMayCountByTheirOwnDistance, ()) {

@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/memory.h"
 #include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
@@ -57,6 +58,17 @@ Outcome write_in_one(const Options& options, const RenderResult& result, Context
 }
 
 }  // namespace
+
+Image canvas(int width, int height) {
+  Image image;
+  image.width = width;
+  image.height = height;
+  const std::size_t count = std::size_t{3} * width * height;
+  image.rgb.reserve(count);
+  ask_for_large_pages(image.rgb.data(), count * sizeof(float));
+  image.rgb.resize(count);
+  return image;
+}
 
 std::vector<std::string> picture_files(const Options& options) {
   std::vector<std::string> files{options.output};

@@ -11,6 +11,10 @@ namespace scenefile::app {
 /// Their names: the output, and for a PNG one of each layer, x.png giving x.depth.png.
 std::vector<std::string> picture_files(const Options& options);
 
+/// A black image, in large pages: to give out one in small pages takes the system as long as
+/// tracing a twentieth of a simple picture.
+Image canvas(int width, int height);
+
 /// Writes them all.
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
 

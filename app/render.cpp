@@ -27,6 +27,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+PixelRegion drawn_region(const RenderOptions& options) {
+  return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
+}
+
 // What would make the work useless, found before it starts.
 ExitCode check_target(const Options& options) {
   if (same_file(options.output, options.arguments.front())) {
@@ -83,9 +87,10 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
       bar.update(done);
       return DeferredSignals::pending() == 0;
     };
+    const PixelRegion drawn = drawn_region(report.options);
     const auto trace = [&](auto&& ready) {
       return render(std::forward<decltype(ready)>(ready), scene.assets, report.options, progress,
-                    checkpoints, preview_of(options));
+                    checkpoints, preview_of(options), canvas(drawn.width(), drawn.height()));
     };
     result = options.json ? trace(std::as_const(scene.ready.scene))
                           : trace(std::move(scene.ready.scene));
@@ -115,11 +120,10 @@ std::string work_text(const RenderReport& report) {
 }
 
 std::string summary_text(const RenderReport& report) {
+  const PixelRegion drawn = drawn_region(report.options);
   return fmt::format("{}: {}x{}, {:.2f} s, {}\n",
-                     report.output == "-" ? "<stdout>" : escaped(report.output),
-                     report.options.crop ? report.options.crop->width() : report.options.width,
-                     report.options.crop ? report.options.crop->height() : report.options.height,
-                     report.seconds, work_text(report));
+                     report.output == "-" ? "<stdout>" : escaped(report.output), drawn.width(),
+                     drawn.height(), report.seconds, work_text(report));
 }
 
 }  // namespace

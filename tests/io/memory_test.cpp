@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace scenefile {
 
@@ -42,6 +44,16 @@ TEST(MemoryLimit, TextThatIsNoMembershipSetsNone) {
 TEST(MemoryLimit, TheDefaultIsWhatAMachineHas) {
   EXPECT_GT(default_memory_limit(), std::uint64_t{1} << 26);
   EXPECT_LT(default_memory_limit(), std::uint64_t{1} << 50);
+}
+
+TEST(LargePages, AreMemoryLikeAnyOther) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1000}, std::size_t{8} << 20}) {
+    std::vector<char> bytes;
+    bytes.reserve(count);
+    ask_for_large_pages(bytes.data(), bytes.capacity());
+    bytes.resize(count);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), 0)), count);
+  }
 }
 
 TEST(MemoryInUse, IsThatOfThisProcess) {

@@ -65,6 +65,20 @@ TEST(Render, ASceneThatIsUsedUpLooksTheSameAndGivesItsMemoryBack) {
   }
 }
 
+TEST(Render, ACanvasOfAnySizeChangesNoPixel) {
+  const SceneBuilder b = busy_scene();
+  RenderOptions options = default_options(Profile::course);
+  options.width = 93;
+  options.height = 71;
+  for (const auto& [width, height] : {std::pair(93, 71), std::pair(71, 93), std::pair(1, 1)}) {
+    Image canvas(width, height);
+    const float* const memory = canvas.rgb.data();
+    const Image drawn = render(b.scene, b.assets, options, {}, {}, {}, std::move(canvas)).image;
+    EXPECT_EQ(drawn.rgb, b.picture(93, 71, options).rgb);
+    EXPECT_EQ(drawn.rgb.data() == memory, width == 93);
+  }
+}
+
 // Progress, states and previews are taken while other threads write; made for ThreadSanitizer.
 TEST(Render, WatchersDisturbNoNumberOfThreads) {
   const SceneBuilder b = busy_scene();

@@ -1,6 +1,7 @@
 #pragma once
 // How much memory the process may use.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ std::uint64_t memory_in_use();
 
 /// Gives memory that was freed back to the system, where the C library keeps it for later.
 void return_free_memory();
+
+/// Asks the system for pages of 2 MB for a range of memory that nothing has been written to yet,
+/// as far as it has room for whole ones. Where it gives them, first use costs a third.
+void ask_for_large_pages(void* begin, std::size_t bytes);
 
 /// The least limit that the control groups in `membership` (the text of /proc/self/cgroup) and
 /// their parents set, read from files below `root` (/sys/fs/cgroup); UINT64_MAX: none.

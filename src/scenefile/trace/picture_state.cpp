@@ -1,10 +1,8 @@
 #include "scenefile/trace/picture_state.h"
 
-#include <sys/mman.h>
-
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace scenefile {
 
@@ -21,33 +19,11 @@ struct Head {
 
 constexpr std::size_t color_bytes = 3 * sizeof(float);
 
-// Asks the system for pages of 2 MB where a range has room for them. To give out a picture in
-// small pages takes it as long as tracing a twentieth of a simple one.
-void ask_for_large_pages(void* begin, std::size_t bytes) {
-  constexpr std::uintptr_t large = std::uintptr_t{1} << 21;
-  const auto start = reinterpret_cast<std::uintptr_t>(begin);
-  const std::uintptr_t first = (start + large - 1) / large * large;
-  const std::uintptr_t last = (start + bytes) / large * large;
-  if (first < last) {
-    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-  }
-}
-
-Image black_image(int width, int height) {
-  Image image;
-  image.width = width;
-  image.height = height;
-  const std::size_t count = std::size_t{3} * width * height;
-  image.rgb.reserve(count);
-  ask_for_large_pages(image.rgb.data(), count * sizeof(float));
-  image.rgb.resize(count);
-  return image;
-}
-
 }  // namespace
 
-PictureState::PictureState(int width, int height, bool two_passes)
-    : image(black_image(width, height)),
+PictureState::PictureState(int width, int height, bool two_passes, Image canvas)
+    : image(canvas.width == width && canvas.height == height ? std::move(canvas)
+                                                             : Image(width, height)),
       pieces(width, height),
       marked(two_passes ? std::size_t(width) * height : 0) {}
 

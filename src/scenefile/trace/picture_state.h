@@ -15,8 +15,9 @@ namespace scenefile {
 /// again. Threads write pixels of pieces that are not done; bytes() reads others alone, so it may
 /// be called at any time during a pass.
 struct PictureState {
-  /// `two_passes`: room for marks.
-  PictureState(int width, int height, bool two_passes);
+  /// `two_passes`: room for marks. `canvas`: a black image of this size, or any other to be left
+  /// alone.
+  PictureState(int width, int height, bool two_passes, Image canvas = {});
 
   /// All that restore() needs, in a form of this build.
   std::string bytes() const;

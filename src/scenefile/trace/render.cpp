@@ -341,7 +341,7 @@ class Renderer {
 RenderResult render_scene(const RenderScene& scene, std::vector<RenderGroup>* spare,
                           const Assets& assets, const RenderOptions& options,
                           const Progress& progress, const Checkpoints& checkpoints,
-                          const Preview& preview) {
+                          const Preview& preview, Image canvas) {
   RenderResult result;
   const ThreadLimit limit(options.threads);
   const Clock::time_point start = Clock::now();
@@ -353,7 +353,8 @@ RenderResult render_scene(const RenderScene& scene, std::vector<RenderGroup>* sp
   result.status = tracer.status();
   const PixelRegion crop = crop_of(tracer.options);
   const PixelRegion region = region_of(tracer.options);
-  PictureState picture(region.width(), region.height(), has_two_passes(tracer.options));
+  PictureState picture(region.width(), region.height(), has_two_passes(tracer.options),
+                       std::move(canvas));
   if (!checkpoints.resume.empty() && !picture.restore(checkpoints.resume)) {
     result.status = RenderStatus::not_resumed;
   }
@@ -381,14 +382,16 @@ RenderResult render_scene(const RenderScene& scene, std::vector<RenderGroup>* sp
 
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress, const Checkpoints& checkpoints,
-                    const Preview& preview) {
-  return render_scene(scene, nullptr, assets, options, progress, checkpoints, preview);
+                    const Preview& preview, Image canvas) {
+  return render_scene(scene, nullptr, assets, options, progress, checkpoints, preview,
+                      std::move(canvas));
 }
 
 RenderResult render(RenderScene&& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress, const Checkpoints& checkpoints,
-                    const Preview& preview) {
-  return render_scene(scene, &scene.groups, assets, options, progress, checkpoints, preview);
+                    const Preview& preview, Image canvas) {
+  return render_scene(scene, &scene.groups, assets, options, progress, checkpoints, preview,
+                      std::move(canvas));
 }
 
 }  // namespace scenefile

@@ -144,14 +144,15 @@ struct Preview {
 /// Renders. The picture is a function of scene, assets and options alone: any number of threads
 /// gives the same bytes, whether the work was resumed or not (statistics are of this run alone).
 /// `assets` must have been loaded for this scene. Work that is resumed has neither layers nor noise
-/// taken away.
+/// taken away. `canvas`: a black image in which to draw the picture, if it has the same size; for
+/// those who know cheaper memory than the allocator does (io/memory.h).
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress = {}, const Checkpoints& checkpoints = {},
-                    const Preview& preview = {});
+                    const Preview& preview = {}, Image canvas = {});
 /// The same, for one who needs the scene no more: what only finding hits needed is given back
 /// before the first ray, 64 bytes a primitive.
 RenderResult render(RenderScene&& scene, const Assets& assets, const RenderOptions& options,
                     const Progress& progress = {}, const Checkpoints& checkpoints = {},
-                    const Preview& preview = {});
+                    const Preview& preview = {}, Image canvas = {});
 
 }  // namespace scenefile

@@ -8,6 +8,7 @@
 #include "scenefile/scene/check.h"
 
 #include <cstdlib>
+#include <utility>
 
 namespace scenefile::app {
 
@@ -30,7 +31,9 @@ void load_files(LoadedScene& scene, const Options& options, bool textures, bool 
   Hash hash;
   const FetchFile fetch = [&](const std::string& name) {
     FileContents contents;
-    contents.error = roots.read(name, contents.bytes).text;
+    IoError error = roots.read(name, contents.bytes);
+    contents.error = std::move(error.text);
+    contents.over_limit = error.over_limit;
     hash.add(name);
     hash.add(contents.bytes);
     return contents;

@@ -131,6 +131,23 @@ TEST(HostileImage, PngTextsAreNotUnpacked) {
   EXPECT_LT(cpu_seconds() - start, 1);
 }
 
+// A PNG of 4 x 4 gray pixels, with so many bytes behind them in the compressed data.
+std::string png_with_surplus(std::size_t surplus) {
+  const std::string pixels(4 * 5 + surplus, '\0');
+  uLongf size = compressBound(pixels.size());
+  std::string packed(size, '\0');
+  EXPECT_EQ(compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                      reinterpret_cast<const Bytef*>(pixels.data()), pixels.size(), 0),
+            Z_OK);
+  return png_header(4, 4, 8, 0) + test::png_chunk("IDAT", packed.substr(0, size)) +
+         test::png_chunk("IEND", "");
+}
+
+TEST(HostileImage, PngDataBehindTheLastPixelIsNotUnpacked) {
+  EXPECT_EQ(decode(png_with_surplus(1000)).error, "");
+  EXPECT_THAT(decode(png_with_surplus(200'000)).error, HasSubstr("far more data than pixels"));
+}
+
 TEST(HostileImage, JpegThatLiesAboutItsSize) {
   std::string bytes = fixture("rgb.jpg");
   const std::size_t frame = bytes.find("\xff\xc0");

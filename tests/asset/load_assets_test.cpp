@@ -44,6 +44,16 @@ TEST(LoadAssets, WithoutAWayToOpenFilesAllAreMissing) {
   EXPECT_EQ(diagnostics.count(Severity::error), 1U);
 }
 
+TEST(LoadAssets, AFileLargerThanAllowedIsALimit) {
+  const FetchFile fetch = [](const std::string&) { return FileContents{"", "larger", true}; };
+  Diagnostics diagnostics;
+  load_assets(std::vector<FileReference>{{"a.png", {1, 2}}},
+              std::vector<FileReference>{{"m.obj", {3, 4}}}, fetch, {}, diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 2u);
+  EXPECT_EQ(diagnostics.list()[0].code, &texture_limit);
+  EXPECT_EQ(diagnostics.list()[1].code, &mesh_limit);
+}
+
 TEST(LoadAssets, EachFileOnceAtItsIndex) {
   Folder folder;
   folder.files = {{"a.png", test::fixture("rgb.png")},

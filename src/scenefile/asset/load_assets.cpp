@@ -85,7 +85,7 @@ class TextureLoader {
 
   void report(const Waiting& one) {
     if (!one.contents.error.empty()) {
-      warn(texture_missing, one.file, one.contents.error);
+      warn(one.contents.over_limit ? texture_limit : texture_missing, one.file, one.contents.error);
     } else if (!one.error.empty()) {
       warn(one.over_limit ? texture_limit : texture_undecodable, one.file,
            "cannot decode: " + one.error);
@@ -120,7 +120,7 @@ class MeshLoader {
   Mesh load(const FileReference& file) {
     const FileContents contents = fetch_(file.name);
     if (!contents.error.empty()) {
-      report(mesh_missing, file, contents.error);
+      report(contents.over_limit ? mesh_limit : mesh_missing, file, contents.error);
       return {};
     }
     Diagnostics findings(options_.limits);

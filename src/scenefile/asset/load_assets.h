@@ -25,7 +25,8 @@ struct Assets {
 /// The bytes of a file, or why there are none.
 struct FileContents {
   std::string bytes;
-  std::string error;  ///< empty: the bytes are the file
+  std::string error;        ///< empty: the bytes are the file
+  bool over_limit = false;  ///< the error is that the file is larger than allowed
 };
 
 /// Fetches a file by its name as written in the scene. How names are resolved, and what may be

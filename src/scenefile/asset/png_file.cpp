@@ -44,15 +44,26 @@ extern "C" void png_failed(png_structp png, png_const_charp text) {
 
 extern "C" void png_warned(png_structp, png_const_charp) {}
 
+constexpr png_uint_32 idat = 0x49444154;
+
 struct Source {
   const char* at;
   std::size_t left;
+  // The library unpacks what follows the last pixel, a thousand times its size, to throw it away.
+  bool ending = false;    // the last rows are being read
+  std::size_t ample = 0;  // bytes of IDAT for them, and more
 };
 
 extern "C" void png_fetch(png_structp png, png_bytep to, png_size_t count) {
   auto* source = static_cast<Source*>(png_get_io_ptr(png));
   if (count > source->left) {
     png_error(png, ends_early.data());
+  }
+  if (source->ending && png_get_io_chunk_type(png) == idat) {
+    if (count > source->ample) {
+      png_error(png, "it holds far more data than pixels");
+    }
+    source->ample -= count;
   }
   std::memcpy(to, source->at, count);
   source->at += count;
@@ -131,11 +142,15 @@ int convert_samples(png_structp png, png_infop info, bool indexed) {
 // Rows are added as they come, unless they come several times. The memory has been reserved.
 void read_rows(png_structp png, int passes, std::size_t row, int height,
                std::vector<std::uint8_t>& bytes) {
+  auto* source = static_cast<Source*>(png_get_io_ptr(png));
+  source->ample = 8 * row + (1 << 16);
   if (passes > 1) {
     bytes.resize(row * static_cast<std::size_t>(height));
   }
   for (int pass = 0; pass < passes; ++pass) {
     for (int y = 0; y < height; ++y) {
+      // The last pass over an odd number of rows has none of the last; one over few may be empty.
+      source->ending = (pass == passes - 1 || height <= 4) && y >= height - 2;
       if (passes == 1) {
         bytes.resize(row * static_cast<std::size_t>(y + 1));
       }

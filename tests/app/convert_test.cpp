@@ -63,6 +63,21 @@ TEST_F(Convert, StandardStreamsNeedAFormat) {
   EXPECT_THAT(none.err, HasSubstr("does not say the format"));
 }
 
+// Each of the transforms takes a group of its own in JSON, inside the one before.
+TEST_F(Convert, ManyTransformsCostNoMoreThanTheyAre) {
+  std::string moves;
+  for (int i = 0; i < 50'000; ++i) {
+    moves += "<translate x=\"1\" y=\"0\" z=\"0\"/>";
+  }
+  std::string scene = good_scene;
+  scene.insert(scene.find("<transblock>") + 12, moves);
+  const std::string xml = folder.write("a.xml", scene);
+  const ProgramRun run =
+      run_program({"convert", xml, folder.path("a.json"), "--max-memory", "500M"});
+  EXPECT_EQ(run.status, 4);
+  EXPECT_THAT(run.err, HasSubstr("nested deeper than the limit of 1024 levels"));
+}
+
 TEST_F(Convert, BrokenScenesWriteNothing) {
   const std::string bad = folder.write("bad.xml", scene_with(R"(<diffuse r="red" g="0" b="0"/>)"));
   const std::string out = folder.write("out.json", "as it was");

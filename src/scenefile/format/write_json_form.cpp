@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace scenefile {
@@ -16,16 +17,18 @@ bool stands_at_origin(const Light& light) {
   return light.position == glm::vec3(0);
 }
 
-// How many of the first transforms one group can say: each kind once, in the fixed order. A matrix
-// stands alone, because some programs refuse it beside others.
-std::size_t count_sayable(const std::vector<Transform>& transforms) {
+// The transforms that one group can say, from the first: each kind once, in the fixed order. A
+// matrix stands alone, because some programs refuse it beside others.
+std::span<const Transform> take_sayable(std::span<const Transform>& transforms) {
   std::size_t count = 0;
   while (count < transforms.size() &&
          (count == 0 || (transforms[count - 1].map.index() < transforms[count].map.index() &&
                          !std::holds_alternative<Matrix>(transforms[count].map)))) {
     ++count;
   }
-  return count;
+  const std::span<const Transform> sayable = transforms.first(count);
+  transforms = transforms.subspan(count);
+  return sayable;
 }
 
 class JsonForm {
@@ -135,21 +138,17 @@ class JsonForm {
 
   // What one group cannot say goes into a group inside it, as often as needed.
   void split_transforms(NodeId id) {
-    bool split = false;
+    const std::vector<Transform> all = std::exchange(scene_.nodes[id].transforms, {});
+    std::span<const Transform> rest = all;
     while (true) {
-      const std::size_t first = count_sayable(scene_.nodes[id].transforms);
-      if (first == scene_.nodes[id].transforms.size()) {
+      const std::span<const Transform> sayable = take_sayable(rest);
+      scene_.nodes[id].transforms.assign(sayable.begin(), sayable.end());
+      if (rest.empty()) {
         break;
       }
-      split = true;
-      const NodeId inner = push_down(scene_, id, false);
-      std::vector<Transform>& outer = scene_.nodes[id].transforms;
-      scene_.nodes[inner].transforms.assign(outer.begin() + static_cast<std::ptrdiff_t>(first),
-                                            outer.end());
-      outer.resize(first);
-      id = inner;
+      id = push_down(scene_, id, false);
     }
-    splits_ += split ? 1 : 0;
+    splits_ += scene_.nodes[id].transforms.size() == all.size() ? 0 : 1;
   }
 
   // A group with the name of a template would be an instance of it.

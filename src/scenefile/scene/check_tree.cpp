@@ -16,7 +16,8 @@ namespace {
 
 constexpr double lights_of_the_format = 8;
 // Suggestions compare with every name; this keeps a file of many wrong names linear.
-constexpr std::size_t most_suggestions = 1000;
+constexpr std::size_t most_suggestions = 100;
+constexpr std::size_t most_names = 1000;
 constexpr std::size_t most_loop_names = 8;
 
 Subject subject_of(const Scene& scene, NodeId id) {
@@ -48,7 +49,7 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
 std::vector<std::string_view> some_names(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const NodeId id : scene.templates) {
-    if (names.size() < most_suggestions && id < scene.nodes.size()) {
+    if (names.size() < most_names && id < scene.nodes.size()) {
       names.push_back(scene.nodes[id].name);
     }
   }

@@ -5,11 +5,13 @@
 #include "scenefile/io/temporary.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <utility>
 
 namespace scenefile {
@@ -28,6 +30,38 @@ TEST(HandleSignals, EndsWithTheStatusOfTheSignal) {
         },
         ::testing::ExitedWithCode(status), "");
   }
+}
+
+TEST(HandleSignals, TimeIsUpThoughTheStarterHeldTheSignalBack) {
+  EXPECT_EXIT(
+      {
+        sigset_t alarm;
+        sigemptyset(&alarm);
+        sigaddset(&alarm, SIGALRM);
+        ::sigprocmask(SIG_BLOCK, &alarm, nullptr);
+        handle_signals();
+        end_after(0.01, "gave up");
+        ::sleep(10);
+      },
+      ::testing::ExitedWithCode(4), "gave up");
+}
+
+void allow_cpu_seconds(rlim_t seconds) {
+  rlimit limit{};
+  limit.rlim_cur = seconds;
+  limit.rlim_max = seconds;
+  ::setrlimit(RLIMIT_CPU, &limit);
+}
+
+TEST(HandleSignals, HearsOfTheLimitOfCpuTimeBeforeItKills) {
+  EXPECT_EXIT(
+      {
+        allow_cpu_seconds(2);
+        handle_signals();
+        while (std::clock() >= 0) {
+        }
+      },
+      ::testing::ExitedWithCode(4), "no more CPU time");
 }
 
 TEST(HandleSignals, RemovesTheTemporaryOfAWrite) {

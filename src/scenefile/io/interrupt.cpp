@@ -2,6 +2,7 @@
 
 #include "scenefile/io/temporary.h"
 
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <initializer_list>
 #include <string_view>
 
 namespace scenefile {
@@ -79,6 +81,26 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+// Where the system kills at its limit of CPU time without a word before, this asks for a word.
+void ask_for_warning() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur == limit.rlim_max &&
+      limit.rlim_max != RLIM_INFINITY && limit.rlim_max > 1) {
+    --limit.rlim_cur;
+    ::setrlimit(RLIMIT_CPU, &limit);
+  }
+}
+
+// Who starts this program may have kept back signals that it sends to itself.
+void let_through(std::initializer_list<int> signals) {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : signals) {
+    sigaddset(&set, signal);
+  }
+  ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
+}
+
 }  // namespace
 
 void handle_signals() {
@@ -90,6 +112,8 @@ void handle_signals() {
   }
   handle(SIGALRM, end_by_timer);
   handle(SIGXCPU, end_by_cpu_limit);
+  let_through({SIGALRM, SIGXCPU});
+  ask_for_warning();
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -33,7 +33,8 @@ LoadedPicture load_picture(const std::string& path, Context& context) {
 
 bool is_picture_file(const std::string& path) {
   std::string bytes;
-  return path != "-" && read_file(path, Limits{}.file_bytes, bytes).empty() && is_image(bytes);
+  return path != "-" && !path.starts_with("/dev/") && !path.starts_with("/proc/") &&
+         read_file(path, Limits{}.file_bytes, bytes).empty() && is_image(bytes);
 }
 
 std::string png_of(const Texture& picture, std::string& error) {

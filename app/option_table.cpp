@@ -188,7 +188,9 @@ std::string set_timeout(Options& options, const std::string& value) {
 
 std::string set_checkpoint(Options& options, const std::string& value) {
   options.checkpoint = value;
-  return value.empty() ? "the name is empty" : "";
+  return value.empty()  ? "the name is empty"
+         : value == "-" ? "it takes a file, which - is not"
+                        : "";
 }
 
 std::string set_layers(Options& options, const std::string& value) {

@@ -177,6 +177,10 @@ std::string check_window(const Options& options) {
              : std::string();
 }
 
+bool is_standard_output(std::string_view name) {
+  return name == "-" || name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1";
+}
+
 // What the options of render cannot see alone.
 std::string check_render(const Options& options) {
   if (options.engine == Engine::gl) {
@@ -195,6 +199,9 @@ std::string check_render(const Options& options) {
   if (!options.checkpoint.empty() && (options.denoise || !options.layers.empty())) {
     return fmt::format("a render with --checkpoint cannot have {}",
                        options.denoise ? "--denoise" : "--aov");
+  }
+  if (options.json && is_standard_output(options.output)) {
+    return "the picture and --json cannot both go to standard output";
   }
   ImageFormat format{};
   const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;

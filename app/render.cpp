@@ -19,7 +19,9 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -31,30 +33,42 @@ PixelRegion drawn_region(const RenderOptions& options) {
   return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
 }
 
+struct Target {
+  std::string_view role;
+  std::string path;
+};
+
+std::vector<Target> targets_of(const Options& options) {
+  std::vector<Target> targets;
+  for (std::string& file : picture_files(options)) {
+    targets.push_back({targets.empty() ? "output" : "layer", std::move(file)});
+  }
+  if (!options.checkpoint.empty()) {
+    targets.push_back({"checkpoint", options.checkpoint});
+  }
+  // A preview may lie where the picture will be.
+  if (!options.preview.empty() && !same_file(options.preview, options.output)) {
+    targets.push_back({"preview", options.preview});
+  }
+  return targets;
+}
+
 // What would make the work useless, found before it starts.
-ExitCode check_target(const Options& options) {
-  if (same_file(options.output, options.arguments.front())) {
-    say_error("the output would replace the scene");
-    return ExitCode::usage;
-  }
-  if (!options.checkpoint.empty() &&
-      (options.checkpoint == options.output || same_file(options.checkpoint, options.output) ||
-       same_file(options.checkpoint, options.arguments.front()))) {
-    say_error("the checkpoint would replace the scene or the output");
-    return ExitCode::usage;
-  }
-  if (!options.preview.empty() && (options.preview == options.checkpoint ||
-                                   same_file(options.preview, options.arguments.front()))) {
-    say_error("the preview would replace the scene or the checkpoint");
-    return ExitCode::usage;
-  }
-  std::vector<std::string> targets = picture_files(options);
-  targets.insert(targets.end(), {options.checkpoint, options.preview});
-  for (const std::string& path : targets) {
-    if (const IoError error = path.empty() ? IoError() : check_writable(path); !error.empty()) {
+ExitCode check_targets(const Options& options) {
+  std::vector<Target> files{{"scene", options.arguments.front()}};
+  for (Target& target : targets_of(options)) {
+    const auto same = std::find_if(files.begin(), files.end(), [&](const Target& other) {
+      return same_file(target.path, other.path);
+    });
+    if (same != files.end()) {
+      say_error(fmt::format("the {} would replace the {}", target.role, same->role));
+      return ExitCode::usage;
+    }
+    if (const IoError error = check_writable(target.path); !error.empty()) {
       say_error(error.text);
       return ExitCode::environment;
     }
+    files.push_back(std::move(target));
   }
   return ExitCode::fine;
 }
@@ -130,7 +144,7 @@ std::string summary_text(const RenderReport& report) {
 
 ExitCode run_render(const Options& options, Context& context) {
   const Clock::time_point start = Clock::now();
-  if (const ExitCode status = check_target(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
     return status;
   }
   RenderReport report;

@@ -5,6 +5,8 @@
 #include "scenefile/io/interrupt.h"
 #include "scenefile/scene/codes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 
@@ -70,8 +72,13 @@ Outcome judge(RenderStatus status, const Context& context) {
       return {ExitCode::limit,
               "copies of templates lie deeper inside each other than can be traced"};
     case RenderStatus::failed:
-      return {context.max_memory == 0 ? ExitCode::environment : ExitCode::limit,
-              "out of memory while building the acceleration structure"};
+      if (context.max_memory != 0) {
+        return {ExitCode::limit,
+                fmt::format("more memory than --max-memory {} is needed for building the "
+                            "acceleration structure",
+                            context.max_memory)};
+      }
+      return {ExitCode::environment, "out of memory while building the acceleration structure"};
   }
   return {};
 }

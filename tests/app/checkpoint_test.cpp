@@ -73,6 +73,21 @@ TEST_F(CheckpointTest, AnInterruptedRenderGoesOn) {
   EXPECT_THAT(folder_.list(), ElementsAre("ck", "s.xml"));
 }
 
+TEST_F(CheckpointTest, TakesNoFileOfAnother) {
+  const auto words = [](const std::string& checkpoint) {
+    return std::vector<std::string>{"render", "s.xml",        "-o",       "out.png",   "--size",
+                                    "8x8",    "--checkpoint", checkpoint, "--preview", "./ck.png"};
+  };
+  for (const std::string name : {"out.png", "./out.png", "s.xml", "ck.png", "-"}) {
+    const ProgramRun refused = run(words(name));
+    EXPECT_EQ(refused.status, 2) << name;
+    EXPECT_EQ(refused.out, "");
+    EXPECT_THAT(folder_.list(), ElementsAre("s.xml"));
+  }
+  EXPECT_EQ(run(words("ck")).status, 0);
+  EXPECT_THAT(folder_.list(), ElementsAre("ck.png", "out.png", "s.xml"));
+}
+
 TEST_F(CheckpointTest, GoesAwayWithTheEndOfTheWork) {
   const std::vector<std::string> words{"render", "s.xml", "-o",           "out.png",
                                        "--size", "8x8",   "--checkpoint", "ck"};

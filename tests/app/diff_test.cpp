@@ -21,6 +21,8 @@ TEST_F(DiffScenes, EqualScenesHaveNoDifference) {
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out, a + " and <stdin>: no difference\n");
   EXPECT_EQ(run_program({"diff", "--quiet", a, a}).out, "");
+  const ProgramRun piped = run_program({"diff", a, "/dev/stdin"}, {.input = good_scene});
+  EXPECT_EQ(piped.status, 0) << piped.err;
 }
 
 TEST_F(DiffScenes, ADifferenceHasAPlaceInBoth) {

@@ -45,6 +45,12 @@ TEST(Usage, TakesFilesWithADashInFrontAfterTwoDashes) {
   is_misuse({"check", "--nosuch", "--", "a.xml"}, "check has no option --nosuch");
 }
 
+TEST(Usage, GivesOneAnswerOnStandardOutput) {
+  is_misuse({"render", "a.xml", "-o", "-", "--json"}, "cannot both go to standard output");
+  is_misuse({"render", "a.xml", "-o", "/dev/stdout", "--json"},
+            "cannot both go to standard output");
+}
+
 TEST(Usage, JudgesValues) {
   const auto render = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};

@@ -114,6 +114,12 @@ TEST(SameFile, SeesThroughSpelling) {
   EXPECT_TRUE(same_file(folder.path("a"), folder.path("link")));
   EXPECT_FALSE(same_file(folder.path("a"), folder.path("b")));
   EXPECT_FALSE(same_file(folder.path("a"), folder.path("none")));
+  EXPECT_TRUE(same_file(folder.path("none"), folder.path("./none")));
+  EXPECT_FALSE(same_file(folder.path("none"), folder.path("other")));
+  EXPECT_FALSE(same_file(folder.path("no/none"), folder.path("no/none")));
+  ASSERT_EQ(::symlink("none", folder.path("to_none").c_str()), 0);
+  EXPECT_TRUE(same_file(folder.path("none"), folder.path("to_none")));
+  EXPECT_FALSE(same_file("-", "-"));
 }
 
 }  // namespace

@@ -95,6 +95,12 @@ IoError judge(const std::string& path, const struct stat& status, std::uint64_t 
   return {};
 }
 
+// Some files of the kernel look regular, and have nothing to read until something happens.
+bool is_regular(int fd) {
+  struct stat status {};
+  return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 }  // namespace
 
 Descriptor open_regular(const std::string& path, bool follow, std::uint64_t max_bytes,
@@ -139,7 +145,7 @@ IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uin
     }
     if (got > 0) {
       used += static_cast<std::size_t>(got);
-    } else if (errno == EAGAIN) {
+    } else if (errno == EAGAIN && !is_regular(fd)) {
       pollfd wait{fd, POLLIN, 0};
       ::poll(&wait, 1, -1);
     } else if (errno != EINTR) {

@@ -44,6 +44,14 @@ std::string follow_links(std::string path) {
   return path;
 }
 
+// Where a file of this name is or would be, the same however it is written; empty: nowhere.
+std::string place_of(const std::string& path) {
+  const std::filesystem::path target = follow_links(path);
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(folder_of(target.string()), error);
+  return error ? std::string() : (folder / target.filename()).string();
+}
+
 IoError find_target(const std::string& path, Target& target) {
   target.path = follow_links(path);
   target.folder = folder_of(target.path);
@@ -201,8 +209,15 @@ IoError write_file(const std::string& path, const std::string& bytes) {
 }
 
 bool same_file(const std::string& a, const std::string& b) {
+  if (own_descriptor(a, STDIN_FILENO) >= 0 || own_descriptor(b, STDIN_FILENO) >= 0) {
+    return false;
+  }
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) && !error;
+  if (std::filesystem::equivalent(a, b, error) && !error) {
+    return true;
+  }
+  const std::string place = place_of(a);
+  return !place.empty() && place == place_of(b);
 }
 
 }  // namespace scenefile

@@ -128,6 +128,12 @@ class Grader {
       result.reasons = {"there is no picture of that name"};
       return result;
     }
+    // It would lead to the reference, or to the work of another student.
+    if (std::error_code error; fs::is_symlink(found->second, error)) {
+      result.verdict = Verdict::unreadable;
+      result.reasons = {"a symbolic link is handed in, not a picture"};
+      return result;
+    }
     const LoadedPicture picture = load_picture(found->second, context_);
     if (!picture.error.empty()) {
       result.verdict = Verdict::unreadable;

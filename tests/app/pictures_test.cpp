@@ -142,6 +142,17 @@ TEST_F(Grade, AClass) {
   EXPECT_STREQ(document["students"][1]["pictures"][0]["causes"][0]["cause"].GetString(), "ambient");
 }
 
+TEST_F(Grade, ALinkIsNoPicture) {
+  for (const char* name : {"references", "class", "class/eve"}) {
+    std::filesystem::create_directory(folder.path(name));
+  }
+  folder.write("references/ball.png", folder.read("right.png"));
+  std::filesystem::create_symlink("../../references/ball.png", folder.path("class/eve/ball.png"));
+  const ProgramRun run = in_folder({"grade", "class", "--references", "references"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, HasSubstr("ball: unreadable: a symbolic link is handed in"));
+}
+
 TEST_F(Grade, OneStudentWhoPasses) {
   for (const char* name : {"references", "mine"}) {
     std::filesystem::create_directory(folder.path(name));

@@ -48,6 +48,12 @@ TEST(Gradebook, Text) {
             "2 students: 2 pictures passed, 1 differ, 1 missing, 0 unreadable\n");
 }
 
+TEST(Gradebook, NoNameMakesALine) {
+  EXPECT_EQ(gradebook_text({{{"eve\nanna  1 of 1 passed", {}}}}),
+            "eve\\nanna  1 of 1 passed  0 of 0 passed\n"
+            "1 student: 0 pictures passed, 0 differ, 0 missing, 0 unreadable\n");
+}
+
 TEST(Gradebook, HtmlStandsAloneAndEscapes) {
   const std::string html = gradebook_html(two_students(), "Ray <1>");
   EXPECT_THAT(html, AllOf(HasSubstr("<title>Ray &lt;1&gt;</title>"), HasSubstr("ben &amp; co"),

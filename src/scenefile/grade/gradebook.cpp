@@ -1,5 +1,7 @@
 #include "scenefile/grade/gradebook.h"
 
+#include "scenefile/base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,15 +56,15 @@ bool Gradebook::all_passed() const {
 std::string gradebook_text(const Gradebook& book) {
   std::size_t width = 0;
   for (const StudentResult& student : book.students) {
-    width = std::max(width, student.name.size());
+    width = std::max(width, escaped(student.name).size());
   }
   std::string text;
   for (const StudentResult& student : book.students) {
-    text += fmt::format("{:<{}}  {} of {} passed\n", student.name, width, student.passed(),
+    text += fmt::format("{:<{}}  {} of {} passed\n", escaped(student.name), width, student.passed(),
                         student.pictures.size());
     for (const PictureResult& picture : student.pictures) {
       if (picture.verdict != Verdict::passed) {
-        text += fmt::format("    {}: {}: {}\n", picture.name, name_of(picture.verdict),
+        text += fmt::format("    {}: {}: {}\n", escaped(picture.name), name_of(picture.verdict),
                             reasons_text(picture));
       }
     }

@@ -4,9 +4,14 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 
 namespace scenefile {
 namespace {
+
+TEST(ImageSize, BeyondAllMemoryIsLackOfMemory) {
+  EXPECT_THROW(Image(1 << 30, 1 << 30), std::bad_alloc);
+}
 
 TEST(Quantize, TruncatesOrRounds) {
   EXPECT_EQ(quantize(0.5f, Rounding::truncate), 127);

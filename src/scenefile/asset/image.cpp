@@ -1,8 +1,25 @@
 #include "scenefile/asset/image.h"
 
 #include <algorithm>
+#include <new>
 
 namespace scenefile {
+
+namespace {
+
+// More than a vector can ever hold is no mistake of another kind than more than there is.
+std::size_t value_count(int width, int height) {
+  const std::size_t count =
+      std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (count > std::vector<float>().max_size()) {
+    throw std::bad_alloc();
+  }
+  return count;
+}
+
+}  // namespace
+
+Image::Image(int w, int h) : width(w), height(h), rgb(value_count(w, h)) {}
 
 std::uint8_t quantize(float value, Rounding rounding) {
   std::uint8_t quantized = 0;

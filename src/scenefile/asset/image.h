@@ -15,7 +15,8 @@ struct Image {
   std::vector<float> rgb;  ///< 3 * width * height
 
   Image() = default;
-  Image(int w, int h) : width(w), height(h), rgb(std::size_t{3} * w * h) {}
+  /// Black. std::bad_alloc where there is no room for it.
+  Image(int w, int h);
   float* pixel(int x, int y) {
     return rgb.data() + (std::size_t{3} * width * y + 3 * std::size_t(x));
   }

@@ -30,6 +30,12 @@ struct Accelerator::Impl {
     return q.found && !q.overwhelmed;
   }
 
+  bool closest(Query& q, const Ray& ray, double t_min, double t_max) const {
+    q.t_min = t_min;
+    q.best = t_max;
+    return search(q, ray);
+  }
+
   void fill(const Query& q, const Ray& ray, Hit& hit) const {
     const Part& part = *q.part;
     hit.t = q.best;
@@ -68,9 +74,7 @@ AcceleratorStatus Accelerator::status() const {
 
 bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) const {
   Query q;
-  q.t_min = t_min;
-  q.best = t_max;
-  if (!impl_->search(q, ray)) {
+  if (!impl_->closest(q, ray, t_min, t_max)) {
     return false;
   }
   impl_->fill(q, ray, hit);
@@ -79,9 +83,7 @@ bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) 
 
 bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const {
   Query q;
-  q.t_min = t_min;
-  q.best = t_max;
-  if (!impl_->search(q, ray)) {
+  if (!impl_->closest(q, ray, t_min, t_max)) {
     return false;
   }
   if (q.found_depth == 0 && q.part->kind == PartKind::shape) {
@@ -97,10 +99,8 @@ bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& 
 std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
                                                              double t_max) const {
   Query q;
-  q.t_min = t_min;
-  q.best = t_max;
   std::vector<std::uint32_t> names;
-  if (impl_->options.instances == Instances::unnamed || !impl_->search(q, ray)) {
+  if (impl_->options.instances == Instances::unnamed || !impl_->closest(q, ray, t_min, t_max)) {
     return names;
   }
   std::uint32_t index = impl_->parts.root;

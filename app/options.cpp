@@ -5,6 +5,7 @@
 #include "app/option_table.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
+#include "scenefile/io/file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -175,10 +176,6 @@ std::string check_window(const Options& options) {
   return options.frames != 1 && options.screenshot.empty()
              ? "--frames is for --screenshot: say where the picture goes"
              : std::string();
-}
-
-bool is_standard_output(std::string_view name) {
-  return name == "-" || name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1";
 }
 
 // What the options of render cannot see alone.

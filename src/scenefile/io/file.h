@@ -29,6 +29,9 @@ IoError check_writable(const std::string& path);
 /// device or pipe is written directly.
 IoError write_file(const std::string& path, const std::string& bytes);
 
+/// Whether write_file() would write to standard output.
+bool is_standard_output(const std::string& path);
+
 /// Whether both paths lead to one file, or would if it existed. Standard input and output are none.
 bool same_file(const std::string& a, const std::string& b);
 

@@ -208,6 +208,10 @@ IoError write_file(const std::string& path, const std::string& bytes) {
   return replace(path, target, bytes);
 }
 
+bool is_standard_output(const std::string& path) {
+  return own_descriptor(path, STDOUT_FILENO) == STDOUT_FILENO;
+}
+
 bool same_file(const std::string& a, const std::string& b) {
   if (own_descriptor(a, STDIN_FILENO) >= 0 || own_descriptor(b, STDIN_FILENO) >= 0) {
     return false;

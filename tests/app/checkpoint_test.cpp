@@ -40,8 +40,8 @@ constexpr const char* slow_scene = R"(<scenefile>
 
 // A render that takes far longer than the tests wait.
 std::vector<std::string> long_render(const std::string& seed = "0") {
-  return {"render",    "s.xml", "-o",     "out.png", "--size",       "800x600",
-          "--samples", "256",   "--seed", seed,      "--checkpoint", "ck"};
+  return {"render", "s.xml",     "-o",  "out.png", "--size", "1600x1200",    "--threads",
+          "1",      "--samples", "256", "--seed",  seed,     "--checkpoint", "ck"};
 }
 
 // How long it runs. Under a sanitizer the grace after a signal may be over before the state is

@@ -1,4 +1,5 @@
 #include "app/diff.h"
+#include "app/findings.h"
 #include "app/json.h"
 #include "app/judgement.h"
 #include "app/load_picture.h"
@@ -50,7 +51,9 @@ std::string verdict_text(const Judgement& judgement) {
   return text.empty() ? "the same within the thresholds\n" : text + causes_text(judgement);
 }
 
-std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Judgement* judgement) {
+// `scene`: of --scene, or null. `judgement`: null when something cannot be used.
+std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
+                      const Judgement* judgement) {
   Json json;
   begin_document(json, "diff");
   for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
@@ -63,6 +66,10 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Judg
       json.add("error", loaded->error);
     }
     json.end_object();
+  }
+  if (scene != nullptr) {
+    json.key("scene");
+    json.raw(scene_json(*scene));
   }
   if (judgement != nullptr) {
     add_judgement(json, *judgement);
@@ -106,15 +113,11 @@ ExitCode check_targets(const Options& options) {
   return ExitCode::fine;
 }
 
-Judgement judge_pictures(const Texture& a, const Texture& b, const Options& options,
-                         Context& context) {
-  std::optional<LoadedScene> scene;
-  if (!options.scene.empty()) {
-    scene = load_scene_of_pictures(options.scene, options, context);
-  }
+Judgement judge_pictures(const Texture& a, const Texture& b, const LoadedScene* scene,
+                         const Options& options, Context& context) {
   context.phase = "comparing the pictures";
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  return judge(a, b, scene ? &*scene : nullptr, options, [&](double done) {
+  return judge(a, b, scene, options, [&](double done) {
     bar.update(done);
     return true;
   });
@@ -134,11 +137,19 @@ ExitCode diff_images(const Options& options, Context& context) {
         say_error(loaded->error);
       }
     }
-    return options.json ? worse(status, answer(json_text(a, b, nullptr))) : status;
+    return options.json ? worse(status, answer(json_text(a, b, nullptr, nullptr))) : status;
   }
-  const Judgement judgement = judge_pictures(a.picture, b.picture, options, context);
+  std::optional<LoadedScene> scene;
+  if (!options.scene.empty()) {
+    scene = load_scene_of_pictures(options.scene, options, context);
+    if (const ExitCode status = status_of(*scene); status != ExitCode::fine) {
+      return options.json ? worse(status, answer(json_text(a, b, &*scene, nullptr))) : status;
+    }
+  }
+  const LoadedScene* const shown = scene ? &*scene : nullptr;
+  const Judgement judgement = judge_pictures(a.picture, b.picture, shown, options, context);
   // What is said is ready before something is written, so that nothing can fail afterwards.
-  const std::string text = options.json ? json_text(a, b, &judgement)
+  const std::string text = options.json ? json_text(a, b, shown, &judgement)
                            : options.quiet
                                ? std::string()
                                : heading(a, b) + "\n" +

@@ -85,7 +85,10 @@ std::string causes_text(const Judgement& judgement) {
   } else if (report.claims.empty() && judgement.measures.same_size) {
     text += report.share_different < 0.001
                 ? "cause: none known; they differ by edges and rounding alone\n"
-                : "cause: none that is known explains the difference\n";
+            : judgement.scene_used
+                ? "cause: none that is known explains the difference\n"
+                : "cause: none that shows in the pictures alone; most causes are looked for only "
+                  "with --scene SCENE, the scene of the pictures\n";
   }
   return text;
 }

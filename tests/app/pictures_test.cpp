@@ -68,6 +68,32 @@ TEST_F(DiffImages, TheSceneTellsTheCause) {
   EXPECT_EQ(run.err, "");
 }
 
+TEST_F(DiffImages, ASceneThatCannotBeUsedIsNotPassedOver) {
+  for (const std::string second : {"right.png", "wrong.png"}) {
+    const ProgramRun run = in_folder({"diff", "right.png", second, "--scene", "none.xml"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_THAT(run.err, HasSubstr("none.xml: cannot open"));
+    EXPECT_EQ(run.out, "");
+  }
+  folder.write("broken.xml", "<scenefile>");
+  const ProgramRun broken = in_folder({"diff", "right.png", "right.png", "--scene", "broken.xml"});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_THAT(broken.err, HasSubstr("broken.xml:1:12: error: "));
+  EXPECT_EQ(broken.out, "");
+  const ProgramRun json =
+      in_folder({"diff", "--json", "right.png", "right.png", "--scene", "none.xml"});
+  EXPECT_EQ(json.status, 3);
+  EXPECT_THAT(parse_json(json.out)["scene"]["error"].GetString(),
+              HasSubstr("none.xml: cannot open"));
+}
+
+TEST_F(DiffImages, WithoutASceneSaysThatOneHelps) {
+  const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
+  EXPECT_THAT(alone.out, HasSubstr("looked for only with --scene SCENE"));
+  const ProgramRun with = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  EXPECT_THAT(with.out, Not(HasSubstr("--scene SCENE")));
+}
+
 TEST_F(DiffImages, ThresholdsDecide) {
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "5"}).status, 0);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--min-psnr", "60"}).status, 1);

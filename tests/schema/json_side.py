@@ -16,16 +16,24 @@ LIMITS = (-1, 0, 0.0009, 0.001, 1, 1.001, 5, 5.001, 16, 16.01, 100, 100.1, 179.9
           10001)
 
 
-def missing_validator():
-    return None if jsonschema else "the Python package jsonschema is not installed"
+def validators():
+    """Those that are installed, by name."""
+    return {"jsonschema": refused_by_jsonschema} if jsonschema else {}
+
+
+WANTED = "the Python package jsonschema (package python3-jsonschema)"
 
 
 def no_constant(name):
     raise ValueError(f"{name} is not JSON")
 
 
-def refusals(paths):
+def refusals(paths, validate):
     """The first complaint about each file that is refused."""
+    return validate(paths)
+
+
+def refused_by_jsonschema(paths):
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
     jsonschema.Draft7Validator.check_schema(schema)
     validator = jsonschema.Draft7Validator(schema)
@@ -40,6 +48,11 @@ def refusals(paths):
         if error is not None:
             result[path] = f"{error.json_path}: {error.message[:80]}"
     return result
+
+
+def without_stricter(_):
+    """The schema refuses nothing on purpose that the reader accepts."""
+    return None
 
 
 def variants(data):

@@ -21,7 +21,8 @@ def main():
         named = [f for f in map(pathlib.Path, sys.argv[1:]) if f in files]
         variants = make_variants(xml_side, named, pathlib.Path(folder))
         tried = [str(f) for f in [*files, *variants]]
-        by_rng, by_xsd = xml_side.refusals(tried), xml_side.xsd_refusals(tried)
+        by_rng = xml_side.refusals(tried, xml_side.xmllint)
+        by_xsd = xml_side.xsd_refusals(tried)
         accepted = [f for f in tried if f not in by_rng]
         refused = [f for f in accepted if f in by_xsd]
         for path in refused:

@@ -4,7 +4,9 @@
 #include "app/load.h"
 #include "app/output.h"
 #include "app/sarif.h"
+#include "app/scene_files.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace {
 // Where the findings of one scene after the other go.
 class Report {
  public:
-  explicit Report(const Options& options) : options_(options) {}
+  Report(const Options& options, std::size_t scenes) : options_(options), scenes_(scenes) {}
 
   // Not fine when nothing more can be said.
   ExitCode add(const LoadedScene& scene) {
@@ -38,7 +40,7 @@ class Report {
     if (options_.sarif) {
       return answer(sarif_.text(status));
     }
-    const bool wanted = options_.arguments.size() > 1 && !options_.quiet;
+    const bool wanted = scenes_ > 1 && !options_.quiet;
     return wanted ? answer(tally_.text()) : ExitCode::fine;
   }
 
@@ -54,6 +56,7 @@ class Report {
   }
 
   const Options& options_;
+  std::size_t scenes_;
   Tally tally_;
   std::vector<std::string> json_;
   SarifLog sarif_;
@@ -64,9 +67,16 @@ class Report {
 ExitCode run_check(const Options& options, Context& context) {
   const LoadDepth depth = options.assets ? LoadDepth::with_all_assets : LoadDepth::prepared;
   ExitCode status = ExitCode::fine;
-  Report report(options);
-  for (const std::string& path : options.arguments) {
-    LoadedScene scene = load_scene(path, options, depth, options.allow_missing, context);
+  const std::vector<SceneFile> files = scene_files(options, context);
+  Report report(options, files.size());
+  for (const SceneFile& file : files) {
+    LoadedScene scene;
+    if (file.unreadable.empty()) {
+      scene = load_scene(file.path, options, depth, options.allow_missing, context);
+    } else {
+      scene.path = file.path;
+      scene.unreadable = file.unreadable;
+    }
     if (scene.unreadable.empty()) {
       context.phase = "checking the picture";
       check_picture(scene, {});

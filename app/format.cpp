@@ -3,6 +3,7 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/scene_files.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/io/file.h"
@@ -20,11 +21,13 @@ struct Formatted {
   IoError unwritable = {};
 };
 
-Formatted lay_out_file(const std::string& path, const Limits& limits, Context& context) {
+Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& context) {
   Formatted result;
-  result.file.path = path;
+  result.file.path = file.path;
   context.phase = "reading the file";
-  result.file.unreadable = read_file(path, limits.file_bytes, result.file.text);
+  result.file.unreadable = file.unreadable.empty()
+                               ? read_file(file.path, limits.file_bytes, result.file.text)
+                               : file.unreadable;
   if (result.file.unreadable.empty()) {
     context.phase = "laying out the file";
     result.text = lay_out(result.file.text, limits, result.file.diagnostics);
@@ -68,8 +71,8 @@ ExitCode run_format(const Options& options, Context& context) {
   ExitCode status = ExitCode::fine;
   std::vector<FormatReport> reports;
   std::string would_change;
-  for (const std::string& path : options.arguments) {
-    Formatted result = lay_out_file(path, options.limits, context);
+  for (const SceneFile& file : scene_files(options, context)) {
+    Formatted result = lay_out_file(file, options.limits, context);
     write(result, options, context);
     status = worse(status, status_of(result, options));
     if (options.json) {
@@ -77,7 +80,7 @@ ExitCode run_format(const Options& options, Context& context) {
     } else if (!options.check || !result.text.has_value()) {
       report(result, options);
     } else if (result.changed) {
-      would_change += escaped(shown_name(path), 4096) + "\n";
+      would_change += escaped(shown_name(file.path), 4096) + "\n";
     }
   }
   if (options.json) {

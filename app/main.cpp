@@ -34,8 +34,10 @@ constexpr std::array table{
             run_render},
     Command{"check", for_check, "SCENE...", "report every mistake, with its place",
             "Reads each scene with its textures and meshes and reports everything that is wrong "
-            "or doubtful. The exit status is 0 when there are no errors.",
+            "or doubtful. A folder stands for the scenes in it and in the folders below. The exit "
+            "status is 0 when there are no errors.",
             "scenefile check *.xml\n"
+            "scenefile check handed-in/\n"
             "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"
             "scenefile check --compat course old.xml\n"
             "scenefile check --no-assets --json - < scene.json\n"
@@ -80,9 +82,11 @@ constexpr std::array table{
     Command{"format", for_format, "FILE...", "lay out scene files, in place",
             "Writes each file again with one element or member a line. Comments, values, their "
             "order and spelling, and the encoding stay as they are; broken files are reported and "
-            "left alone. A file is replaced whole or not at all. With -, standard input is "
-            "written to standard output.",
+            "left alone. A file is replaced whole or not at all. A folder stands for the scenes in "
+            "it and in the folders below; other XML and JSON files are not touched. With -, "
+            "standard input is written to standard output.",
             "scenefile format chess.xml\n"
+            "scenefile format scenes/\n"
             "scenefile format --check *.xml *.json\n"
             "scenefile format - < chess.xml",
             run_format, one_or_more},

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace scenefile {
 
 namespace {
@@ -73,6 +76,36 @@ TEST_F(Check, WhatCannotBeReadIsStatusThree) {
     EXPECT_THAT(run.err, HasSubstr(path));
     EXPECT_EQ(run.out, "");
   }
+}
+
+TEST_F(Check, AFolderStandsForTheScenesInIt) {
+  for (const char* name : {"class/b10.xml", "class/b9.xml", "class/anna/x.json",
+                           "class/.hidden/y.xml", "class/__MACOSX/z.xml", "class/notes.txt"}) {
+    folder.write(name, good_scene);
+  }
+  folder.write("class/anna/x.json", R"({"groups": []})");
+  folder.write("class/results.xml", "<testsuites/>");
+  folder.write("class/ben/bad.xml", "<scenefile>");
+  const ProgramRun run = run_program({"check", "class"}, {.folder = folder.path()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "class: left out one file that is not a scene: class/results.xml\n");
+  std::vector<std::size_t> places;
+  for (const char* line : {"class/b9.xml: fine\n", "class/b10.xml: fine\n",
+                           "class/anna/x.json: ", "class/ben/bad.xml: 1 error\n", "\n4 scenes: "}) {
+    places.push_back(run.out.find(line));
+    EXPECT_NE(places.back(), std::string::npos) << line << run.out;
+  }
+  EXPECT_TRUE(std::is_sorted(places.begin(), places.end())) << run.out;
+  const ProgramRun json = run_program({"check", "--json", "class"}, {.folder = folder.path()});
+  EXPECT_EQ(parse_json(json.out)["scenes"].Size(), 4U);
+  EXPECT_EQ(json.err, "");
+}
+
+TEST_F(Check, AFolderWithoutScenesCannotBeRead) {
+  folder.write("class/notes.txt");
+  const ProgramRun run = run_program({"check", "class"}, {.folder = folder.path()});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_THAT(run.err, HasSubstr("class: there is no scene in this folder"));
 }
 
 TEST_F(Check, LimitsAreStatusFour) {

@@ -67,6 +67,33 @@ TEST_F(Format, BrokenFilesAreLeftAlone) {
   EXPECT_EQ(run_program({"format", folder.path("none.xml")}).status, 3);
 }
 
+TEST_F(Format, OfAFolderOnlyTheScenesAreTouched) {
+  const std::string package = R"({"name":"tool","version":"1"})";
+  const std::string results = "<testsuites><testsuite/></testsuites>";
+  folder.write("in/a.xml", untidy);
+  folder.write("in/deep/b.json", "{\"groups\":[]}");
+  folder.write("in/package.json", package);
+  folder.write("in/results.xml", results);
+  folder.write("in/.hidden.xml", untidy);
+  folder.write("in/mesh.obj", untidy);
+  const auto in_folder = [&](const std::vector<std::string>& words) {
+    return run_program(words, {.folder = folder.path()});
+  };
+  const ProgramRun check = in_folder({"format", "--check", "in"});
+  EXPECT_EQ(check.status, 1);
+  EXPECT_EQ(check.out, "in/a.xml\nin/deep/b.json\n");
+  const ProgramRun run = in_folder({"format", "in/"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("in/a.xml: formatted\nin/deep/b.json: formatted\n"),
+                             HasSubstr("left out 2 files that are not scenes")));
+  EXPECT_EQ(folder.read("in/a.xml"), tidy);
+  EXPECT_EQ(folder.read("in/package.json"), package);
+  EXPECT_EQ(folder.read("in/results.xml"), results);
+  EXPECT_EQ(folder.read("in/.hidden.xml"), untidy);
+  EXPECT_EQ(folder.read("in/mesh.obj"), untidy);
+  EXPECT_EQ(in_folder({"format", "--check", "-q", "in"}).status, 0);
+}
+
 TEST_F(Format, StandardInputGoesToStandardOutput) {
   for (const std::string& text : {untidy, tidy}) {
     const ProgramRun run = run_program({"format", "-"}, {.input = text});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 
 namespace scenefile {
 
@@ -34,6 +35,38 @@ TEST(Folder, ListsFilesAlone) {
   EXPECT_TRUE(files_in(folder.path("none")).empty());
   EXPECT_TRUE(is_folder(folder.path("a")));
   EXPECT_FALSE(is_folder(folder.path("b")));
+}
+
+TEST(Folder, FilesBelowAreInNaturalOrder) {
+  const TempFolder folder;
+  for (const char* name : {"b10", "b9", "Z/1", "a/2", "a/10", ".git/c", "a/.d", "__MACOSX/a/2"}) {
+    folder.write(name);
+  }
+  std::filesystem::create_directory_symlink("..", folder.path("a/up"));
+  std::filesystem::create_symlink("../b9", folder.path("a/link"));
+  std::vector<IoError> errors;
+  const std::string at = folder.path() + "/";
+  EXPECT_EQ(
+      files_below(folder.path(), errors),
+      (std::vector{at + "b9", at + "b10", at + "a/2", at + "a/10", at + "a/link", at + "Z/1"}));
+  EXPECT_TRUE(errors.empty());
+}
+
+TEST(Folder, WhatCannotBeListedIsReported) {
+  const TempFolder folder;
+  std::vector<IoError> errors;
+  EXPECT_TRUE(files_below(folder.path("none"), errors).empty());
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_NE(errors[0].text.find("none: cannot list the folder: "), std::string::npos);
+}
+
+TEST(Folder, NamesAreInTheOrderOfPeople) {
+  for (const auto& [first, second] :
+       {std::pair("a9", "a10"), {"a09b", "a10"}, {"A1", "b1"}, {"a", "a1"}, {"B", "a1"}}) {
+    EXPECT_EQ(natural_less(first, second), std::string(first) != "B") << first << second;
+    EXPECT_EQ(natural_less(second, first), std::string(first) == "B") << first << second;
+  }
+  EXPECT_FALSE(natural_less("same", "same"));
 }
 
 TEST(Folder, PartsOfPaths) {

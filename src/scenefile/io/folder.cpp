@@ -1,13 +1,68 @@
 #include "scenefile/io/folder.h"
 
+#include "scenefile/base/text.h"
+#include "scenefile/io/descriptor.h"
+
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace scenefile {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// The digits at the start without leading zeros; takes them away.
+std::string_view take_digits(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+  std::string_view digits = text.substr(0, end);
+  text.remove_prefix(end);
+  digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+  return digits;
+}
+
+bool is_left_out(const std::string& name) {
+  return name.starts_with('.') || name == "__MACOSX";
+}
+
+// What a folder holds, in natural order; whole paths.
+struct Listing {
+  std::vector<std::string> files;
+  std::vector<std::string> folders;
+  std::error_code error;
+};
+
+Listing list(const std::string& folder) {
+  Listing listing;
+  const fs::path prefix = folder == "." ? fs::path() : fs::path(folder);
+  for (fs::directory_iterator i(folder, listing.error), end; !listing.error && i != end;
+       i.increment(listing.error)) {
+    const std::string name = i->path().filename().string();
+    std::error_code unknown;
+    if (is_left_out(name)) {
+      continue;
+    }
+    if (i->is_directory(unknown) && !i->is_symlink(unknown)) {
+      listing.folders.push_back((prefix / name).string());
+    } else if (i->is_regular_file(unknown)) {
+      listing.files.push_back((prefix / name).string());
+    }
+  }
+  std::sort(listing.files.begin(), listing.files.end(), natural_less);
+  std::sort(listing.folders.begin(), listing.folders.end(), natural_less);
+  return listing;
+}
+
+}  // namespace
 
 FileStamp stamp_of(const std::string& path) {
   struct stat status {};
@@ -49,6 +104,44 @@ std::vector<std::string> files_in(const std::string& folder, std::size_t most) {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+bool natural_less(const std::string& first, const std::string& second) {
+  const std::string a_text = lower_case(first);
+  const std::string b_text = lower_case(second);
+  std::string_view a = a_text;
+  std::string_view b = b_text;
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view x = take_digits(a);
+      const std::string_view y = take_digits(b);
+      if (x != y) {
+        return x.size() != y.size() ? x.size() < y.size() : x < y;
+      }
+    } else if (a.front() != b.front()) {
+      return a.front() < b.front();
+    } else {
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  return a.empty() != b.empty() ? a.empty() : first < second;
+}
+
+std::vector<std::string> files_below(const std::string& folder, std::vector<IoError>& errors) {
+  std::vector<std::string> files;
+  std::vector<std::string> waiting{folder};
+  while (!waiting.empty()) {
+    const std::string next = std::move(waiting.back());
+    waiting.pop_back();
+    const Listing listing = list(next);
+    if (listing.error) {
+      errors.push_back(io_error(next, "cannot list the folder: " + listing.error.message()));
+    }
+    files.insert(files.end(), listing.files.begin(), listing.files.end());
+    waiting.insert(waiting.end(), listing.folders.rbegin(), listing.folders.rend());
+  }
+  return files;
 }
 
 IoError make_folder(const std::string& path) {

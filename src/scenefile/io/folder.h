@@ -33,6 +33,16 @@ std::string file_name_of(const std::string& path);
 /// where it cannot be read.
 std::vector<std::string> files_in(const std::string& folder, std::size_t most = 10000);
 
+/// Whether a name comes before another in the order of people: numbers by their value, letters
+/// without regard to case.
+bool natural_less(const std::string& first, const std::string& second);
+
+/// Regular files in a folder and in all folders below it, links to files followed, links to folders
+/// not: whole paths, a folder's files before its folders, both in natural order. Left out, with all
+/// below them: names with a dot in front, and __MACOSX, which macOS puts into ZIP archives. What
+/// cannot be listed goes to `errors`.
+std::vector<std::string> files_below(const std::string& folder, std::vector<IoError>& errors);
+
 /// Makes the folder and those above it that are missing, for the user alone.
 IoError make_folder(const std::string& path);
 

@@ -6,9 +6,6 @@
 
 namespace scenefile::viewer {
 
-/// Whether the name ends as those of scenes do: .xml or .json, in any case.
-bool is_scene_name(const std::string& name);
-
 /// The scenes of a folder in the order of people: numbers in names by their value, without regard
 /// to case. Whole paths.
 std::vector<std::string> scenes_in(const std::string& folder);

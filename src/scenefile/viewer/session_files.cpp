@@ -2,6 +2,7 @@
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/trace/bounds.h"

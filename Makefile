@@ -181,8 +181,11 @@ bench: bench-build ## CPU time and memory of renders and their parts, against PO
 	@$(BUILD)/bench/scenefile_bench_kernels --benchmark_out=out/kernels.json --benchmark_out_format=json
 
 .PHONY: docs
-docs: build ## write docs/diagnostics.md anew, from the codes of the program
+docs: build ## build the documentation site: out/site/index.html
+	@scripts/install-deps docs
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
+	@mkdocs build --quiet
+	@echo "The site is in out/site."
 
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)

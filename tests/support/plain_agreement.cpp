@@ -1,12 +1,8 @@
 #include "support/plain_agreement.h"
 
-#include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_plain.h"
 #include "scenefile/format/xml_reader.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace scenefile::testing {
 
@@ -37,10 +33,6 @@ class Log : public XmlHandler {
   const TextCursor& places_;
 };
 
-bool same_item(const JsonItem& a, const JsonItem& b) {
-  return a.offset == b.offset && a.extent == b.extent;
-}
-
 }  // namespace
 
 Told plain_events(std::string_view text, const Limits& limits) {
@@ -61,19 +53,6 @@ bool agrees_with_expat(std::string_view text, const Limits& limits) {
   const bool whole = read_events(text, limits, places, log, diagnostics);
   return whole == (told.end == PlainEnd::complete) && log.said == told.said &&
          diagnostics.list().empty();
-}
-
-bool agrees_with_rapidjson(std::string_view text, std::uint32_t max_depth) {
-  JsonTape own;
-  if (!read_plain_json(text, max_depth, own)) {
-    return true;
-  }
-  JsonTape tape;
-  if (parse_json(text, max_depth, tape).fault != JsonFault::none) {
-    return false;
-  }
-  return own.text == tape.text && std::equal(own.items.begin(), own.items.end(), tape.items.begin(),
-                                             tape.items.end(), same_item);
 }
 
 }  // namespace scenefile::testing

@@ -1,10 +1,9 @@
 #pragma once
-// The readers of plain text against the parsers that they stand in for.
+// Compares the scanner of plain XML with Expat, which it stands in for.
 
 #include "scenefile/base/limits.h"
 #include "scenefile/format/xml_plain.h"
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -19,8 +18,5 @@ Told plain_events(std::string_view text, const Limits& limits);
 
 /// Whether Expat says the same of the text, with the same places, or has to be asked.
 bool agrees_with_expat(std::string_view text, const Limits& limits);
-
-/// Whether RapidJSON makes the same tape of the text, or has to be asked.
-bool agrees_with_rapidjson(std::string_view text, std::uint32_t max_depth = 100);
 
 }  // namespace scenefile::testing

@@ -243,19 +243,15 @@ std::string JsonTape::string(JsonIndex item) const {
   return decoded(text.substr(items[item].offset, items[item].extent));
 }
 
-void begin_tape(std::string_view text, JsonTape& tape) {
-  tape.text = text;
-  tape.items.clear();
-  // Not even compact scenes have shorter items. What stays unused is never touched.
-  constexpr std::size_t bytes_of_an_item = 5;
-  tape.items.reserve(text.size() / bytes_of_an_item + 16);
-}
-
 JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& tape) {
   constexpr unsigned flags = rapidjson::kParseIterativeFlag | rapidjson::kParseInsituFlag |
                              rapidjson::kParseNumbersAsStringsFlag |
                              rapidjson::kParseValidateEncodingFlag;
-  begin_tape(text, tape);
+  tape.text = text;
+  tape.items.clear();
+  // Items are rarely shorter, even in compact scenes. Room that stays unused is never touched.
+  constexpr std::size_t bytes_of_an_item = 5;
+  tape.items.reserve(text.size() / bytes_of_an_item + 16);
   TextStream stream(text);
   TapeWriter writer(tape, stream, max_depth);
   const rapidjson::ParseResult result = Reader().Parse<flags>(stream, writer);

@@ -69,9 +69,6 @@ struct JsonError {
   std::vector<std::size_t> open;  ///< offsets of the containers that were open, outermost first
 };
 
-/// An empty tape for the items of `text`, with room for them.
-void begin_tape(std::string_view text, JsonTape& tape);
-
 /// Reads strict JSON (RFC 8259) into the tape, which keeps a view of `text`. The text is at most
 /// 4 GiB. `max_depth` bounds arrays and objects inside each other.
 JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& tape);

@@ -6,7 +6,6 @@
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_parts.h"
-#include "scenefile/format/json_plain.h"
 #include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/large_scene.h"
@@ -333,10 +332,7 @@ Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& 
   }
   JsonTape tape;
   RepairedJson repaired;
-  JsonError error;
-  if (!read_plain_json(text, options.limits.nesting, tape)) {
-    error = parse_json(text, options.limits.nesting, tape);
-  }
+  JsonError error = parse_json(text, options.limits.nesting, tape);
   if (error.fault != JsonFault::none && options.compat_course) {
     repaired = repair_json_numbers(text, diagnostics);
     error = parse_json(repaired.text, options.limits.nesting, tape);

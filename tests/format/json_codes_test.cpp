@@ -1,7 +1,6 @@
 // Each code of the JSON reader has a file that gives it and a near miss that does not.
 
-#include "scenefile/format/json_codes.h"
-
+#include "format/codes_of.h"
 #include "scenefile/format/read_scene.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +27,7 @@ bool gives(const Diagnostics& diagnostics, const Code& code) {
 }
 
 TEST(JsonCodes, EachIsGivenByItsFixture) {
-  for (const Code* code : json_codes()) {
+  for (const Code* code : codes_of("json.")) {
     const std::string text = fixture(*code, ".json");
     Diagnostics diagnostics;
     read_scene(text, {}, diagnostics);
@@ -43,7 +42,7 @@ TEST(JsonCodes, EachIsGivenByItsFixture) {
 }
 
 TEST(JsonCodes, NoneIsGivenByItsNearMiss) {
-  for (const Code* code : json_codes()) {
+  for (const Code* code : codes_of("json.")) {
     Diagnostics diagnostics;
     read_scene(fixture(*code, ".ok.json"), {}, diagnostics);
     EXPECT_TRUE(diagnostics.list().empty())
@@ -51,12 +50,10 @@ TEST(JsonCodes, NoneIsGivenByItsNearMiss) {
   }
 }
 
-TEST(JsonCodes, AreSortedAndExplained) {
-  const auto codes = json_codes();
-  EXPECT_TRUE(std::is_sorted(codes.begin(), codes.end(),
-                             [](const Code* a, const Code* b) { return a->name < b->name; }));
+TEST(JsonCodes, AreExplained) {
+  const auto codes = codes_of("json.");
+  EXPECT_GE(codes.size(), 30u);
   for (const Code* code : codes) {
-    EXPECT_TRUE(code->name.starts_with("json.")) << code->name;
     EXPECT_FALSE(code->summary.empty()) << code->name;
     EXPECT_GT(code->help.size(), 40u) << code->name;
   }

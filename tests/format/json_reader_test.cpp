@@ -112,7 +112,7 @@ TEST(JsonReader, TransformsHaveAFixedOrder) {
   EXPECT_EQ(m[0], glm::vec4(1, 5, 9, 0));
   EXPECT_EQ(t[0].location, (Location{9, 5}));
   EXPECT_EQ(t[3].location, (Location{6, 5}));
-  EXPECT_EQ(r.count(json_matrix_order), 1u);
+  EXPECT_EQ(r.count(json_matrix_with_others), 1u);
 }
 
 TEST(JsonReader, PrimitivesWithAllKeys) {
@@ -255,7 +255,7 @@ TEST(JsonReader, ExtensionsAreNamedAndSkipped) {
       R"({"type": "cube", "velocity": {"deep": [1, {"x": 2}]}}, {"type": "movingCube"})");
   EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
   EXPECT_EQ(r.count(json_unknown_key), 1u);
-  EXPECT_EQ(r.count(json_primitive_type), 1u);
+  EXPECT_EQ(r.count(json_unknown_primitive_type), 1u);
   EXPECT_EQ(r.child(0).primitives.size(), 1u);
 }
 
@@ -348,7 +348,8 @@ TEST(JsonReader, VectorsOfTheFourDimensionalFork) {
                             R"({"rotate": [0, 0, 0, 0, 0, 0, 90]})"}) {
     EXPECT_EQ(read_group(group).count(json_four_dimensional), 1u) << group;
   }
-  EXPECT_EQ(read_primitive(R"({"type": "cube", "diffuse": [1, 1, 1, 1]})").count(json_length), 1u);
+  EXPECT_EQ(read_primitive(R"({"type": "cube", "diffuse": [1, 1, 1, 1]})").count(json_wrong_length),
+            1u);
 }
 
 TEST(JsonReader, RepeatsOfTheWrongTypeAreOne) {

@@ -174,7 +174,7 @@ TEST(JsonSyntax, NestingIsBounded) {
   options.limits.nesting = 3;
   Diagnostics fine;
   read_json("[[[]]]", options, fine);
-  EXPECT_EQ(fine.list().front().code, &json_type);
+  EXPECT_EQ(fine.list().front().code, &json_wrong_type);
   Diagnostics deep;
   read_json("[[[\n[]]]]", options, deep);
   ASSERT_EQ(deep.list().size(), 1u);

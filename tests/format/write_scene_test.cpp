@@ -2,6 +2,7 @@
 
 #include "scenefile/format/write_scene.h"
 
+#include "format/codes_of.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/format/write_codes.h"
 #include "scenefile/scene/check.h"
@@ -319,7 +320,7 @@ TEST(WriteScene, DeepScenesNeedNoStack) {
   scene.nodes[node].primitives.push_back(primitive(Shape::cube));
   for (const SceneFormat format : {SceneFormat::xml, SceneFormat::json}) {
     scene.nodes[node].primitives.resize(2);
-    EXPECT_TRUE(write(scene, format).gives(write_nesting));
+    EXPECT_TRUE(write(scene, format).gives(write_nesting_limit));
   }
 }
 
@@ -335,7 +336,7 @@ TEST(WriteScene, TheNestingLimitIsThatOfTheReader) {
       const Written written = write(scene, format, options.limits);
       Diagnostics diagnostics;
       read_scene(written.text, options, diagnostics);
-      EXPECT_EQ(written.gives(write_nesting), diagnostics.has_errors()) << depth;
+      EXPECT_EQ(written.gives(write_nesting_limit), diagnostics.has_errors()) << depth;
     }
   }
 }
@@ -456,8 +457,8 @@ std::vector<CodeCase> code_cases() {
       {write_scene_name, xml, [](Scene& s) { s.name = "desk"; }, [](Scene& s) { s.name = "root"; }},
       {write_area_light, json, area_under(move),
        [=](Scene& s) { add_light(s, 1, light(LightType::spot)); }},
-      {write_camera, json, [](Scene& s) { s.camera.reset(); }, [](Scene&) {}},
-      {write_nested, json,
+      {write_default_camera, json, [](Scene& s) { s.camera.reset(); }, [](Scene&) {}},
+      {write_transforms_nested, json,
        [=](Scene& s) {
          s.nodes[1].transforms = {grow, move};
        },
@@ -481,8 +482,8 @@ std::vector<CodeCase> code_cases() {
       {write_matrix_row, xml, matrix_with(2), matrix_with(1)},
       {write_character, xml, mesh_of("a\x01.obj"), mesh_of("a\t.obj")},
       {write_character, json, mesh_of("a\xff.obj"), mesh_of("a\x01.obj")},
-      {write_nesting, json, nested(600), nested(500)},
-      {write_nesting, xml, nested(600), nested(500)},
+      {write_nesting_limit, json, nested(600), nested(500)},
+      {write_nesting_limit, xml, nested(600), nested(500)},
   };
 }
 
@@ -497,7 +498,7 @@ TEST(WriteCodes, EachIsGivenAndNearlyGiven) {
     EXPECT_FALSE(write(scene, c.format).gives(c.code)) << c.code.name;
     given.push_back(&c.code);
   }
-  for (const Code* code : write_codes()) {
+  for (const Code* code : codes_of("write.")) {
     EXPECT_NE(std::find(given.begin(), given.end(), code), given.end()) << code->name;
   }
 }

@@ -143,7 +143,7 @@ void add_cases_of_camera(std::vector<Case>& cases) {
                      c.up = {0, 1e-30f, 0};
                    }),
                    "up"});
-  cases.push_back({&camera_up_parallel, camera([](Camera& c) {
+  cases.push_back({&camera_up_parallel_to_look, camera([](Camera& c) {
                      c.look = {0, -3, 0};
                    }),
                    camera([](Camera& c) {
@@ -180,7 +180,7 @@ void add_cases_of_camera(std::vector<Case>& cases) {
 void add_cases_of_lights(std::vector<Case>& cases) {
   using enum LightType;
   cases.push_back({&light_many, lights(9), lights(8), "9 lights"});
-  cases.push_back({&light_limit, lights(1025), lights(1024), "1024"});
+  cases.push_back({&light_count_limit, lights(1025), lights(1024), "1024"});
   cases.push_back({&light_duplicate_id,
                    [](Scene& s) {
                      lights(2)(s);
@@ -203,7 +203,7 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                            }),
                      "direction"});
   }
-  cases.push_back({&light_no_attenuation,
+  cases.push_back({&light_function_zero,
                    light(spot,
                          [](Light& l) {
                            l.attenuation = {0, 0, 0};
@@ -213,7 +213,7 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                            l.attenuation = {0, 0, 0};
                          }),
                    "function"});
-  cases.push_back({&light_attenuation_negative,
+  cases.push_back({&light_function_negative,
                    light(point,
                          [](Light& l) {
                            l.attenuation = {1, -1, 0};
@@ -266,9 +266,9 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                            l.color = {10, 10, 10};
                          }),
                    "color"});
-  cases.push_back({&light_spot_angle, light(spot, [](Light& l) { l.angle_deg.reset(); }),
+  cases.push_back({&light_spot_without_angle, light(spot, [](Light& l) { l.angle_deg.reset(); }),
                    light(point, [](Light& l) { l.angle_deg.reset(); }), "penumbra 5"});
-  cases.push_back({&light_spot_angle,
+  cases.push_back({&light_spot_without_angle,
                    light(spot,
                          [](Light& l) {
                            l.angle_deg.reset();
@@ -281,11 +281,11 @@ void add_cases_of_lights(std::vector<Case>& cases) {
                    light(point, [](Light& l) { l.angle_deg = 0.0f; }), "angle 0"});
   cases.push_back({&light_penumbra_negative, light(spot, [](Light& l) { l.penumbra_deg = -1; }),
                    light(spot, [](Light& l) { l.penumbra_deg = 0; }), "penumbra -1"});
-  cases.push_back({&light_penumbra_wide, light(spot, [](Light& l) { l.penumbra_deg = 31; }),
+  cases.push_back({&light_penumbra_over_angle, light(spot, [](Light& l) { l.penumbra_deg = 31; }),
                    light(spot, [](Light& l) { l.penumbra_deg = 30; }), "penumbra 31"});
-  cases.push_back({&light_area_size, light(area, [](Light& l) { l.width = 0; }),
+  cases.push_back({&light_area_without_size, light(area, [](Light& l) { l.width = 0; }),
                    light(point, [](Light& l) { l.width = 0; }), "width 0"});
-  cases.push_back({&light_area_size, light(area, [](Light& l) { l.height = -1; }),
+  cases.push_back({&light_area_without_size, light(area, [](Light& l) { l.height = -1; }),
                    light(area, [](Light& l) { l.height = 0.001f; }), "height -1"});
 }
 
@@ -302,16 +302,18 @@ void add_cases_of_transforms(std::vector<Case>& cases) {
                    placed({scale(1e20f, 1, 1)}), "scale 1e+30 1 1 is too large"});
   cases.push_back({&transform_degenerate, placed({scale(1, 1e-31f, 1)}), placed({scale(1, 0, 1)}),
                    "scale 1 1e-31 1 is too small"});
-  cases.push_back({&transform_projective, placed({matrix(last_row({1, 2, 3, 1}, {0, 0, 0}))}),
+  cases.push_back({&transform_matrix_projective,
+                   placed({matrix(last_row({1, 2, 3, 1}, {0, 0, 0}))}),
                    placed({matrix(last_row({0, 0, 0, 1}, {1, 2, 3}))}), "transposed"});
-  cases.push_back({&transform_projective, placed({matrix(last_row({0, 0, 0, 2}, {1, 2, 3}))}),
+  cases.push_back({&transform_matrix_projective,
+                   placed({matrix(last_row({0, 0, 0, 2}, {1, 2, 3}))}),
                    placed({matrix(glm::mat4(1))}), "0 0 0 2"});
   cases.push_back({&scene_not_finite, placed({translate(nan_value, 0, 0)}),
                    placed({translate(1e20f, 0, 0)}), "translate"});
 }
 
 void add_cases_of_materials(std::vector<Case>& cases) {
-  cases.push_back({&material_negative, material([](Material& m) {
+  cases.push_back({&material_color_negative, material([](Material& m) {
                      m.ambient = {-1, 0, 0};
                    }),
                    material([](Material& m) {
@@ -336,7 +338,7 @@ void add_cases_of_materials(std::vector<Case>& cases) {
                    material([](Material& m) { m.shininess = 0; }), "shininess -1"});
   cases.push_back({&material_shininess_huge, material([](Material& m) { m.shininess = 1e30f; }),
                    material([](Material& m) { m.shininess = 2048; }), "shininess"});
-  cases.push_back({&material_no_shininess, material([](Material& m) {
+  cases.push_back({&material_specular_without_shininess, material([](Material& m) {
                      m.specular = {1, 1, 1};
                    }),
                    material([](Material& m) {
@@ -346,23 +348,23 @@ void add_cases_of_materials(std::vector<Case>& cases) {
                    "specular"});
   cases.push_back({&material_ior_negative, material([](Material& m) { m.ior = -1.5f; }),
                    material([](Material& m) { m.ior = 0; }), "ior -1.5"});
-  cases.push_back({&material_ior_range, material([](Material& m) { m.ior = 1e10f; }),
+  cases.push_back({&material_ior_unusual, material([](Material& m) { m.ior = 1e10f; }),
                    material([](Material& m) { m.ior = 2.4f; }), "ior"});
-  cases.push_back({&material_ior_range, material([](Material& m) { m.ior = 0.01f; }),
+  cases.push_back({&material_ior_unusual, material([](Material& m) { m.ior = 0.01f; }),
                    material([](Material& m) { m.ior = 0.75f; }), "ior"});
   cases.push_back({&material_blend_range, texture([](TextureUse&) {}), {}, "blend"});
   cases.back().gives = [](Scene& s) { s.nodes[0].primitives[0].material.blend = 1.5f; };
   cases.back().near_miss = texture([](TextureUse&) {});
-  cases.push_back({&material_texture_unseen, material([](Material& m) {
+  cases.push_back({&material_texture_without_blend, material([](Material& m) {
                      m.texture = TextureUse{"a.png", 1, 1, {}};
                    }),
                    texture([](TextureUse&) {}), "a.png"});
-  cases.push_back({&material_blend_unused, material([](Material& m) { m.blend = 0.5f; }),
+  cases.push_back({&material_blend_without_texture, material([](Material& m) { m.blend = 0.5f; }),
                    texture([](TextureUse&) {}), "blend 0.5"});
-  cases.push_back({&material_texture_unnamed, texture([](TextureUse& t) { t.file.clear(); }),
+  cases.push_back({&material_texture_without_file, texture([](TextureUse& t) { t.file.clear(); }),
                    texture([](TextureUse&) {}), "file"});
-  cases.push_back({&material_texture_unnamed, material([](Material& m) { m.bump_map.emplace(); }),
-                   material([](Material& m) {
+  cases.push_back({&material_texture_without_file,
+                   material([](Material& m) { m.bump_map.emplace(); }), material([](Material& m) {
                      m.bump_map = TextureUse{"b.png", 1, 1, {}};
                    }),
                    "bumpmap"});
@@ -380,26 +382,27 @@ void add_cases_of_materials(std::vector<Case>& cases) {
       s.nodes[0].primitives[0].material.transparent = {1, 1, 1};
     };
   };
-  cases.push_back({&material_energy, glass(0.5f, 0.6f), glass(0.5f, 0.5f), "reflective 1 0 0"});
+  cases.push_back({&material_reflective_and_transparent, glass(0.5f, 0.6f), glass(0.5f, 0.5f),
+                   "reflective 1 0 0"});
 }
 
 void add_cases_of_trees(std::vector<Case>& cases) {
-  cases.push_back({&tree_mesh_unnamed,
+  cases.push_back({&tree_mesh_without_file,
                    [](Scene& s) { s.nodes[0].primitives[0].shape = Shape::mesh; },
                    [](Scene& s) {
                      s.nodes[0].primitives[0].shape = Shape::mesh;
                      s.nodes[0].primitives[0].mesh_file = "a.obj";
                    },
                    "mesh"});
-  cases.push_back({&tree_template_unnamed, [](Scene& s) { add_template(s, ""); },
+  cases.push_back({&tree_template_without_name, [](Scene& s) { add_template(s, ""); },
                    [](Scene& s) { add_template(s, " "); }, "name"});
-  cases.push_back({&tree_template_duplicate,
+  cases.push_back({&tree_duplicate_template,
                    templates([](Scene& s, NodeId) { add_template(s, "table"); }),
                    templates([](Scene& s, NodeId) { add_template(s, "Table"); }), "\"table\""});
-  cases.push_back({&tree_template_unknown,
+  cases.push_back({&tree_unknown_template,
                    templates([](Scene& s, NodeId) { add_instance(s, 0, "tabel"); }),
                    templates([](Scene&, NodeId) {}), "did you mean \"table\"?"});
-  cases.push_back({&tree_template_unknown, [](Scene& s) { add_instance(s, 0, "root"); },
+  cases.push_back({&tree_unknown_template, [](Scene& s) { add_instance(s, 0, "root"); },
                    [](Scene&) {}, "the scene itself"});
   cases.push_back(
       {&tree_loop, templates([](Scene& s, NodeId head) { add_instance(s, head, "table"); }),
@@ -414,18 +417,18 @@ void add_cases_of_trees(std::vector<Case>& cases) {
                    }),
                    "table -> leg -> table"});
   cases.push_back(
-      {&tree_forward, templates([](Scene& s, NodeId head) {
+      {&tree_used_before_declared, templates([](Scene& s, NodeId head) {
          add_instance(s, head, "late");
          add_primitive(s, add_template(s, "late"));
        }),
        templates([](Scene& s, NodeId) { add_instance(s, add_template(s, "late"), "table"); }),
        "\"late\""});
   cases.push_back(
-      {&tree_instance_contents,
+      {&tree_instance_with_contents,
        templates([](Scene& s, NodeId) { s.nodes.back().primitives.push_back(primitive()); }),
        templates([](Scene& s, NodeId) { s.nodes.back().transforms.push_back(scale(2, 2, 2)); }),
        "ignored"});
-  cases.push_back({&tree_template_unused, [](Scene& s) { add_template(s, "lonely"); },
+  cases.push_back({&tree_unused_template, [](Scene& s) { add_template(s, "lonely"); },
                    templates([](Scene&, NodeId) {}), "lonely"});
   cases.push_back({&tree_nesting_limit, [](Scene& s) { s = bomb(1024, 1, true); },
                    [](Scene& s) { s = bomb(1023, 1, true); }, "1025"});
@@ -549,7 +552,7 @@ TEST(Check, OneFlatScaleIsOneFinding) {
 TEST(Check, LightsInTemplatesCountOnceACopy) {
   Scene scene = bomb(40, 10, true);
   scene.nodes[scene.templates[0]].lights = {point_light()};
-  EXPECT_NE(find(checked(scene), light_limit), nullptr);
+  EXPECT_NE(find(checked(scene), light_count_limit), nullptr);
 }
 
 TEST(Check, UnusedTemplatesAddNeitherLightsNorObjects) {

@@ -3,11 +3,7 @@
 
 #include "scenefile/base/diagnostics.h"
 
-#include <span>
-
 namespace scenefile {
-
-std::span<const Code* const> config_codes();
 
 inline constexpr Code config_syntax{
     "config.syntax", Severity::error, "a line of the configuration cannot be read",

@@ -3,8 +3,6 @@
 
 #include "scenefile/base/diagnostics.h"
 
-#include <span>
-
 namespace scenefile {
 
 inline constexpr Code json_syntax{
@@ -58,11 +56,11 @@ inline constexpr Code json_limit{
     "of the course with room to spare, and can be raised.",
     CodeKind::limit};
 
-inline constexpr Code json_type{
+inline constexpr Code json_wrong_type{
     "json.wrong-type", Severity::error, "a value of the wrong type",
     "Each key has one type of value: numbers and strings are not converted to each other, vectors "
     "are arrays of numbers, groups and lights are arrays of objects."};
-inline constexpr Code json_length{
+inline constexpr Code json_wrong_length{
     "json.wrong-length", Severity::error, "an array of the wrong length",
     "Vectors and colors have 3 numbers, rotate has 4 (x, y, z and degrees), matrix has 4 rows of 4 "
     "numbers."};
@@ -92,9 +90,9 @@ inline constexpr Code json_unused_key{
 inline constexpr Code json_look_and_focus{
     "json.look-and-focus", Severity::error, "a camera with look and focus",
     "look is the direction of view, focus a point to look at. A camera has one of them."};
-inline constexpr Code json_light_type{"json.unknown-light-type", Severity::error,
-                                      "a light of unknown type",
-                                      "Lights are point, directional, spot or area."};
+inline constexpr Code json_unknown_light_type{"json.unknown-light-type", Severity::error,
+                                              "a light of unknown type",
+                                              "Lights are point, directional, spot or area."};
 inline constexpr Code json_light_default{
     "json.light-default", Severity::warning, "a light lacks a key",
     "The schema requires the key for this type of light, and the course's reader refuses the file. "
@@ -103,7 +101,7 @@ inline constexpr Code json_no_light{
     "json.no-light", Severity::warning, "something else among the lights",
     "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
     "\"groups\"; a light stands at the origin of the group that holds its list."};
-inline constexpr Code json_primitive_type{
+inline constexpr Code json_unknown_primitive_type{
     "json.unknown-primitive-type",
     Severity::warning,
     "a primitive of unknown type",
@@ -116,7 +114,7 @@ inline constexpr Code json_area_light{
     "json.area-light", Severity::note, "an area light",
     "Area lights belong to the format, but the course's JSON reader does not know them and refuses "
     "the file. width and height are read here."};
-inline constexpr Code json_matrix_order{
+inline constexpr Code json_matrix_with_others{
     "json.matrix-with-others", Severity::warning, "a matrix beside other transforms",
     "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
     "acts "
@@ -139,8 +137,5 @@ inline constexpr Code json_unknown_template{
     "This is how an instance of a template group is written, but no template group has the name, "
     "so "
     "that nothing is drawn. Names are compared exactly, upper and lower case included."};
-
-/// All of the above, by name.
-std::span<const Code* const> json_codes();
 
 }  // namespace scenefile

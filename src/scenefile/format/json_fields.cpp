@@ -98,7 +98,7 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
     return false;
   }
   if (const JsonIndex other = first_other(tape, value); other != tape.end(value)) {
-    context.report(json_type, other,
+    context.report(json_wrong_type, other,
                    fmt::format("{} must be {}, found {} in it{}", key_name(context, key), expected,
                                describe_json(tape, other), number_hint(tape, other)));
     return false;
@@ -106,7 +106,7 @@ bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
   const std::size_t found = count_elements(tape, value);
   const bool fork = four_dimensional && found == (count == 4 ? 7 : 4);
   context.report(
-      fork ? json_four_dimensional : json_length, key,
+      fork ? json_four_dimensional : json_wrong_length, key,
       fmt::format("{} must be {}, found {} number{}{}", key_name(context, key), expected, found,
                   found == 1 ? "" : "s",
                   fork ? ": this looks like a scene of the 4-D fork, which cannot be read" : ""));
@@ -234,7 +234,7 @@ std::string describe_json(const JsonTape& tape, JsonIndex value) {
 
 void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
                       std::string_view hint) {
-  context.report(json_type, key,
+  context.report(json_wrong_type, key,
                  fmt::format("{} must be {}, found {}{}", key_name(context, key), expected,
                              describe_json(context.tape, key + 1), hint));
 }
@@ -296,7 +296,7 @@ std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key) {
     return count_elements(tape, key + 1) == 4;
   }();
   if (!rows_fit) {
-    context.report(json_length, key,
+    context.report(json_wrong_length, key,
                    fmt::format("{} must be {}, found {}", key_name(context, key), expected,
                                describe_json(tape, key + 1)));
     return std::nullopt;

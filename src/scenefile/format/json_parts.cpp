@@ -79,7 +79,7 @@ bool is_object(JsonContext& context, JsonIndex item, std::string_view what) {
     return true;
   }
   context.report(
-      json_type, item,
+      json_wrong_type, item,
       fmt::format("{} must be an object, found {}", what, describe_json(context.tape, item)));
   return false;
 }
@@ -198,7 +198,7 @@ constexpr JsonVocabulary vocabulary{"a light", names};
 std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
                                      JsonIndex item) {
   if (fields.has(type)) {
-    return read_type(context, fields, "light", light_words, json_light_type);
+    return read_type(context, fields, "light", light_words, json_unknown_light_type);
   }
   if (fields.has(color)) {
     context.report(json_light_default, item,
@@ -285,7 +285,7 @@ float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t ke
     return number_value(context, at).value_or(not_known);
   }
   context.diagnostics.report(
-      json_type, Severity::warning, context.place(at),
+      json_wrong_type, Severity::warning, context.place(at),
       fmt::format("{} must be a number, found {}; 1 is used", quoted(context.tape.string(at)),
                   describe_json(context.tape, at + 1)));
   return 1;
@@ -413,7 +413,7 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   }
   const JsonFields fields(context, item, primitive::vocabulary);
   const std::optional<std::size_t> type =
-      read_type(context, fields, "primitive", shape_words, json_primitive_type);
+      read_type(context, fields, "primitive", shape_words, json_unknown_primitive_type);
   if (!type) {
     return std::nullopt;
   }

@@ -45,7 +45,8 @@ class SceneReader {
 
   Scene read() {
     if (!tape().is_object(0)) {
-      context_.report(json_type, 0, "a scene must be an object, found " + describe_json(tape(), 0));
+      context_.report(json_wrong_type, 0,
+                      "a scene must be an object, found " + describe_json(tape(), 0));
       return {};
     }
     const JsonFields fields(context_, 0, root::vocabulary);
@@ -153,7 +154,7 @@ class SceneReader {
     if (tape().is_object(item)) {
       return true;
     }
-    context_.report(json_type, item,
+    context_.report(json_wrong_type, item,
                     fmt::format("{} (an element of \"groups\" or \"templateGroups\") must be an "
                                 "object, found {}",
                                 what, describe_json(tape(), item)));
@@ -298,7 +299,7 @@ class SceneReader {
     if (fields.has(matrix)) {
       add(matrix, Matrix{matrix_value(context_, fields.key(matrix)).value_or(glm::mat4(1))});
       if (others) {
-        context_.report(json_matrix_order, fields.key(matrix),
+        context_.report(json_matrix_with_others, fields.key(matrix),
                         "\"matrix\" acts first, before scale, rotate and translate");
       }
     }

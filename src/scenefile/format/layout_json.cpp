@@ -121,7 +121,7 @@ std::optional<std::string> lay_out_json(std::string_view text, const Limits& lim
     return std::nullopt;
   }
   if (!tape.is_object(0)) {
-    diagnostics.report(json_type, JsonPlaces(text).at(tape.items[0].offset),
+    diagnostics.report(json_wrong_type, JsonPlaces(text).at(tape.items[0].offset),
                        "a scene must be an object, found " + describe_json(tape, 0));
     return std::nullopt;
   }

@@ -3,8 +3,6 @@
 
 #include "scenefile/base/diagnostics.h"
 
-#include <span>
-
 namespace scenefile {
 
 inline constexpr Code write_light_moved{
@@ -38,14 +36,14 @@ inline constexpr Code write_scene_name{"write.scene-name", Severity::note,
 inline constexpr Code write_area_light{
     "write.area-light", Severity::note, "an area light in JSON",
     "The course's JSON reader knows no area lights and refuses the file."};
-inline constexpr Code write_camera{
+inline constexpr Code write_default_camera{
     "write.default-camera", Severity::note, "the default camera is written",
     "JSON demands a camera; the scene has none, which means the default camera."};
-inline constexpr Code write_nested{"write.transforms-nested", Severity::note,
-                                   "transforms become groups in groups",
-                                   "A JSON group has one translate, rotate, scale and matrix each, "
-                                   "applied in a fixed order. Other "
-                                   "orders are said by groups that hold one group each."};
+inline constexpr Code write_transforms_nested{
+    "write.transforms-nested", Severity::note, "transforms become groups in groups",
+    "A JSON group has one translate, rotate, scale and matrix each, "
+    "applied in a fixed order. Other "
+    "orders are said by groups that hold one group each."};
 inline constexpr Code write_renamed{
     "write.renamed", Severity::note, "a group gets another name",
     "In JSON, a group with the name of a template stands for that template. In XML, names of trees "
@@ -60,13 +58,10 @@ inline constexpr Code write_character{
     "write.character", Severity::warning, "a character that cannot be written",
     "XML cannot hold control characters, and neither format bytes that are not UTF-8. They are "
     "replaced; a file name with such a character will not be found."};
-inline constexpr Code write_nesting{
+inline constexpr Code write_nesting_limit{
     "write.nesting-limit", Severity::error, "the file would be nested too deeply",
     "Readers limit how deep a file may be nested. What the other format says flat may need several "
     "levels here.",
     CodeKind::limit};
-
-/// All of the above, by name.
-std::span<const Code* const> write_codes();
 
 }  // namespace scenefile

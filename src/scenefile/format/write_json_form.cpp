@@ -38,7 +38,8 @@ class JsonForm {
 
   Scene make() {
     if (!scene_.camera) {
-      diagnostics_.report(write_camera, {}, "the scene has no camera; the default is written");
+      diagnostics_.report(write_default_camera, {},
+                          "the scene has no camera; the default is written");
       scene_.camera.emplace();
     }
     shape_lights();
@@ -53,7 +54,7 @@ class JsonForm {
       split_transforms(id);
     }
     if (splits_ != 0) {
-      diagnostics_.report(write_nested, {},
+      diagnostics_.report(write_transforms_nested, {},
                           fmt::format("the transforms of {} group{} have an order that JSON says "
                                       "with groups in groups",
                                       splits_, splits_ == 1 ? "" : "s"));

@@ -85,7 +85,7 @@ bool append_json(std::string& out, std::string_view text) {
 
 void report_nesting(const Limits& limits, Diagnostics& diagnostics) {
   diagnostics.report(
-      write_nesting, {},
+      write_nesting_limit, {},
       fmt::format("the file would be nested deeper than the limit of {} levels", limits.nesting));
 }
 

@@ -52,7 +52,8 @@ void check_directions(const Camera& camera, const Subject& subject, Reporter& re
   const double sine = glm::length(glm::cross(look, up));
   if (sine < nearly_parallel) {
     reporter.report(
-        sine < parallel ? camera_up_parallel : camera_up_nearly_parallel, subject, Field::up,
+        sine < parallel ? camera_up_parallel_to_look : camera_up_nearly_parallel, subject,
+        Field::up,
         fmt::format("up {} of the camera is {}parallel to look {}", vector_text(camera.up),
                     sine < parallel ? "" : "nearly ", vector_text(camera.look)));
   }

@@ -42,12 +42,12 @@ void check_attenuation(const Light& light, const Subject& subject, Reporter& rep
     return;
   }
   if (light.attenuation == glm::vec3(0)) {
-    reporter.report(light_no_attenuation, subject, Field::attenuation,
+    reporter.report(light_function_zero, subject, Field::attenuation,
                     fmt::format("function (JSON attenuationCoeff) 0 0 0 of the {} divides by zero; "
                                 "it counts as 1 0 0",
                                 subject.what));
   } else if (smallest(light.attenuation) < 0) {
-    reporter.report(light_attenuation_negative, subject, Field::attenuation,
+    reporter.report(light_function_negative, subject, Field::attenuation,
                     fmt::format("function (JSON attenuationCoeff) {} of the {} has a negative "
                                 "coefficient; it counts as 0",
                                 vector_text(light.attenuation), subject.what));
@@ -73,7 +73,7 @@ void check_angle(const Light& light, const Subject& subject, Reporter& reporter)
                                 number_text(angle), angle <= 0 ? "; it lights nothing" : ""));
   } else if (light.penumbra_deg > angle) {
     reporter.report(
-        light_penumbra_wide, subject, Field::penumbra_deg,
+        light_penumbra_over_angle, subject, Field::penumbra_deg,
         fmt::format("penumbra {} of the spotlight is larger than its angle {}; it counts as {}",
                     number_text(light.penumbra_deg), number_text(angle), number_text(angle)));
   }
@@ -92,7 +92,7 @@ void check_cone(const Light& light, const Subject& subject, Reporter& reporter) 
     check_angle(light, subject, reporter);
     return;
   }
-  reporter.report(light_spot_angle, subject,
+  reporter.report(light_spot_without_angle, subject,
                   light.penumbra_deg > 0
                       ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
                                     "half-angle",
@@ -104,7 +104,8 @@ void check_rectangle(const Light& light, const Subject& subject, Reporter& repor
   if (reporter.finite(subject, Field::width, "width", light.width) &&
       reporter.finite(subject, Field::height, "height", light.height) &&
       (light.width <= 0 || light.height <= 0)) {
-    reporter.report(light_area_size, subject, light.width <= 0 ? Field::width : Field::height,
+    reporter.report(light_area_without_size, subject,
+                    light.width <= 0 ? Field::width : Field::height,
                     fmt::format("width {} and height {} of the area light enclose no area",
                                 number_text(light.width), number_text(light.height)));
   }

@@ -36,7 +36,7 @@ void check_color(const Color& color, const Subject& subject, Reporter& reporter)
                                 subject.what, what));
   };
   if (smallest(color.value) < 0) {
-    report(material_negative, "negative");
+    report(material_color_negative, "negative");
   }
   if (largest(color.value) > huge_color) {
     report(material_color_huge, "far above 1");
@@ -59,7 +59,7 @@ void check_highlight(const Material& material, const Subject& subject, Reporter&
   } else if (material.shininess > huge_shininess) {
     report(material_shininess_huge, "makes a highlight too small to see");
   } else if (material.shininess == 0 && largest(glm::abs(material.specular)) > 0) {
-    reporter.report(material_no_shininess, subject, Field::specular,
+    reporter.report(material_specular_without_shininess, subject, Field::specular,
                     fmt::format("specular {} of the {} has no effect, because its shininess is 0",
                                 vector_text(material.specular), subject.what));
   }
@@ -76,7 +76,7 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
                                 subject.what));
   } else if (ior != 0 && (ior < least_ior || ior > most_ior)) {
     reporter.report(
-        material_ior_range, subject, Field::ior,
+        material_ior_unusual, subject, Field::ior,
         fmt::format("ior {} of the {} is that of no material", number_text(ior), subject.what));
   }
 }
@@ -88,7 +88,7 @@ void check_energy(const Material& material, const Global& global, const Subject&
   const glm::vec3 passed = global.transparent.value_or(0.5f) * material.transparent;
   if (largest(reflected) > 0 && largest(passed) > 0 && largest(reflected + passed) > 1.0001f) {
     reporter.report(
-        material_energy, subject, Field::transparent,
+        material_reflective_and_transparent, subject, Field::transparent,
         fmt::format("reflective {} and transparent {} of the {}, each times its coefficient, add "
                     "up to more than 1",
                     vector_text(material.reflective), vector_text(material.transparent),
@@ -102,7 +102,7 @@ void check_texture(const TextureUse& texture, std::string_view name, const Subje
   const Subject place{subject.what, texture.location.known() ? texture.location : subject.location,
                       subject.node};
   if (texture.file.empty()) {
-    reporter.report(material_texture_unnamed, place,
+    reporter.report(material_texture_without_file, place,
                     fmt::format("{} of the {} names no file", name, subject.what));
   }
   const std::pair<char, float> repeats[] = {{'u', texture.repeat_u}, {'v', texture.repeat_v}};
@@ -127,12 +127,12 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
                                 number_text(blend), subject.what, blend < 0 ? 0 : 1));
   } else if (material.texture && blend == 0) {
     const Location place = material.texture->location;
-    reporter.report(material_texture_unseen,
+    reporter.report(material_texture_without_blend,
                     {subject.what, place.known() ? place : subject.location, subject.node},
                     fmt::format("texture {} of the {} is not seen, because its blend is 0",
                                 quoted(material.texture->file), subject.what));
   } else if (!material.texture && blend > 0) {
-    reporter.report(material_blend_unused, subject, Field::blend,
+    reporter.report(material_blend_without_texture, subject, Field::blend,
                     fmt::format("blend {} of the {} has no effect without a texture",
                                 number_text(blend), subject.what));
   }
@@ -145,7 +145,7 @@ void check_primitive(const Primitive& primitive, NodeId node, const Global& glob
   const Subject subject{word_of(primitive.shape), primitive.location, node};
   const Material& m = primitive.material;
   if (primitive.shape == Shape::mesh && primitive.mesh_file.empty()) {
-    reporter.report(tree_mesh_unnamed, subject, Field::mesh_file,
+    reporter.report(tree_mesh_without_file, subject, Field::mesh_file,
                     "the mesh names no file (filename or meshfile, JSON meshFile)");
   }
   for (const Color& color : {Color{Field::ambient, "ambient", m.ambient},

@@ -61,7 +61,7 @@ class TransformCheck {
       return;
     }
     const bool transposed = glm::vec3(m[3]) == glm::vec3(0) && m[3].w == 1;
-    reporter_.report(transform_projective, subject_,
+    reporter_.report(transform_matrix_projective, subject_,
                      fmt::format("the last row of the matrix is {} {}, not 0 0 0 1{}",
                                  vector_text(row), number_text(m[3].w),
                                  transposed ? "; is it transposed, with its translation in the row?"

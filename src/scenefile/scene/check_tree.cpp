@@ -32,14 +32,14 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
     }
     const std::string& name = scene.nodes[id].name;
     if (name.empty()) {
-      reporter.report(tree_template_unnamed, subject_of(scene, id),
+      reporter.report(tree_template_without_name, subject_of(scene, id),
                       "a template needs a name to be used by");
       continue;
     }
     const std::uint32_t first = names.at(name);
     if (first != i) {
       const Location place = scene.nodes[scene.templates[first]].location;
-      reporter.report(tree_template_duplicate, subject_of(scene, id),
+      reporter.report(tree_duplicate_template, subject_of(scene, id),
                       fmt::format("the name {} belongs to an earlier template{} too", quoted(name),
                                   place.known() ? fmt::format(" (line {})", place.line) : ""));
     }
@@ -79,12 +79,12 @@ bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& r
       if (names.find(node.instance_of) == names.end()) {
         const bool suggest = ++unknown <= most_suggestions;
         reporter.report(
-            tree_template_unknown, subject_of(scene, id), Field::instance_of,
+            tree_unknown_template, subject_of(scene, id), Field::instance_of,
             unknown_text(node.instance_of, suggest ? known : std::vector<std::string_view>{}));
       }
       if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
         reporter.report(
-            tree_instance_contents, subject_of(scene, id),
+            tree_instance_with_contents, subject_of(scene, id),
             fmt::format("contents beside an instance of {} are ignored", quoted(node.instance_of)));
       }
       return 0;
@@ -141,7 +141,7 @@ void check_order(const Scene& scene, const TemplateGraph& graph, Reporter& repor
       }
       const Node& used = scene.nodes[graph.heads[target]];
       reporter.report(
-          tree_forward, subject_of(scene, graph.use_node[edge]), Field::instance_of,
+          tree_used_before_declared, subject_of(scene, graph.use_node[edge]), Field::instance_of,
           fmt::format("template {} is used before it is declared{}", quoted(used.name),
                       used.location.known() ? fmt::format(" (line {})", used.location.line) : ""));
     }
@@ -198,7 +198,7 @@ Contents contents_of(const Scene& scene, const TemplateGraph& graph,
 void check_light_count(double lights, const Contents& contents, const Limits& limits,
                        Reporter& reporter) {
   if (lights > limits.lights) {
-    reporter.report(light_limit, contents.last_light,
+    reporter.report(light_count_limit, contents.last_light,
                     fmt::format("the scene has {:.15g} lights, more than the limit of {}", lights,
                                 limits.lights));
   } else if (lights > lights_of_the_format) {
@@ -242,7 +242,7 @@ void check_unused(const Scene& scene, const TemplateGraph& graph, const std::vec
   for (std::uint32_t tree = 0; tree < graph.root(); ++tree) {
     const NodeId head = graph.heads[tree];
     if (!used[tree] && head < scene.nodes.size() && !scene.nodes[head].name.empty()) {
-      reporter.report(tree_template_unused, subject_of(scene, head),
+      reporter.report(tree_unused_template, subject_of(scene, head),
                       fmt::format("template {} is never used", quoted(scene.nodes[head].name)));
     }
   }

@@ -53,7 +53,7 @@ inline constexpr Code camera_look_zero{
 inline constexpr Code camera_up_zero{
     "camera.up-zero", Severity::error, "a camera without an up direction",
     "up says which direction is up in the picture; 0 0 0 says nothing. 0 1 0 is the usual choice."};
-inline constexpr Code camera_up_parallel{
+inline constexpr Code camera_up_parallel_to_look{
     "camera.up-parallel-to-look", Severity::error, "the camera looks along its up direction",
     "A camera that looks straight along up (or against it) could be turned any way about that "
     "axis. "
@@ -83,7 +83,7 @@ inline constexpr Code light_many{"light.many", Severity::warning, "more than 8 l
                                  "The format allows up to 8 lights, and many programs use no more "
                                  "(all are used here). Lights in "
                                  "a template count once for each copy."};
-inline constexpr Code light_limit{
+inline constexpr Code light_count_limit{
     "light.count-limit", Severity::error, "too many lights",
     "Every lit point asks every light. The limit keeps a mistaken or hostile file from taking "
     "hours; "
@@ -100,11 +100,11 @@ inline constexpr Code light_direction_zero{
     "light.direction-zero", Severity::error, "a light without a direction",
     "Directional, spot and area lights need a direction other than 0 0 0: the way that their light "
     "travels."};
-inline constexpr Code light_no_attenuation{
+inline constexpr Code light_function_zero{
     "light.function-zero", Severity::warning, "an attenuation function of zeros",
     "The light is divided by function.x + function.y d + function.z d^2 (JSON: attenuationCoeff), "
     "where d is the distance. All zero divides by zero; it counts as 1 0 0, no falloff."};
-inline constexpr Code light_attenuation_negative{
+inline constexpr Code light_function_negative{
     "light.function-negative", Severity::warning, "a negative attenuation coefficient",
     "The light is divided by function.x + function.y d + function.z d^2 (JSON: attenuationCoeff), "
     "where d is the distance. A negative coefficient counts as 0."};
@@ -116,7 +116,7 @@ inline constexpr Code light_color_huge{
     "Colors are 1 when full. Values above 1 are fine for a light that fades with the distance, but "
     "with this one everything it reaches is as bright as can be; values up to 255 are a habit of "
     "other formats: divide them by 255."};
-inline constexpr Code light_spot_angle{
+inline constexpr Code light_spot_without_angle{
     "light.spot-without-angle", Severity::warning, "a spotlight without an angle",
     "angle is the half-angle of the cone in degrees; inside it, the light fades over the last "
     "penumbra degrees. Without angle, penumbra counts as the half-angle and the light fades from "
@@ -130,11 +130,11 @@ inline constexpr Code light_penumbra_negative{"light.penumbra-negative", Severit
                                               "penumbra is how many degrees inside the cone the "
                                               "light takes to fade. A negative one counts as "
                                               "0: a hard edge."};
-inline constexpr Code light_penumbra_wide{
+inline constexpr Code light_penumbra_over_angle{
     "light.penumbra-over-angle", Severity::warning, "a penumbra wider than the cone",
     "penumbra lies inside angle. A wider one counts as the whole cone: the light fades from the "
     "axis on."};
-inline constexpr Code light_area_size{
+inline constexpr Code light_area_without_size{
     "light.area-without-size", Severity::warning, "an area light without an area",
     "width and height of an area light must be above 0. Without both it lights like a point or a "
     "line, with hard shadows."};
@@ -152,17 +152,17 @@ inline constexpr Code transform_degenerate{
     "Each transform alone is fine, but multiplied they are too large, too small or too skewed for "
     "the numbers of a renderer; or one alone scales by 1e30 or 1e-30. What stands in them is not "
     "drawn."};
-inline constexpr Code transform_projective{
+inline constexpr Code transform_matrix_projective{
     "transform.matrix-projective", Severity::warning, "a matrix with an unusual last row",
     "Files list a matrix row by row, and the translation is the last column; the last row is 0 0 0 "
     "1. Another last row is taken as that. If the translation stands in the last row, the matrix "
     "is "
     "written transposed (column by column)."};
 
-inline constexpr Code material_negative{"material.color-negative", Severity::warning,
-                                        "a negative color",
-                                        "Colors are 0 for none and 1 for full. A negative one "
-                                        "takes light away. It is used as written."};
+inline constexpr Code material_color_negative{
+    "material.color-negative", Severity::warning, "a negative color",
+    "Colors are 0 for none and 1 for full. A negative one "
+    "takes light away. It is used as written."};
 inline constexpr Code material_color_255{
     "material.color-255", Severity::warning, "a color that looks like 0 to 255",
     "Colors are 1 when full, not 255. Divide by 255. It is used as written."};
@@ -178,7 +178,7 @@ inline constexpr Code material_shininess_huge{
     "material.shininess-huge", Severity::warning, "a highlight too small to see",
     "shininess is the exponent of the highlight: the larger, the smaller and sharper. 1 to 200 are "
     "common; from some thousands on the highlight is smaller than a pixel."};
-inline constexpr Code material_no_shininess{
+inline constexpr Code material_specular_without_shininess{
     "material.specular-without-shininess", Severity::warning, "a specular color without effect",
     "shininess is the exponent of the highlight, and 0 means none. Programs that compute x^0 = 1 "
     "instead paint the whole surface with the specular color. Give a shininess, or no specular."};
@@ -186,7 +186,7 @@ inline constexpr Code material_ior_negative{
     "material.ior-negative", Severity::warning, "a negative index of refraction",
     "ior is 1 for air, 1.33 for water, 1.5 for glass, 2.4 for diamond. A negative one counts as 1: "
     "light passes straight."};
-inline constexpr Code material_ior_range{
+inline constexpr Code material_ior_unusual{
     "material.ior-unusual", Severity::warning, "an index of refraction of no material",
     "ior is 1 for air, 1.33 for water, 1.5 for glass, 2.4 for diamond, and may be down to a half "
     "for a bubble of air in something denser. It is used as written."};
@@ -195,14 +195,14 @@ inline constexpr Code material_blend_range{"material.blend-range", Severity::war
                                            "blend is the share of the texture in the diffuse "
                                            "color: 0 none, 1 all. Values outside count as "
                                            "the nearer end."};
-inline constexpr Code material_texture_unseen{
+inline constexpr Code material_texture_without_blend{
     "material.texture-without-blend", Severity::warning, "a texture that is not seen",
     "blend is the share of the texture in the diffuse color, and 0 when not given. Set it to 1 to "
     "see the texture alone."};
-inline constexpr Code material_blend_unused{
+inline constexpr Code material_blend_without_texture{
     "material.blend-without-texture", Severity::note, "a blend without a texture",
     "blend mixes a texture with the diffuse color. Without a texture it has no effect."};
-inline constexpr Code material_texture_unnamed{
+inline constexpr Code material_texture_without_file{
     "material.texture-without-file", Severity::warning, "a texture without a file",
     "texture and bumpmap need the name of an image (XML: file, JSON: textureFile, bumpMapFile). "
     "Without one there is no texture."};
@@ -211,41 +211,41 @@ inline constexpr Code material_repeat{
     "u and v (JSON: textureU, textureV) say how often the image repeats across the surface; 1 is "
     "once. With 0, or close to it, the surface has the color of one edge of the image; a negative "
     "one mirrors it; a huge one is noise, and counts as 10000."};
-inline constexpr Code material_energy{
+inline constexpr Code material_reflective_and_transparent{
     "material.reflective-and-transparent", Severity::warning,
     "reflective and transparent together above 1",
     "What is reflected (reflective times specularcoeff) and what passes through (transparent times "
     "transparentcoeff) are added. Together above 1 the surface gives off more light than reaches "
     "it, and looks washed out."};
 
-inline constexpr Code tree_mesh_unnamed{"tree.mesh-without-file", Severity::error,
-                                        "a mesh without a file",
-                                        "A primitive of type mesh needs the name of an OBJ file: "
-                                        "filename or meshfile (JSON: meshFile)."};
-inline constexpr Code tree_template_unnamed{
+inline constexpr Code tree_mesh_without_file{
+    "tree.mesh-without-file", Severity::error, "a mesh without a file",
+    "A primitive of type mesh needs the name of an OBJ file: "
+    "filename or meshfile (JSON: meshFile)."};
+inline constexpr Code tree_template_without_name{
     "tree.template-without-name", Severity::error, "a template without a name",
     "Master objects (JSON: template groups) are used by name, so each needs one."};
-inline constexpr Code tree_template_duplicate{
+inline constexpr Code tree_duplicate_template{
     "tree.duplicate-template", Severity::error, "two templates with one name",
     "Master objects (JSON: template groups) are used by name. With two of a name it is not clear "
     "which is meant, and programs differ. Rename one."};
-inline constexpr Code tree_template_unknown{
+inline constexpr Code tree_unknown_template{
     "tree.unknown-template", Severity::error, "an instance of nothing",
     "Only master objects (JSON: template groups) that the file declares can be instantiated. Names "
     "are compared exactly, upper and lower case included."};
 inline constexpr Code tree_loop{
     "tree.loop", Severity::error, "a template that contains itself",
     "A template that holds a copy of itself, directly or through others, would never end."};
-inline constexpr Code tree_forward{
+inline constexpr Code tree_used_before_declared{
     "tree.used-before-declared", Severity::warning, "a template used before its declaration",
     "Declare a template above its first use: other programs read the file once from the top and "
     "refuse it. It is used all the same."};
-inline constexpr Code tree_instance_contents{"tree.instance-with-contents", Severity::warning,
-                                             "contents inside an instance",
-                                             "An instance is a copy of its template and nothing "
-                                             "else. What else stands in it is ignored. Put "
-                                             "both into a group."};
-inline constexpr Code tree_template_unused{
+inline constexpr Code tree_instance_with_contents{
+    "tree.instance-with-contents", Severity::warning, "contents inside an instance",
+    "An instance is a copy of its template and nothing "
+    "else. What else stands in it is ignored. Put "
+    "both into a group."};
+inline constexpr Code tree_unused_template{
     "tree.unused-template", Severity::note, "a template that is never used",
     "Nothing in the scene instantiates it, so it is not drawn.", CodeKind::absence};
 inline constexpr Code tree_nesting_limit{

@@ -19,6 +19,8 @@ struct GlDevice::State {
   PixelSurface quartered;  ///< 16 of its pixels are one of the picture, on their way
   PixelSurface halved;
   PixelSurface picking;
+  PixelSurface framed;          ///< what a realtime filter reads
+  gl::VertexArray no_vertices;  ///< for shaders that make their own
 };
 
 }  // namespace scenefile

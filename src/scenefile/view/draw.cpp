@@ -2,6 +2,7 @@
 
 #include "scenefile/view/pass.h"
 #include "scenefile/view/picture.h"
+#include "scenefile/view/realtime_pass.h"
 #include "scenefile/view/shadows.h"
 
 #include <algorithm>
@@ -10,26 +11,6 @@
 namespace scenefile {
 
 namespace {
-
-Output output_of(DrawMode mode) {
-  switch (mode) {
-    case DrawMode::shaded:
-      return Output::shaded;
-    case DrawMode::wireframe:
-      return Output::flat_color;
-    case DrawMode::normals:
-      return Output::normals;
-    case DrawMode::uv:
-      return Output::uv;
-    case DrawMode::depth:
-      return Output::depth;
-    case DrawMode::object_id:
-      return Output::object_color;
-    case DrawMode::bounding_boxes:
-      return Output::box;
-  }
-  return Output::shaded;
-}
 
 void clear(const gl::Functions& gl, const glm::vec3& color) {
   gl.ClearColor(color.r, color.g, color.b, 1);
@@ -63,9 +44,32 @@ int oversampling(int samples) {
 
 }  // namespace
 
+Output output_of(DrawMode mode) {
+  switch (mode) {
+    case DrawMode::shaded:
+      return Output::shaded;
+    case DrawMode::wireframe:
+      return Output::flat_color;
+    case DrawMode::normals:
+      return Output::normals;
+    case DrawMode::uv:
+      return Output::uv;
+    case DrawMode::depth:
+      return Output::depth;
+    case DrawMode::object_id:
+      return Output::object_color;
+    case DrawMode::bounding_boxes:
+      return Output::box;
+  }
+  return Output::shaded;
+}
+
 const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawing,
                                   const RenderCamera& camera, const DrawOptions& options, int width,
                                   int height, DrawStats& stats) {
+  if (options.realtime) {
+    return draw_realtime(device, drawing, camera, options, width, height, stats);
+  }
   const gl::Functions& gl = device.gl;
   const Frame frame = frame_of(camera, width, height, drawing.scene.objects);
   const int wanted =
@@ -137,13 +141,19 @@ std::optional<std::uint32_t> object_at(GlDevice& device, Drawing& drawing,
                                        int width, int height, int x, int y) {
   GlDevice::State& state = device.state();
   const gl::Functions& gl = state.gl;
-  if (x < 0 || y < 0 || x >= width || y >= height || !fit(gl, state.picking, 1, 1, 1, true)) {
+  const bool in_picture = x >= 0 && y >= 0 && x < width && y < height;
+  if (!in_picture || !fit(gl, state.picking, 1, 1, 1, true) ||
+      (options.realtime &&
+       !realtime_viewport_pixel(options.realtime->milestone, width, height, x, y))) {
     return std::nullopt;
   }
   gl.BindFramebuffer(gl::FRAMEBUFFER, state.picking.framebuffer.name());
   gl.Viewport(-x, y + 1 - height, width, height);
   clear(gl, glm::vec3(0));
-  const Frame frame = frame_of(camera, width, height, drawing.state().scene.objects);
+  const std::vector<WorldObject>& objects = drawing.state().scene.objects;
+  const Frame frame = options.realtime
+                          ? realtime_frame_of(camera, *options.realtime, width, height, objects)
+                          : frame_of(camera, width, height, objects);
   draw_objects(state, drawing.state(), frame, options, Output::object_number);
   std::array<std::uint8_t, 4> rgba{};
   gl.ReadPixels(0, 0, 1, 1, gl::RGBA, gl::UNSIGNED_BYTE, rgba.data());

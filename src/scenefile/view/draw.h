@@ -11,6 +11,7 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/scene/render_scene.h"
+#include "scenefile/view/realtime.h"
 
 #include <glm/glm.hpp>
 
@@ -123,6 +124,9 @@ struct DrawOptions {
   /// Source of a primitive or instance that is drawn with a tint; no_index: none.
   std::uint32_t highlighted = no_index;
   glm::vec3 background{0};
+  /// Draw what the assignment Realtime draws: its tessellation, lights, clipping and filters, one
+  /// sample a pixel, without shadows, textures and transparency whatever the fields above say.
+  std::optional<RealtimeOptions> realtime;
 
   friend bool operator==(const DrawOptions&, const DrawOptions&) = default;
 };

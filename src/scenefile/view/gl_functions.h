@@ -76,10 +76,12 @@ inline constexpr Enum TRIANGLES = 0x0004, LINES = 0x0001, UNSIGNED_INT = 0x1405,
   ROW(void, DepthFunc, (Enum))                                                            \
   ROW(void, DepthMask, (unsigned char))                                                   \
   ROW(void, Disable, (Enum))                                                              \
+  ROW(void, DrawArrays, (Enum, int, Size))                                                \
   ROW(void, DrawElementsInstanced, (Enum, Size, Enum, const void*, Size))                 \
   ROW(void, Enable, (Enum))                                                               \
   ROW(void, EnableVertexAttribArray, (Name))                                              \
   ROW(void, FramebufferRenderbuffer, (Enum, Enum, Enum, Name))                            \
+  ROW(void, FramebufferTexture2D, (Enum, Enum, Enum, Name, int))                          \
   ROW(void, FramebufferTextureLayer, (Enum, Enum, Name, int, int))                        \
   ROW(void, GenBuffers, (Size, Name*))                                                    \
   ROW(void, GenFramebuffers, (Size, Name*))                                               \

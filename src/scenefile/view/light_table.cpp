@@ -47,7 +47,8 @@ void add_area(const RenderLight& light, std::uint32_t index, std::vector<Emitter
 
 bool shines(const RenderLight& light, std::uint32_t index, const DrawOptions& options) {
   return (index >= options.lights.size() || options.lights[index]) &&
-         (!options.directional_only || light.type == LightType::directional);
+         (!options.directional_only || light.type == LightType::directional) &&
+         (!options.realtime || light.type != LightType::area);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "scenefile/view/shadows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace scenefile {
@@ -89,7 +90,7 @@ class Pass {
     pack();
     bind_tables();
     gl_.Enable(gl::DEPTH_TEST);
-    gl_.DepthFunc(gl::LEQUAL);
+    gl_.DepthFunc(options_.realtime ? gl::LESS : gl::LEQUAL);
     if (boxes_) {
       gl_.Disable(gl::DEPTH_TEST);
       gl_.Enable(gl::BLEND);
@@ -145,7 +146,7 @@ class Pass {
     }
     key.shape = object.shape;
     key.mesh = object.mesh;
-    if (object.shape != Shape::cube && object.shape != Shape::mesh) {
+    if (object.shape != Shape::cube && object.shape != Shape::mesh && !options_.realtime) {
       const double radius = radius_in_pixels(frame_, object);
       const int wanted = lines_ ? wires_for(radius) : segments_for(radius);
       while (key.level + 1 < levels && level_segments[key.level] < wanted) {
@@ -170,7 +171,11 @@ class Pass {
   }
 
   // Solids seen from outside show only their front; a mirrored transform turns the sides over.
+  // The assignment culls back faces of everything, as OpenGL finds them.
   gl::Enum hidden_side(const WorldObject& object) const {
+    if (options_.realtime) {
+      return gl::BACK;
+    }
     if (!is_behind_near(frame_, object) || object.shape == Shape::mesh) {
       return gl::NONE;
     }
@@ -206,18 +211,36 @@ class Pass {
     if (work > most_work_) {
       leave_out_farthest();
     }
-    std::sort(items_.begin(), items_.end(), comes_before);
+    if (options_.realtime) {  // of equal depths the first in the file is seen
+      std::sort(items_.begin(), items_.end(),
+                [](const Item& a, const Item& b) { return a.object < b.object; });
+    } else {
+      std::sort(items_.begin(), items_.end(), comes_before);
+    }
+  }
+
+  double triangles_of(const WorldObject& object, const BatchKey& key) const {
+    const double segments = level_segments[key.level];
+    switch (object.shape) {
+      case Shape::mesh:
+        return double(drawing_.mesh_triangles[object.mesh].size()) / 3;
+      case Shape::cube:
+        return options_.realtime ? 12 * std::pow(options_.realtime->tessellation.parameter1, 2)
+                                 : 12;
+      case Shape::sphere:
+      case Shape::cylinder:
+      case Shape::cone:
+        break;
+    }
+    return options_.realtime ? 4.0 * options_.realtime->tessellation.parameter1 *
+                                   options_.realtime->tessellation.parameter2
+                             : segments * segments;
   }
 
   double work_of(const WorldObject& object, const BatchKey& key) const {
     const double radius = radius_in_pixels(frame_, object);
     const double whole = double(frame_.height) * frame_.height * frame_.tan_x / frame_.tan_y;
-    const double segments = level_segments[key.level];
-    const double triangles = object.shape == Shape::mesh
-                                 ? double(drawing_.mesh_triangles[object.mesh].size()) / 3
-                             : object.shape == Shape::cube ? 12
-                                                           : segments * segments;
-    return std::min(2 * radius * radius, whole) + work_of_triangle * triangles;
+    return std::min(2 * radius * radius, whole) + work_of_triangle * triangles_of(object, key);
   }
 
   void leave_out_farthest() {
@@ -330,7 +353,11 @@ class Pass {
 
   void draw_batch(const Batch& batch, int passing) {
     const BatchKey& key = batch.key;
-    const Geometry& geometry = geometry_of(gl_, drawing_, key.shape, key.mesh, key.level, lines_);
+    const Geometry& geometry =
+        options_.realtime && key.shape != Shape::mesh
+            ? realtime_geometry_of(gl_, drawing_, key.shape, options_.realtime->tessellation,
+                                   lines_)
+            : geometry_of(gl_, drawing_, key.shape, key.mesh, key.level, lines_);
     const Program& program = use_program(key);
     const glm::vec3 quadric = quadric_of(key.shape);
     gl_.Uniform3f(program.quadric, quadric.x, quadric.y, quadric.z);

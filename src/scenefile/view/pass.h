@@ -6,6 +6,8 @@
 
 namespace scenefile {
 
+Output output_of(DrawMode mode);
+
 /// Draws what the frame shows of the drawing onto the framebuffer and viewport that are bound.
 /// The shadow maps must be those of the options where `output` is shaded.
 DrawStats draw_objects(GlDevice::State& device, Drawing::State& drawing, const Frame& frame,

@@ -41,6 +41,9 @@ std::string preamble(const ProgramKey& key) {
 }  // namespace
 
 Programs::~Programs() {
+  if (filter_) {
+    gl_.DeleteProgram(filter_->name);
+  }
   for (const auto& [key, program] : programs_) {
     gl_.DeleteProgram(program.name);
   }
@@ -61,13 +64,10 @@ gl::Name Programs::compile(gl::Enum stage, const std::string& text) {
   return shader;
 }
 
-Program Programs::build(const ProgramKey& key) {
-  Program program;
+gl::Name Programs::link(const std::string& vertex_text, const std::string& fragment_text) {
   const gl::Name name = gl_.CreateProgram();
-  const gl::Name vertex = compile(gl::VERTEX_SHADER, preamble(key) + scene_vert);
-  const gl::Name fragment =
-      compile(gl::FRAGMENT_SHADER,
-              preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
+  const gl::Name vertex = compile(gl::VERTEX_SHADER, vertex_text);
+  const gl::Name fragment = compile(gl::FRAGMENT_SHADER, fragment_text);
   gl_.AttachShader(name, vertex);
   gl_.AttachShader(name, fragment);
   gl_.LinkProgram(name);
@@ -75,14 +75,24 @@ Program Programs::build(const ProgramKey& key) {
   gl_.DeleteShader(fragment);
   int linked = 0;
   gl_.GetProgramiv(name, gl::LINK_STATUS, &linked);
-  if (linked == 0) {
-    if (error_.empty()) {
-      std::array<char, 1024> log{};
-      gl_.GetProgramInfoLog(name, log.size(), nullptr, log.data());
-      error_ = log.data();
-    }
-    gl_.DeleteProgram(name);
-    return program;
+  if (linked != 0) {
+    return name;
+  }
+  if (error_.empty()) {
+    std::array<char, 1024> log{};
+    gl_.GetProgramInfoLog(name, log.size(), nullptr, log.data());
+    error_ = log.data();
+  }
+  gl_.DeleteProgram(name);
+  return 0;
+}
+
+Program Programs::build(const ProgramKey& key) {
+  const gl::Name name =
+      link(preamble(key) + scene_vert,
+           preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
+  if (name == 0) {
+    return {};
   }
   const auto location = [&](const char* uniform) { return gl_.GetUniformLocation(name, uniform); };
   gl_.UseProgram(name);
@@ -110,6 +120,18 @@ const Program& Programs::use(const ProgramKey& key) {
   }
   gl_.UseProgram(found->second.name);
   return found->second;
+}
+
+const FilterProgram& Programs::use_filter() {
+  if (!filter_) {
+    const std::string version = "#version 410 core\n";
+    filter_.emplace();
+    filter_->name = link(version + filter_vert, version + filter_frag);
+    filter_->kind = gl_.GetUniformLocation(filter_->name, "kind");
+    filter_->target_size = gl_.GetUniformLocation(filter_->name, "target_size");
+  }
+  gl_.UseProgram(filter_->name);
+  return *filter_;
 }
 
 }  // namespace scenefile

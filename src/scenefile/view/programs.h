@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace scenefile {
@@ -45,6 +46,13 @@ struct Program {
   int truncation = -1;
 };
 
+/// The program of shaders/filter.frag.
+struct FilterProgram {
+  gl::Name name = 0;
+  int kind = -1;
+  int target_size = -1;
+};
+
 /// Texture units of the samplers.
 inline constexpr int unit_image = 0;
 inline constexpr int unit_materials = 1;
@@ -66,14 +74,17 @@ class Programs {
 
   /// The program, in use. Its name is 0 where the driver refuses it; error() says why.
   const Program& use(const ProgramKey& key);
+  const FilterProgram& use_filter();
   const std::string& error() const { return error_; }
 
  private:
   Program build(const ProgramKey& key);
   gl::Name compile(gl::Enum stage, const std::string& text);
+  gl::Name link(const std::string& vertex_text, const std::string& fragment_text);
 
   const gl::Functions& gl_;
   std::map<ProgramKey, Program> programs_;
+  std::optional<FilterProgram> filter_;
   std::string error_;
 };
 

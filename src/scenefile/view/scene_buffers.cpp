@@ -157,6 +157,23 @@ const Geometry& geometry_of(const gl::Functions& gl, Drawing::State& drawing, Sh
   return *geometry;
 }
 
+const Geometry& realtime_geometry_of(const gl::Functions& gl, Drawing::State& drawing, Shape shape,
+                                     const TessellationParameters& parameters, bool with_lines) {
+  if (drawing.realtime_parameters != parameters) {
+    drawing.realtime_shapes = {};
+    drawing.realtime_parameters = parameters;
+  }
+  std::optional<Geometry>& geometry = drawing.realtime_shapes[static_cast<std::size_t>(shape)];
+  if (!geometry || (with_lines && !geometry->lines)) {
+    const DrawVertices data = mesh_vertices(realtime_mesh(shape, parameters), true);
+    geometry = make_geometry(gl, data);
+    if (with_lines) {
+      add_lines(gl, *geometry, edges(data.triangles));
+    }
+  }
+  return *geometry;
+}
+
 Drawing::Drawing(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Drawing::Drawing(Drawing&&) noexcept = default;
 Drawing& Drawing::operator=(Drawing&&) noexcept = default;

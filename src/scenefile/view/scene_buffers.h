@@ -49,6 +49,8 @@ struct Drawing::State {
   std::vector<Emitter> emitters;  ///< that shine by the options of the last draw()
   ShadowMaps shadows;
   std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
+  std::array<std::optional<Geometry>, 4> realtime_shapes;             ///< by Shape
+  TessellationParameters realtime_parameters;                         ///< of realtime_shapes
   std::vector<Geometry> meshes;
   std::vector<std::vector<std::uint32_t>> mesh_triangles;  ///< indices of `meshes`
 };
@@ -57,6 +59,12 @@ struct Drawing::State {
 /// its edges too.
 const Geometry& geometry_of(const gl::Functions& functions, Drawing::State& drawing, Shape shape,
                             std::uint32_t mesh, std::size_t level, bool with_lines);
+
+/// The geometry of a shape in the assignment Realtime, made when the parameters change.
+/// `with_lines`: all edges of its triangles too.
+const Geometry& realtime_geometry_of(const gl::Functions& functions, Drawing::State& drawing,
+                                     Shape shape, const TessellationParameters& parameters,
+                                     bool with_lines);
 
 /// Uploads rows of `texels` vec4 each as a table that the shaders index by number.
 void fill_table(const gl::Functions& functions, gl::Texture& table, int texels,

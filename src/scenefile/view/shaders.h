@@ -5,5 +5,7 @@ namespace scenefile {
 
 extern const char* const scene_vert;
 extern const char* const scene_frag;
+extern const char* const filter_vert;
+extern const char* const filter_frag;
 
 }  // namespace scenefile

@@ -143,7 +143,9 @@ void make_layers(const gl::Functions& gl, ShadowMaps& shadows) {
 
 bool same_shadows(const DrawOptions& a, const DrawOptions& b) {
   return a.shadows == b.shadows && a.course == b.course && a.transparency == b.transparency &&
-         a.directional_only == b.directional_only && a.lights == b.lights && a.objects == b.objects;
+         a.directional_only == b.directional_only &&
+         a.realtime.has_value() == b.realtime.has_value() && a.lights == b.lights &&
+         a.objects == b.objects;
 }
 
 std::uint32_t draw_layers(GlDevice::State& device, Drawing::State& drawing,

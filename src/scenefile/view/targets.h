@@ -9,6 +9,7 @@ namespace scenefile {
 struct PixelSurface {
   gl::Framebuffer framebuffer;
   gl::Renderbuffer color;
+  gl::Texture texture;  ///< in place of `color`
   gl::Renderbuffer depth;
   int width = 0;
   int height = 0;
@@ -19,5 +20,9 @@ struct PixelSurface {
 /// device cannot.
 bool fit(const gl::Functions& functions, PixelSurface& surface, int width, int height, int samples,
          bool with_depth);
+
+/// The same with a texture, one sample a pixel and depth. Shaders read it with linear
+/// interpolation.
+bool fit_texture(const gl::Functions& functions, PixelSurface& surface, int width, int height);
 
 }  // namespace scenefile

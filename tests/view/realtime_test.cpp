@@ -1,0 +1,268 @@
+// The pictures of the assignment Realtime, against a software rasterizer and known values.
+
+#include "scenefile/asset/compare_images.h"
+#include "view/build_scene.h"
+#include "view/software_realtime.h"
+
+#include <cmath>
+
+namespace scenefile {
+
+namespace {
+
+using namespace view_test;
+
+constexpr double step = 1.0 / 255;
+
+class Realtime : public Drawn {
+ protected:
+  Texture drawn(const SceneBuilder& builder, const RealtimeOptions& realtime, int width = 32,
+                int height = 32) {
+    DrawOptions options;
+    options.realtime = realtime;
+    Drawing drawing = uploaded(builder);
+    std::string error;
+    const Image image =
+        draw_image(*device, drawing, builder.scene.camera, options, width, height, error, &stats);
+    EXPECT_EQ(error, "");
+    return quantize(image, Rounding::nearest);
+  }
+};
+
+RenderLight light(LightType type, const glm::vec3& position, const glm::vec3& direction) {
+  RenderLight result;
+  result.type = type;
+  result.position = position;
+  result.direction = glm::normalize(direction);
+  result.color = glm::vec3(0.8f, 0.7f, 0.6f);
+  result.attenuation = {0.9f, 0.05f, 0.01f};
+  result.inner_angle = 0.3f;
+  result.outer_angle = 0.6f;
+  return result;
+}
+
+// All shapes, turned and stretched, one mirrored, and all types of lights.
+SceneBuilder everything() {
+  SceneBuilder builder;
+  RenderMaterial material;
+  material.ambient = {0.1f, 0.15f, 0.2f};
+  material.diffuse = {0.5f, 0.6f, 0.4f};
+  material.specular = glm::vec3(0.5f);
+  material.shininess = 12;
+  builder.scene.materials.push_back(material);
+  const Shape shapes[] = {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere, Shape::sphere};
+  for (int i = 0; i < 5; ++i) {
+    const float turn = 0.7f * static_cast<float>(i) + 0.4f;
+    glm::mat3 linear(std::cos(turn), std::sin(turn), 0.3f, -std::sin(turn), std::cos(turn), 0.1f,
+                     0.2f, -0.3f, 1.3f);
+    if (i == 4) {
+      linear[0] = -linear[0];
+    }
+    const glm::vec3 offset(1.1f * static_cast<float>(i - 2), 0.4f * static_cast<float>(i % 2),
+                           -5 - 0.3f * static_cast<float>(i));
+    builder.add(shapes[i], {linear, offset}, 0);
+  }
+  builder.add(Shape::cube, {glm::mat3(9, 0, 0, 0, 0.2f, 0, 0, 0, 9), {0, -1.5f, -6}}, 0);
+  builder.scene.lights = {light(LightType::directional, {}, {1, -2, -1}),
+                          light(LightType::point, {-2, 1, -3}, {0, -1, 0}),
+                          light(LightType::spot, {2, 3, -4}, {-0.3f, -1, -0.4f}),
+                          light(LightType::area, {0, 3, -4}, {0, -1, 0})};
+  return builder;
+}
+
+struct Apart {
+  long over = 0;    // pixels off by more than 8/255
+  long inside = 0;  // of them, farther than a pixel from an edge
+};
+
+Apart apart(const Texture& a, const SoftwarePicture& b) {
+  Apart result;
+  for (std::size_t pixel = 0; pixel < b.near_edge.size(); ++pixel) {
+    int most = 0;
+    for (std::size_t c = 3 * pixel; c < 3 * pixel + 3; ++c) {
+      most = std::max(most, std::abs(a.rgb[c] - b.picture.rgb[c]));
+    }
+    result.over += most > 8 ? 1 : 0;
+    result.inside += most > 8 && !b.near_edge[pixel] ? 1 : 0;
+  }
+  return result;
+}
+
+TEST_F(Realtime, AgreesWithASoftwareRasterizer) {
+  const SceneBuilder builder = everything();
+  for (const Milestone milestone : {Milestone::lights_camera, Milestone::action}) {
+    for (const Filter filter :
+         {Filter::none, Filter::invert, Filter::grayscale, Filter::blur, Filter::sharpen}) {
+      for (const TessellationParameters parameters :
+           {TessellationParameters{1, 1}, TessellationParameters{5, 5},
+            TessellationParameters{12, 17}}) {
+        const RealtimeOptions realtime{parameters, 0.1, 100, filter, milestone};
+        const Texture ours = drawn(builder, realtime, 200, 150);
+        const SoftwarePicture software = software_realtime(builder.scene, realtime, 200, 150);
+        const Apart off = apart(ours, software);
+        EXPECT_LE(off.over, 4) << int(filter) << ' ' << parameters.parameter1;
+        EXPECT_EQ(off.inside, 0) << int(filter) << ' ' << parameters.parameter1;
+        EXPECT_GT(compare_images(ours, software.picture).psnr_db, 50);
+      }
+    }
+  }
+}
+
+TEST_F(Realtime, NearAndFarCutTheShapesOpen) {
+  const SceneBuilder builder = everything();
+  const RealtimeOptions whole{{5, 5}, 0.1, 100};
+  const RealtimeOptions cut{{5, 5}, 5.2, 6};
+  const Texture ours = drawn(builder, cut, 200, 150);
+  const Apart off = apart(ours, software_realtime(builder.scene, cut, 200, 150));
+  EXPECT_LE(off.over, 4);
+  EXPECT_EQ(off.inside, 0);
+  EXPECT_GT(compare_images(ours, drawn(builder, whole, 200, 150)).share_over, 0.1);
+}
+
+// A square whose edges pass through pixel centers: the rules of drivers decide who owns them.
+TEST_F(Realtime, EdgesThroughPixelCentersAreTheDrivers) {
+  SceneBuilder builder;
+  builder.scene.camera.fov_y = 2 * std::atan(1.0);
+  // 16 x 16 pixels, at depth 1 one is an eighth of the world's unit high.
+  const double aspect = double(realtime_window(16, 16).width) / realtime_window(16, 16).height;
+  glm::mat3 linear(1);
+  linear[0][0] = static_cast<float>(aspect * 8 / 8);
+  builder.add(Shape::cube, {linear, {0.5f * static_cast<float>(aspect) / 8, 0.5f / 8, -1.5f}},
+              builder.glowing(glm::vec3(1)));
+  const RealtimeOptions realtime{{1, 3}, 0.1, 100};
+  const auto count = [](const Texture& picture) {
+    long lit = 0;
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+      lit += picture.rgb[i] > 0 ? 1 : 0;
+    }
+    return lit;
+  };
+  const Texture upper = software_realtime(builder.scene, realtime, 16, 16).picture;
+  const Texture lower =
+      software_realtime(builder.scene, realtime, 16, 16, {.upper_edges_own = false}).picture;
+  EXPECT_EQ(count(upper), 64);
+  EXPECT_EQ(count(lower), 64);
+  const auto differing = [&](const Texture& a, const Texture& b) {
+    return std::lround(compare_images(a, b).share_over * 16 * 16);
+  };
+  EXPECT_EQ(differing(upper, lower), 16) << "a row of 8 pixels moves";
+  const Texture ours = drawn(builder, realtime, 16, 16);
+  EXPECT_EQ(count(ours), 64);
+  EXPECT_TRUE(ours.rgb == upper.rgb || ours.rgb == lower.rgb);
+}
+
+TEST_F(Realtime, LightsCameraKnowsDirectionalLightsAlone) {
+  SceneBuilder builder = everything();
+  const Texture all = drawn(builder, {}, 64, 48);
+  const RenderLight directional = builder.scene.lights[0];
+  builder.scene.lights = {directional};
+  EXPECT_EQ(all.rgb, drawn(builder, {}, 64, 48).rgb);
+}
+
+TEST_F(Realtime, ActionKnowsAllTypesButAreas) {
+  SceneBuilder builder = everything();
+  RealtimeOptions action;
+  action.milestone = Milestone::action;
+  const Texture all = drawn(builder, action, 64, 48);
+  builder.scene.lights.pop_back();
+  EXPECT_EQ(all.rgb, drawn(builder, action, 64, 48).rgb);
+  builder.scene.lights.pop_back();
+  EXPECT_NE(all.rgb, drawn(builder, action, 64, 48).rgb);
+}
+
+SceneBuilder wall(const glm::vec3& color) {
+  SceneBuilder builder;
+  builder.add(Shape::cube, place({0, 0, -12}, 20), builder.glowing(color));
+  return builder;
+}
+
+glm::vec3 middle(const Texture& picture) {
+  const std::uint8_t* const p = picture.texel(picture.width / 2, picture.height / 2);
+  return glm::vec3(p[0], p[1], p[2]) / 255.0f;
+}
+
+TEST_F(Realtime, FiltersOfOneColor) {
+  const glm::vec3 color(0.8f, 0.4f, 0.2f);
+  const SceneBuilder builder = wall(color);
+  const auto filtered = [&](Filter filter) {
+    RealtimeOptions realtime;
+    realtime.filter = filter;
+    return middle(drawn(builder, realtime));
+  };
+  const float gray = 0.299f * 0.8f + 0.587f * 0.4f + 0.114f * 0.2f;
+  EXPECT_LT(glm::length(filtered(Filter::none) - color), 0.5 * step);
+  EXPECT_LT(glm::length(filtered(Filter::invert) - (1.0f - color)), 0.5 * step);
+  EXPECT_LT(glm::length(filtered(Filter::grayscale) - glm::vec3(gray)), 2 * step);
+  EXPECT_LT(glm::length(filtered(Filter::blur) - color), 0.5 * step);
+  EXPECT_LT(glm::length(filtered(Filter::sharpen) - color), 0.5 * step);
+}
+
+TEST_F(Realtime, ActionShowsTheSceneAtTheLowerLeft) {
+  RealtimeOptions action;
+  action.milestone = Milestone::action;
+  action.filter = Filter::invert;
+  const Texture picture = drawn(wall(glm::vec3(1)), action, 1024, 768);
+  const auto red = [&](int x, int y) { return int(picture.texel(x, y)[0]); };
+  EXPECT_EQ(red(0, 767), 0);
+  EXPECT_EQ(red(959, 48), 0);
+  EXPECT_EQ(red(961, 400), 255) << "the background is inverted, too";
+  EXPECT_EQ(red(400, 45), 255);
+}
+
+TEST_F(Realtime, PickingFindsWhatThePictureShows) {
+  const SceneBuilder builder = everything();
+  Drawing drawing = uploaded(builder);
+  DrawOptions options;
+  for (const Milestone milestone : {Milestone::lights_camera, Milestone::action}) {
+    options.realtime.emplace();
+    options.realtime->milestone = milestone;
+    options.mode = DrawMode::object_id;
+    std::string error;
+    const Image ids = draw_image(*device, drawing, builder.scene.camera, options, 96, 72, error);
+    for (int y = 1; y < 71; y += 5) {
+      for (int x = 1; x < 95; x += 5) {
+        bool even = true;  // the pixels around are of one object
+        for (int i = 0; i < 9; ++i) {
+          even = even && at(ids, x + i % 3 - 1, y + i / 3 - 1) == at(ids, x, y);
+        }
+        if (even) {
+          const auto found =
+              object_at(*device, drawing, builder.scene.camera, options, 96, 72, x, y);
+          EXPECT_EQ(found.has_value(), at(ids, x, y) != glm::vec3(0)) << x << ' ' << y;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Realtime, CountsItsTriangles) {
+  SceneBuilder builder;
+  builder.add(Shape::sphere, place({0, 0, -3}), builder.glowing(glm::vec3(1)));
+  builder.add(Shape::cube, place({0, 1, -3}), 0);
+  drawn(builder, {{4, 7}, 0.1, 100});
+  EXPECT_EQ(stats.triangles, 7u * (2 * 4 - 2) + 12 * 4 * 4);
+}
+
+// One edge and its neighbor in a row: the kernels' weights.
+TEST_F(Realtime, KernelsAreABoxOfFiveAndASharpenOfThree) {
+  SceneBuilder builder;
+  // The left half is lit, to the middle of the picture.
+  builder.add(Shape::cube, place({-10, 0, -12}, 20), builder.glowing(glm::vec3(1)));
+  RealtimeOptions realtime;
+  realtime.filter = Filter::blur;
+  const Texture blurred = drawn(builder, realtime);
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(blurred.texel(13 + i, 16)[0] / 255.0, std::clamp((5 - i) / 5.0, 0.0, 1.0), step)
+        << i;
+  }
+  builder.scene.materials[0].ambient = glm::vec3(0.4f);
+  realtime.filter = Filter::sharpen;
+  const Texture sharp = drawn(builder, realtime);
+  EXPECT_NEAR(sharp.texel(14, 16)[0] / 255.0, 0.4, step);
+  EXPECT_NEAR(sharp.texel(15, 16)[0] / 255.0, 0.4 + 0.4 / 3, step);
+  EXPECT_EQ(sharp.texel(16, 16)[0], 0);
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -7,6 +7,7 @@
 #include "app/progress.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 
 #include <fmt/format.h>
@@ -96,6 +97,16 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
   return status;
 }
 
+// Says of a scene among pictures what it is, in place of why it cannot be decoded.
+void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
+  if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
+    loaded.error = fmt::format(
+        "{} is a scene and {} a picture; compare two scenes, or two pictures and name their scene "
+        "with --scene",
+        escaped(shown_name(loaded.path), 4096), escaped(shown_name(other.path), 4096));
+  }
+}
+
 ExitCode check_targets(const Options& options) {
   for (const std::string& target : {options.heatmap, options.sheet}) {
     if (target.empty()) {
@@ -129,8 +140,10 @@ ExitCode diff_images(const Options& options, Context& context) {
   if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
     return status;
   }
-  const LoadedPicture a = load_picture(options.arguments[0], context);
-  const LoadedPicture b = load_picture(options.arguments[1], context);
+  LoadedPicture a = load_picture(options.arguments[0], context);
+  LoadedPicture b = load_picture(options.arguments[1], context);
+  explain_scene(a, b);
+  explain_scene(b, a);
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
     for (const LoadedPicture* loaded : {&a, &b}) {
       if (!loaded->error.empty() && !options.json) {

@@ -124,9 +124,22 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   EXPECT_THAT(sizes.out,
               AllOf(HasSubstr("64x48 and 32x24"), HasSubstr("the size is 32x24, expected 64x48")));
   EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);
-  const ProgramRun mixed = in_folder({"diff", "right.png", "ball.xml"});
-  EXPECT_EQ(mixed.status, 1);
-  EXPECT_THAT(mixed.err, HasSubstr("ball.xml: cannot decode: "));
+  folder.write("text.png", "no picture");
+  const ProgramRun text = in_folder({"diff", "right.png", "text.png"});
+  EXPECT_EQ(text.status, 1);
+  EXPECT_THAT(text.err, HasSubstr("text.png: cannot decode: "));
+}
+
+TEST_F(DiffImages, ASceneIsNotAPicture) {
+  const std::string words =
+      "scenefile: ball.xml is a scene and right.png a picture; compare two scenes, or two pictures";
+  for (const auto& [first, second] :
+       {std::pair("right.png", "ball.xml"), {"ball.xml", "right.png"}}) {
+    const ProgramRun mixed = in_folder({"diff", first, second});
+    EXPECT_EQ(mixed.status, 1);
+    EXPECT_THAT(mixed.err, HasSubstr(words));
+    EXPECT_EQ(mixed.out, "");
+  }
 }
 
 TEST_F(DiffImages, AnswersPrograms) {

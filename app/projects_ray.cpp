@@ -4,9 +4,13 @@
 #include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
+#include "scenefile/base/text.h"
 #include "scenefile/format/config_codes.h"
 #include "scenefile/format/read_config.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
+
+#include <fmt/format.h>
 
 #include <string>
 
@@ -69,6 +73,13 @@ void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) 
   }
 }
 
+// A scene in place of the configuration, by its name or its first character.
+bool is_scene(const LoadedScene& config) {
+  const std::size_t first = config.text.find_first_not_of(" \t\r\n");
+  const char start = first == std::string::npos ? ' ' : config.text[first];
+  return is_scene_name(config.path) || start == '<' || start == '{';
+}
+
 }  // namespace
 
 bool is_projects_ray(std::string_view program) {
@@ -93,9 +104,20 @@ ExitCode run_projects_ray(std::span<const char* const> words, Context& context) 
     read = read_config(config.text, Limits{}, config.diagnostics);
     check_picture_format(read, config.diagnostics);
   }
+  const ExitCode read_status = status_of(config);
+  if ((read_status == ExitCode::findings || read_status == ExitCode::limit) && is_scene(config)) {
+    const std::string name = escaped(config.path, 4096);
+    say_error(fmt::format("{} is a scene; projects_ray takes a configuration that names the scene",
+                          name));
+    say(
+        fmt::format("\"projects_ray --help\" shows one. To draw the scene itself: scenefile render "
+                    "{} -o OUT.png --profile course\n",
+                    name));
+    return ExitCode::findings;
+  }
   say(findings_text(config, Verbosity::warnings, wants_color(Stream::chatter)));
-  if (const ExitCode status = status_of(config); status != ExitCode::fine) {
-    return status;
+  if (read_status != ExitCode::fine) {
+    return read_status;
   }
   const ExitCode status = run_render(options_of(read), context);
   if (status == ExitCode::environment && !read.scene.starts_with('/')) {

@@ -152,6 +152,20 @@ TEST_F(Driver, OtherEndingsBecomePng) {
   EXPECT_EQ(folder.read("out.jpg").substr(1, 3), "PNG");
 }
 
+TEST_F(Driver, ASceneInPlaceOfAConfigurationIsCalledOne) {
+  const std::string large = std::string(good_scene) + std::string(100'000, ' ');
+  for (const std::string& scene :
+       {folder.write("scene.xml", good_scene), folder.write("large.xml", large),
+        folder.write("scene.json", R"({"groups": []})"), folder.write("scene", good_scene)}) {
+    const ProgramRun run = drive(scene);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.err,
+                HasSubstr(scene + " is a scene; projects_ray takes a configuration that names"));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;
+  }
+  EXPECT_EQ(drive("/nowhere/scene.xml").status, 3);
+}
+
 TEST_F(Driver, ExplainsItselfAndItsUse) {
   const ProgramRun help = run_program({"--help"}, {.program = projects_ray});
   EXPECT_EQ(help.status, 0);

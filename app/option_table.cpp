@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -40,16 +41,36 @@ std::string set_number(const std::string& value, T min, T max, std::optional<T>&
   return set_number(value, min, max, number.emplace());
 }
 
-// The index of a word in a list; the words of the mistake otherwise.
-std::string set_choice(const std::string& value, std::span<const std::string_view> words,
-                       std::size_t& index) {
+// "unknown profile "corse"; did you mean course?", or which words there are.
+std::string unknown_word(std::string_view what, std::string_view word,
+                         std::span<const std::string_view> known) {
+  const std::string nearest = did_you_mean(word, known);
+  return fmt::format(
+      "unknown {} {}{}", what, quoted(word),
+      nearest.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : nearest);
+}
+
+// The index of a word in a list; the words of the mistake otherwise. `what`: the word names one.
+std::string set_choice(std::string_view what, const std::string& value,
+                       std::span<const std::string_view> words, std::size_t& index) {
   for (index = 0; index < words.size(); ++index) {
     if (value == words[index]) {
       return {};
     }
   }
-  return fmt::format("{} is none of {}{}", quoted(value), fmt::join(words, ", "),
-                     did_you_mean(value, words));
+  return unknown_word(what, value, words);
+}
+
+// What is wrong with the form of a list, which is one argument. The shell splits a list with
+// blanks: then "shadows, reflect" is the list "shadows," and an argument "reflect".
+std::string check_list(const std::string& value, std::string_view example) {
+  const bool blank = value.find_first_of(" \t") != std::string::npos;
+  if (blank || value.starts_with(',') || value.ends_with(',') ||
+      value.find(",,") != std::string::npos) {
+    return fmt::format("write the list {} with commas and without blanks, such as {}",
+                       quoted(value), example);
+  }
+  return {};
 }
 
 std::string set_output(Options& options, const std::string& value) {
@@ -79,6 +100,9 @@ std::string set_window(Options& options, const std::string& value) {
 std::string set_pixel(Options& options, const std::string& value) {
   const int most = static_cast<int>(Limits{}.image_side) - 1;
   const std::size_t comma = value.find(',');
+  if (std::string wrong = check_list(value, "320,240"); !wrong.empty()) {
+    return wrong;
+  }
   if (comma == std::string::npos) {
     return fmt::format("{} is not a pixel such as 320,240", quoted(value));
   }
@@ -90,7 +114,7 @@ std::string set_pixel(Options& options, const std::string& value) {
 std::string set_profile(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 2> words{"course", "fine"};
   std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
+  std::string wrong = set_choice("profile", value, words, index);
   options.profile = index == 0 ? Profile::course : Profile::fine;
   options.profile_given = true;
   return wrong;
@@ -99,7 +123,7 @@ std::string set_profile(Options& options, const std::string& value) {
 std::string set_engine(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 2> words{"trace", "gl"};
   std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
+  std::string wrong = set_choice("engine", value, words, index);
   options.engine = index == 1 ? Engine::gl : Engine::trace;
   return wrong;
 }
@@ -108,12 +132,15 @@ std::string set_mode(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 3> words{"ray", "intersect", "normals"};
   static constexpr std::array<Mode, 4> modes{Mode::ray, Mode::intersect, Mode::normals, Mode::ray};
   std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
+  std::string wrong = set_choice("mode", value, words, index);
   options.mode = modes[index];
   return wrong;
 }
 
 std::string set_features(Options& options, const std::string& value) {
+  if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
+    return wrong;
+  }
   const std::string_view unknown = parse_features(value, options.features.emplace());
   if (unknown.empty()) {
     return {};
@@ -123,13 +150,12 @@ std::string set_features(Options& options, const std::string& value) {
   }
   std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
   words.insert(words.end(), {"all", "none"});
-  return fmt::format("{} is none of {}{}", quoted(unknown), fmt::join(words, ", "),
-                     did_you_mean(unknown, words));
+  return unknown_word("feature", unknown, words);
 }
 
 std::string set_to(Options& options, const std::string& value) {
   std::size_t index = 0;
-  std::string wrong = set_choice(value, format_words, index);
+  std::string wrong = set_choice("format", value, format_words, index);
   options.to = static_cast<ConvertTo>(index);
   return wrong;
 }
@@ -137,7 +163,7 @@ std::string set_to(Options& options, const std::string& value) {
 std::string set_compat(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 1> words{"course"};
   std::size_t index = 0;
-  std::string wrong = set_choice(value, words, index);
+  std::string wrong = set_choice("dialect", value, words, index);
   options.compat_course = wrong.empty();
   return wrong;
 }
@@ -194,15 +220,23 @@ std::string set_checkpoint(Options& options, const std::string& value) {
 }
 
 std::string set_layers(Options& options, const std::string& value) {
+  if (std::string wrong = check_list(value, "depth,normal"); !wrong.empty()) {
+    return wrong;
+  }
   const std::string_view wrong = parse_layers(value, options.layers);
   if (wrong.empty()) {
     return {};
   }
-  return fmt::format("{} is none of {}, or stands twice{}", quoted(wrong),
-                     fmt::join(layer_words(), ", "), did_you_mean(wrong, layer_words()));
+  const bool known = std::any_of(options.layers.begin(), options.layers.end(),
+                                 [&](const Layer& layer) { return layer_name(layer) == wrong; });
+  return known ? fmt::format("{} stands in the list twice", wrong)
+               : unknown_word("layer", wrong, layer_words());
 }
 
 std::string set_crop(Options& options, const std::string& value) {
+  if (std::string wrong = check_list(value, "100,50,300,200"); !wrong.empty()) {
+    return wrong;
+  }
   PixelRegion& crop = options.crop.emplace();
   std::string_view rest = value;
   for (int* const side : {&crop.x0, &crop.y0, &crop.x1, &crop.y1}) {

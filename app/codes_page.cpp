@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -44,17 +45,32 @@ std::string markdown(std::string_view text) {
 
 }  // namespace
 
-std::string codes_text() {
+std::string codes_text(std::string_view family) {
   std::string text;
   std::size_t width = 0;
   for (const std::string_view name : code_names()) {
     width = std::max(width, name.size());
   }
   for (const Code* code : all_codes()) {
-    text += fmt::format("{:<{}}  {:<7}  {}\n", code->name, width, severity_name(code->severity),
-                        code->summary);
+    if (family.empty() || family_of(*code) == family) {
+      text += fmt::format("{:<{}}  {:<7}  {}\n", code->name, width, severity_name(code->severity),
+                          code->summary);
+    }
   }
   return text + "\n\"scenefile help CODE\" says more.\n";
+}
+
+std::span<const std::string_view> code_families() {
+  static const std::vector<std::string_view> families = [] {
+    std::vector<std::string_view> result;
+    for (const Code* code : all_codes()) {
+      if (result.empty() || result.back() != family_of(*code)) {
+        result.push_back(family_of(*code));
+      }
+    }
+    return result;
+  }();
+  return families;
 }
 
 std::string severities_text(const Code& code) {

@@ -3,12 +3,16 @@
 
 #include "scenefile/base/diagnostics.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace scenefile::app {
 
-/// A line a code, for a terminal.
-std::string codes_text();
+/// A line a code, for a terminal: of all codes, or of a family.
+std::string codes_text(std::string_view family = {});
+/// What stands in front of the points of codes, sorted: "camera" of "camera.look-zero".
+std::span<const std::string_view> code_families();
 /// "error, sometimes a warning", and what is special about the kind.
 std::string severities_text(const Code& code);
 /// docs/diagnostics.md.

@@ -65,6 +65,7 @@ std::string indented_lines(std::string_view lines) {
 std::string no_such_topic(const std::string& topic) {
   std::vector<std::string_view> known(command_names().begin(), command_names().end());
   known.insert(known.end(), code_names().begin(), code_names().end());
+  known.insert(known.end(), code_families().begin(), code_families().end());
   known.push_back("limits");
   return fmt::format("there is no command and no code {}{}", quoted(topic),
                      did_you_mean(topic, known));
@@ -107,8 +108,9 @@ std::string overview_text() {
 }
 
 std::string command_text(const Command& command) {
-  std::string text = fmt::format("scenefile {} {} [options]\n\n{}\n\nOptions:\n", command.name,
-                                 command.arguments, wrapped(command.description, 0));
+  std::string text = fmt::format("scenefile {}{}{} [options]\n\n{}\n\nOptions:\n", command.name,
+                                 command.arguments.empty() ? "" : " ", command.arguments,
+                                 wrapped(command.description, 0));
   for (const OptionRow& row : option_table()) {
     if ((row.commands & command.bit) != 0) {
       text += option_text(row);
@@ -136,6 +138,10 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const Code* const code = find_code(topic); code != nullptr) {
     return answer(options.json ? code_json(*code) : code_text(*code));
+  }
+  if (const auto families = code_families();
+      std::find(families.begin(), families.end(), topic) != families.end()) {
+    return answer(options.json ? help_json() : codes_text(topic));
   }
   if (topic == "codes") {
     return answer(options.json ? help_json() : codes_text());

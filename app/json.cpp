@@ -388,14 +388,6 @@ std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDif
   return json.text();
 }
 
-std::string version_json(const std::string& version) {
-  Json json;
-  json.begin_object();
-  json.add("scenefile", version);
-  json.end_object();
-  return json.text();
-}
-
 std::string command_json(const Command& command) {
   Json json;
   add_command(json, command);

@@ -69,7 +69,6 @@ std::string format_json(const std::vector<FormatReport>& files, bool check);
 /// `diff`: null when one of the scenes cannot be used.
 std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
 
-std::string version_json(const std::string& version);
 std::string command_json(const Command& command);
 std::string code_json(const Code& code);
 /// All commands and all codes.

@@ -116,8 +116,11 @@ constexpr std::array table{
             "scenefile help codes\n"
             "scenefile help camera.up-parallel-to-look",
             run_help, at_most_one},
-    Command{"version", for_version, "", "say which version this is", "Prints the version.",
-            "scenefile version\nscenefile --version", run_version, at_most_one},
+    Command{
+        "version", for_version, "", "say which version this is",
+        "Prints the version, how the program was built, and "
+        "what traces rays on this machine: Embree's version and the instruction set of the lanes.",
+        "scenefile version\nscenefile --version", run_version, at_most_one},
 };
 
 // The order in which statuses go before each other.

@@ -1,12 +1,33 @@
 #include "app/command.h"
-#include "app/json.h"
+#include "app/json_writer.h"
 #include "app/output.h"
+#include "scenefile/trace/backend.h"
+
+#include <fmt/format.h>
 
 namespace scenefile::app {
 
-ExitCode run_version(const Options& options, Context& /*context*/) {
-  return answer(options.json ? version_json(SCENEFILE_VERSION)
-                             : std::string("scenefile " SCENEFILE_VERSION "\n"));
+ExitCode run_version(const Options& options, Context& context) {
+  context.phase = "asking Embree for its version";
+  const TraceBackend backend = trace_backend();
+  const std::string embree = backend.embree.empty() ? "unknown" : backend.embree;
+  if (!options.json) {
+    return answer(fmt::format(
+        "scenefile {}\n"
+        "  build   {}, {}\n"
+        "  Embree  {}\n"
+        "  lanes   {}\n",
+        SCENEFILE_VERSION, SCENEFILE_BUILD_TYPE, SCENEFILE_COMPILER, embree, backend.lanes));
+  }
+  Json json;
+  json.begin_object();
+  json.add("scenefile", SCENEFILE_VERSION);
+  json.add("build_type", SCENEFILE_BUILD_TYPE);
+  json.add("compiler", SCENEFILE_COMPILER);
+  json.add("embree", embree);
+  json.add("lanes", backend.lanes);
+  json.end_object();
+  return answer(json.text());
 }
 
 }  // namespace scenefile::app

@@ -60,9 +60,11 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--size", "5x65537"), "5x65537 is more than the limit of 65536 pixels a side");
   is_misuse(render("--size", "4x4x4"), R"("4x4" is not a whole number)");
   is_misuse(render("--profile", "curse"),
-            R"("curse" is none of course, fine; did you mean course?)");
+            R"(--profile: unknown profile "curse"; did you mean course?)");
+  is_misuse(render("--profile", "nice"), R"(unknown profile "nice"; known: course, fine)");
+  is_misuse(render("--engine", "embree"), R"(unknown engine "embree"; known: trace, gl)");
   is_misuse(render("--mode", "rays"), "did you mean ray?");
-  is_misuse(render("--features", "shadows,reflection"), R"("reflection" is none of shadows)");
+  is_misuse(render("--features", "shadows,reflection"), R"(unknown feature "reflection"; )");
   is_misuse(render("--features", "shadow"), "did you mean shadows?");
   is_misuse(render("--features", "shadows,none"), "--features: none stands alone");
   is_misuse(render("--samples", "0"), R"(--samples: "0" is not a whole number from 1)");
@@ -76,6 +78,21 @@ TEST(Usage, JudgesValues) {
   is_misuse({"check", "a.xml", "--deny", "xml.numbre"}, "did you mean xml.number?");
   is_misuse({"check", "a.xml", "--json", "--sarif"}, "choose one");
   is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(there is no code "xml.nosuch")");
+}
+
+TEST(Usage, ListsHaveNoBlanks) {
+  const std::vector<std::string> start{"render", "a.xml", "-o", "b.png"};
+  const auto render = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), start.begin(), start.end());
+    return words;
+  };
+  is_misuse(render({"--features", "shadows,", "reflect"}),
+            R"(write the list "shadows," with commas and without blanks, such as shadows,reflect)");
+  is_misuse(render({"--features", "shadows, reflect"}), "with commas and without blanks");
+  is_misuse(render({"--features", "shadows,,reflect"}), "with commas and without blanks");
+  is_misuse(render({"--aov", "depth,", "normal"}), "with commas and without blanks");
+  is_misuse(render({"--crop", "1,", "2,", "3,", "4"}), "such as 100,50,300,200");
+  is_misuse({"explain", "a.xml", "--pixel", "3,", "4"}, "such as 320,240");
 }
 
 TEST(Usage, MissesWhatIsMissing) {
@@ -106,11 +123,31 @@ TEST(Usage, VersionIsAnAnswer) {
   for (const std::string word : {"--version", "version"}) {
     const ProgramRun run = run_program({word});
     EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.out, "scenefile " SCENEFILE_VERSION "\n");
+    EXPECT_THAT(run.out, ::testing::MatchesRegex("scenefile " SCENEFILE_VERSION "\n"
+                                                 "  build   [A-Za-z]+, [A-Za-z]+ [0-9.]+\n"
+                                                 "  Embree  [34][.][0-9]+[.][0-9]+\n"
+                                                 "  lanes   [A-Z0-9-]+\n"));
     EXPECT_EQ(run.err, "");
   }
   EXPECT_STREQ(parse_json(run_program({"version", "--json"}).out)["scenefile"].GetString(),
                SCENEFILE_VERSION);
+  EXPECT_EQ(parse_json(run_program({"version", "--json"}).out)["embree"].GetString()[1], '.');
+}
+
+TEST(Usage, HelpListsTheCodesOfAFamily) {
+  const ProgramRun camera = run_program({"help", "camera"});
+  EXPECT_EQ(camera.status, 0);
+  std::istringstream lines(camera.out);
+  int count = 0;
+  for (std::string line; std::getline(lines, line) && !line.empty(); ++count) {
+    EXPECT_TRUE(line.starts_with("camera.")) << line;
+  }
+  EXPECT_GT(count, 5);
+  is_misuse({"help", "camra"}, "did you mean camera?");
+}
+
+TEST(Usage, HelpHasNoDoubleBlanksInItsFirstLine) {
+  EXPECT_TRUE(run_program({"help", "version"}).out.starts_with("scenefile version [options]\n"));
 }
 
 TEST(Usage, HelpCoversCommandsAndCodes) {

@@ -12,6 +12,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -326,6 +328,16 @@ EmbreeScenes::~EmbreeScenes() {
     rtcReleaseScene(scene);
   }
   rtcReleaseDevice(state_->device);
+}
+
+std::string embree_version() {
+  const RTCDevice device = rtcNewDevice(nullptr);
+  if (device == nullptr) {
+    return {};
+  }
+  const auto number = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION);
+  rtcReleaseDevice(device);
+  return fmt::format("{}.{}.{}", number / 10000, number / 100 % 100, number % 100);
 }
 
 bool EmbreeScenes::good() const {

@@ -9,6 +9,7 @@
 #include "scenefile/trace/search.h"
 
 #include <memory>
+#include <string>
 
 namespace scenefile {
 
@@ -31,6 +32,9 @@ class EmbreeScenes {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Of the library that is loaded, "4.3.3"; empty when it cannot be asked.
+std::string embree_version();
 
 /// Offers the query the parts that the ray may meet, ray and parts in the space of the group.
 void search_group_scene(Query& q, const Group& group, const Ray& ray);

@@ -166,7 +166,7 @@ constexpr WaveKernel kernels[] = {
      [] { return __builtin_cpu_supports("sse4.2") != 0 && __builtin_cpu_supports("pclmul") != 0; },
      N_SSE4::trace},
 #endif
-    {"what every such processor has", [] { return true; }, HWY_STATIC_DISPATCH(trace)}};
+    {"baseline", [] { return true; }, HWY_STATIC_DISPATCH(trace)}};
 
 void put(const Color& color, double (&to)[3]) {
   std::copy_n(&color.x, 3, to);

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
+#include "scenefile/trace/visit_options.h"
 
 #include <fmt/format.h>
 
@@ -30,19 +31,10 @@ std::uint64_t program_fingerprint() {
 
 // Everything on the command line that changes a pixel.
 std::uint64_t options_fingerprint(const Options& options) {
-  const RenderOptions render = render_options(options);
-  const Features& f = render.features;
-  std::string text = fmt::format("{} {} {}{}{}{}{}{}{} {}x{} {} {} {} {} {}{}", int(render.profile),
-                                 int(render.mode), f.shadows, f.reflect, f.refract, f.texture,
-                                 f.texture_filter, f.super_sample, f.depthoffield, render.width,
-                                 render.height, render.samples, render.max_depth, render.seed,
-                                 render.fresnel, options.compat_course, options.allow_missing);
-  if (render.crop.has_value()) {
-    text += fmt::format(" {},{},{},{}", render.crop->x0, render.crop->y0, render.crop->x1,
-                        render.crop->y1);
-  }
+  std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
+                                 options.compat_course, options.allow_missing);
   for (const LimitRow& limit : limit_table()) {
-    text += fmt::format(" {}", limit.get(options.limits));
+    text += fmt::format(" {}={}", limit.name, limit.get(options.limits));
   }
   return fingerprint(text);
 }
@@ -54,7 +46,8 @@ CheckpointKey key_of(const Options& options, const LoadedScene& scene) {
 
 // More than the state of such a picture can have.
 std::uint64_t most_bytes(const Options& options) {
-  return std::uint64_t(options.width) * std::uint64_t(options.height) * 16 + (1u << 20);
+  return std::uint64_t(options.render.width) * std::uint64_t(options.render.height) * 16 +
+         (1u << 20);
 }
 
 Outcome refusal(const Options& options, const std::string& why) {

@@ -68,10 +68,9 @@ std::string write_pov_file(LoadedScene& scene, const Options& options, Context& 
     }
   }
   context.phase = "writing the scene";
-  const RenderOptions render = render_options(options);
-  const Features& features = render.features;
+  const Features& features = options.render.features;
   return write_pov(scene.ready.scene, scene.assets.meshes, textures,
-                   {.bounces = render.max_depth,
+                   {.bounces = options.render.max_depth,
                     .transparent = 0.5f,
                     .shadows = features.shadows,
                     .reflect = features.reflect,

@@ -32,7 +32,7 @@ Outcome explain(const Options& options, const RenderOptions& render, const Loade
 }  // namespace
 
 ExitCode run_explain(const Options& options, Context& context) {
-  const RenderOptions render = render_options(options);
+  const RenderOptions render = options.render;
   const LoadedScene scene = load_for_tracing(options, render, context);
   Outcome outcome{status_of(scene), "the scene cannot be used"};
   if (!options.json) {

@@ -61,8 +61,7 @@ class Explanation {
     std::string text =
         fmt::format("{}, pixel {},{} of {}x{}, profile {}, mode {}\n",
                     escaped(shown_name(loaded_.path)), pixel_.x, pixel_.y, options.width,
-                    options.height, options.profile == Profile::course ? "course" : "fine",
-                    mode_names[static_cast<std::size_t>(options.mode)]);
+                    options.height, profile_word(options.profile), mode_word(options.mode));
     Item top;
     top.below.push_back(result());
     top.below.push_back(samples());

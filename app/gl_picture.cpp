@@ -1,38 +1,12 @@
 #include "app/gl_picture.h"
 
 #include "scenefile/view/codes.h"
+#include "scenefile/view/draw_options.h"
 #include "scenefile/view/headless.h"
 
 #include <fmt/format.h>
 
 namespace scenefile::app {
-
-namespace {
-
-// Samples of a pixel where nobody asks for a number; 0: by the size of the objects.
-int default_samples(const RenderOptions& options) {
-  if (options.profile == Profile::fine) {
-    return 0;
-  }
-  return options.features.super_sample ? 16 : 1;
-}
-
-DrawOptions draw_options(const Options& options) {
-  const RenderOptions render = render_options(options);
-  DrawOptions result;
-  const bool ray = render.mode == Mode::ray;
-  result.mode = render.mode == Mode::normals ? DrawMode::normals : DrawMode::shaded;
-  result.course = render.profile == Profile::course;
-  result.shadows = ray && render.features.shadows;
-  result.textures = ray && render.features.texture;
-  result.texture_filter = render.features.texture_filter;
-  result.transparency = ray && render.features.refract;
-  result.directional_only = result.course && render.mode == Mode::intersect;
-  result.samples = options.samples.value_or(default_samples(render));
-  return result;
-}
-
-}  // namespace
 
 Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, GlReport& report,
                      Context& context) {
@@ -44,12 +18,15 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
     return {ExitCode::environment, fmt::format("--engine gl: {}", error)};
   }
   const RenderScene& ready = scene.ready.scene;
-  UploadOptions upload_options;
-  upload_options.flat_meshes = options.profile == Profile::course;
-  Drawing drawing = upload(*device, ready, scene.assets, upload_options, scene.diagnostics);
+  Drawing drawing =
+      upload(*device, ready, scene.assets, upload_options(options.render), scene.diagnostics);
+  DrawOptions draw = draw_options(options.render);
+  if (was_given(options, "--samples")) {
+    draw.samples = options.render.samples;
+  }
   DrawStats stats;
-  image = draw_image(*device, drawing, ready.camera, draw_options(options), options.width,
-                     options.height, error, &stats);
+  image = draw_image(*device, drawing, ready.camera, draw, options.render.width,
+                     options.render.height, error, &stats);
   if (stats.left_out != 0) {
     scene.diagnostics.report(
         gl_copies_left_out, {},

@@ -7,8 +7,8 @@
 #include "app/names.h"
 #include "scenefile/base/report.h"
 #include "scenefile/explain/object_names.h"
-#include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/visit_options.h"
 
 #include <algorithm>
 #include <array>
@@ -59,14 +59,57 @@ void add_scene(Json& json, const LoadedScene& scene) {
   json.end_object();
 }
 
-void add_features(Json& json, Features features) {
-  json.begin_array("features");
-  for (const std::string_view word : feature_words()) {
-    if (*find_feature(features, word)) {
-      json.value(word);
+// The value of an option.
+void add_option(Json& json, int value) {
+  json.value(value);
+}
+void add_option(Json& json, std::uint64_t value) {
+  json.value(value);
+}
+void add_option(Json& json, bool value) {
+  json.value(value);
+}
+void add_option(Json& json, Profile profile) {
+  json.value(profile_word(profile));
+}
+void add_option(Json& json, Mode mode) {
+  json.value(mode_word(mode));
+}
+void add_option(Json& json, const Features& features) {
+  json.begin_array();
+  visit_options(features, [&](const OptionField& field, bool on) {
+    if (on) {
+      json.value(field.name);
     }
+  });
+  json.end_array();
+}
+void add_option(Json& json, const std::optional<PixelRegion>& crop) {
+  json.begin_array();
+  visit_options(*crop, [&](const OptionField&, int side) { json.value(side); });
+  json.end_array();
+}
+void add_option(Json& json, const std::vector<Layer>& layers) {
+  json.begin_array();
+  for (const Layer& layer : layers) {
+    json.value(layer_name(layer));
   }
   json.end_array();
+}
+void add_option(Json& /*json*/, const Mistakes& /*mistakes*/) {}
+
+bool is_set(bool value) {
+  return value;
+}
+bool is_set(const std::optional<PixelRegion>& crop) {
+  return crop.has_value();
+}
+bool is_set(const std::vector<Layer>& layers) {
+  return !layers.empty();
+}
+template <typename T>
+bool is_set(const T&) {
+  return true;
 }
 
 void add_camera(Json& json, const Scene& scene) {
@@ -232,29 +275,6 @@ void add_object_ids(Json& json, const LoadedScene& scene) {
   json.end_array();
 }
 
-void add_layers(Json& json, const LoadedScene& scene, const RenderOptions& options) {
-  if (options.crop.has_value()) {
-    json.begin_array("crop");
-    for (const int side :
-         {options.crop->x0, options.crop->y0, options.crop->x1, options.crop->y1}) {
-      json.value(side);
-    }
-    json.end_array();
-  }
-  if (options.layers.empty()) {
-    return;
-  }
-  json.begin_array("layers");
-  for (const Layer& layer : options.layers) {
-    json.value(layer_name(layer));
-  }
-  json.end_array();
-  if (std::any_of(options.layers.begin(), options.layers.end(),
-                  [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
-    add_object_ids(json, scene);
-  }
-}
-
 void add_work(Json& json, const RenderReport& report) {
   json.add("engine", report.gl.renderer.empty() ? "trace" : "gl");
   if (!report.gl.renderer.empty()) {
@@ -275,17 +295,14 @@ void add_work(Json& json, const RenderReport& report) {
 }  // namespace
 
 void add_render_options(Json& json, const RenderOptions& options) {
-  json.add("width", options.width);
-  json.add("height", options.height);
-  json.add("profile", options.profile == Profile::course ? "course" : "fine");
-  json.add("mode", mode_names[static_cast<std::size_t>(options.mode)]);
-  add_features(json, options.features);
-  json.add("max_depth", options.max_depth);
-  if (options.profile == Profile::fine) {
-    json.add("samples", options.samples);
-    json.add("seed", options.seed);
-    json.add("fresnel", options.fresnel);
-  }
+  visit_options(options, [&](const OptionField& field, const auto& value) {
+    const bool said = field.answers == InAnswers::always ||
+                      (field.answers == InAnswers::when_set && is_set(value));
+    if (said && knows_option(options.profile, field.known)) {
+      json.key(field.name);
+      add_option(json, value);
+    }
+  });
 }
 
 std::string render_json(const LoadedScene& scene, const RenderReport& report) {
@@ -300,7 +317,10 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
     json.add("error", report.error);
   }
   add_render_options(json, options);
-  add_layers(json, scene, options);
+  if (std::any_of(options.layers.begin(), options.layers.end(),
+                  [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
+    add_object_ids(json, scene);
+  }
   add_work(json, report);
   json.add("seconds", report.seconds);
   json.end_object();

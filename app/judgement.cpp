@@ -15,17 +15,15 @@ SceneView view_of(const LoadedScene& scene, RenderOptions options) {
 
 // The ways in which the scene may have been drawn, as far as the options leave it open.
 std::vector<SceneView> possible_views(const LoadedScene& scene, const Options& options) {
-  std::vector<Profile> profiles{options.profile};
-  if (!options.profile_given) {
+  std::vector<Profile> profiles{options.render.profile};
+  if (!was_given(options, "--profile")) {
     profiles = {Profile::course, Profile::fine};
   }
   std::vector<SceneView> views;
   for (const Profile profile : profiles) {
-    Options chosen = options;
-    chosen.profile = profile;
-    RenderOptions render = render_options(chosen);
+    RenderOptions render = render_options(options, profile);
     views.push_back(view_of(scene, render));
-    if (!options.features.has_value()) {
+    if (!was_given(options, "--features")) {
       render.features.texture_filter = false;
       views.push_back(view_of(scene, render));
       render.features.refract = false;

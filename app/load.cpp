@@ -43,7 +43,7 @@ void load_files(LoadedScene& scene, const Options& options, bool textures, bool 
   load.allow_missing = allow_missing;
   load.limits = options.limits;
   load.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
-    for_each_index(count, options.threads, work);
+    for_each_index(count, options.render.threads, work);
   };
   scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files, fetch,
                              load, scene.diagnostics);

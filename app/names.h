@@ -9,7 +9,6 @@ namespace scenefile::app {
 
 inline constexpr std::array<std::string_view, 9> face_names{"side", "top", "bottom", "+x", "-x",
                                                             "+y",   "-y",  "+z",     "-z"};
-inline constexpr std::array<std::string_view, 3> mode_names{"ray", "intersect", "normals"};
 /// What scenes are written as, also the extensions of such files.
 inline constexpr std::array<std::string_view, 3> format_words{"xml", "json", "pov"};
 

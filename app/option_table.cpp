@@ -84,15 +84,16 @@ std::string set_size(Options& options, const std::string& value) {
   if (cross == std::string::npos) {
     return fmt::format("{} is not a size such as 1024x768", quoted(value));
   }
-  std::string wrong = set_number(value.substr(0, cross), 1, most, options.width);
-  return wrong.empty() ? set_number(value.substr(cross + 1), 1, most, options.height) : wrong;
+  std::string wrong = set_number(value.substr(0, cross), 1, most, options.render.width);
+  return wrong.empty() ? set_number(value.substr(cross + 1), 1, most, options.render.height)
+                       : wrong;
 }
 
 std::string set_window(Options& options, const std::string& value) {
   Options size;
   std::string wrong = set_size(size, value);
-  options.window = {size.width, size.height};
-  return wrong.empty() && (size.width > 16384 || size.height > 16384)
+  options.window = {size.render.width, size.render.height};
+  return wrong.empty() && (size.render.width > 16384 || size.render.height > 16384)
              ? fmt::format("{} is larger than 16384x16384", quoted(value))
              : wrong;
 }
@@ -112,28 +113,23 @@ std::string set_pixel(Options& options, const std::string& value) {
 }
 
 std::string set_profile(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 2> words{"course", "fine"};
   std::size_t index = 0;
-  std::string wrong = set_choice("profile", value, words, index);
-  options.profile = index == 0 ? Profile::course : Profile::fine;
-  options.profile_given = true;
+  std::string wrong = set_choice("profile", value, profile_words, index);
+  options.render = default_options(static_cast<Profile>(index));
   return wrong;
 }
 
 std::string set_engine(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 2> words{"trace", "gl"};
   std::size_t index = 0;
-  std::string wrong = set_choice("engine", value, words, index);
-  options.engine = index == 1 ? Engine::gl : Engine::trace;
+  std::string wrong = set_choice("engine", value, engine_words, index);
+  options.engine = static_cast<Engine>(index);
   return wrong;
 }
 
 std::string set_mode(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 3> words{"ray", "intersect", "normals"};
-  static constexpr std::array<Mode, 4> modes{Mode::ray, Mode::intersect, Mode::normals, Mode::ray};
   std::size_t index = 0;
-  std::string wrong = set_choice("mode", value, words, index);
-  options.mode = modes[index];
+  std::string wrong = set_choice("mode", value, mode_words, index);
+  options.render.mode = static_cast<Mode>(index);
   return wrong;
 }
 
@@ -141,7 +137,7 @@ std::string set_features(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
     return wrong;
   }
-  const std::string_view unknown = parse_features(value, options.features.emplace());
+  const std::string_view unknown = parse_features(value, options.render.features);
   if (unknown.empty()) {
     return {};
   }
@@ -223,11 +219,11 @@ std::string set_layers(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "depth,normal"); !wrong.empty()) {
     return wrong;
   }
-  const std::string_view wrong = parse_layers(value, options.layers);
+  const std::string_view wrong = parse_layers(value, options.render.layers);
   if (wrong.empty()) {
     return {};
   }
-  const bool known = std::any_of(options.layers.begin(), options.layers.end(),
+  const bool known = std::any_of(options.render.layers.begin(), options.render.layers.end(),
                                  [&](const Layer& layer) { return layer_name(layer) == wrong; });
   return known ? fmt::format("{} stands in the list twice", wrong)
                : unknown_word("layer", wrong, layer_words());
@@ -237,7 +233,7 @@ std::string set_crop(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "100,50,300,200"); !wrong.empty()) {
     return wrong;
   }
-  PixelRegion& crop = options.crop.emplace();
+  PixelRegion& crop = options.render.crop.emplace();
   std::string_view rest = value;
   for (int* const side : {&crop.x0, &crop.y0, &crop.x1, &crop.y1}) {
     const std::size_t comma = side == &crop.y1 ? rest.size() : rest.find(',');
@@ -310,11 +306,18 @@ std::string set_flag(Options& options, const std::string& /*value*/) {
   return {};
 }
 
+template <bool RenderOptions::*flag>
+std::string set_render_flag(Options& options, const std::string& /*value*/) {
+  options.render.*flag = true;
+  return {};
+}
+
 constexpr std::array table{
     OptionRow{"--output", "-o", "OUT",
               "The picture to write: .png, .exr or .pfm; - for a PNG on standard output.",
               for_render, set_output},
-    OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size},
+    OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
+              "width"},
     OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
               for_explain, set_pixel},
     OptionRow{
@@ -327,42 +330,54 @@ constexpr std::array table{
               "trace (default): the ray tracer. gl: OpenGL, without a window and in a moment, but "
               "without mirrors, bent light and lens.",
               for_render, set_engine},
-    OptionRow{"--profile", "", "NAME",
+    OptionRow{"--profile",
+              "",
+              "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's reference pictures; implies --compat course.",
-              for_tracing | for_pictures | for_view, set_profile},
+              for_tracing | for_pictures | for_view,
+              set_profile,
+              "profile",
+              {},
+              true},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
               "course without super-sample.",
-              for_tracing | for_convert | for_pictures | for_view, set_features},
+              for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
               "textures), or normals (colors are normals).",
-              for_tracing | for_pictures | for_view, set_mode},
+              for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
         "Most samples a pixel, for the profile fine (default 16; with --engine gl 1, 4, 16 or 64, "
         "by default 4, or 16 where most objects are a few pixels wide).",
         for_tracing,
-        [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.samples); }},
+        [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
+        "samples"},
     OptionRow{
         "--fresnel", "", "",
         "Glass mirrors the share of light that Fresnel's equations say, for the profile fine.",
-        for_tracing, set_flag<&Options::fresnel>},
-    OptionRow{"--max-depth", "", "N",
-              "Most reflections and refractions behind each other (default: fine 16, course 4).",
-              for_tracing | for_convert | for_pictures | for_view,
-              [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.max_depth); }},
-    OptionRow{"--threads", "", "N",
-              "Threads (default: one a processor). The picture does not depend on it.",
-              for_tracing | for_pictures | for_view,
-              [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.threads); }},
+        for_tracing, set_render_flag<&RenderOptions::fresnel>, "fresnel"},
+    OptionRow{
+        "--max-depth", "", "N",
+        "Most reflections and refractions behind each other (default: fine 16, course 4).",
+        for_tracing | for_convert | for_pictures | for_view,
+        [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.render.max_depth); },
+        "max_depth"},
+    OptionRow{
+        "--threads", "", "N",
+        "Threads (default: one a processor). The picture does not depend on it.",
+        for_tracing | for_pictures | for_view,
+        [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.render.threads); },
+        "threads"},
     OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
               for_tracing,
               [](Options& o, const std::string& v) {
-                return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.seed);
-              }},
+                return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.render.seed);
+              },
+              "seed"},
     OptionRow{"--scene", "", "SCENE",
               "What the first picture shows: look for the mistake that makes the second one of it.",
               for_diff, set_name<&Options::scene>},
@@ -409,20 +424,20 @@ constexpr std::array table{
     OptionRow{"--checkpoint", "", "FILE",
               "Keep the state of the work in this file, at most 10 seconds old, and go on from it "
               "where it exists. It is removed when the picture is written.",
-              for_render, set_checkpoint},
+              for_render, set_checkpoint, "", known_to_tracer},
     OptionRow{"--crop", "", "X0,Y0,X1,Y1",
               "Only the pixels from column X0 and row Y0 up to, but without, X1 and Y1 (row 0 on "
               "top), exactly as they are in the whole picture; the file has the size of the part.",
-              for_render, set_crop},
+              for_render, set_crop, "crop"},
     OptionRow{"--aov", "", "LIST",
               "Layers beside the picture, separated by commas: depth, normal, uv, albedo, "
               "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
               "for x.png into x.depth.png and so on.",
-              for_render, set_layers},
+              for_render, set_layers, "layers"},
     OptionRow{"--denoise", "", "",
               "Take away the noise that few samples of area lights and lenses leave, for the "
               "profile fine.",
-              for_render, set_flag<&Options::denoise>},
+              for_render, set_render_flag<&RenderOptions::denoise>, "denoise"},
     OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
               set_window},
     OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
@@ -439,7 +454,7 @@ constexpr std::array table{
               for_view, set_name<&Options::script>},
     OptionRow{"--preview", "", "FILE",
               "Write the picture as far as it is to this file, whole, every two seconds.",
-              for_render, set_preview},
+              for_render, set_preview, "", known_to_tracer},
     OptionRow{"--compat", "", "NAME",
               "course: read as the course's programs did where the format says otherwise: every "
               "object of a transblock, transforms behind it, the numeric start of a malformed "

@@ -34,6 +34,11 @@ struct OptionRow {
   unsigned commands;  ///< for_... bits
   /// Takes the value over. Returns what is wrong with it, in words that follow "--name: ".
   std::string (*set)(Options& options, const std::string& value);
+  /// The field of RenderOptions that it sets, which says which engines and profiles know it
+  /// (visit_options.h); empty: `known` says so.
+  std::string_view field = {};
+  KnownTo known = known_to_all;
+  bool sets_defaults = false;  ///< of other options: it is taken over before them
 };
 
 /// In the order of the help.

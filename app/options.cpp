@@ -23,20 +23,11 @@ std::string names_of(const OptionRow& row) {
   return row.letter.empty() ? std::string(row.name) : fmt::format("{},{}", row.letter, row.name);
 }
 
-// Carries the words of a mistake through CLI11.
-struct Mistake {
-  std::string text;
-};
-
-void set(const OptionRow& row, Options& options, const std::string& value) {
-  if (const std::string wrong = row.set(options, value); !wrong.empty()) {
-    throw Mistake{fmt::format("{}: {}", row.name, wrong)};
-  }
-}
-
 void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
   if (row.value.empty()) {
-    parser.add_flag_callback(names_of(row), [&row, &options] { set(row, options, {}); });
+    parser.add_flag_callback(names_of(row), [&row, &options] {
+      options.given.push_back({&row, {}});
+    });
     return;
   }
   parser
@@ -44,11 +35,23 @@ void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
           names_of(row),
           [&row, &options](const std::vector<std::string>& values) {
             for (const std::string& value : values) {
-              set(row, options, value);
+              options.given.push_back({&row, value});
             }
           })
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false);
+}
+
+// Takes over what was given, first what others change the defaults of.
+std::string set_given(Options& options) {
+  std::stable_partition(options.given.begin(), options.given.end(),
+                        [](const GivenOption& given) { return given.row->sets_defaults; });
+  for (const auto& [row, value] : options.given) {
+    if (const std::string wrong = row->set(options, value); !wrong.empty()) {
+      return fmt::format("{}: {}", row->name, wrong);
+    }
+  }
+  return {};
 }
 
 std::string unknown_option(const Command& command, const std::string& word) {
@@ -99,10 +102,10 @@ std::string check_pixel(const Options& options) {
     return "explain needs a pixel: --pixel X,Y";
   }
   const auto [x, y] = *options.pixel;
-  return x < options.width && y < options.height
+  return x < options.render.width && y < options.render.height
              ? std::string()
              : fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", x, y,
-                           options.width - 1, options.height - 1);
+                           options.render.width - 1, options.render.height - 1);
 }
 
 std::string check_count(const Command& command, const std::vector<std::string>& arguments) {
@@ -139,33 +142,28 @@ std::string choose_format(Options& options) {
     }
     options.to = static_cast<ConvertTo>(found - format_words.begin());
   }
-  if (options.to != ConvertTo::pov && (options.features || options.max_depth)) {
+  if (options.to != ConvertTo::pov &&
+      (was_given(options, "--features") || was_given(options, "--max-depth"))) {
     return "--features and --max-depth are for POV-Ray files; scene files do not hold them";
   }
   return {};
 }
 
-// OpenGL has no rays, so it has none of their options.
-std::string check_gl(const Options& options) {
-  const struct {
-    bool given;
-    std::string_view name;
-  } rays_only[] = {{options.max_depth.has_value(), "--max-depth"},
-                   {options.seed.has_value(), "--seed"},
-                   {options.fresnel, "--fresnel"},
-                   {options.threads != 0, "--threads"},
-                   {!options.checkpoint.empty(), "--checkpoint"},
-                   {!options.preview.empty(), "--preview"},
-                   {!options.layers.empty(), "--aov"},
-                   {options.crop.has_value(), "--crop"},
-                   {options.denoise, "--denoise"}};
-  for (const auto& [given, name] : rays_only) {
-    if (given) {
-      return fmt::format("{} is for the ray tracer: leave it out, or --engine gl", name);
+// What was given must mean something to whom it is given.
+std::string check_known(const Options& options) {
+  for (const auto& [row, value] : options.given) {
+    const KnownTo known = row->field.empty() ? row->known : who_knows(row->field);
+    if (!knows_option(options.engine, known)) {
+      return fmt::format("{} is for the ray tracer: leave it out, or --engine gl", row->name);
+    }
+    if (!knows_option(options.render.profile, known)) {
+      return fmt::format("{} is for the profile fine: leave it out, or --profile {}", row->name,
+                         profile_word(options.render.profile));
     }
   }
-  const int samples = options.samples.value_or(4);
-  return samples == 1 || samples == 4 || samples == 16 || samples == 64
+  const int samples = options.render.samples;
+  return options.engine == Engine::trace || !was_given(options, "--samples") || samples == 1 ||
+                 samples == 4 || samples == 16 || samples == 64
              ? std::string()
              : fmt::format("--samples: OpenGL takes 1, 4, 16 or 64 samples a pixel, not {}",
                            samples);
@@ -180,29 +178,21 @@ std::string check_window(const Options& options) {
 
 // What the options of render cannot see alone.
 std::string check_render(const Options& options) {
-  if (options.engine == Engine::gl) {
-    if (std::string wrong = check_gl(options); !wrong.empty()) {
-      return wrong;
-    }
-  }
-  if (const std::optional<PixelRegion>& crop = options.crop;
-      crop.has_value() && (crop->x1 > options.width || crop->y1 > options.height)) {
+  if (const std::optional<PixelRegion>& crop = options.render.crop;
+      crop.has_value() && (crop->x1 > options.render.width || crop->y1 > options.render.height)) {
     return fmt::format("--crop: {},{},{},{} reaches out of the picture of {}x{}", crop->x0,
-                       crop->y0, crop->x1, crop->y1, options.width, options.height);
+                       crop->y0, crop->x1, crop->y1, options.render.width, options.render.height);
   }
-  if (options.denoise && options.profile == Profile::course) {
-    return "--denoise is for --profile fine: the course's pictures have no noise";
-  }
-  if (!options.checkpoint.empty() && (options.denoise || !options.layers.empty())) {
+  if (!options.checkpoint.empty() && (options.render.denoise || !options.render.layers.empty())) {
     return fmt::format("a render with --checkpoint cannot have {}",
-                       options.denoise ? "--denoise" : "--aov");
+                       options.render.denoise ? "--denoise" : "--aov");
   }
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";
   }
   ImageFormat format{};
   const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
-  if (!options.layers.empty() && !holds_layers && !options.output.empty()) {
+  if (!options.render.layers.empty() && !holds_layers && !options.output.empty()) {
     return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
            "each)";
   }
@@ -233,22 +223,16 @@ std::string check_together(const Command& command, Options& options) {
       return wrong;
     }
   }
-  if ((command.bit & for_tracing) != 0 && options.profile == Profile::course &&
-      (options.samples.has_value() || options.seed.has_value())) {
-    return fmt::format(
-        "--profile course has samples of its own: leave {} out, or use --profile fine",
-        options.samples.has_value() ? "--samples" : "--seed");
-  }
-  if (options.fresnel && options.profile == Profile::course) {
-    return "--fresnel is for the profile fine: the course's pictures know no such light";
+  if (std::string wrong = check_known(options); !wrong.empty()) {
+    return wrong;
   }
   if (options.json && options.sarif) {
     return "--json and --sarif are two answers: choose one";
   }
   if (const int most = static_cast<int>(options.limits.image_side);
-      options.width > most || options.height > most) {
-    return fmt::format("--size: {}x{} is more than the limit of {} pixels a side", options.width,
-                       options.height, most);
+      options.render.width > most || options.render.height > most) {
+    return fmt::format("--size: {}x{} is more than the limit of {} pixels a side",
+                       options.render.width, options.render.height, most);
   }
   return command.bit == for_render ? check_render(options)
          : command.bit == for_view ? check_window(options)
@@ -270,8 +254,6 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   }
   try {
     parser.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const Mistake& mistake) {
-    return mistake.text;
   } catch (const CLI::ArgumentMismatch& error) {
     return missing_value(error.what());
   } catch (const CLI::ParseError& error) {
@@ -283,28 +265,27 @@ std::string parse_options(const Command& command, std::span<const char* const> w
       return unknown_option(command, unknown);
     }
   }
-  if (options.help) {
-    return {};
+  if (std::string wrong = set_given(options); !wrong.empty() || options.help) {
+    return wrong;
   }
-  options.compat_course = options.compat_course || options.profile == Profile::course;
+  options.compat_course = options.compat_course || options.render.profile == Profile::course;
   return check_together(command, options);
 }
 
-RenderOptions render_options(const Options& options) {
-  RenderOptions result = default_options(options.profile);
-  result.mode = options.mode;
-  result.features = options.features.value_or(result.features);
-  result.width = options.width;
-  result.height = options.height;
-  result.samples = options.samples.value_or(result.samples);
-  result.max_depth = options.max_depth.value_or(result.max_depth);
-  result.seed = options.seed.value_or(result.seed);
-  result.fresnel = options.fresnel;
-  result.threads = options.threads;
-  result.crop = options.crop;
-  result.layers = options.layers;
-  result.denoise = options.denoise;
-  return result;
+bool was_given(const Options& options, std::string_view name) {
+  return std::any_of(options.given.begin(), options.given.end(),
+                     [&](const GivenOption& given) { return given.row->name == name; });
+}
+
+RenderOptions render_options(const Options& options, Profile profile) {
+  Options other;
+  other.render = default_options(profile);
+  for (const auto& [row, value] : options.given) {
+    if (!row->sets_defaults) {
+      row->set(other, value);
+    }
+  }
+  return other.render;
 }
 
 }  // namespace scenefile::app

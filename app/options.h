@@ -3,18 +3,20 @@
 
 #include "scenefile/base/limits.h"
 #include "scenefile/compare/measure.h"
-#include "scenefile/trace/render.h"
+#include "scenefile/trace/visit_options.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile::app {
 
 struct Command;
+struct OptionRow;
 
 /// A pixel, from the top left, counted from 0.
 struct PixelPlace {
@@ -22,33 +24,24 @@ struct PixelPlace {
   int y = 0;
 };
 
-/// Who draws.
-enum class Engine : std::uint8_t { trace, gl };
-
 /// What a scene can be written as.
 enum class ConvertTo : std::uint8_t { xml, json, pov };
 
+/// An option as it stood on the command line.
+struct GivenOption {
+  const OptionRow* row = nullptr;
+  std::string value;  ///< empty: a flag
+};
+
 struct Options {
   std::vector<std::string> arguments;  ///< scenes, or what help is about
+  std::vector<GivenOption> given;
 
   std::string output;
-  int width = 1024;
-  int height = 768;
   Engine engine = Engine::trace;
-  Profile profile = Profile::fine;
-  bool profile_given = false;
-  Mode mode = Mode::ray;
-  std::optional<Features> features;
-  std::optional<int> samples;
-  std::optional<int> max_depth;
-  std::optional<std::uint64_t> seed;
-  bool fresnel = false;
-  int threads = 0;
+  RenderOptions render;    ///< complete: the profile's defaults where nothing was given
   std::string checkpoint;  ///< a file; empty: none
   std::string preview;     ///< a file; empty: none
-  std::vector<Layer> layers;
-  std::optional<PixelRegion> crop;
-  bool denoise = false;
 
   Limits limits;
   std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is
@@ -100,7 +93,10 @@ struct Options {
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options);
 
-/// The tracer's options: the profile's defaults where nothing was given.
-RenderOptions render_options(const Options& options);
+/// Whether an option, such as "--samples", was on the command line.
+bool was_given(const Options& options, std::string_view name);
+
+/// options.render as if this profile had been given.
+RenderOptions render_options(const Options& options, Profile profile);
 
 }  // namespace scenefile::app

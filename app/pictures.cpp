@@ -72,7 +72,7 @@ Image canvas(int width, int height) {
 
 std::vector<std::string> picture_files(const Options& options) {
   std::vector<std::string> files{options.output};
-  for (const Layer& layer : options.layers) {
+  for (const Layer& layer : options.render.layers) {
     if (has_layer_files(options)) {
       files.push_back(layer_file(options.output, layer));
     }
@@ -81,14 +81,15 @@ std::vector<std::string> picture_files(const Options& options) {
 }
 
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context) {
-  if (!options.layers.empty() && !has_layer_files(options)) {
+  if (!options.render.layers.empty() && !has_layer_files(options)) {
     return write_in_one(options, result, context);
   }
   const Image& image = result.image;
-  Outcome outcome = write_image(options.output, image, rounding_of(options.profile), context);
-  const int max_depth = render_options(options).max_depth;
+  Outcome outcome =
+      write_image(options.output, image, rounding_of(options.render.profile), context);
+  const int max_depth = options.render.max_depth;
   for (std::size_t i = 0; i < result.layers.size() && outcome.error.empty(); ++i) {
-    const Layer& layer = options.layers[i];
+    const Layer& layer = options.render.layers[i];
     outcome =
         write_image(layer_file(options.output, layer),
                     layer_picture(layer, result.layers[i], image.width, image.height, max_depth),
@@ -107,7 +108,7 @@ Preview preview_of(const Options& options) {
     return preview;
   }
   const auto failed = std::make_shared<bool>(false);
-  preview.show = [path = options.preview, rounding = rounding_of(options.profile),
+  preview.show = [path = options.preview, rounding = rounding_of(options.render.profile),
                   failed](const Image& image) {
     Context context;
     const Outcome outcome = *failed ? Outcome() : write_image(path, image, rounding, context);

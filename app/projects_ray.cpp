@@ -55,12 +55,12 @@ Options options_of(const CourseConfig& config) {
   Options options;
   options.arguments = {config.scene};
   options.output = config.output;
-  options.width = config.width;
-  options.height = config.height;
-  options.profile = Profile::course;
-  options.mode = config.only_render_normals ? Mode::normals : Mode::ray;
-  options.features = features_of(config);
-  options.max_depth = config.maximum_recursive_depth;
+  options.render = default_options(Profile::course);
+  options.render.width = config.width;
+  options.render.height = config.height;
+  options.render.mode = config.only_render_normals ? Mode::normals : Mode::ray;
+  options.render.features = features_of(config);
+  options.render.max_depth = config.maximum_recursive_depth.value_or(options.render.max_depth);
   options.compat_course = true;
   return options;
 }

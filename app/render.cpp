@@ -84,7 +84,7 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
     }
     deferred.emplace();
   }
-  for (const Layer& layer : options.layers) {
+  for (const Layer& layer : report.options.layers) {
     if (layer.kind == LayerKind::light && layer.light >= scene.ready.scene.lights.size()) {
       return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
                                            layer_name(layer), scene.ready.scene.lights.size())};
@@ -148,7 +148,7 @@ ExitCode run_render(const Options& options, Context& context) {
     return status;
   }
   RenderReport report;
-  report.options = render_options(options);
+  report.options = options.render;
   report.output = options.output;
   LoadedScene scene = load_for_tracing(options, report.options, context);
   Outcome outcome{status_of(scene), {}};

@@ -86,7 +86,7 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   viewer::WindowOptions window;
   window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
   window.setup.read = {.compat_course = options.compat_course, .limits = options.limits};
-  window.setup.trace = render_options(options);
+  window.setup.trace = options.render;
   window.scene = options.arguments.front();
   window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {

@@ -96,11 +96,58 @@ TEST_F(Driver, PicturesOfTheCorpusAreThoseOfRender) {
   }
 }
 
+// A textured glass sphere with a mirror finish in front of a wall on which its shadow falls, seen
+// through a lens: each feature changes some pixel.
+const char* const scene_of_all_features = R"(<scenefile>
+  <globaldata>
+    <ambientcoeff v="0.5"/> <diffusecoeff v="0.5"/> <specularcoeff v="0.5"/>
+    <transparentcoeff v="0.5"/>
+  </globaldata>
+  <cameradata>
+    <pos x="0" y="0" z="3"/> <look x="0" y="0" z="-1"/> <up x="0" y="1" z="0"/>
+    <heightangle v="40"/> <aperture v="0.2"/> <focallength v="3"/>
+  </cameradata>
+  <lightdata>
+    <id v="0"/> <type v="directional"/> <color r="1" g="1" b="1"/> <direction x="-1" y="-1" z="-1"/>
+  </lightdata>
+  <object type="tree" name="root">
+    <transblock>
+      <object type="primitive" name="sphere">
+        <diffuse r="1" g="0.5" b="0"/> <ambient r="0.1" g="0.1" b="0.1"/>
+        <reflective r="0.4" g="0.4" b="0.4"/> <transparent r="0.4" g="0.4" b="0.4"/> <ior v="1.4"/>
+        <texture file="checks.png" u="1.7" v="1.3"/> <blend v="0.6"/>
+      </object>
+    </transblock>
+    <transblock>
+      <translate x="0" y="0" z="-1.5"/> <scale x="6" y="6" z="0.2"/>
+      <object type="primitive" name="cube">
+        <diffuse r="0.2" g="0.7" b="0.9"/> <reflective r="0.2" g="0.2" b="0.2"/>
+      </object>
+    </transblock>
+  </object>
+</scenefile>
+)";
+
+std::string checks_png() {
+  Image image(5, 5);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    image.rgb[i] = static_cast<float>(i / 3 % 2);
+  }
+  std::string error;
+  return encode_image(image, ImageFormat::png8, Rounding::nearest, error);
+}
+
 TEST_F(Driver, EachFeatureReachesThePicture) {
-  const std::string scene = folder.write("scene.xml", scene_with(R"(<reflective r="1" g="1" b="1"/>
-      <transparent r="1" g="1" b="1"/>)"));
-  for (const char* const word : words) {
-    compare(scene, word);
+  const std::string scene = folder.write("scene.xml", scene_of_all_features);
+  folder.write("checks.png", checks_png());
+  const auto driven = [&](const std::string& features) {
+    compare(scene, features);
+    return folder.read("driven.png");
+  };
+  for (const std::string word : words) {
+    const std::string without = word == "texture-filter" ? "texture" : "";
+    const std::string with = without.empty() ? word : without + "," + word;
+    EXPECT_NE(driven(without), driven(with)) << word;
   }
 }
 
@@ -115,13 +162,31 @@ TEST_F(Driver, RelativePathsStartAtTheWorkingFolder) {
 }
 
 TEST_F(Driver, DepthAndNormalsAreSettings) {
-  const std::string scene = folder.write("scene.xml", good_scene);
-  const std::string plain = config_text(scene, folder.path("out.png"), "");
-  ASSERT_EQ(drive(folder.write("c.ini", plain)).status, 0);
-  const std::string color = folder.read("out.png");
-  const std::string text = plain + "[Settings]\nonly-render-normals = true\n";
-  ASSERT_EQ(drive(folder.write("c.ini", text)).status, 0);
-  EXPECT_NE(folder.read("out.png"), color);
+  const std::string scene = folder.write("scene.xml", scene_of_all_features);
+  folder.write("checks.png", checks_png());
+  const auto driven = [&](const std::string& settings) {
+    const std::string text = config_text(scene, folder.path("out.png"), "reflect,refract");
+    const ProgramRun run =
+        drive(folder.write("c.ini", text + (settings.empty() ? "" : "[Settings]\n" + settings)));
+    EXPECT_EQ(run.status, 0) << run.err;
+    return folder.read("out.png");
+  };
+  const auto asked = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{
+        "render",    scene,    "-o",         folder.path("asked.png"), "--size", "40x30",
+        "--profile", "course", "--features", "reflect,refract"};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_EQ(run_program(words).status, 0);
+    return folder.read("asked.png");
+  };
+  const std::string plain = driven("");
+  EXPECT_EQ(plain, asked({}));
+  const std::string normals = driven("only-render-normals = true\n");
+  EXPECT_NE(normals, plain);
+  EXPECT_EQ(normals, asked({"--mode", "normals"}));
+  const std::string shallow = driven("maximum-recursive-depth = 0\n");
+  EXPECT_NE(shallow, plain);
+  EXPECT_EQ(shallow, asked({"--max-depth", "0"}));
 }
 
 TEST_F(Driver, MistakesHaveAPlace) {

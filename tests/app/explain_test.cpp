@@ -60,7 +60,8 @@ TEST_F(Explain, NeedsAPixelOfThePicture) {
   misuse(explain("5"), R"("5" is not a pixel such as 320,240)");
   misuse(explain("-1,5"), R"("-1" is not a whole number from 0)");
   misuse(explain("16,12", {"--profile", "course", "--sample", "1"}), "there is no sample 1");
-  misuse(explain("16,12", {"--profile", "course", "--samples", "4"}), "samples of its own");
+  misuse(explain("16,12", {"--profile", "course", "--samples", "4"}),
+         "--samples is for the profile fine");
 }
 
 TEST_F(Explain, ShowsTheSampleThatWasAsked) {

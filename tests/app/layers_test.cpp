@@ -87,7 +87,7 @@ TEST_F(RenderLayers, MistakesAreUsageErrors) {
       {{"--crop", "1,2,3,4,5"}, "is not a whole number"},
       {{"--crop", "5,5,5,9"}, "holds no pixel"},
       {{"--crop", "0,0,33,24"}, "reaches out of the picture of 32x24"},
-      {{"--denoise", "--profile", "course"}, "have no noise"},
+      {{"--denoise", "--profile", "course"}, "--denoise is for the profile fine"},
       {{"--denoise", "--checkpoint", "c"}, "cannot have --denoise"},
       {{"--preview", "p.jpg"}, "must end in .png"},
   };

@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"io", {"base"}},
     {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
-    {"view", {"base", "geometry", "asset", "scene/render_scene.h"}},
+    {"view", {"base", "geometry", "asset", "scene/render_scene.h", "trace/render_options.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
     {"viewer",
      {"base", "scene", "format", "geometry", "asset", "compare", "io", "trace", "view", "explain"}},

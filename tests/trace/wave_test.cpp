@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string>
 
 namespace scenefile {
@@ -248,9 +249,17 @@ TEST(WaveOptions, NothingToSee) {
   expect_equal(b);
 }
 
-TEST(WaveKernels, TheMachineHasMoreThanOne) {
-  // Else the tests above compare nothing.
-  EXPECT_GT(wave_kernels().size(), 1u);
+TEST(WaveKernels, AreThoseThatRunHere) {
+  const std::vector<const WaveKernel*> kernels = wave_kernels();
+  ASSERT_FALSE(kernels.empty()) << "the tests above compare nothing";
+  std::set<std::string_view> names;
+  for (const WaveKernel* const kernel : kernels) {
+    EXPECT_TRUE(kernel->runs_here()) << kernel->name;
+    EXPECT_TRUE(names.insert(kernel->name).second) << kernel->name;
+  }
+#ifdef __x86_64__
+  EXPECT_GT(kernels.size(), 1u) << "SSE4 and AVX2 are on every machine that runs tests";
+#endif
 }
 
 }  // namespace

@@ -276,6 +276,22 @@ TEST_F(SessionTest, ModesOfTheTable) {
   }
 }
 
+TEST_F(SessionTest, DrawsWhatTheProgramsOpenGlPictureShows) {
+  RenderOptions& asked = session.setup.trace;
+  asked = default_options(Profile::course);
+  EXPECT_TRUE(draw_options(session).course);
+  EXPECT_EQ(draw_options(session).samples, 1);
+  asked.features.refract = asked.features.texture_filter = false;
+  EXPECT_FALSE(draw_options(session).transparency);
+  EXPECT_FALSE(draw_options(session).texture_filter);
+  asked.mode = Mode::normals;
+  EXPECT_EQ(draw_options(session).mode, DrawMode::normals);
+  asked.mode = Mode::intersect;
+  EXPECT_FALSE(draw_options(session).shadows);
+  EXPECT_FALSE(draw_options(session).textures);
+  EXPECT_TRUE(draw_options(session).directional_only);
+}
+
 TEST_F(SessionTest, RaysAreTracedWhenTheCameraRests) {
   perform(session, Action::trace);
   EXPECT_FALSE(shows_traced(session));

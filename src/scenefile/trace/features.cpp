@@ -1,5 +1,7 @@
 #include "scenefile/trace/features.h"
 
+#include "scenefile/trace/visit_options.h"
+
 #include <algorithm>
 #include <array>
 
@@ -7,31 +9,24 @@ namespace scenefile {
 
 namespace {
 
-struct FeatureWord {
-  std::string_view word;
-  bool Features::*field;
-};
+constexpr Features no_matter;  // where only the words count
 
-constexpr std::array<FeatureWord, 7> table{{{"shadows", &Features::shadows},
-                                            {"reflect", &Features::reflect},
-                                            {"refract", &Features::refract},
-                                            {"texture", &Features::texture},
-                                            {"texture-filter", &Features::texture_filter},
-                                            {"super-sample", &Features::super_sample},
-                                            {"depthoffield", &Features::depthoffield}}};
+constexpr std::size_t feature_count = [] {
+  std::size_t count = 0;
+  visit_options(no_matter, [&](const OptionField&, bool) { ++count; });
+  return count;
+}();
 
-constexpr std::array<std::string_view, table.size()> words = [] {
-  std::array<std::string_view, table.size()> result;
-  std::transform(table.begin(), table.end(), result.begin(),
-                 [](const FeatureWord& w) { return w.word; });
+constexpr std::array<std::string_view, feature_count> words = [] {
+  std::array<std::string_view, feature_count> result;
+  std::size_t next = 0;
+  visit_options(no_matter, [&](const OptionField& field, bool) { result[next++] = field.name; });
   return result;
 }();
 
 Features with_all(bool on) {
   Features features;
-  for (const FeatureWord& w : table) {
-    features.*w.field = on;
-  }
+  visit_options(features, [&](const OptionField&, bool& feature) { feature = on; });
   return features;
 }
 
@@ -42,9 +37,13 @@ std::span<const std::string_view> feature_words() {
 }
 
 bool* find_feature(Features& features, std::string_view word) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const FeatureWord& w) { return w.word == word; });
-  return found == table.end() ? nullptr : &(features.*found->field);
+  bool* found = nullptr;
+  visit_options(features, [&](const OptionField& field, bool& feature) {
+    if (field.name == word) {
+      found = &feature;
+    }
+  });
+  return found;
 }
 
 std::string_view parse_features(std::string_view list, Features& features) {

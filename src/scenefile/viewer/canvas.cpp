@@ -1,5 +1,7 @@
 #include "scenefile/viewer/canvas.h"
 
+#include "scenefile/view/draw_options.h"
+
 #include <cmath>
 #include <utility>
 
@@ -24,7 +26,8 @@ void Canvas::update(Session& session) {
     version_ = session.version;
     Diagnostics found;
     const OpenedScene& opened = session.shown->opened;
-    drawing_.emplace(upload(*device_, opened.ready.scene, opened.assets, {}, found));
+    drawing_.emplace(upload(*device_, opened.ready.scene, opened.assets,
+                            upload_options(session.setup.trace), found));
     session.drawing_notes.clear();
     for (const Diagnostic& finding : found.list()) {
       session.drawing_notes.push_back(finding.message);
@@ -46,7 +49,11 @@ void Canvas::draw(const Session& session, int framebuffer_height, double scale, 
     return;
   }
   DrawOptions options = draw_options(session);
-  options.samples = quick || options.course ? 1 : 4;
+  if (quick) {
+    options.samples = 1;
+  } else if (!options.course) {
+    options.samples = 4;  // as fast as it is good while the camera moves
+  }
   options.highlighted = highlighted(session);
   const Box& box = session.picture;
   DrawTarget target;
@@ -67,7 +74,9 @@ Texture Canvas::picture_for_reference(const Session& session) {
     return {};
   }
   DrawOptions options = draw_options(session);
-  options.samples = options.course ? 1 : 16;
+  if (!options.course) {
+    options.samples = 16;
+  }
   std::string error;
   const Image image = draw_image(*device_, *drawing_, render_camera(session.camera), options,
                                  session.reference.width, session.reference.height, error);

@@ -1,6 +1,7 @@
 #include "scenefile/viewer/session.h"
 
 #include "scenefile/io/folder.h"
+#include "scenefile/view/draw_options.h"
 #include "scenefile/viewer/hidden.h"
 
 #include <fmt/format.h>
@@ -267,12 +268,10 @@ bool shows_traced(const Session& session) {
 }
 
 DrawOptions draw_options(const Session& session) {
-  DrawOptions options;
-  options.mode = session.mode;
-  options.shadows = session.settings.shadows && session.setup.trace.features.shadows;
-  options.textures = session.settings.textures && session.setup.trace.features.texture;
-  options.course = session.setup.trace.profile == Profile::course;
-  options.directional_only = options.course && session.setup.trace.mode == Mode::intersect;
+  DrawOptions options = draw_options(trace_options(session));
+  if (session.mode != DrawMode::shaded) {
+    options.mode = session.mode;
+  }
   const RenderScene& scene = session.shown->opened.ready.scene;
   options.lights.assign(scene.lights.size(), !session.only_light);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

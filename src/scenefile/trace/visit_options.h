@@ -1,0 +1,129 @@
+#pragma once
+// The fields of RenderOptions with their names: the one list from which JSON answers, the key of
+// resumed work and the checks of the program are made. A field that is added to one of the structs
+// and not here is a compile error: a structured binding names every field.
+
+#include "scenefile/trace/render_options.h"
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace scenefile {
+
+/// Who draws: the ray tracer or OpenGL.
+enum class Engine : std::uint8_t { trace, gl };
+inline constexpr std::array<std::string_view, 2> engine_words{"trace", "gl"};
+
+/// For whom an option means something.
+struct KnownTo {
+  bool trace = true;   ///< the ray tracer
+  bool gl = true;      ///< OpenGL
+  bool course = true;  ///< the profile course
+};
+inline constexpr KnownTo known_to_all{};
+inline constexpr KnownTo known_to_tracer{.gl = false};
+inline constexpr KnownTo known_to_fine{.course = false};
+inline constexpr KnownTo known_to_fine_tracer{.gl = false, .course = false};
+
+constexpr bool knows_option(Engine engine, KnownTo known) {
+  switch (engine) {
+    case Engine::trace:
+      return known.trace;
+    case Engine::gl:
+      return known.gl;
+  }
+  return true;
+}
+constexpr bool knows_option(Profile profile, KnownTo known) {
+  switch (profile) {
+    case Profile::course:
+      return known.course;
+    case Profile::fine:
+      return true;
+  }
+  return true;
+}
+
+/// What a JSON answer says of an option.
+enum class InAnswers : std::uint8_t { always, when_set, never };
+
+struct OptionField {
+  std::string_view name;  ///< of features the word, of others also the key in JSON answers
+  KnownTo known = known_to_all;
+  bool changes_pixels = true;
+  InAnswers answers = InAnswers::always;
+};
+
+/// Options, const or not.
+template <typename T, typename Struct>
+concept OptionsOf = std::same_as<std::remove_const_t<T>, Struct>;
+
+/// Calls visit(const OptionField&, field) for each field, in the order of JSON answers.
+template <OptionsOf<RenderOptions> T, typename Visit>
+constexpr void visit_options(T& options, Visit&& visit) {
+  auto& [profile, mode, features, width, height, samples, max_depth, seed, fresnel, threads, crop,
+         layers, denoise, mistakes] = options;
+  visit(OptionField{"width"}, width);
+  visit(OptionField{"height"}, height);
+  visit(OptionField{"profile"}, profile);
+  visit(OptionField{"mode"}, mode);
+  visit(OptionField{"features"}, features);
+  visit(OptionField{"max_depth", known_to_tracer}, max_depth);
+  visit(OptionField{"samples", known_to_fine}, samples);
+  visit(OptionField{"seed", known_to_fine_tracer}, seed);
+  visit(OptionField{"fresnel", known_to_fine_tracer}, fresnel);
+  visit(OptionField{"threads", known_to_tracer, false, InAnswers::never}, threads);
+  visit(OptionField{"crop", known_to_tracer, true, InAnswers::when_set}, crop);
+  visit(OptionField{"layers", known_to_tracer, true, InAnswers::when_set}, layers);
+  visit(OptionField{"denoise", known_to_fine_tracer, true, InAnswers::when_set}, denoise);
+  visit(OptionField{"mistakes", known_to_tracer, true, InAnswers::never}, mistakes);
+}
+
+/// The same for the features, under the words of the course's configuration files.
+template <OptionsOf<Features> T, typename Visit>
+constexpr void visit_options(T& features, Visit&& visit) {
+  auto& [shadows, reflect, refract, texture, texture_filter, super_sample, depthoffield] = features;
+  visit(OptionField{"shadows"}, shadows);
+  visit(OptionField{"reflect", known_to_tracer}, reflect);
+  visit(OptionField{"refract"}, refract);
+  visit(OptionField{"texture"}, texture);
+  visit(OptionField{"texture-filter"}, texture_filter);
+  visit(OptionField{"super-sample"}, super_sample);
+  visit(OptionField{"depthoffield", known_to_tracer}, depthoffield);
+}
+
+template <OptionsOf<Layer> T, typename Visit>
+constexpr void visit_options(T& layer, Visit&& visit) {
+  auto& [kind, light] = layer;
+  visit(OptionField{"kind"}, kind);
+  visit(OptionField{"light"}, light);
+}
+
+template <OptionsOf<PixelRegion> T, typename Visit>
+constexpr void visit_options(T& region, Visit&& visit) {
+  auto& [x0, y0, x1, y1] = region;
+  visit(OptionField{"x0"}, x0);
+  visit(OptionField{"y0"}, y0);
+  visit(OptionField{"x1"}, x1);
+  visit(OptionField{"y1"}, y1);
+}
+
+template <OptionsOf<Mistakes> T, typename Visit>
+constexpr void visit_options(T& mistakes, Visit&& visit) {
+  auto& [diffuse, blinn, untransposed_normals, linear_spots] = mistakes;
+  visit(OptionField{"diffuse"}, diffuse);
+  visit(OptionField{"blinn"}, blinn);
+  visit(OptionField{"untransposed_normals"}, untransposed_normals);
+  visit(OptionField{"linear_spots"}, linear_spots);
+}
+
+/// What the field of this name of RenderOptions is; known_to_all where there is none.
+KnownTo who_knows(std::string_view field);
+
+/// Everything in the options that changes a pixel, as one line `width=640 height=480 ...`. Equal
+/// for two options if and only if they ask for the same picture.
+std::string picture_key(const RenderOptions& options);
+
+}  // namespace scenefile

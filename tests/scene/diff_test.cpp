@@ -239,3 +239,25 @@ TEST(DiffMeaning, NamesATurnOfAnAreaLight) {
   EXPECT_THAT(meaning_texts(area_light({rotate({0, 1, 0}, 180)}, down), lit_at_root(2, 1, down)),
               IsEmpty());
 }
+
+// Scenes built in memory have no places in a file that could tell lights apart.
+TEST(DiffMeaning, LightsOfOneGroupNeedNoPlacesInAFile) {
+  const auto two_spots = [](float second_angle, bool grouped) {
+    Scene scene = fine_scene();
+    Light spot;
+    spot.type = LightType::spot;
+    spot.direction = {0, -1, 0};
+    spot.angle_deg = 10.0f;
+    scene.nodes[0].lights = {spot, spot};
+    scene.nodes[0].lights[1].angle_deg = second_angle;
+    if (grouped) {
+      const NodeId group = add_group(scene, 0);
+      scene.nodes[group].lights = std::move(scene.nodes[0].lights);
+      scene.nodes[0].lights.clear();
+    }
+    return scene;
+  };
+  EXPECT_THAT(meaning_texts(two_spots(20, false), two_spots(20, true)), IsEmpty());
+  EXPECT_THAT(meaning_texts(two_spots(20, false), two_spots(30, true)),
+              ElementsAre("spotlight 2: angle: 20 -> 30"));
+}

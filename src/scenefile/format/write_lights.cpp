@@ -3,10 +3,7 @@
 #include "scenefile/base/affine.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
-#include "scenefile/scene/prepare_parts.h"
-#include "scenefile/scene/template_graph.h"
-#include "scenefile/scene/transforms.h"
-#include "scenefile/scene/walk.h"
+#include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>
 
@@ -45,30 +42,13 @@ bool is_finite(const RenderLight& light) {
   return std::isfinite(2 * (sum.x + sum.y + sum.z));
 }
 
-class WorldLights {
+class WorldCopies {
  public:
-  WorldLights(const Scene& scene, const Limits& limits, Diagnostics& diagnostics)
-      : scene_(scene), limits_(limits), diagnostics_(diagnostics) {
-    collect();
-    find_lit_trees();
-  }
+  WorldCopies(const Scene& scene, const Limits& limits, Diagnostics& diagnostics)
+      : scene_(scene), limits_(limits), diagnostics_(diagnostics) {}
 
-  // Enters trees that lead to lights and no others: the steps are bounded by lights times nesting.
-  std::vector<Light> run() {
-    enter(root_, DAffine());
-    while (!frames_.empty() && !full_) {
-      Frame& top = frames_.back();
-      const Tree& tree = trees_[top.tree];
-      if (top.next == tree.uses.size()) {
-        frames_.pop_back();
-        continue;
-      }
-      const Use& use = tree.uses[top.next++];
-      if (leads_to_light_[use.tree] > 0 && order_.rank[use.tree] < order_.rank[top.tree]) {
-        // A ready scene stores the maps of instances in single precision.
-        enter(use.tree, top.world_from_tree * DAffine(Affine(use.tree_from_use)));
-      }
-    }
+  std::vector<Light> make() {
+    world_lights(scene_, [this](const WorldLight& at) { return add(at); });
     if (moved_ != 0) {
       diagnostics_.report(write_light_moved, first_moved_,
                           fmt::format("{} light{} moved from groups to the top of the file", moved_,
@@ -78,92 +58,33 @@ class WorldLights {
   }
 
  private:
-  struct Place {
-    NodeId node;
-    DAffine tree_from_node;
-  };
-  struct Use {
-    std::uint32_t tree;
-    DAffine tree_from_use;
-  };
-  // The root or a template, its nodes folded.
-  struct Tree {
-    std::vector<Place> lit;
-    std::vector<Use> uses;
-  };
-  struct Frame {
-    std::uint32_t tree;
-    std::size_t next;
-    DAffine world_from_tree;
-  };
-
-  void collect() {
-    const TemplateNames names = template_names(scene_);
-    std::vector<bool> seen(scene_.nodes.size());
-    for (const NodeId head : tree_heads(scene_)) {
-      Tree& tree = trees_.emplace_back();
-      walk_nodes(scene_, head, DAffine(), seen, [&](NodeId id, const DAffine& outer) {
-        const Node& node = scene_.nodes[id];
-        const DAffine map = composed(outer, node.transforms);
-        if (const auto found = names.find(node.instance_of); found != names.end()) {
-          tree.uses.push_back({found->second, map});
-        } else if (!node.lights.empty()) {
-          tree.lit.push_back({id, map});
-        }
-        return map;
-      });
+  // False: the limit is reached.
+  bool add(const WorldLight& at) {
+    const Light& light = scene_.nodes[at.node].lights[at.index];
+    if (lights_.size() == limits_.lights) {
+      diagnostics_.report(
+          write_light_limit, light.location,
+          fmt::format("the scene has more lights than the limit of {}", limits_.lights));
+      return false;
     }
-    root_ = static_cast<std::uint32_t>(trees_.size() - 1);
-  }
-
-  void find_lit_trees() {
-    Graph graph;
-    std::vector<double> own;
-    for (const Tree& tree : trees_) {
-      graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
-      for (const Use& use : tree.uses) {
-        graph.target.push_back(use.tree);
-      }
-      own.push_back(static_cast<double>(tree.lit.size()));
-    }
-    graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
-    order_ = containment_order(graph);
-    leads_to_light_ = totals(graph, std::move(own));
-  }
-
-  void enter(std::uint32_t tree, const DAffine& world_from_tree) {
-    for (const Place& place : trees_[tree].lit) {
-      for (const Light& light : scene_.nodes[place.node].lights) {
-        if (lights_.size() == limits_.lights) {
-          full_ = true;
-          diagnostics_.report(
-              write_light_limit, light.location,
-              fmt::format("the scene has more lights than the limit of {}", limits_.lights));
-          return;
-        }
-        add(light, place, world_from_tree * place.tree_from_node);
-      }
-    }
-    frames_.push_back({tree, 0, world_from_tree});
-  }
-
-  void add(const Light& light, const Place& place, const DAffine& world_from_node) {
-    if (world_from_node == DAffine() && place.node == scene_.root) {
+    const bool at_root = at.node == scene_.root;
+    if (at_root && at.world_from_node == DAffine()) {
       lights_.push_back(light);
-      return;
+      return true;
     }
-    const std::optional<RenderLight> ready = ready_light(light, world_from_node);
+    const std::optional<RenderLight> ready = ready_light(light, at.world_from_node);
     if (!ready || !is_finite(*ready)) {
       diagnostics_.report(
           write_light_dark, light.location,
           fmt::format("the {} light lights nothing and is left out", word_of(light.type)));
-      return;
+      return true;
     }
     lights_.push_back(placed(light, *ready));
-    if (place.node != scene_.root) {
+    if (!at_root) {
       first_moved_ = moved_ == 0 ? light.location : first_moved_;
       ++moved_;
     }
+    return true;
   }
 
   Light placed(const Light& light, const RenderLight& ready) {
@@ -200,22 +121,16 @@ class WorldLights {
   const Scene& scene_;
   const Limits& limits_;
   Diagnostics& diagnostics_;
-  std::vector<Tree> trees_;  // in the order of tree_heads()
-  std::uint32_t root_ = 0;
-  ContainmentOrder order_;
-  std::vector<double> leads_to_light_;
-  std::vector<Frame> frames_;
   std::vector<Light> lights_;
   std::size_t moved_ = 0;
   Location first_moved_;
-  bool full_ = false;
 };
 
 }  // namespace
 
 std::vector<Light> lights_in_world(const Scene& scene, const Limits& limits,
                                    Diagnostics& diagnostics) {
-  return WorldLights(scene, limits, diagnostics).run();
+  return WorldCopies(scene, limits, diagnostics).make();
 }
 
 }  // namespace scenefile

@@ -1,11 +1,11 @@
 #include "scenefile/scene/diff_drawn.h"
 
+#include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/scene/diff_list.h"
-#include "scenefile/scene/prepare.h"
-#include "scenefile/scene/prepare_parts.h"
 #include "scenefile/scene/transforms.h"
 #include "scenefile/scene/walk.h"
+#include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>
 
@@ -30,17 +30,17 @@ struct Drawn {
 };
 
 // A light in world space, without what has no effect.
-struct WorldLight {
+struct ShownLight {
   Light light;
   std::string turned;  // how an area light lies otherwise than its direction says; "no"
   Location location;
 };
 
-std::string_view label_of(const WorldLight& world) {
+std::string_view label_of(const ShownLight& world) {
   return scenefile::label_of(world.light);
 }
 
-Values values_of(const WorldLight& world) {
+Values values_of(const ShownLight& world) {
   Values values = scenefile::values_of(world.light);
   if (world.light.type == LightType::area) {
     values.push_back({"turned", world.turned});
@@ -54,7 +54,7 @@ std::string axis_text(const glm::vec3& side) {
 }
 
 // Gives the light the size that it has in the world.
-void size_rectangle(WorldLight& world, const RenderLight& ready) {
+void size_rectangle(ShownLight& world, const RenderLight& ready) {
   world.light.width = 2 * glm::length(ready.half_u);
   world.light.height = 2 * glm::length(ready.half_v);
   const std::optional<RenderLight> level = ready_light(world.light, DAffine());
@@ -65,7 +65,7 @@ void size_rectangle(WorldLight& world, const RenderLight& ready) {
 }
 
 // What differs by roundings alone shall not be told.
-void forget_roundings(const std::vector<WorldLight>& of, std::vector<WorldLight>& in) {
+void forget_roundings(const std::vector<ShownLight>& of, std::vector<ShownLight>& in) {
   for (std::size_t i = 0; i < std::min(of.size(), in.size()); ++i) {
     const Light& wanted = of[i].light;
     Light& light = in[i].light;
@@ -161,16 +161,16 @@ class Side {
   // Names of templates that objects() came upon.
   std::vector<std::string> take_used() { return std::exchange(used_, {}); }
 
-  std::vector<WorldLight> lights() const {
-    const Prepared prepared = prepare(scene_, {});
-    std::vector<WorldLight> result;
-    for (const RenderLight& ready : prepared.scene.lights) {
-      const Source& source = prepared.sources[ready.source];
-      const std::vector<Light>& written = scene_.nodes[source.node].lights;
-      const auto found = std::find_if(written.begin(), written.end(), [&](const Light& light) {
-        return light.location == source.location;
-      });
-      Light light = found != written.end() ? *found : Light();
+  std::vector<ShownLight> lights() const {
+    std::vector<ShownLight> result;
+    world_lights(scene_, [&](const WorldLight& at) {
+      Light light = scene_.nodes[at.node].lights[at.index];
+      const std::optional<RenderLight> found = ready_light(light, at.world_from_node);
+      if (!found) {
+        return true;
+      }
+      const RenderLight& ready = *found;
+      const Location location = light.location;
       light.type = ready.type;
       light.color = ready.color;
       light.position = ready.position;
@@ -178,12 +178,13 @@ class Side {
       light.attenuation = ready.attenuation;
       light.id.reset();
       light.name.clear();
-      WorldLight world{std::move(light), "no", source.location};
+      ShownLight world{std::move(light), "no", location};
       if (ready.type == LightType::area) {
         size_rectangle(world, ready);
       }
       result.push_back(std::move(world));
-    }
+      return result.size() < Limits().lights;
+    });
     return result;
   }
 
@@ -207,8 +208,8 @@ class Comparison {
     const Camera camera_b = b.camera.value_or(Camera());
     list_.compare_values("camera: ", values_of(camera_a), values_of(camera_b), camera_a.location,
                          camera_b.location);
-    const std::vector<WorldLight> lights = a_.lights();
-    std::vector<WorldLight> other_lights = b_.lights();
+    const std::vector<ShownLight> lights = a_.lights();
+    std::vector<ShownLight> other_lights = b_.lights();
     forget_roundings(lights, other_lights);
     list_.compare_items("", lights, other_lights);
     compare_trees("root", a.root, b.root);

@@ -5,15 +5,21 @@
 #include "scenefile/scene/template_graph.h"
 #include "scenefile/scene/transforms.h"
 #include "scenefile/scene/walk.h"
+#include "scenefile/scene/world_lights.h"
 
+#include <map>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-// Folds the trees of a scene into parts: the root first, then each template that can be drawn, then
-// those that are reached through flattened space alone, where only their lights matter.
+std::uint32_t add_source(std::vector<Source>& sources, const Source& source) {
+  sources.push_back(source);
+  return static_cast<std::uint32_t>(sources.size() - 1);
+}
+
+// Folds the trees of a scene into parts: the root first, then each template that can be drawn.
 class PartBuilder {
  public:
   PartBuilder(const Scene& scene, Prepared& prepared)
@@ -26,17 +32,14 @@ class PartBuilder {
         seen_(scene.nodes.size()) {}
 
   std::vector<Part> build() {
-    add_part(scene_.root, true);
+    add_part(scene_.root);
     std::size_t next = 0;
-    for (const bool drawn : {true, false}) {
-      std::vector<Waiting>& waiting = drawn ? drawn_ : undrawn_;
-      // Grows as parts are filled.
-      for (std::size_t w = 0; w < waiting.size() || next < parts_.size();) {
-        if (next < parts_.size()) {
-          fill(static_cast<std::uint32_t>(next++));
-        } else {
-          connect(waiting[w++], drawn);
-        }
+    // Grows as parts are filled.
+    for (std::size_t w = 0; w < waiting_.size() || next < parts_.size();) {
+      if (next < parts_.size()) {
+        fill(static_cast<std::uint32_t>(next++));
+      } else {
+        connect(waiting_[w++]);
       }
     }
     return std::move(parts_);
@@ -50,17 +53,13 @@ class PartBuilder {
     std::uint32_t target;  // into Scene::templates
   };
 
-  void add_part(NodeId head, bool drawn) {
-    parts_.emplace_back();
-    parts_.back().head = head;
-    parts_.back().drawn = drawn;
-  }
+  void add_part(NodeId head) { parts_.emplace_back().head = head; }
 
-  void connect(const Waiting& waiting, bool drawn) {
+  void connect(const Waiting& waiting) {
     std::uint32_t& part = part_of_template_[waiting.target];
     if (part == no_index) {
       part = static_cast<std::uint32_t>(parts_.size());
-      add_part(scene_.templates[waiting.target], drawn);
+      add_part(scene_.templates[waiting.target]);
     }
     parts_[waiting.holder].instances[waiting.instance].part = part;
   }
@@ -80,10 +79,7 @@ class PartBuilder {
 
   void add_contents(Part& part, NodeId id, const DAffine& part_from_node) {
     const Node& node = scene_.nodes[id];
-    for (const Light& light : node.lights) {
-      part.lights.push_back({&light, part_from_node, add_source(id, light.location)});
-    }
-    if (!part.drawn || node.primitives.empty()) {
+    if (node.primitives.empty()) {
       return;
     }
     const std::optional<Affine> stored = storable(part_from_node);
@@ -108,27 +104,20 @@ class PartBuilder {
           materials_.mesh(primitive.mesh_file, places_.find(primitive.location, Field::mesh_file));
     }
     ready.material = materials_.material(primitive.material);
-    ready.source = add_source(id, primitive.location);
+    ready.source = add_source(sources_, {id, primitive.location});
     part.primitives.push_back(ready);
   }
 
   void add_instance(std::uint32_t index, NodeId id, const DAffine& map) {
     const auto target = names_.find(scene_.nodes[id].instance_of);
-    if (target == names_.end()) {
+    const std::optional<Affine> stored = storable(map);
+    if (target == names_.end() || !stored) {
       return;
     }
-    Part& part = parts_[index];
-    const std::optional<Affine> stored = storable(map);
-    const bool drawn = part.drawn && stored;
-    const auto place = static_cast<std::uint32_t>(part.instances.size());
-    part.instances.push_back(
-        {stored.value_or(Affine(map)), no_index, add_source(id, scene_.nodes[id].location), drawn});
-    (drawn ? drawn_ : undrawn_).push_back({index, place, target->second});
-  }
-
-  std::uint32_t add_source(NodeId node, Location location) {
-    sources_.push_back({node, location});
-    return static_cast<std::uint32_t>(sources_.size() - 1);
+    std::vector<PartInstance>& instances = parts_[index].instances;
+    const auto place = static_cast<std::uint32_t>(instances.size());
+    instances.push_back({*stored, no_index, add_source(sources_, {id, scene_.nodes[id].location})});
+    waiting_.push_back({index, place, target->second});
   }
 
   const Scene& scene_;
@@ -139,18 +128,15 @@ class PartBuilder {
   std::vector<std::uint32_t> part_of_template_;
   std::vector<bool> seen_;
   std::vector<Part> parts_;
-  std::vector<Waiting> drawn_;
-  std::vector<Waiting> undrawn_;
+  std::vector<Waiting> waiting_;
 };
 
-Graph drawn_graph(const std::vector<Part>& parts) {
+Graph graph_of(const std::vector<Part>& parts) {
   Graph graph;
   for (const Part& part : parts) {
     graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
     for (const PartInstance& instance : part.instances) {
-      if (instance.drawn) {
-        graph.target.push_back(instance.part);
-      }
+      graph.target.push_back(instance.part);
     }
   }
   graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
@@ -167,7 +153,7 @@ void add_groups(std::vector<Part>& parts, RenderScene& scene) {
     RenderGroup group;
     group.primitives = std::move(part.primitives);
     for (const PartInstance& instance : part.instances) {
-      if (instance.drawn && group_of[instance.part] != no_index) {
+      if (group_of[instance.part] != no_index) {
         group.instances.push_back(
             {instance.part_from_instance, group_of[instance.part], instance.source});
       }
@@ -177,9 +163,31 @@ void add_groups(std::vector<Part>& parts, RenderScene& scene) {
       scene.groups.push_back(std::move(group));
     }
   };
-  visit_depth_first(drawn_graph(parts), std::span(&root_part, 1), leave,
+  visit_depth_first(graph_of(parts), std::span(&root_part, 1), leave,
                     [](std::span<const std::uint32_t>, std::uint32_t) {});
   scene.root = group_of[root_part];
+}
+
+void add_lights(const Scene& scene, const Limits& limits, Prepared& prepared) {
+  std::vector<RenderLight>& lights = prepared.scene.lights;
+  std::map<std::pair<NodeId, std::uint32_t>, std::uint32_t> sources;  // one for all copies
+  world_lights(scene, [&](const WorldLight& at) {
+    if (lights.size() == limits.lights) {
+      return false;
+    }
+    const Light& light = scene.nodes[at.node].lights[at.index];
+    std::optional<RenderLight> ready = ready_light(light, at.world_from_node);
+    if (ready) {
+      const auto [source, added] = sources.try_emplace(
+          {at.node, at.index}, static_cast<std::uint32_t>(prepared.sources.size()));
+      if (added) {
+        prepared.sources.push_back({at.node, light.location});
+      }
+      ready->source = source->second;
+      lights.push_back(*ready);
+    }
+    return true;
+  });
 }
 
 RenderGlobal ready_global(const Global& global) {
@@ -193,7 +201,7 @@ Prepared prepare(const Scene& scene, const Limits& limits) {
   prepared.scene.global = ready_global(scene.global);
   prepared.scene.camera = ready_camera(scene.camera.value_or(Camera{}));
   std::vector<Part> parts = PartBuilder(scene, prepared).build();
-  prepared.scene.lights = world_lights(parts, limits.lights);
+  add_lights(scene, limits, prepared);
   add_groups(parts, prepared.scene);
   return prepared;
 }

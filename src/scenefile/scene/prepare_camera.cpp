@@ -1,12 +1,11 @@
 #include "scenefile/scene/prepare.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 bool usable(const glm::dvec3& v) {
   const double length = glm::length(v);
@@ -31,7 +30,7 @@ RenderCamera ready_camera(const Camera& camera) {
   ready.v = usable(v) ? glm::normalize(v) : across(ready.w);
   ready.u = glm::cross(ready.v, ready.w);
   const double angle = camera.height_angle_deg;
-  ready.fov_y = (angle > 0 && angle < 180 ? angle : 45) * pi / 180;
+  ready.fov_y = (angle > 0 && angle < 180 ? angle : 45) * std::numbers::pi / 180;
   ready.aperture = camera.aperture > 0 ? camera.aperture : 0;
   ready.focal_length = camera.focal_length > 0 ? camera.focal_length : 0;
   return ready;

@@ -1,13 +1,12 @@
 #include "scenefile/scene/transforms.h"
 
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace scenefile {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 struct SinCos {
   double sin;
@@ -29,7 +28,7 @@ SinCos sin_cos_degrees(double degrees) {
         return {-1, 0};
     }
   }
-  return {std::sin(turn * pi / 180), std::cos(turn * pi / 180)};
+  return {std::sin(turn * std::numbers::pi / 180), std::cos(turn * std::numbers::pi / 180)};
 }
 
 // Rodrigues' formula.

@@ -4,6 +4,7 @@
 #include "app/codes_page.h"
 #include "app/json.h"
 #include "app/limit_table.h"
+#include "app/manual.h"
 #include "app/option_table.h"
 #include "app/output.h"
 #include "scenefile/base/text.h"
@@ -129,11 +130,20 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   if (options.markdown) {
     return answer(codes_markdown());
   }
+  if (options.completion.has_value()) {
+    return answer(completion_script(*options.completion));
+  }
+  if (options.arguments.empty() && options.man) {
+    return answer(manual_page());
+  }
   if (options.arguments.empty()) {
     return answer(options.json ? help_json() : overview_text());
   }
   const std::string& topic = options.arguments.front();
   if (const Command* const command = find_command(topic); command != nullptr) {
+    if (options.man) {
+      return answer(manual_page(*command));
+    }
     return answer(options.json ? command_json(*command) : command_text(*command));
   }
   if (const Code* const code = find_code(topic); code != nullptr) {

@@ -164,6 +164,13 @@ std::string set_compat(Options& options, const std::string& value) {
   return wrong;
 }
 
+std::string set_completion(Options& options, const std::string& value) {
+  std::size_t index = 0;
+  std::string wrong = set_choice("shell", value, shell_words, index);
+  options.completion = static_cast<Shell>(index);
+  return wrong;
+}
+
 std::string set_deny(Options& options, const std::string& value) {
   if (value == "warnings") {
     options.deny_warnings = true;
@@ -507,6 +514,12 @@ constexpr std::array table{
               set_flag<&Options::sarif>},
     OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
               set_flag<&Options::markdown>},
+    OptionRow{"--man", "", "", "The manual page of the program, or of the command, for man(1).",
+              for_help, set_flag<&Options::man>},
+    OptionRow{"--completion", "", "SHELL",
+              "The completion script for bash, zsh or fish: source <(scenefile help --completion "
+              "bash).",
+              for_help, set_completion},
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
               for_tracing | for_check | for_convert | for_pictures | for_format,
               set_flag<&Options::quiet>},
@@ -519,6 +532,23 @@ constexpr std::array table{
 
 std::span<const OptionRow> option_table() {
   return table;
+}
+
+std::span<const std::string_view> words_of(const OptionRow& row) {
+  static constexpr std::array<std::string_view, 1> compat_words{"course"};
+  struct Words {
+    std::string (*set)(Options& options, const std::string& value);
+    std::span<const std::string_view> words;
+  };
+  const std::array sets{
+      Words{set_profile, profile_words}, Words{set_engine, engine_words},
+      Words{set_mode, mode_words},       Words{set_features, feature_words()},
+      Words{set_layers, layer_words()},  Words{set_to, format_words},
+      Words{set_compat, compat_words},   Words{set_completion, shell_words},
+  };
+  const auto found =
+      std::find_if(sets.begin(), sets.end(), [&](const Words& one) { return one.set == row.set; });
+  return found == sets.end() ? std::span<const std::string_view>() : found->words;
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known) {

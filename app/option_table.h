@@ -44,6 +44,10 @@ struct OptionRow {
 /// In the order of the help.
 std::span<const OptionRow> option_table();
 
+/// The words that the option takes, one or, where its value is LIST, several separated by commas;
+/// empty where its value is free.
+std::span<const std::string_view> words_of(const OptionRow& row);
+
 /// `; did you mean "word"?` for the known word nearest to this one, or nothing.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 

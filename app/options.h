@@ -1,6 +1,7 @@
 #pragma once
 // The command line as data.
 
+#include "app/completion.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/visit_options.h"
@@ -84,6 +85,8 @@ struct Options {
   bool json = false;
   bool sarif = false;
   bool markdown = false;
+  bool man = false;
+  std::optional<Shell> completion;
   bool quiet = false;
   bool help = false;
 };

@@ -54,7 +54,8 @@ test: ## build and pass all tests
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,all)
-	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) --output-junit tests.xml; status=$$?; \
+	  scripts/test-summary $(BUILD)/tests.xml && exit $$status
 
 .PHONY: conformance
 conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
@@ -189,7 +190,6 @@ docs: build ## build the documentation site: out/site/index.html
 
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)
-	$(call compile,all)
 	@cmake --install $(BUILD) --prefix "$(or $(PREFIX),/usr/local)"
 
 .PHONY: clean

@@ -13,6 +13,7 @@
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/trace_scene.h"
 
 #include <fmt/format.h>
 
@@ -102,12 +103,17 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
       return DeferredSignals::pending() == 0;
     };
     const PixelRegion drawn = drawn_region(report.options);
-    const auto trace = [&](auto&& ready) {
-      return render(std::forward<decltype(ready)>(ready), scene.assets, report.options, progress,
-                    checkpoints, preview_of(options), canvas(drawn.width(), drawn.height()));
-    };
-    result = options.json ? trace(std::as_const(scene.ready.scene))
-                          : trace(std::move(scene.ready.scene));
+    RenderScene& ready = scene.ready.scene;
+    const TraceScene traced(ready, scene.assets, {.threads = report.options.threads});
+    if (!options.json) {
+      std::vector<RenderGroup>().swap(ready.groups);  // only building needed them
+    }
+    result = render(ready, scene.assets, report.options,
+                    {.progress = progress,
+                     .checkpoints = std::move(checkpoints),
+                     .preview = preview_of(options),
+                     .canvas = canvas(drawn.width(), drawn.height()),
+                     .traced = &traced});
   }
   deferred.reset();
   report.stats = result.stats;

@@ -258,7 +258,7 @@ TEST(Preview, EndsWithThePicture) {
   Preview preview;
   preview.show = [&](const Image& image) { shown.push_back(image); };
   preview.interval_seconds = 0;
-  const RenderResult result = render(b.scene, b.assets, options, {}, {}, preview);
+  const RenderResult result = render(b.scene, b.assets, options, {.preview = preview});
   EXPECT_EQ(result.image.rgb, render(b.scene, b.assets, options).image.rgb);
   ASSERT_GE(shown.size(), 2U);
   EXPECT_EQ(shown.back().rgb, result.image.rgb);

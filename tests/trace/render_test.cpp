@@ -1,5 +1,6 @@
 // The picture as a whole: sameness, stopping, numbers of rays.
 
+#include "scenefile/trace/trace_scene.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
@@ -52,22 +53,16 @@ TEST(Render, ThreadsDoNotChangeABit) {
   }
 }
 
-TEST(Render, ASceneThatIsUsedUpLooksTheSameAndGivesItsMemoryBack) {
+TEST(Render, GroupsAreNotNeededOnceTheStructureStands) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = default_options(profile);
     options.width = 93;
     options.height = 71;
     RenderScene scene = b.scene;
-    int looks = 0;
-    Preview preview;
-    preview.interval_seconds = 0;
-    preview.show = [&](const Image&) {
-      ++looks;
-      EXPECT_EQ(scene.groups.capacity(), 0U) << "while rays are traced";
-    };
-    const RenderResult used_up = render(std::move(scene), b.assets, options, {}, {}, preview);
-    EXPECT_GT(looks, 0);
+    const TraceScene traced(scene, b.assets);
+    std::vector<RenderGroup>().swap(scene.groups);
+    const RenderResult used_up = render(scene, b.assets, options, {.traced = &traced});
     EXPECT_EQ(used_up.image.rgb, b.picture(93, 71, options).rgb);
   }
 }
@@ -80,7 +75,7 @@ TEST(Render, ACanvasOfAnySizeChangesNoPixel) {
   for (const auto& [width, height] : {std::pair(93, 71), std::pair(71, 93), std::pair(1, 1)}) {
     Image canvas(width, height);
     const float* const memory = canvas.rgb.data();
-    const Image drawn = render(b.scene, b.assets, options, {}, {}, {}, std::move(canvas)).image;
+    const Image drawn = render(b.scene, b.assets, options, {.canvas = std::move(canvas)}).image;
     EXPECT_EQ(drawn.rgb, b.picture(93, 71, options).rgb);
     EXPECT_EQ(drawn.rgb.data() == memory, width == 93);
   }
@@ -102,8 +97,10 @@ TEST(Render, WatchersDisturbNoNumberOfThreads) {
     preview.interval_seconds = 0;
     preview.show = [](const Image& image) { EXPECT_EQ(image.width, 64); };
     for (options.threads = 1; options.threads <= 16; ++options.threads) {
-      const RenderResult result = render(
-          b.scene, b.assets, options, [](double) { return true; }, checkpoints, preview);
+      const RenderResult result = render(b.scene, b.assets, options,
+                                         {.progress = [](double) { return true; },
+                                          .checkpoints = checkpoints,
+                                          .preview = preview});
       EXPECT_TRUE(one.rgb == result.image.rgb) << options.threads;
     }
   }
@@ -150,12 +147,12 @@ TEST(Render, ProgressRisesToTheEnd) {
   options.width = 64;
   options.height = 48;
   double last = 0;
-  const RenderResult result = render(b.scene, b.assets, options, [&](double done) {
-    EXPECT_GE(done, last);
-    EXPECT_LE(done, 1);
-    last = done;
-    return true;
-  });
+  const RenderResult result = render(b.scene, b.assets, options, {.progress = [&](double done) {
+                                       EXPECT_GE(done, last);
+                                       EXPECT_LE(done, 1);
+                                       last = done;
+                                       return true;
+                                     }});
   EXPECT_EQ(result.status, RenderStatus::complete);
 }
 
@@ -165,12 +162,12 @@ TEST(Render, ProgressIsCalledByOneThreadAtATime) {
   options.width = options.height = 100;
   options.threads = 4;
   std::atomic<int> inside{0};
-  render(b.scene, b.assets, options, [&](double) {
-    EXPECT_EQ(++inside, 1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    --inside;
-    return true;
-  });
+  render(b.scene, b.assets, options, {.progress = [&](double) {
+           EXPECT_EQ(++inside, 1);
+           std::this_thread::sleep_for(std::chrono::milliseconds(1));
+           --inside;
+           return true;
+         }});
 }
 
 TEST(Render, StopsWhenToldTo) {
@@ -179,7 +176,8 @@ TEST(Render, StopsWhenToldTo) {
     RenderOptions options = default_options(profile);
     options.width = 4000;
     options.height = 3000;
-    const RenderResult result = render(b.scene, b.assets, options, [](double) { return false; });
+    const RenderResult result =
+        render(b.scene, b.assets, options, {.progress = [](double) { return false; }});
     EXPECT_EQ(result.status, RenderStatus::cancelled);
     EXPECT_EQ(result.image.width, 4000);
     EXPECT_LT(result.stats.primary_rays, 4000u * 3000u / 4);

@@ -40,13 +40,22 @@ RenderResult in_parts(const SceneBuilder& b, const RenderOptions& options, int c
     checkpoints.interval_seconds = 0;
     checkpoints.save = [&](const std::string& state) { saved = state; };
     int left = calls;
-    RenderResult result = render(
-        b.scene, b.assets, options, [&](double) { return --left > 0; }, checkpoints);
+    RenderResult result =
+        render(b.scene, b.assets, options,
+               {.progress = [&](double) { return --left > 0; }, .checkpoints = checkpoints});
     if (result.status != RenderStatus::cancelled) {
       return result;
     }
     checkpoints.resume = saved;
   }
+}
+
+PictureState empty_state(int width, int height, bool two_passes) {
+  RenderOptions options = default_options(Profile::fine);
+  options.width = width;
+  options.height = height;
+  options.samples = two_passes ? 16 : 4;
+  return make_state({}, options);
 }
 
 TEST(Resume, GivesTheSameBytes) {
@@ -76,58 +85,60 @@ TEST(Resume, GoesOnWhereItWas) {
   checkpoints.interval_seconds = 0;
   checkpoints.save = [&](const std::string& state) { checkpoints.resume = state; };
   double stopped_at = 0;
-  const RenderResult first = render(
-      b.scene, b.assets, options,
-      [&](double done) {
-        stopped_at = done;
-        return done < 0.3;
-      },
-      checkpoints);
+  const RenderResult first = render(b.scene, b.assets, options,
+                                    {.progress =
+                                         [&](double done) {
+                                           stopped_at = done;
+                                           return done < 0.3;
+                                         },
+                                     .checkpoints = checkpoints});
   ASSERT_EQ(first.status, RenderStatus::cancelled);
   const RenderResult whole = render(b.scene, b.assets, options);
-  const RenderResult second = render(b.scene, b.assets, options, {}, checkpoints);
+  const RenderResult second = render(b.scene, b.assets, options, {.checkpoints = checkpoints});
   EXPECT_LT(double(second.stats.primary_rays), double(whole.stats.primary_rays) * 0.9);
   EXPECT_GE(stopped_at, 0.3);
 }
 
 TEST(Resume, StatesOfOtherPicturesAreRefused) {
-  PictureState state(40, 30, true);
-  PictureState narrow(39, 30, true);
-  PictureState one_pass(40, 30, false);
-  const std::string bytes = state.bytes();
-  EXPECT_TRUE(state.restore(bytes));
-  EXPECT_FALSE(narrow.restore(bytes));
-  EXPECT_FALSE(one_pass.restore(bytes));
-  EXPECT_FALSE(state.restore(bytes.substr(1)));
-  EXPECT_FALSE(state.restore({}));
+  PictureState state = empty_state(40, 30, true);
+  PictureState narrow = empty_state(39, 30, true);
+  PictureState one_pass = empty_state(40, 30, false);
+  const std::string bytes = encode_state(state);
+  EXPECT_TRUE(decode_state(bytes, state));
+  EXPECT_FALSE(decode_state(bytes, narrow));
+  EXPECT_FALSE(decode_state(bytes, one_pass));
+  EXPECT_FALSE(decode_state(bytes.substr(1), state));
+  EXPECT_FALSE(decode_state({}, state));
   std::string third_pass = bytes;
   third_pass[8] = 2;
-  EXPECT_FALSE(state.restore(third_pass));
+  EXPECT_FALSE(decode_state(third_pass, state));
 
   const SceneBuilder b = uneven_scene();
   Checkpoints checkpoints;
   checkpoints.resume = bytes;
-  EXPECT_EQ(render(b.scene, b.assets, options_of(Profile::fine), {}, checkpoints).status,
-            RenderStatus::not_resumed);
+  EXPECT_EQ(
+      render(b.scene, b.assets, options_of(Profile::fine), {.checkpoints = checkpoints}).status,
+      RenderStatus::not_resumed);
 }
 
 TEST(Resume, AStateHoldsWhatIsDone) {
-  PictureState state(20, 2, true);
+  PictureState state = empty_state(20, 2, true);
   for (int x = 0; x < 20; ++x) {
     state.image.pixel(x, 0)[0] = float(x + 1);
     state.marked[std::size_t(x)] = std::uint8_t(x % 2);
   }
   state.pieces.finish(state.pieces.at(16, 0));
-  PictureState first(20, 2, true);
-  ASSERT_TRUE(first.restore(state.bytes()));
+  PictureState first = empty_state(20, 2, true);
+  ASSERT_TRUE(decode_state(encode_state(state), first));
   EXPECT_EQ(first.image.pixel(15, 0)[0], 0);
   EXPECT_EQ(first.image.pixel(16, 0)[0], 17);
   EXPECT_TRUE(first.pieces.done(first.pieces.at(19, 0)));
   EXPECT_FALSE(first.pieces.done(first.pieces.at(0, 0)));
 
-  state.start_second_pass();
-  PictureState second(20, 2, true);
-  ASSERT_TRUE(second.restore(state.bytes()));
+  state.pass = 1;
+  state.pieces.restart();
+  PictureState second = empty_state(20, 2, true);
+  ASSERT_TRUE(decode_state(encode_state(state), second));
   EXPECT_EQ(second.pass, 1u);
   EXPECT_EQ(second.image.pixel(2, 0)[0], 3) << "settled in the first pass";
   EXPECT_EQ(second.image.pixel(3, 0)[0], 0) << "to be done again";

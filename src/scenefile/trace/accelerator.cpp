@@ -1,89 +1,116 @@
 #include "scenefile/trace/accelerator.h"
 
 #include "scenefile/trace/build_parts.h"
+#include "scenefile/trace/part_tree.h"
 #include "scenefile/trace/search.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace scenefile {
 
-struct Accelerator::Impl {
+struct Accelerator::Structure {
   EmbreeScenes scenes;
   Parts parts;
-  AcceleratorOptions options;
+  Instances instances = Instances::unnamed;
   AcceleratorStatus status = AcceleratorStatus::ready;
-  mutable std::atomic<bool> overwhelmed{false};
-
-  bool search(Query& q, const Ray& ray) const {
-    const glm::dvec3 sum = ray.origin + ray.direction;
-    if (parts.groups.empty() || !std::isfinite(sum.x + sum.y + sum.z)) {
-      return false;
-    }
-    q.mesh_distances = options.mesh_distance == MeshDistance::of_mesh;
-    q.reach = parts.reach;
-    q.parts = &parts;
-    search_group(q, parts.groups[parts.root], ray);
-    if (q.overwhelmed) {
-      overwhelmed.store(true, std::memory_order_relaxed);
-    }
-    return q.found && !q.overwhelmed;
-  }
-
-  bool closest(Query& q, const Ray& ray, double t_min, double t_max) const {
-    q.t_min = t_min;
-    q.best = t_max;
-    return search(q, ray);
-  }
-
-  void fill(const Query& q, const Ray& ray, Hit& hit) const {
-    const Part& part = *q.part;
-    hit.t = q.best;
-    hit.shape = part.shape;
-    hit.face = q.face;
-    hit.mesh = part.kind == PartKind::mesh ? part.target : no_index;
-    hit.triangle = q.triangle;
-    hit.b1 = q.b1;
-    hit.b2 = q.b2;
-    hit.material = part.material;
-    hit.source = part.source;
-    hit.part = &part;
-    hit.object_from_world = DAffine();
-    std::uint32_t group = parts.root;
-    for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
-      const Part& step = parts.groups[group].parts[q.found_path[i]];
-      hit.object_from_world = DAffine(step.part_from_group) * hit.object_from_world;
-      group = step.target;
-    }
-    hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
-  }
+  mutable std::once_flag tree_made;
+  mutable PartTree tree;
 };
+
+namespace {
+
+bool finite(const Ray& ray) {
+  const glm::dvec3 sum = ray.origin + ray.direction;
+  return std::isfinite(sum.x + sum.y + sum.z);
+}
+
+// Whether something was found.
+bool search(Query& q, const Parts& parts, MeshDistance mesh_distance, const Ray& ray,
+            std::atomic<bool>& overwhelmed) {
+  if (parts.groups.empty() || !finite(ray)) {
+    return false;
+  }
+  q.mesh_distances = mesh_distance == MeshDistance::of_mesh;
+  q.reach = q.mesh_distances ? parts.reach : 1;
+  q.parts = &parts;
+  search_group(q, parts.groups[parts.root], ray);
+  if (q.overwhelmed) {
+    overwhelmed.store(true, std::memory_order_relaxed);
+  }
+  return q.found && !q.overwhelmed;
+}
+
+void fill(const Query& q, const Parts& parts, const Ray& ray, Hit& hit) {
+  const Part& part = *q.part;
+  hit.t = q.best;
+  hit.shape = part.shape;
+  hit.face = q.face;
+  hit.mesh = part.kind == PartKind::mesh ? part.target : no_index;
+  hit.triangle = q.triangle;
+  hit.b1 = q.b1;
+  hit.b2 = q.b2;
+  hit.material = part.material;
+  hit.source = part.source;
+  hit.part = &part;
+  hit.object_from_world = DAffine();
+  std::uint32_t group = parts.root;
+  for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
+    const Part& step = parts.groups[group].parts[q.found_path[i]];
+    hit.object_from_world = DAffine(step.part_from_group) * hit.object_from_world;
+    group = step.target;
+  }
+  hit.object_point = hit.object_from_world.point(ray.origin + q.best * ray.direction);
+}
+
+Query query_of(double t_min, double t_max) {
+  Query q;
+  q.t_min = t_min;
+  q.best = t_max;
+  return q;
+}
+
+bool all_shapes(const std::vector<Part>& parts) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [](const Part& part) { return part.kind == PartKind::shape; });
+}
+
+}  // namespace
 
 Accelerator::Accelerator(const RenderScene& scene, const Assets& assets,
                          const AcceleratorOptions& options)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->options = options;
-  impl_->status = build_parts(scene, assets, options, impl_->scenes, impl_->parts);
+    : mesh_distance_(options.mesh_distance) {
+  const auto structure = std::make_shared<Structure>();
+  structure->instances = options.instances;
+  structure->status =
+      build_parts(scene, assets, options.instances, structure->scenes, structure->parts);
+  structure_ = structure;
 }
+
+Accelerator::Accelerator(const Accelerator& shared, MeshDistance mesh_distance)
+    : structure_(shared.structure_), mesh_distance_(mesh_distance) {}
 
 Accelerator::~Accelerator() = default;
 
 AcceleratorStatus Accelerator::status() const {
-  return impl_->status;
+  return structure_->status;
 }
 
 bool Accelerator::closest(const Ray& ray, double t_min, double t_max, Hit& hit) const {
-  Query q;
-  if (!impl_->closest(q, ray, t_min, t_max)) {
+  Query q = query_of(t_min, t_max);
+  const Parts& parts = structure_->parts;
+  if (!search(q, parts, mesh_distance_, ray, overwhelmed_)) {
     return false;
   }
-  impl_->fill(q, ray, hit);
+  fill(q, parts, ray, hit);
   return true;
 }
 
 bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const {
-  Query q;
-  if (!impl_->closest(q, ray, t_min, t_max)) {
+  Query q = query_of(t_min, t_max);
+  const Parts& parts = structure_->parts;
+  if (!search(q, parts, mesh_distance_, ray, overwhelmed_)) {
     return false;
   }
   if (q.found_depth == 0 && q.part->kind == PartKind::shape) {
@@ -91,21 +118,23 @@ bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& 
     hit.face = q.face;
     hit.part = q.part;
   } else {
-    impl_->fill(q, ray, hit);
+    fill(q, parts, ray, hit);
   }
   return true;
 }
 
 std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
                                                              double t_max) const {
-  Query q;
+  Query q = query_of(t_min, t_max);
+  const Parts& parts = structure_->parts;
   std::vector<std::uint32_t> names;
-  if (impl_->options.instances == Instances::unnamed || !impl_->closest(q, ray, t_min, t_max)) {
+  if (structure_->instances == Instances::unnamed ||
+      !search(q, parts, mesh_distance_, ray, overwhelmed_)) {
     return names;
   }
-  std::uint32_t index = impl_->parts.root;
+  std::uint32_t index = parts.root;
   for (std::uint32_t i = 0; i <= q.found_depth; ++i) {
-    const Group& group = impl_->parts.groups[index];
+    const Group& group = parts.groups[index];
     const std::vector<std::uint32_t>& step = group.instances[q.found_path[i]];
     names.insert(names.end(), step.begin(), step.end());
     index = group.parts[q.found_path[i]].target;
@@ -114,23 +143,19 @@ std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, dou
 }
 
 bool Accelerator::occluded(const Ray& ray, double t_min, double t_max) const {
-  Query q;
-  q.t_min = t_min;
-  q.best = t_max;
+  Query q = query_of(t_min, t_max);
   q.shadow = true;
-  impl_->search(q, ray);
+  search(q, structure_->parts, mesh_distance_, ray, overwhelmed_);
   return q.blocked;
 }
 
 glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max,
                                       const Transmission& transmission,
                                       const void** blocker) const {
-  Query q;
-  q.t_min = t_min;
-  q.best = t_max;
+  Query q = query_of(t_min, t_max);
   q.shadow = true;
   q.transmission = transmission.all_opaque() ? nullptr : &transmission;
-  impl_->search(q, ray);
+  search(q, structure_->parts, mesh_distance_, ray, overwhelmed_);
   if (blocker != nullptr && q.part != nullptr) {
     *blocker = q.part;
   }
@@ -138,11 +163,26 @@ glm::dvec3 Accelerator::transmittance(const Ray& ray, double t_min, double t_max
 }
 
 const Parts& Accelerator::parts() const {
-  return impl_->parts;
+  return structure_->parts;
+}
+
+const PartTree& Accelerator::part_tree() const {
+  const Structure& structure = *structure_;
+  std::call_once(structure.tree_made, [&] {
+    if (structure.parts.groups.empty()) {
+      return;
+    }
+    const Group& root = structure.parts.groups[structure.parts.root];
+    if (root.parts.size() > PartTree::fewest_parts && root.boxes.size() == root.parts.size() &&
+        root.extent.scale == 1 && all_shapes(root.parts)) {
+      structure.tree = PartTree(root.boxes);
+    }
+  });
+  return structure.tree;
 }
 
 bool Accelerator::overwhelmed() const {
-  return impl_->overwhelmed.load(std::memory_order_relaxed);
+  return overwhelmed_.load(std::memory_order_relaxed);
 }
 
 bool same_object(const Hit& a, const Hit& b) {

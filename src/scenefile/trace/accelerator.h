@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,6 +16,7 @@
 namespace scenefile {
 
 struct Parts;
+class PartTree;
 
 /// Where a ray met a surface.
 struct Hit {
@@ -79,13 +81,15 @@ struct AcceleratorOptions {
 /// Instances inside each other that a ray can follow.
 inline constexpr std::uint32_t max_instance_nesting = 64;
 
-/// The acceleration structure. Refers to the scene's meshes in `assets`, which must outlive it.
-/// All queries are const, exact in double precision, and safe from several threads; of surfaces at
-/// exactly one distance the last in the file is hit, however the structure was built.
+/// The acceleration structure. Refers to the meshes in `assets`, which must outlive it, but not to
+/// the scene. All queries are const, exact in double precision, and safe from several threads; of
+/// surfaces at exactly one distance the last in the file is hit, however the structure was built.
 class Accelerator {
  public:
   Accelerator(const RenderScene& scene, const Assets& assets,
               const AcceleratorOptions& options = {});
+  /// The same structure for another picture, with its own overwhelmed().
+  Accelerator(const Accelerator& shared, MeshDistance mesh_distance);
   ~Accelerator();
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
@@ -114,14 +118,19 @@ class Accelerator {
 
   /// What is searched, for those who search it otherwise. Of no groups when it is empty.
   const Parts& parts() const;
+  /// The boxes of the root group's parts, for bundles of rays; empty where those are few, very
+  /// many, or not all shapes. Made when it is asked for first.
+  const PartTree& part_tree() const;
 
   /// A ray crossed more instances than is sane (templates that overlap without end) and was given
   /// up; pictures made with it are wrong.
   bool overwhelmed() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Structure;
+  std::shared_ptr<const Structure> structure_;
+  MeshDistance mesh_distance_;
+  mutable std::atomic<bool> overwhelmed_{false};
 };
 
 }  // namespace scenefile

@@ -9,9 +9,8 @@ namespace {
 
 class Builder {
  public:
-  Builder(const RenderScene& scene, const AcceleratorOptions& options, EmbreeScenes& scenes,
-          Parts& parts)
-      : scene_(scene), options_(options), scenes_(scenes), parts_(parts) {}
+  Builder(const RenderScene& scene, Instances instances, EmbreeScenes& scenes, Parts& parts)
+      : scene_(scene), instances_(instances), scenes_(scenes), parts_(parts) {}
 
   void run(const MergePlan& plan, const Assets& assets) {
     const std::vector<Bounds> boxes = mesh_bounds(scene_, assets);
@@ -27,15 +26,13 @@ class Builder {
         build_group(plan, g);
       }
     }
-    if (options_.mesh_distance == MeshDistance::of_mesh) {
-      parts_.reach = mesh_reach(parts_.groups, parts_.root);
-    }
+    parts_.reach = mesh_reach(parts_.groups, parts_.root);
   }
 
  private:
   void build_group(const MergePlan& plan, std::uint32_t index) {
     Group& group = parts_.groups[index];
-    const std::vector<MergedPart> merged = merged_parts(scene_, plan, index, options_.instances);
+    const std::vector<MergedPart> merged = merged_parts(scene_, plan, index, instances_);
     group.parts.reserve(merged.size());
     std::vector<Bounds> boxes;
     boxes.reserve(merged.size());
@@ -78,7 +75,7 @@ class Builder {
     if (!box.empty() && invertible(DAffine(part.part_from_group))) {
       group.parts.push_back(part);
       boxes.push_back(box);
-      if (options_.instances == Instances::named) {
+      if (instances_ == Instances::named) {
         group.instances.push_back(merged.instances);
       }
     }
@@ -116,16 +113,15 @@ class Builder {
   }
 
   const RenderScene& scene_;
-  const AcceleratorOptions& options_;
+  Instances instances_;
   EmbreeScenes& scenes_;
   Parts& parts_;
 };
 
 }  // namespace
 
-AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets,
-                              const AcceleratorOptions& options, EmbreeScenes& scenes,
-                              Parts& parts) {
+AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets, Instances instances,
+                              EmbreeScenes& scenes, Parts& parts) {
   const MergePlan plan = plan_merge(scene);
   if (plan.nesting > max_instance_nesting) {
     return AcceleratorStatus::too_deep;
@@ -133,7 +129,7 @@ AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets,
   if (!scenes.good()) {
     return AcceleratorStatus::out_of_memory;
   }
-  Builder(scene, options, scenes, parts).run(plan, assets);
+  Builder(scene, instances, scenes, parts).run(plan, assets);
   return scenes.good() ? AcceleratorStatus::ready : AcceleratorStatus::out_of_memory;
 }
 

@@ -8,8 +8,7 @@ namespace scenefile {
 
 /// The parts of a scene with their structures in `scenes`. What is returned is complete when that
 /// is good() and the scene is not too deep.
-AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets,
-                              const AcceleratorOptions& options, EmbreeScenes& scenes,
-                              Parts& parts);
+AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets, Instances instances,
+                              EmbreeScenes& scenes, Parts& parts);
 
 }  // namespace scenefile

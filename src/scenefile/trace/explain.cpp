@@ -92,7 +92,7 @@ std::uint32_t nearest_to_middle(const std::vector<SampleRecord>& samples, int x,
 struct Explainer::Impl {
   Impl(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
       : limit(options.threads),
-        tracer(scene, assets, options, Instances::named),
+        tracer(TraceScene(scene, assets, {.instance_names = true}), scene, options),
         camera(tracer.camera()) {}
 
   Color trace(int x, int y, PixelRecorder& recorder, MoreSamples& more) const {

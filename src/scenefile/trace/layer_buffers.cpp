@@ -97,14 +97,19 @@ void store(ImageLayer& layer, std::size_t pixel, const glm::dvec3& value) {
 
 }  // namespace
 
-LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera,
-                           const PixelRegion& region)
-    : tracer_(tracer), camera_(camera), region_(region) {
-  for (const Layer& wanted : tracer.options.layers) {
-    ImageLayer layer{
-        layer_name(wanted), channels_of(wanted.kind), wanted.kind == LayerKind::object_id, {}};
+std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelRegion& region) {
+  std::vector<ImageLayer> layers;
+  for (const Layer& wanted : options.layers) {
+    ImageLayer& layer = layers.emplace_back(ImageLayer{
+        layer_name(wanted), channels_of(wanted.kind), wanted.kind == LayerKind::object_id, {}});
     layer.values.resize(layer.channels.size() * region.width() * region.height());
-    layers_.push_back(std::move(layer));
+  }
+  return layers;
+}
+
+LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture)
+    : tracer_(tracer), camera_(camera), region_(picture.region), layers_(picture.layers) {
+  for (const Layer& wanted : tracer.options.layers) {
     if (wanted.kind == LayerKind::light) {
       lights_.push_back(wanted.light);
     }
@@ -177,20 +182,6 @@ std::vector<double> LayerBuffers::weights_of(const std::vector<SurfaceSample>& s
     }
   }
   return weights;
-}
-
-std::vector<ImageLayer> LayerBuffers::cut(const PixelRegion& crop) const {
-  std::vector<ImageLayer> result;
-  for (const ImageLayer& layer : layers_) {
-    const std::size_t channels = layer.channels.size();
-    ImageLayer part{layer.name, layer.channels, layer.whole, {}};
-    for (int y = crop.y0; y < crop.y1; ++y) {
-      const float* const row = &layer.values[index(crop.x0, y) * channels];
-      part.values.insert(part.values.end(), row, row + channels * crop.width());
-    }
-    result.push_back(std::move(part));
-  }
-  return result;
 }
 
 }  // namespace scenefile

@@ -1,15 +1,19 @@
 #pragma once
-// The layers of a picture while it is drawn.
+// How the layers of a picture are filled.
 
 #include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/surface_recorder.h"
 
 namespace scenefile {
 
+/// The layers of the options, of so many pixels.
+std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelRegion& region);
+
 class LayerBuffers {
  public:
-  /// For the layers of tracer.options, of `region` of the picture.
-  LayerBuffers(const Tracer& tracer, const CameraRays& camera, const PixelRegion& region);
+  /// For the layers of tracer.options, in the state.
+  LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture);
 
   bool empty() const { return layers_.empty(); }
   /// The lights that have layers, for SurfaceRecorder.
@@ -17,9 +21,6 @@ class LayerBuffers {
 
   /// Fills the pixel (x, y) of the picture. Different pixels may be filled by different threads.
   void put(int x, int y, const SurfaceRecorder& pixel);
-
-  /// Each cut to `crop`, which lies in the region.
-  std::vector<ImageLayer> cut(const PixelRegion& crop) const;
 
  private:
   std::size_t index(int x, int y) const {
@@ -32,7 +33,7 @@ class LayerBuffers {
   const Tracer& tracer_;
   const CameraRays& camera_;
   PixelRegion region_;
-  std::vector<ImageLayer> layers_;
+  std::vector<ImageLayer>& layers_;
   std::vector<std::uint32_t> lights_;
 };
 

@@ -26,6 +26,8 @@ struct BoxNode {
 
 class PartTree {
  public:
+  /// So few are tested one by one.
+  static constexpr std::size_t fewest_parts = 8;
   /// More parts than this are worth no tree: bundles of rays spread over too many.
   static constexpr std::size_t most_parts = 65536;
 

@@ -1,7 +1,12 @@
 #include "scenefile/trace/picture_state.h"
 
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/layer_buffers.h"
+
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace scenefile {
@@ -12,83 +17,316 @@ struct Head {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t pass = 0;
-  std::uint32_t marks = 0;  // whether there are any
+  std::uint32_t marks = 0;       // whether there are any
+  std::uint32_t channels = 0;    // of all layers together
+  std::uint32_t statistics = 0;  // whether there are any
 
   friend bool operator==(const Head&, const Head&) = default;
 };
+static_assert(std::is_trivially_copyable_v<PixelStatistics>);
 
-constexpr std::size_t color_bytes = 3 * sizeof(float);
+bool has_two_passes(const RenderOptions& options) {
+  return options.profile == Profile::fine &&
+         static_cast<std::uint32_t>(options.samples) > FineSampler::first_samples(options);
+}
+
+bool has_lens(const RenderScene& scene, const RenderOptions& options) {
+  return options.features.depthoffield && scene.camera.aperture > 0 &&
+         scene.camera.focal_length > 0;
+}
+
+// Whether there is noise that shall be taken away.
+bool takes_noise_away(const RenderScene& scene, const RenderOptions& options) {
+  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
+  return options.denoise && options.profile == Profile::fine &&
+         (has_lens(scene, options) ||
+          std::any_of(scene.lights.begin(), scene.lights.end(), is_area));
+}
+
+PixelRegion overlap(const PixelRegion& a, const PixelRegion& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+PixelRegion grown(const PixelRegion& region, int by) {
+  return {region.x0 - by, region.y0 - by, region.x1 + by, region.y1 + by};
+}
+
+bool empty(const PixelRegion& region) {
+  return region.width() <= 0 || region.height() <= 0;
+}
+
+std::size_t pixels_of(const PixelRegion& region) {
+  return std::size_t(region.width()) * region.height();
+}
+
+// The crop and the own pixels are known; everything else follows.
+void allocate(const RenderScene& scene, const RenderOptions& options, const PixelRegion& most,
+              Image canvas, PictureState& state) {
+  const bool two_passes = has_two_passes(options);
+  state.region =
+      empty(state.own) ? PixelRegion{} : overlap(grown(state.own, two_passes ? 1 : 0), most);
+  const int width = state.region.width();
+  const int height = state.region.height();
+  state.image =
+      canvas.width == width && canvas.height == height ? std::move(canvas) : Image(width, height);
+  state.layers = make_layers(options, state.region);
+  state.statistics.resize(takes_noise_away(scene, options) ? pixels_of(state.region) : 0);
+  state.sharp = !has_lens(scene, options);
+  state.pieces = Pieces(width, height);
+  state.marked.resize(two_passes ? pixels_of(state.region) : 0);
+}
+
+PixelRegion whole_picture(const RenderOptions& options) {
+  return {0, 0, options.width, options.height};
+}
+
+// The tiles from `first` to `last` of so many pixels that begin at `from`.
+std::pair<int, int> pixels_of_tiles(int first, int last, int from, int to) {
+  return {std::min(from + first * tile_side, to), std::min(from + last * tile_side, to)};
+}
+
+// Halves the region, along its longer side, until `count` parts are left.
+PixelRegion part_of(const PixelRegion& region, std::uint32_t index, std::uint32_t count) {
+  PixelRegion tiles{0, 0, tiles_across(region.width()), tiles_across(region.height())};
+  while (count > 1 && !empty(tiles)) {
+    const std::uint32_t before = count / 2;
+    const bool is_first = index < before;
+    const bool across = tiles.width() > tiles.height();
+    int& low = across ? tiles.x0 : tiles.y0;
+    int& high = across ? tiles.x1 : tiles.y1;
+    const int middle = low + static_cast<int>(std::int64_t(high - low) * before / count);
+    (is_first ? high : low) = middle;
+    index -= is_first ? 0 : before;
+    count = is_first ? before : count - before;
+  }
+  if (empty(tiles)) {
+    return {};
+  }
+  const auto [x0, x1] = pixels_of_tiles(tiles.x0, tiles.x1, region.x0, region.x1);
+  const auto [y0, y1] = pixels_of_tiles(tiles.y0, tiles.y1, region.y0, region.y1);
+  return {x0, y0, x1, y1};
+}
+
+std::size_t index_in(const PixelRegion& region, int x, int y) {
+  return std::size_t(y - region.y0) * region.width() + (x - region.x0);
+}
+
+Head head_of(const PictureState& state) {
+  Head head{std::uint32_t(state.region.width()),
+            std::uint32_t(state.region.height()),
+            state.pass,
+            !state.marked.empty(),
+            0,
+            !state.statistics.empty()};
+  for (const ImageLayer& layer : state.layers) {
+    head.channels += static_cast<std::uint32_t>(layer.channels.size());
+  }
+  return head;
+}
+
+// Calls row(from, to, bytes) for the rows of arrays `to` and `from` that hold the pixels of `own`.
+template <typename Row>
+void for_each_row(const PixelRegion& own, const Row& row) {
+  for (int y = own.y0; y < own.y1; ++y) {
+    row(own.x0, y, static_cast<std::size_t>(own.width()));
+  }
+}
+
+template <typename T>
+void copy_rows(const std::vector<T>& from, const PixelRegion& from_region, std::size_t per_pixel,
+               const PixelRegion& own, const PixelRegion& to_region, std::vector<T>& to) {
+  for_each_row(own, [&](int x, int y, std::size_t pixels) {
+    std::copy_n(from.data() + per_pixel * index_in(from_region, x, y), per_pixel * pixels,
+                to.data() + per_pixel * index_in(to_region, x, y));
+  });
+}
+
+// What each pixel of a picture has, as bytes: calls part(bytes of the pixels, of each).
+template <typename State, typename Part>
+void for_each_array(State& state, const Part& part) {
+  part(state.image.rgb.data(), 3 * sizeof(float));
+  for (auto& layer : state.layers) {
+    part(layer.values.data(), layer.channels.size() * sizeof(float));
+  }
+  if (!state.statistics.empty()) {
+    part(state.statistics.data(), sizeof(PixelStatistics));
+  }
+}
+
+std::size_t bytes_of_pixel(const PictureState& state) {
+  std::size_t sum = 0;
+  for_each_array(state, [&](const auto* /*pixels*/, std::size_t bytes) { sum += bytes; });
+  return sum;
+}
+
+std::size_t byte_count(const PictureState& state) {
+  return sizeof(Head) + state.pieces.count() + state.marked.size() +
+         bytes_of_pixel(state) * pixels_of(state.region);
+}
 
 }  // namespace
 
-PictureState::PictureState(int width, int height, bool two_passes, Image canvas)
-    : image(canvas.width == width && canvas.height == height ? std::move(canvas)
-                                                             : Image(width, height)),
-      pieces(width, height),
-      marked(two_passes ? std::size_t(width) * height : 0) {}
-
-void PictureState::start_second_pass() {
-  pass = 1;
-  pieces.restart();
+Image cut(const Image& image, const PixelRegion& region, const PixelRegion& crop) {
+  Image part(crop.width(), crop.height());
+  copy_rows(image.rgb, region, 3, crop, crop, part.rgb);
+  return part;
 }
 
-std::size_t PictureState::byte_count() const {
-  const std::size_t pixels = std::size_t(image.width) * image.height;
-  return sizeof(Head) + pieces.count() + marked.size() + color_bytes * pixels;
+PictureState make_state(const RenderScene& scene, const RenderOptions& given, Image canvas) {
+  const RenderOptions options = in_range(given);
+  PictureState state;
+  state.crop = options.crop.value_or(whole_picture(options));
+  state.own =
+      overlap(grown(state.crop, options.denoise ? denoise_reach : 0), whole_picture(options));
+  allocate(scene, options, whole_picture(options), std::move(canvas), state);
+  return state;
 }
 
-std::string PictureState::bytes() const {
-  const Head head{std::uint32_t(image.width), std::uint32_t(image.height), pass, !marked.empty()};
-  std::string result(byte_count(), '\0');
-  char* to = result.data();
-  std::memcpy(to, &head, sizeof head);
-  to += sizeof head;
-  // Flags are read once: a piece that gets done meanwhile counts as not done.
-  std::vector<bool> done(pieces.count());
-  for (std::size_t i = 0; i < done.size(); ++i) {
-    done[i] = pieces.done(i);
-    *to++ = char(done[i]);
+PictureState make_part(const RenderScene& scene, const RenderOptions& given, std::uint32_t index,
+                       std::uint32_t count) {
+  const RenderOptions options = in_range(given);
+  PictureState whole;
+  whole.crop = options.crop.value_or(whole_picture(options));
+  whole.own =
+      overlap(grown(whole.crop, options.denoise ? denoise_reach : 0), whole_picture(options));
+  PictureState part;
+  part.own = part.crop = part_of(whole.own, index, count);
+  allocate(scene, options, whole_picture(options), {}, part);
+  return part;
+}
+
+bool complete(const PictureState& state) {
+  return (state.marked.empty() || state.pass == 1) && state.pieces.all_done();
+}
+
+Resolved resolve(PictureState state) {
+  if (!state.statistics.empty() && complete(state)) {
+    const std::vector<glm::vec3> colors =
+        denoised(state.region.width(), state.region.height(), state.statistics, state.sharp);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      std::copy_n(&colors[i].x, 3, &state.image.rgb[3 * i]);
+    }
   }
-  const std::size_t pixels = std::size_t(image.width) * image.height;
-  char* colors = to + marked.size();
-  for (std::size_t i = 0; i < pixels; ++i) {
-    // What no thread is writing: done pieces, and what the second pass leaves alone.
-    const bool whole = done[pieces.at(int(i % image.width), int(i / image.width))];
-    const bool settled = pass == 1 && marked[i] == 0;
-    if (!marked.empty() && (whole || pass == 1)) {
-      to[i] = char(marked[i]);
-    }
-    if (whole || settled) {
-      std::memcpy(colors + color_bytes * i, image.rgb.data() + 3 * i, color_bytes);
-    }
+  Resolved result;
+  if (state.crop == state.region) {
+    result.image = std::move(state.image);
+    result.layers = std::move(state.layers);
+    return result;
+  }
+  result.image = cut(state.image, state.region, state.crop);
+  for (const ImageLayer& layer : state.layers) {
+    const std::size_t channels = layer.channels.size();
+    ImageLayer& part =
+        result.layers.emplace_back(ImageLayer{layer.name, layer.channels, layer.whole, {}});
+    part.values.resize(channels * pixels_of(state.crop));
+    copy_rows(layer.values, state.region, channels, state.crop, state.crop, part.values);
   }
   return result;
 }
 
-bool PictureState::restore(std::string_view bytes) {
+bool merge(PictureState& whole, const PictureState& part) {
+  const PixelRegion& own = part.own;
+  if (empty(own)) {
+    return complete(part);
+  }
+  Head kind = head_of(part);
+  const Head wanted = head_of(whole);
+  kind.width = wanted.width;
+  kind.height = wanted.height;
+  kind.pass = wanted.pass;
+  if (!complete(part) || !(kind == wanted) || !(overlap(own, whole.own) == own)) {
+    return false;
+  }
+  copy_rows(part.image.rgb, part.region, 3, own, whole.region, whole.image.rgb);
+  for (std::size_t i = 0; i < whole.layers.size(); ++i) {
+    copy_rows(part.layers[i].values, part.region, part.layers[i].channels.size(), own, whole.region,
+              whole.layers[i].values);
+  }
+  if (!whole.statistics.empty()) {
+    copy_rows(part.statistics, part.region, 1, own, whole.region, whole.statistics);
+  }
+  whole.merged += pixels_of(own);
+  if (whole.merged == pixels_of(whole.own)) {
+    whole.pass = whole.marked.empty() ? 0 : 1;
+    for (std::size_t piece = 0; piece < whole.pieces.count(); ++piece) {
+      whole.pieces.finish(piece);
+    }
+  }
+  return true;
+}
+
+std::string encode_state(const PictureState& state) {
+  const Head head = head_of(state);
+  std::string result(byte_count(state), '\0');
+  char* to = result.data();
+  std::memcpy(to, &head, sizeof head);
+  to += sizeof head;
+  // Flags are read once: a piece that gets done meanwhile counts as not done.
+  std::vector<bool> done(state.pieces.count());
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    done[i] = state.pieces.done(i);
+    *to++ = char(done[i]);
+  }
+  const int width = std::max(1, state.region.width());
+  const std::size_t pixels = pixels_of(state.region);
+  const auto whole = [&](std::size_t i) {
+    return done[state.pieces.at(int(i % width), int(i / width))];
+  };
+  for (std::size_t i = 0; i < state.marked.size(); ++i) {
+    to[i] = whole(i) || state.pass == 1 ? char(state.marked[i]) : '\0';
+  }
+  to += state.marked.size();
+  // What no thread is writing: done pieces, and what the second pass leaves alone.
+  for_each_array(state, [&](const auto* from, std::size_t bytes) {
+    const char* const first = reinterpret_cast<const char*>(from);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      if (whole(i) || (state.pass == 1 && state.marked[i] == 0)) {
+        std::memcpy(to + bytes * i, first + bytes * i, bytes);
+      }
+    }
+    to += bytes * pixels;
+  });
+  return result;
+}
+
+bool decode_state(std::string_view bytes, PictureState& state) {
   Head head;
-  if (bytes.size() != byte_count()) {
+  if (bytes.size() != byte_count(state)) {
     return false;
   }
   std::memcpy(&head, bytes.data(), sizeof head);
-  const Head wanted{std::uint32_t(image.width), std::uint32_t(image.height), head.pass,
-                    !marked.empty()};
+  Head wanted = head_of(state);
+  wanted.pass = head.pass;
   if (!(head == wanted) || head.pass > wanted.marks) {
     return false;
   }
   bytes.remove_prefix(sizeof head);
-  pass = head.pass;
-  pieces.restart();
-  for (std::size_t i = 0; i < pieces.count(); ++i) {
+  state.pass = head.pass;
+  state.pieces.restart();
+  for (std::size_t i = 0; i < state.pieces.count(); ++i) {
     if (bytes[i] != 0) {
-      pieces.finish(i);
+      state.pieces.finish(i);
     }
   }
-  bytes.remove_prefix(pieces.count());
-  std::copy_n(bytes.data(), marked.size(), marked.data());
-  bytes.remove_prefix(marked.size());
-  std::memcpy(image.rgb.data(), bytes.data(), bytes.size());
+  bytes.remove_prefix(state.pieces.count());
+  std::copy_n(bytes.data(), state.marked.size(), state.marked.data());
+  bytes.remove_prefix(state.marked.size());
+  for_each_array(state, [&](auto* to, std::size_t of_pixel) {
+    const std::size_t size = of_pixel * pixels_of(state.region);
+    std::memcpy(static_cast<void*>(to), bytes.data(), size);
+    bytes.remove_prefix(size);
+  });
   return true;
+}
+
+void copy_done(const PictureState& state, Image& image) {
+  for (int y = 0; y < state.region.height(); ++y) {
+    for (int x = 0; x < state.region.width(); ++x) {
+      if (state.pieces.done(state.pieces.at(x, y))) {
+        std::copy_n(state.image.pixel(x, y), 3, image.pixel(x, y));
+      }
+    }
+  }
 }
 
 }  // namespace scenefile

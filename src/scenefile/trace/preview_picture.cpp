@@ -15,27 +15,18 @@ constexpr int block = 8;
 
 }  // namespace
 
-Image cut(const Image& image, const PixelRegion& region, const PixelRegion& crop) {
-  Image part(crop.width(), crop.height());
-  for (int y = 0; y < crop.height(); ++y) {
-    const float* const row = image.pixel(crop.x0 - region.x0, y + crop.y0 - region.y0);
-    std::copy_n(row, std::size_t{3} * crop.width(), part.pixel(0, y));
-  }
-  return part;
-}
-
-PreviewPicture::PreviewPicture(const Preview& preview, const PictureState& picture,
-                               const PixelRegion& region, const PixelRegion& crop)
-    : preview_(preview), picture_(picture), region_(region), crop_(crop) {
+PreviewPicture::PreviewPicture(const Preview& preview, const PictureState& picture)
+    : preview_(preview), picture_(picture) {
   if (wanted()) {
-    shown_ = Image(region.width(), region.height());
+    shown_ = Image(picture.region.width(), picture.region.height());
   }
 }
 
-void PreviewPicture::start(const Tracer& tracer, const CameraRays& camera) {
-  for_each_line((region_.height() + block - 1) / block, [&](int row) {
-    for (int x = 0; x < region_.width(); x += block) {
-      const glm::dvec2 corner(region_.x0 + x, region_.y0 + row * block);
+void PreviewPicture::start(const Tracer& tracer) {
+  const CameraRays camera = tracer.camera();
+  for_each_line((shown_.height + block - 1) / block, [&](int row) {
+    for (int x = 0; x < shown_.width; x += block) {
+      const glm::dvec2 corner(picture_.region.x0 + x, picture_.region.y0 + row * block);
       const RayCone cone{0, camera.pixel_spread() * block};
       RayCounts counts;
       fill(x, row * block,
@@ -43,16 +34,6 @@ void PreviewPicture::start(const Tracer& tracer, const CameraRays& camera) {
     }
   });
   show();
-}
-
-void PreviewPicture::update() {
-  for (int y = 0; y < region_.height(); ++y) {
-    for (int x = 0; x < region_.width(); ++x) {
-      if (picture_.pieces.done(picture_.pieces.at(x, y))) {
-        std::copy_n(picture_.image.pixel(x, y), 3, shown_.pixel(x, y));
-      }
-    }
-  }
 }
 
 void PreviewPicture::show_in_time() {
@@ -64,8 +45,8 @@ void PreviewPicture::show_in_time() {
 }
 
 void PreviewPicture::fill(int x0, int y0, const Color& color) {
-  for (int y = y0; y < std::min(y0 + block, region_.height()); ++y) {
-    for (int x = x0; x < std::min(x0 + block, region_.width()); ++x) {
+  for (int y = y0; y < std::min(y0 + block, shown_.height); ++y) {
+    for (int x = x0; x < std::min(x0 + block, shown_.width); ++x) {
       for (int c = 0; c < 3; ++c) {
         shown_.pixel(x, y)[c] = static_cast<float>(color[c]);
       }
@@ -74,7 +55,7 @@ void PreviewPicture::fill(int x0, int y0, const Color& color) {
 }
 
 void PreviewPicture::show() {
-  preview_.show(cut(shown_, region_, crop_));
+  preview_.show(cut(shown_, picture_.region, picture_.crop));
   last_ = Clock::now();
 }
 

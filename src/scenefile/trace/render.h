@@ -60,18 +60,26 @@ struct Preview {
   double interval_seconds = 2;  ///< at least, between calls
 };
 
+class TraceScene;
+
+/// What render() may be given besides; all of it may be left out.
+struct RenderControl {
+  Progress progress = {};
+  Checkpoints checkpoints = {};
+  Preview preview = {};
+  /// A black image in which to draw the picture, if it has the same size; for those who know
+  /// cheaper memory than the allocator does (io/memory.h).
+  Image canvas = {};
+  /// Of the same scene and assets, built before (trace_scene.h); null: render() builds what it
+  /// needs. With it the groups of the scene are not looked at and may be empty.
+  const TraceScene* traced = nullptr;
+};
+
 /// Renders. The picture is a function of scene, assets and options alone: any number of threads
 /// gives the same bytes, whether the work was resumed or not (statistics are of this run alone).
-/// `assets` must have been loaded for this scene. Work that is resumed has neither layers nor noise
-/// taken away. `canvas`: a black image in which to draw the picture, if it has the same size; for
-/// those who know cheaper memory than the allocator does (io/memory.h).
+/// `assets` must have been loaded for this scene. Who wants more say in the course of the work:
+/// picture_state.h.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress = {}, const Checkpoints& checkpoints = {},
-                    const Preview& preview = {}, Image canvas = {});
-/// The same, for one who needs the scene no more: what only finding hits needed is given back
-/// before the first ray, 64 bytes a primitive.
-RenderResult render(RenderScene&& scene, const Assets& assets, const RenderOptions& options,
-                    const Progress& progress = {}, const Checkpoints& checkpoints = {},
-                    const Preview& preview = {}, Image canvas = {});
+                    RenderControl control = {});
 
 }  // namespace scenefile

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scenefile {
 
 namespace {
@@ -64,6 +66,23 @@ RenderOptions default_options(Profile profile) {
     options.features.super_sample = false;
     options.max_depth = 4;
   }
+  return options;
+}
+
+RenderOptions in_range(RenderOptions options) {
+  options.width = std::max(1, options.width);
+  options.height = std::max(1, options.height);
+  options.samples = std::clamp(options.samples, 1, 1 << 20);
+  options.threads = std::clamp(options.threads, 0, 1024);
+  options.max_depth = std::clamp(options.max_depth, 0, 64);
+  if (options.crop.has_value()) {
+    PixelRegion& crop = *options.crop;
+    crop.x0 = std::clamp(crop.x0, 0, options.width - 1);
+    crop.y0 = std::clamp(crop.y0, 0, options.height - 1);
+    crop.x1 = std::clamp(crop.x1, crop.x0 + 1, options.width);
+    crop.y1 = std::clamp(crop.y1, crop.y0 + 1, options.height);
+  }
+  options.fresnel = options.fresnel && options.profile == Profile::fine;
   return options;
 }
 

@@ -99,6 +99,9 @@ struct RenderOptions {
 /// The defaults of a profile: course has no super_sample and 4 bounces.
 RenderOptions default_options(Profile profile);
 
+/// Values out of range become the nearest that can be drawn. All that takes options does this.
+RenderOptions in_range(RenderOptions options);
+
 /// How the float picture becomes 8-bit in this profile.
 Rounding rounding_of(Profile profile);
 

@@ -21,11 +21,6 @@ namespace {
 
 constexpr auto between_calls = std::chrono::milliseconds(20);
 
-// How many are side by side.
-int tiles_of(int size) {
-  return (size + tile_side - 1) / tile_side;
-}
-
 // Calls work(i) for 0 to count - 1 from all threads.
 template <typename Work>
 void for_each_index(std::size_t count, const Work& work) {
@@ -109,24 +104,11 @@ bool Watch::advance(double share) {
   return !stopped();
 }
 
-Pieces::Pieces(int width, int height)
-    : width_(width), height_(height), done_(std::size_t(tiles_of(width)) * tiles_of(height)) {}
-
-std::size_t Pieces::at(int x, int y) const {
-  return std::size_t(y / tile_side) * tiles_of(width_) + x / tile_side;
-}
-
-void Pieces::restart() {
-  for (std::atomic<std::uint8_t>& done : done_) {
-    done.store(0, std::memory_order_relaxed);
-  }
-}
-
 void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
                     const std::function<bool(const Tile&)>& work) {
   const int width = pieces.width();
   const int height = pieces.height();
-  const int columns = tiles_of(width);
+  const int columns = tiles_across(width);
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
   for_each_index(pieces.count(), [&](std::size_t index) {
     const int x0 = static_cast<int>(index % columns) * tile_side;

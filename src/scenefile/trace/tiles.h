@@ -1,13 +1,11 @@
 #pragma once
 // A picture as work for several threads.
 
+#include "scenefile/trace/pieces.h"
 #include "scenefile/trace/render.h"
 
-#include <atomic>
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <vector>
 
 namespace scenefile {
 
@@ -25,38 +23,12 @@ class ThreadLimit {
   std::unique_ptr<State> state_;
 };
 
-/// Of the tiles that a picture is cut into.
-inline constexpr int tile_side = 16;
-
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1.
 struct Tile {
   int x0 = 0;
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
-};
-
-/// Which parts of a pass over a picture are done. A piece is a tile of tile_side pixels.
-class Pieces {
- public:
-  Pieces(int width, int height);
-
-  std::size_t count() const { return done_.size(); }
-  /// The piece of a pixel.
-  std::size_t at(int x, int y) const;
-  /// What was written to a piece before finish() can be read once it is done.
-  bool done(std::size_t piece) const { return done_[piece].load(std::memory_order_acquire) != 0; }
-  void finish(std::size_t piece) { done_[piece].store(1, std::memory_order_release); }
-  /// No piece is done.
-  void restart();
-
-  int width() const { return width_; }
-  int height() const { return height_; }
-
- private:
-  int width_;
-  int height_;
-  std::vector<std::atomic<std::uint8_t>> done_;
 };
 
 /// Share of all work that a pass over the picture is.

@@ -4,30 +4,9 @@
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/trace/optics-inl.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace scenefile {
 
 namespace {
-
-// Values out of range become the nearest that the app may get, as its own checks have it.
-RenderOptions in_range(RenderOptions options) {
-  options.width = std::max(1, options.width);
-  options.height = std::max(1, options.height);
-  options.samples = std::clamp(options.samples, 1, 1 << 20);
-  options.threads = std::clamp(options.threads, 0, 1024);
-  options.max_depth = std::clamp(options.max_depth, 0, 64);
-  if (options.crop.has_value()) {
-    PixelRegion& crop = *options.crop;
-    crop.x0 = std::clamp(crop.x0, 0, options.width - 1);
-    crop.y0 = std::clamp(crop.y0, 0, options.height - 1);
-    crop.x1 = std::clamp(crop.x1, crop.x0 + 1, options.width);
-    crop.y1 = std::clamp(crop.y1, crop.y0 + 1, options.height);
-  }
-  options.fresnel = options.fresnel && options.profile == Profile::fine;
-  return options;
-}
 
 MeshDistance mesh_distance(Profile profile) {
   return profile == Profile::course ? MeshDistance::of_mesh : MeshDistance::of_world;
@@ -48,39 +27,32 @@ std::vector<glm::dvec3> shadow_factors(const RenderScene& scene, const RenderOpt
   return factors;
 }
 
-std::vector<Pyramid> make_pyramids(const Assets& assets, const RenderOptions& options) {
-  std::vector<Pyramid> pyramids;
+std::span<const Pyramid> pyramids_of(const TraceScene& traced, const RenderOptions& options) {
   if (options.profile != Profile::fine || options.mode != Mode::ray || !options.features.texture) {
-    return pyramids;
+    return {};
   }
-  pyramids.reserve(assets.textures.size());
-  for (const Texture& texture : assets.textures) {
-    pyramids.emplace_back(texture);
-  }
-  return pyramids;
+  return traced.pyramids();
 }
 
 }  // namespace
 
-Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o, Instances instances)
-    : scene(s),
-      assets(a),
+Tracer::Tracer(const TraceScene& t, const RenderScene& s, const RenderOptions& o)
+    : traced(t),
+      scene(s),
+      assets(traced.assets()),
       options(in_range(o)),
       transparent(transparent_coefficient(s, o.profile)),
-      accelerator(s, a, {instances, mesh_distance(o.profile)}),
+      accelerator(traced.accelerator(), mesh_distance(o.profile)),
       transmission(shadow_factors(s, o, transparent)),
-      pyramids(make_pyramids(a, o)) {}
+      pyramids(pyramids_of(traced, o)) {}
+
+Tracer::Tracer(const RenderScene& s, const Assets& a, const RenderOptions& o)
+    : Tracer(TraceScene(s, a, {.threads = o.threads}), s, o) {}
 
 RenderStatus Tracer::status() const {
-  switch (accelerator.status()) {
-    case AcceleratorStatus::ready:
-      break;
-    case AcceleratorStatus::too_deep:
-      return RenderStatus::limit_reached;
-    case AcceleratorStatus::out_of_memory:
-      return RenderStatus::failed;
-  }
-  return accelerator.overwhelmed() ? RenderStatus::limit_reached : RenderStatus::complete;
+  const RenderStatus built = traced.status();
+  return built == RenderStatus::complete && accelerator.overwhelmed() ? RenderStatus::limit_reached
+                                                                      : built;
 }
 
 CameraRays Tracer::camera() const {

@@ -6,11 +6,12 @@
 #include "scenefile/trace/color.h"
 #include "scenefile/trace/render.h"
 #include "scenefile/trace/texture_lookup.h"
+#include "scenefile/trace/trace_scene.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 namespace scenefile {
 
@@ -26,9 +27,9 @@ struct RayCounts {
 };
 
 struct Tracer {
-  /// `instances`: see Accelerator.
-  Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
-         Instances instances = Instances::unnamed);
+  Tracer(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options);
+  /// Builds what it needs.
+  Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options);
 
   /// Rays may be traced only when `complete`; later `limit_reached` where one had to be given up.
   RenderStatus status() const;
@@ -40,13 +41,14 @@ struct Tracer {
   /// kt * Ct.
   Color transparency(const RenderMaterial& material) const;
 
+  TraceScene traced;
   const RenderScene& scene;
   const Assets& assets;
   RenderOptions options;   ///< in range
   double transparent = 0;  ///< kt, by the file or the profile
   Accelerator accelerator;
-  Transmission transmission;      ///< by material, for shadow rays
-  std::vector<Pyramid> pyramids;  ///< by texture, where lookups are filtered over footprints
+  Transmission transmission;          ///< by material, for shadow rays
+  std::span<const Pyramid> pyramids;  ///< by texture, where lookups are filtered over footprints
 };
 
 }  // namespace scenefile

@@ -205,11 +205,6 @@ void put_density(const Tracer& tracer, std::size_t index, WaveMaterial& material
   put(Color(tracer.transmission.density(static_cast<std::uint32_t>(index))), material.density);
 }
 
-bool all_shapes(const std::vector<Part>& parts) {
-  return std::all_of(parts.begin(), parts.end(),
-                     [](const Part& part) { return part.kind == PartKind::shape; });
-}
-
 }  // namespace
 
 WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
@@ -217,22 +212,18 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
       camera(c),
       kernel(wave_kernels().front()),
       course(t.course()),
-      clear_shadows(!t.transmission.all_opaque()) {
+      clear_shadows(!t.transmission.all_opaque()),
+      tree(t.accelerator.part_tree()) {
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());
     by_footprint = by_footprint || materials.back().by_footprint;
   }
-  constexpr std::size_t few = 8;
   const Parts& parts = tracer.accelerator.parts();
-  const Group& root = parts.groups[parts.root];
-  if (!all_shapes(root.parts)) {
-    return;
-  }
-  few_parts = root.parts.size() <= few;
-  if (!few_parts && root.boxes.size() == root.parts.size() && root.extent.scale == 1) {
-    tree = PartTree(root.boxes);
-  }
+  const std::vector<Part>& root = parts.groups[parts.root].parts;
+  few_parts = root.size() <= PartTree::fewest_parts &&
+              std::all_of(root.begin(), root.end(),
+                          [](const Part& part) { return part.kind == PartKind::shape; });
 }
 
 std::vector<const WaveKernel*> wave_kernels() {

@@ -65,7 +65,7 @@ struct WaveScene {
   std::vector<WaveMaterial> materials;
   bool by_footprint = false;  ///< a material is
   bool few_parts = false;     ///< all are shapes, and so few that each is tested
-  PartTree tree;              ///< of more, where all are shapes and not too many
+  const PartTree& tree;       ///< of more, where all are shapes and not too many
 };
 
 /// Whether pictures of this kind are made of waves. The others are made ray by ray.

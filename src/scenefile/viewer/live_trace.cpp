@@ -80,7 +80,8 @@ void LiveTrace::Job::run() {
   };
   TracedPicture last;
   try {
-    RenderResult result = render(scene, *assets, options, progress, {}, preview);
+    RenderResult result =
+        render(scene, *assets, options, {.progress = progress, .preview = preview});
     last = {std::move(result.image), 1, true, seconds_since(start), failure_of(result.status)};
   } catch (const std::bad_alloc&) {
     last = {{}, 1, true, seconds_since(start), "out of memory while tracing"};

@@ -1,0 +1,40 @@
+#include "scenefile/trace/pieces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scenefile {
+
+Pieces::Pieces(int width, int height)
+    : width_(width),
+      height_(height),
+      done_(std::size_t(tiles_across(width)) * tiles_across(height)) {}
+
+Pieces::Pieces(const Pieces& other) : Pieces(other.width_, other.height_) {
+  for (std::size_t i = 0; i < done_.size(); ++i) {
+    done_[i].store(other.done_[i].load(std::memory_order_acquire), std::memory_order_relaxed);
+  }
+}
+
+Pieces& Pieces::operator=(const Pieces& other) {
+  *this = Pieces(other);
+  return *this;
+}
+
+std::size_t Pieces::at(int x, int y) const {
+  return std::size_t(y / tile_side) * tiles_across(width_) + x / tile_side;
+}
+
+bool Pieces::all_done() const {
+  return std::all_of(done_.begin(), done_.end(), [](const std::atomic<std::uint8_t>& done) {
+    return done.load(std::memory_order_acquire) != 0;
+  });
+}
+
+void Pieces::restart() {
+  for (std::atomic<std::uint8_t>& done : done_) {
+    done.store(0, std::memory_order_relaxed);
+  }
+}
+
+}  // namespace scenefile

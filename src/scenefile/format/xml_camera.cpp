@@ -2,7 +2,6 @@
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
-#include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 
@@ -12,40 +11,15 @@ namespace scenefile {
 
 namespace {
 
-enum GlobalField : std::size_t { g_ambient, g_diffuse, g_specular, g_transparent };
+constexpr auto global_names = names_of<count_names(global_rows)>(global_rows);
+constexpr auto camera_names = names_of<count_names(camera_rows)>(camera_rows);
 
-constexpr FieldName global_names[] = {{"ambientcoeff", g_ambient},
-                                      {"diffusecoeff", g_diffuse},
-                                      {"specularcoeff", g_specular},
-                                      {"transparentcoeff", g_transparent}};
+// A second row of Field::look, the point to look at.
+constexpr std::size_t focus_row = 2;
+static_assert(camera_rows[focus_row].xml == "focus");
 
-enum CameraField : std::size_t {
-  c_pos,
-  c_look,
-  c_focus,
-  c_up,
-  c_height_angle,
-  c_aspect_ratio,
-  c_aperture,
-  c_focal_length
-};
-
-constexpr FieldName camera_names[] = {{"pos", c_pos},
-                                      {"look", c_look},
-                                      {"focus", c_focus},
-                                      {"up", c_up},
-                                      {"heightangle", c_height_angle},
-                                      {"angle", c_height_angle, true},
-                                      {"aspectratio", c_aspect_ratio},
-                                      {"aperture", c_aperture},
-                                      {"focallength", c_focal_length}};
-
-void set(float& member, std::optional<float> value) {
-  member = value.value_or(not_known);
-}
-
-void set(glm::vec3& member, const std::optional<glm::vec3>& value) {
-  member = value.value_or(glm::vec3(not_known));
+Location place_of(const CameraDraft& draft, Field field) {
+  return draft.seen.place(index_of(camera_rows, field));
 }
 
 void report_default(const XmlContext& context, const CameraDraft& draft, std::string_view part,
@@ -56,24 +30,24 @@ void report_default(const XmlContext& context, const CameraDraft& draft, std::st
 }
 
 void report_defaults(const XmlContext& context, const CameraDraft& draft) {
-  if (!draft.seen.has(c_pos)) {
+  if (!place_of(draft, Field::position).known()) {
     report_default(context, draft, "<pos>", "5 5 5");
   }
-  if (!draft.seen.has(c_look) && !draft.seen.has(c_focus)) {
+  if (!place_of(draft, Field::look).known() && !draft.seen.has(focus_row)) {
     report_default(context, draft, "<look> or <focus>", "look -1 -1 -1");
   }
-  if (!draft.seen.has(c_up)) {
+  if (!place_of(draft, Field::up).known()) {
     report_default(context, draft, "<up>", "0 1 0");
   }
-  if (!draft.seen.has(c_height_angle)) {
+  if (!place_of(draft, Field::height_angle_deg).known()) {
     report_default(context, draft, "<heightangle>", "45");
   }
 }
 
 // A focus is a point to look at; behind the reader there are directions only.
 void resolve_focus(const XmlContext& context, CameraDraft& draft) {
-  const Location look = draft.seen.place(c_look);
-  const Location focus = draft.seen.place(c_focus);
+  const Location look = place_of(draft, Field::look);
+  const Location focus = draft.seen.place(focus_row);
   if (!focus.known()) {
     return;
   }
@@ -96,21 +70,6 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
   draft.camera.look = direction == glm::vec3(0) ? glm::vec3(not_known) : direction;
 }
 
-void add_places(const CameraDraft& draft, Scene& scene) {
-  const auto add = [&](std::size_t field, Field member) {
-    if (draft.seen.has(field)) {
-      scene.field_places.push_back({draft.camera.location, member, draft.seen.place(field)});
-    }
-  };
-  add(c_pos, Field::position);
-  add(c_look, Field::look);
-  add(c_focus, Field::look);
-  add(c_up, Field::up);
-  add(c_height_angle, Field::height_angle_deg);
-  add(c_aperture, Field::aperture);
-  add(c_focal_length, Field::focal_length);
-}
-
 }  // namespace
 
 bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen, Scene& scene) {
@@ -119,28 +78,9 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
     return false;
   }
   seen.note(context, tag, *field);
-  const std::optional<float> value = read_single(context, tag);
-  const auto store = [&](Field member) {
-    scene.field_places.push_back({scene.global.location, member, tag.location});
-  };
-  switch (static_cast<GlobalField>(*field)) {
-    case g_ambient:
-      set(scene.global.ambient, value);
-      store(Field::ambient);
-      break;
-    case g_diffuse:
-      set(scene.global.diffuse, value);
-      store(Field::diffuse);
-      break;
-    case g_specular:
-      set(scene.global.specular, value);
-      store(Field::specular);
-      break;
-    case g_transparent:
-      scene.global.transparent = value.value_or(not_known);
-      store(Field::transparent);
-      break;
-  }
+  const ValueRow<Global>& row = global_rows[*field];
+  read_value(context, tag, row, scene.global);
+  scene.field_places.push_back({scene.global.location, *row.field, tag.location});
   return true;
 }
 
@@ -150,33 +90,15 @@ bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft&
     return false;
   }
   draft.seen.note(context, tag, *field);
-  Camera& camera = draft.camera;
-  switch (static_cast<CameraField>(*field)) {
-    case c_pos:
-      set(camera.position, read_vector(context, tag));
-      break;
-    case c_look:
-      set(camera.look, read_vector(context, tag));
-      break;
-    case c_focus:
-      set(draft.focus, read_vector(context, tag));
-      break;
-    case c_up:
-      set(camera.up, read_vector(context, tag));
-      break;
-    case c_height_angle:
-      set(camera.height_angle_deg, read_single(context, tag));
-      break;
-    case c_aspect_ratio:
-      context.diagnostics.report(xml_ignored_element, Severity::note, tag.location,
-                                 "<aspectratio> has no effect: the picture's size decides");
-      break;
-    case c_aperture:
-      set(camera.aperture, read_single(context, tag));
-      break;
-    case c_focal_length:
-      set(camera.focal_length, read_single(context, tag));
-      break;
+  const ValueRow<Camera>& row = camera_rows[*field];
+  if (*field == focus_row) {
+    draft.focus = read_three(context, tag, row.kind).value_or(glm::vec3(not_known));
+  } else if (row.has_member()) {
+    read_value(context, tag, row, draft.camera);
+  } else {
+    context.diagnostics.report(
+        xml_ignored_element, Severity::note, tag.location,
+        fmt::format("<{}> has no effect: the picture's size decides", row.xml));
   }
   return true;
 }
@@ -189,7 +111,7 @@ void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene) 
                                fmt::format("a second <cameradata>, after line {}; this one counts",
                                            scene.camera->location.line));
   }
-  add_places(draft, scene);
+  add_places(camera_rows, draft.seen, draft.camera.location, scene);
   scene.camera = draft.camera;
 }
 

@@ -17,55 +17,15 @@ namespace scenefile {
 
 namespace {
 
-// Every element of the format.
-constexpr std::string_view all_elements[] = {"scenefile",
-                                             "globaldata",
-                                             "ambientcoeff",
-                                             "diffusecoeff",
-                                             "specularcoeff",
-                                             "cameradata",
-                                             "transparentcoeff",
-                                             "pos",
-                                             "look",
-                                             "focus",
-                                             "up",
-                                             "heightangle",
-                                             "aspectratio",
-                                             "aperture",
-                                             "focallength",
-                                             "lightdata",
-                                             "id",
-                                             "type",
-                                             "color",
-                                             "function",
-                                             "position",
-                                             "direction",
-                                             "penumbra",
-                                             "angle",
-                                             "radius",
-                                             "width",
-                                             "height",
-                                             "object",
-                                             "transblock",
-                                             "translate",
-                                             "rotate",
-                                             "scale",
-                                             "matrix",
-                                             "diffuse",
-                                             "ambient",
-                                             "specular",
-                                             "reflective",
-                                             "transparent",
-                                             "emissive",
-                                             "shininess",
-                                             "ior",
-                                             "blend",
-                                             "texture",
-                                             "bumpmap"};
+constexpr std::string_view structure_elements[] = {
+    "scenefile",  "globaldata", "cameradata", "lightdata", "object",
+    "transblock", "translate",  "rotate",     "scale",     "matrix"};
 
+// Whether it is the name of an element of the format, aliases apart.
 bool is_known(std::string_view name) {
-  return std::find(std::begin(all_elements), std::end(all_elements), name) !=
-         std::end(all_elements);
+  return std::find(std::begin(structure_elements), std::end(structure_elements), name) !=
+             std::end(structure_elements) ||
+         kind_of_element(name);
 }
 
 // Where an element of the format stands, for one that stands elsewhere; nothing where that may

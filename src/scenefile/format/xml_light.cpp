@@ -5,13 +5,12 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/other_words.h"
-#include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -20,32 +19,11 @@ namespace scenefile {
 
 namespace {
 
-enum LightField : std::size_t {
-  l_id,
-  l_type,
-  l_color,
-  l_function,
-  l_position,
-  l_direction,
-  l_penumbra,
-  l_angle,
-  l_radius,
-  l_width,
-  l_height
-};
+constexpr auto light_names = names_of<count_names(light_rows)>(light_rows);
 
-constexpr FieldName light_names[] = {{"id", l_id},
-                                     {"number", l_id, true},
-                                     {"type", l_type},
-                                     {"color", l_color},
-                                     {"function", l_function},
-                                     {"position", l_position},
-                                     {"direction", l_direction},
-                                     {"penumbra", l_penumbra},
-                                     {"angle", l_angle},
-                                     {"radius", l_radius},
-                                     {"width", l_width},
-                                     {"height", l_height}};
+bool has(const LightDraft& draft, Field field) {
+  return draft.seen.has(index_of(light_rows, field));
+}
 
 void read_type(const XmlContext& context, Location place, std::string_view word,
                LightDraft& draft) {
@@ -87,65 +65,37 @@ void read_id(const XmlContext& context, Location place, std::string_view word, L
                   quoted(word)));
 }
 
-template <typename Value>
-void set(Value& member, const std::optional<Value>& value) {
-  member = value.value_or(Value(not_known));
-}
-
 // Values that the light's type has no use for.
 void report_unused(const XmlContext& context, const LightDraft& draft) {
-  const LightType type = draft.light.type;
-  const auto unless = [&](bool used, LightField field, std::string_view name) {
-    if (!used && draft.seen.has(field)) {
+  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
+    const ValueRow<Light>& row = light_rows[i];
+    if (draft.seen.has(i) && !row.used_by_type(draft.light.type) && !row.idle_in_xml) {
       context.diagnostics.report(
-          xml_light_unused, draft.seen.place(field),
-          fmt::format("<{}> has no effect on a {} light", name, word_of(type)));
+          xml_light_unused, draft.seen.place(i),
+          fmt::format("<{}> has no effect on a {} light", row.xml, word_of(draft.light.type)));
     }
-  };
-  unless(type != LightType::directional, l_position, "position");
-  unless(type != LightType::point, l_direction, "direction");
-  unless(type == LightType::spot, l_penumbra, "penumbra");
-  unless(type == LightType::spot, l_angle, "angle");
-  unless(type == LightType::area, l_width, "width");
-  unless(type == LightType::area, l_height, "height");
+  }
 }
 
 void report_defaults(const XmlContext& context, const LightDraft& draft) {
   const LightType type = draft.light.type;
-  const auto missing = [&](LightField field, std::string_view name, std::string_view value) {
-    if (!draft.seen.has(field)) {
+  const auto missing = [&](Field field, std::string_view value) {
+    if (!has(draft, field)) {
       context.diagnostics.report(xml_light_default, draft.light.location,
                                  fmt::format("the {} light has no <{}>; the default {} is used",
-                                             word_of(type), name, value));
+                                             word_of(type), row_of(light_rows, field).xml, value));
     }
   };
-  if (type != LightType::directional) {
-    missing(l_position, "position", "3 3 3");
+  if (light_uses(type, Field::position)) {
+    missing(Field::position, "3 3 3");
   }
-  missing(l_color, "color", "1 1 1");
-  if (!draft.seen.has(l_id) && !draft.light.id) {
+  missing(Field::color, "1 1 1");
+  if (!has(draft, Field::id) && !draft.light.id) {
     context.diagnostics.report(xml_light_id, draft.light.location,
                                "the light has no <id>; give each light a number from 0 to 7");
   }
-  if (type == LightType::spot && draft.seen.has(l_angle)) {
-    missing(l_penumbra, "penumbra", "0");
-  }
-}
-
-void add_places(const LightDraft& draft, Scene& scene) {
-  constexpr std::pair<LightField, Field> members[] = {{l_id, Field::id},
-                                                      {l_color, Field::color},
-                                                      {l_function, Field::attenuation},
-                                                      {l_position, Field::position},
-                                                      {l_direction, Field::direction},
-                                                      {l_penumbra, Field::penumbra_deg},
-                                                      {l_angle, Field::angle_deg},
-                                                      {l_width, Field::width},
-                                                      {l_height, Field::height}};
-  for (const auto& [field, member] : members) {
-    if (draft.seen.has(field)) {
-      scene.field_places.push_back({draft.light.location, member, draft.seen.place(field)});
-    }
+  if (light_uses(type, Field::penumbra_deg) && has(draft, Field::angle_deg)) {
+    missing(Field::penumbra_deg, "0");
   }
 }
 
@@ -180,47 +130,21 @@ bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& d
     return false;
   }
   draft.seen.note(context, tag, *field);
-  Light& light = draft.light;
-  switch (static_cast<LightField>(*field)) {
-    case l_id:
-      if (const std::optional<std::string_view> word = read_word(context, tag)) {
-        read_id(context, tag.location, *word, light);
-      }
-      break;
-    case l_type:
-      if (const std::optional<std::string_view> word = read_word(context, tag)) {
-        read_type(context, tag.location, *word, draft);
-      } else {
-        draft.type_known = false;
-      }
-      break;
-    case l_color:
-      set(light.color, read_color(context, tag));
-      break;
-    case l_function:
-      set(light.attenuation, read_attenuation(context, tag));
-      break;
-    case l_position:
-      set(light.position, read_vector(context, tag));
-      break;
-    case l_direction:
-      set(light.direction, read_vector(context, tag));
-      break;
-    case l_penumbra:
-      set(light.penumbra_deg, read_single(context, tag));
-      break;
-    case l_angle:
-      light.angle_deg = read_single(context, tag).value_or(not_known);
-      break;
-    case l_radius:
-      context.report(xml_ignored_element, tag, "<radius> of a light has no effect");
-      break;
-    case l_width:
-      set(light.width, read_single(context, tag));
-      break;
-    case l_height:
-      set(light.height, read_single(context, tag));
-      break;
+  const ValueRow<Light>& row = light_rows[*field];
+  if (row.kind == ValueKind::id) {
+    if (const std::optional<std::string_view> word = read_word(context, tag)) {
+      read_id(context, tag.location, *word, draft.light);
+    }
+  } else if (row.kind == ValueKind::word) {
+    if (const std::optional<std::string_view> word = read_word(context, tag)) {
+      read_type(context, tag.location, *word, draft);
+    } else {
+      draft.type_known = false;
+    }
+  } else if (!row.has_member()) {
+    context.report(xml_ignored_element, tag, fmt::format("<{}> of a light has no effect", row.xml));
+  } else {
+    read_value(context, tag, row, draft.light);
   }
   return true;
 }
@@ -230,10 +154,10 @@ void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
     report_unused(context, draft);
     report_defaults(context, draft);
   }
-  if (draft.light.type == LightType::directional && !draft.seen.has(l_position)) {
+  if (!light_uses(draft.light.type, Field::position) && !has(draft, Field::position)) {
     draft.light.position = glm::vec3(0);
   }
-  add_places(draft, scene);
+  add_places(light_rows, draft.seen, draft.light.location, scene);
   scene.nodes[scene.root].lights.push_back(std::move(draft.light));
 }
 

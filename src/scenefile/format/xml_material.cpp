@@ -4,7 +4,6 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/large_scene.h"
-#include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 
@@ -16,33 +15,7 @@ namespace scenefile {
 
 namespace {
 
-enum MaterialField : std::size_t {
-  m_diffuse,
-  m_ambient,
-  m_specular,
-  m_reflective,
-  m_transparent,
-  m_emissive,
-  m_shininess,
-  m_ior,
-  m_blend,
-  m_texture,
-  m_bump_map
-};
-
-constexpr FieldName material_names[] = {{"diffuse", m_diffuse},
-                                        {"specular", m_specular},
-                                        {"ambient", m_ambient},
-                                        {"reflective", m_reflective},
-                                        {"reflect", m_reflective, true},
-                                        {"transparent", m_transparent},
-                                        {"emissive", m_emissive},
-                                        {"shininess", m_shininess},
-                                        {"shine", m_shininess, true},
-                                        {"ior", m_ior},
-                                        {"blend", m_blend},
-                                        {"texture", m_texture},
-                                        {"bumpmap", m_bump_map}};
+constexpr auto material_names = names_of<count_names(material_rows)>(material_rows);
 
 struct Writer {
   const XmlContext& context;
@@ -51,18 +24,14 @@ struct Writer {
   Primitive& primitive;
   Scene& scene;
 
-  void place(Field field) const {
-    scene.field_places.push_back({primitive.location, field, tag.location});
-  }
-  void color(glm::vec3& member, Field field) const {
-    member = read_color(context, tag).value_or(glm::vec3(not_known));
-    if (needs_place(field, member)) {
-      place(field);
+  // A number or a color.
+  void value(const ValueRow<Material>& row) const {
+    Material& material = primitive.material;
+    read_value(context, tag, row, material);
+    const auto* const color = std::get_if<glm::vec3 Material::*>(&row.member);
+    if (color == nullptr || needs_place(*row.field, material.**color)) {
+      scene.field_places.push_back({primitive.location, *row.field, tag.location});
     }
-  }
-  void number(float& member, Field field) const {
-    member = read_single(context, tag).value_or(not_known);
-    place(field);
   }
 };
 
@@ -83,7 +52,7 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   to.context.report(xml_texture_blend, attribute,
                     fmt::format("attribute {} of <texture> was read as <blend>", name));
   const float blend = read_number(to.context, to.tag, attribute);
-  if (!to.seen.has(m_blend)) {
+  if (!to.seen.has(index_of(material_rows, Field::blend))) {
     to.primitive.material.blend = blend;
   }
 }
@@ -157,42 +126,16 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
   draft.seen.note(context, tag, *field);
   Primitive& primitive = scene.nodes[draft.node].primitives.back();
   const Writer to{context, tag, draft.seen, primitive, scene};
-  Material& material = primitive.material;
-  switch (static_cast<MaterialField>(*field)) {
-    case m_diffuse:
-      to.color(material.diffuse, Field::diffuse);
-      break;
-    case m_ambient:
-      to.color(material.ambient, Field::ambient);
-      break;
-    case m_specular:
-      to.color(material.specular, Field::specular);
-      break;
-    case m_reflective:
-      to.color(material.reflective, Field::reflective);
-      break;
-    case m_transparent:
-      to.color(material.transparent, Field::transparent);
-      break;
-    case m_emissive:
-      context.report(xml_ignored_element, tag, "<emissive> has no effect: objects do not shine");
-      break;
-    case m_shininess:
-      to.number(material.shininess, Field::shininess);
-      break;
-    case m_ior:
-      to.number(material.ior, Field::ior);
-      break;
-    case m_blend:
-      to.number(material.blend, Field::blend);
-      break;
-    case m_texture:
-      material.texture = read_texture(to, true);
-      draft.texture_known = material.texture.has_value();
-      break;
-    case m_bump_map:
-      material.bump_map = read_texture(to, false);
-      break;
+  const ValueRow<Material>& row = material_rows[*field];
+  if (const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member)) {
+    const bool is_texture = *texture == &Material::texture;
+    primitive.material.** texture = read_texture(to, is_texture);
+    draft.texture_known = is_texture ? primitive.material.texture.has_value() : draft.texture_known;
+  } else if (row.has_member()) {
+    to.value(row);
+  } else {
+    context.report(xml_ignored_element, tag,
+                   fmt::format("<{}> has no effect: objects do not shine", row.xml));
   }
   return true;
 }

@@ -55,12 +55,12 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
 }  // namespace
 
 std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<glm::vec3> by = read_vector(context, tag);
+  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
   return by ? std::optional(Transform{Translate{*by}, tag.location}) : std::nullopt;
 }
 
 std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<glm::vec3> by = read_vector(context, tag);
+  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
   return by ? std::optional(Transform{Scale{*by}, tag.location}) : std::nullopt;
 }
 

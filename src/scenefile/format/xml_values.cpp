@@ -30,9 +30,6 @@ constexpr AttributeForm row_forms[] = {{{"a", "b", "c", "d"}}, {{"v1", "v2", "v3
 
 constexpr Signature single_signature{single_forms, 1};
 constexpr Signature word_signature{word_forms, 1};
-constexpr Signature vector_signature{vector_forms, 3};
-constexpr Signature color_signature{color_forms, 3};
-constexpr Signature attenuation_signature{attenuation_forms, 3};
 constexpr Signature row_signature{row_forms, 4};
 
 struct FoundForm {
@@ -291,18 +288,32 @@ std::string number_hint(std::string_view value) {
   return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
-std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag,
-                                    const Signature& signature) {
-  const std::optional<Parts> parts = find_parts(context, tag, signature);
-  if (!parts) {
-    return std::nullopt;
+// How the three parts of a value are named.
+Signature signature_of_three(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::color:
+      return {color_forms, 3};
+    case ValueKind::coefficients:
+      return {attenuation_forms, 3};
+    case ValueKind::number:
+    case ValueKind::vector:
+    case ValueKind::id:
+    case ValueKind::word:
+    case ValueKind::text:
+    case ValueKind::texture:
+      break;
   }
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) {
-    result[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
+  return {vector_forms, 3};
+}
+
+template <typename Owner, std::size_t N>
+void find_kind(const ValueRow<Owner> (&rows)[N], std::string_view element,
+               std::optional<ValueKind>& kind) {
+  for (const ValueRow<Owner>& row : rows) {
+    if (!kind && row.xml == element && !element.empty()) {
+      kind = row.kind;
+    }
   }
-  const bool known = !std::isnan(result.x) && !std::isnan(result.y) && !std::isnan(result.z);
-  return known ? std::optional(result) : std::nullopt;
 }
 
 }  // namespace
@@ -316,26 +327,31 @@ void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
                   element_text(tag.name), did_you_mean(nearest_name(attribute.name, known))));
 }
 
+std::optional<ValueKind> kind_of_element(std::string_view element) {
+  std::optional<ValueKind> kind;
+  find_kind(global_rows, element, kind);
+  find_kind(camera_rows, element, kind);
+  find_kind(light_rows, element, kind);
+  find_kind(material_rows, element, kind);
+  return kind;
+}
+
 std::string as_attributes(std::string_view element, std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
   const std::string word(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
   std::vector<std::string> numbers = numbers_in(text, true);
   std::vector<std::string_view> names;
-  if (element == "texture" || element == "bumpmap") {
+  const ValueKind kind = kind_of_element(element).value_or(ValueKind::vector);
+  if (kind == ValueKind::texture) {
     names = {"file"};
     numbers = {word};
   } else if (numbers.size() <= 1) {
     names = {"v"};
     numbers = {word};
   } else if (numbers.size() == 3) {
-    constexpr std::string_view of_colors[] = {"color",      "diffuse",     "ambient", "specular",
-                                              "reflective", "transparent", "emissive"};
-    const bool color =
-        std::find(std::begin(of_colors), std::end(of_colors), element) != std::end(of_colors);
-    names = color                   ? std::vector<std::string_view>{"r", "g", "b"}
-            : element == "function" ? std::vector<std::string_view>{"v1", "v2", "v3"}
-                                    : std::vector<std::string_view>{"x", "y", "z"};
+    const auto& form = signature_of_three(kind).forms.front().names;
+    names.assign(form.begin(), form.begin() + 3);
   } else if (numbers.size() == 4 && element == "rotate") {
     names = {"x", "y", "z", "angle"};
   }
@@ -467,16 +483,17 @@ std::optional<std::string_view> read_word(const XmlContext& context, const XmlTa
   return parts ? std::optional((*parts)[0]->value) : std::nullopt;
 }
 
-std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& tag) {
-  return read_three(context, tag, vector_signature);
-}
-
-std::optional<glm::vec3> read_color(const XmlContext& context, const XmlTag& tag) {
-  return read_three(context, tag, color_signature);
-}
-
-std::optional<glm::vec3> read_attenuation(const XmlContext& context, const XmlTag& tag) {
-  return read_three(context, tag, attenuation_signature);
+std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind) {
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of_three(kind));
+  if (!parts) {
+    return std::nullopt;
+  }
+  glm::vec3 result;
+  for (int i = 0; i < 3; ++i) {
+    result[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
+  }
+  const bool known = !std::isnan(result.x) && !std::isnan(result.y) && !std::isnan(result.z);
+  return known ? std::optional(result) : std::nullopt;
 }
 
 std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag) {

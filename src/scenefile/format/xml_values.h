@@ -3,7 +3,7 @@
 // Internal to the room.
 
 #include "scenefile/format/xml_context.h"
-#include "scenefile/scene/scene.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <glm/glm.hpp>
 
@@ -54,10 +54,12 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
 /// Each of these gives nothing, after an error, when an attribute is missing or no number.
 std::optional<float> read_single(const XmlContext& context, const XmlTag& tag);
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
-std::optional<glm::vec3> read_vector(const XmlContext& context, const XmlTag& tag);
-std::optional<glm::vec3> read_color(const XmlContext& context, const XmlTag& tag);
-std::optional<glm::vec3> read_attenuation(const XmlContext& context, const XmlTag& tag);
+/// A vector, a color or coefficients.
+std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind);
 std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag);
+
+/// The kind of the value that an element of this name has; nothing: it has none.
+std::optional<ValueKind> kind_of_element(std::string_view element);
 
 /// How to write as attributes what stands between the tags of the element, such as `<pos x="1"
 /// y="2" z="3"/>` for 1 2 3; empty: it is not known.

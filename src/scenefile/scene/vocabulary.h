@@ -1,0 +1,222 @@
+#pragma once
+// The values of a scene file, one row each: what both dialects call a value, what kind it is, which
+// member holds it and which lights use it. The readers, the writers, check and diff go by these
+// tables. Internal to the rooms scene and format.
+
+#include "scenefile/base/rare.h"
+#include "scenefile/base/shape.h"
+#include "scenefile/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace scenefile {
+
+enum class ValueKind : std::uint8_t {
+  number,
+  vector,  ///< a point or direction
+  color,
+  coefficients,  ///< constant, linear, quadratic
+  id,            ///< a whole number
+  word,          ///< the type of a light
+  text,
+  texture
+};
+
+/// The member that holds a value. None: the readers turn the value into something else, or it has
+/// no effect.
+template <typename Owner>
+using Member =
+    std::variant<std::monostate, float Owner::*, glm::vec3 Owner::*, std::optional<float> Owner::*,
+                 std::optional<int> Owner::*, std::string Owner::*, Rare<TextureUse> Owner::*>;
+
+/// A set of types of lights.
+using LightTypes = std::uint8_t;
+constexpr LightTypes only(LightType type) {
+  return static_cast<LightTypes>(1u << static_cast<unsigned>(type));
+}
+inline constexpr LightTypes every_light = 0xff;
+constexpr LightTypes all_but(LightType type) {
+  return static_cast<LightTypes>(every_light & ~only(type));
+}
+
+template <typename Owner>
+struct ValueRow {
+  ValueKind kind = ValueKind::number;
+  std::string_view xml{};   ///< name of the element; empty: XML cannot say it
+  std::string_view json{};  ///< key; empty: JSON cannot say it
+  Member<Owner> member{};
+  std::optional<Field> field{};  ///< which findings can be about; nothing: none is
+  LightTypes used_by = every_light;
+  std::string_view xml_alias{};  ///< another name of the element, worth a warning
+  /// XML files give it to lights of all types: where it is not used, nothing is said and it stays.
+  bool idle_in_xml = false;
+  std::array<std::string_view, 2> json_repeat{};  ///< texture: keys of the repeats along u and v
+  std::uint8_t written = 0;  ///< writers go by this, then by the order of the rows
+
+  constexpr bool used_by_type(LightType type) const { return (used_by & only(type)) != 0; }
+  /// What messages and differences call it.
+  constexpr std::string_view name() const { return xml.empty() ? json : xml; }
+  constexpr bool has_member() const { return !std::holds_alternative<std::monostate>(member); }
+};
+
+inline constexpr ValueRow<Global> global_rows[] = {
+    {ValueKind::number, "ambientcoeff", "ambientCoeff", &Global::ambient, Field::ambient},
+    {ValueKind::number, "diffusecoeff", "diffuseCoeff", &Global::diffuse, Field::diffuse},
+    {ValueKind::number, "specularcoeff", "specularCoeff", &Global::specular, Field::specular},
+    {ValueKind::number, "transparentcoeff", "transparentCoeff", &Global::transparent,
+     Field::transparent},
+};
+
+/// `focus` is a point to look at; readers make a direction of it.
+inline constexpr ValueRow<Camera> camera_rows[] = {
+    {ValueKind::vector, "pos", "position", &Camera::position, Field::position},
+    {ValueKind::vector, "look", "look", &Camera::look, Field::look},
+    {ValueKind::vector, "focus", "focus", {}, Field::look},
+    {ValueKind::vector, "up", "up", &Camera::up, Field::up},
+    {.xml = "heightangle",
+     .json = "heightAngle",
+     .member = &Camera::height_angle_deg,
+     .field = Field::height_angle_deg,
+     .xml_alias = "angle"},
+    {ValueKind::number, "aspectratio", {}},
+    {ValueKind::number, "aperture", "aperture", &Camera::aperture, Field::aperture},
+    {ValueKind::number, "focallength", "focalLength", &Camera::focal_length, Field::focal_length},
+};
+
+inline constexpr ValueRow<Light> light_rows[] = {
+    {.kind = ValueKind::id,
+     .xml = "id",
+     .member = &Light::id,
+     .field = Field::id,
+     .xml_alias = "number"},
+    {ValueKind::word, "type", "type"},
+    {ValueKind::text, {}, "name", &Light::name},
+    {ValueKind::color, "color", "color", &Light::color, Field::color},
+    {.kind = ValueKind::coefficients,
+     .xml = "function",
+     .json = "attenuationCoeff",
+     .member = &Light::attenuation,
+     .field = Field::attenuation,
+     .used_by = all_but(LightType::directional),
+     .idle_in_xml = true},
+    {ValueKind::vector,
+     "position",
+     {},
+     &Light::position,
+     Field::position,
+     all_but(LightType::directional)},
+    {ValueKind::vector, "direction", "direction", &Light::direction, Field::direction,
+     all_but(LightType::point)},
+    {ValueKind::number, "penumbra", "penumbra", &Light::penumbra_deg, Field::penumbra_deg,
+     only(LightType::spot)},
+    {ValueKind::number, "angle", "angle", &Light::angle_deg, Field::angle_deg,
+     only(LightType::spot)},
+    {ValueKind::number, "radius", {}},
+    {ValueKind::number, "width", "width", &Light::width, Field::width, only(LightType::area)},
+    {ValueKind::number, "height", "height", &Light::height, Field::height, only(LightType::area)},
+};
+
+inline constexpr ValueRow<Material> material_rows[] = {
+    {.kind = ValueKind::color,
+     .xml = "ambient",
+     .json = "ambient",
+     .member = &Material::ambient,
+     .field = Field::ambient,
+     .written = 1},
+    {.kind = ValueKind::color,
+     .xml = "diffuse",
+     .json = "diffuse",
+     .member = &Material::diffuse,
+     .field = Field::diffuse,
+     .written = 0},
+    {.kind = ValueKind::color,
+     .xml = "specular",
+     .json = "specular",
+     .member = &Material::specular,
+     .field = Field::specular,
+     .written = 2},
+    {.kind = ValueKind::color,
+     .xml = "reflective",
+     .json = "reflective",
+     .member = &Material::reflective,
+     .field = Field::reflective,
+     .xml_alias = "reflect",
+     .written = 4},
+    {.kind = ValueKind::color,
+     .xml = "transparent",
+     .json = "transparent",
+     .member = &Material::transparent,
+     .field = Field::transparent,
+     .written = 5},
+    {ValueKind::color, "emissive", {}},
+    {.xml = "shininess",
+     .json = "shininess",
+     .member = &Material::shininess,
+     .field = Field::shininess,
+     .xml_alias = "shine",
+     .written = 3},
+    {.xml = "ior", .json = "ior", .member = &Material::ior, .field = Field::ior, .written = 6},
+    {.xml = "blend",
+     .json = "blend",
+     .member = &Material::blend,
+     .field = Field::blend,
+     .written = 8},
+    {.kind = ValueKind::texture,
+     .xml = "texture",
+     .json = "textureFile",
+     .member = &Material::texture,
+     .json_repeat = {"textureU", "textureV"},
+     .written = 7},
+    {.kind = ValueKind::texture,
+     .xml = "bumpmap",
+     .json = "bumpMapFile",
+     .member = &Material::bump_map,
+     .json_repeat = {"bumpMapU", "bumpMapV"},
+     .written = 9},
+};
+
+/// Where the row of a field stands in its table. Of a field with two rows, the first.
+template <typename Owner, std::size_t N>
+constexpr std::size_t index_of(const ValueRow<Owner> (&rows)[N], Field field) {
+  std::size_t i = 0;
+  while (rows[i].field != field) {
+    ++i;
+  }
+  return i;
+}
+
+template <typename Owner, std::size_t N>
+constexpr const ValueRow<Owner>& row_of(const ValueRow<Owner> (&rows)[N], Field field) {
+  return rows[index_of(rows, field)];
+}
+
+/// Whether the value has an effect on lights of the type.
+constexpr bool light_uses(LightType type, Field field) {
+  return row_of(light_rows, field).used_by_type(type);
+}
+
+/// The rows in the order in which both writers write them.
+template <typename Owner, std::size_t N>
+constexpr std::array<const ValueRow<Owner>*, N> as_written(const ValueRow<Owner> (&rows)[N]) {
+  std::array<const ValueRow<Owner>*, N> order{};
+  for (std::size_t i = 0; i < N; ++i) {
+    std::size_t at = i;
+    for (; at > 0 && order[at - 1]->written > rows[i].written; --at) {
+      order[at] = order[at - 1];
+    }
+    order[at] = &rows[i];
+  }
+  return order;
+}
+
+}  // namespace scenefile

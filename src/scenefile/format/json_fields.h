@@ -7,7 +7,7 @@
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_places.h"
 #include "scenefile/format/json_repair.h"
-#include "scenefile/scene/scene.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <glm/glm.hpp>
 
@@ -45,6 +45,48 @@ struct JsonVocabulary {
   std::string_view what;  ///< "a group"
   std::span<const std::string_view> keys;
 };
+
+/// How many keys the row has.
+template <typename Owner>
+constexpr std::size_t count_keys(const ValueRow<Owner>& row) {
+  return row.json.empty() ? 0 : row.json_repeat[0].empty() ? 1 : 3;
+}
+
+/// The place in the vocabulary of the row's first key; of the row after the last: how many keys
+/// the rows have.
+template <typename Owner, std::size_t N>
+constexpr std::size_t key_of(const ValueRow<Owner> (&rows)[N], std::size_t row) {
+  std::size_t key = 0;
+  for (std::size_t i = 0; i < row; ++i) {
+    key += count_keys(rows[i]);
+  }
+  return key;
+}
+template <typename Owner, std::size_t N>
+constexpr std::size_t key_of(const ValueRow<Owner> (&rows)[N], Field field) {
+  return key_of(rows, index_of(rows, field));
+}
+
+/// `first` and the keys of the rows, in their order.
+template <std::size_t Count, typename Owner, std::size_t N>
+constexpr std::array<std::string_view, Count> keys_of(
+    const ValueRow<Owner> (&rows)[N], std::span<const std::string_view> first = {}) {
+  std::array<std::string_view, Count> keys{};
+  std::size_t next = 0;
+  for (const std::string_view key : first) {
+    keys[next++] = key;
+  }
+  for (const ValueRow<Owner>& row : rows) {
+    if (count_keys(row) != 0) {
+      keys[next++] = row.json;
+    }
+    if (count_keys(row) == 3) {
+      keys[next++] = row.json_repeat[0];
+      keys[next++] = row.json_repeat[1];
+    }
+  }
+  return keys;
+}
 
 /// Where the keys of an object stand, by their place in the vocabulary.
 class JsonFields {

@@ -11,67 +11,56 @@
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
+#include <variant>
 
 namespace scenefile {
 
 namespace {
 
-// Takes over a value that could be read.
-template <typename Member, typename Value>
-void assign(Member& member, const std::optional<Value>& value) {
-  member = value.value_or(Value(not_known));
-}
+// An object of which values are read, and where findings about them are noted.
+struct ObjectReader {
+  JsonContext& context;
+  const JsonFields& fields;
+  Location owner;
+  Scene& scene;
 
-// Reads values of one object into members and notes where they stand.
-class Assigner {
- public:
-  Assigner(JsonContext& context, const JsonFields& fields, Location owner, Scene& scene)
-      : context_(context), fields_(fields), owner_(owner), scene_(scene) {}
-
-  template <typename Member>
-  void number(std::size_t key, Field field, Member& member) {
-    read(key, field, member, number_value);
-  }
-  void vector(std::size_t key, Field field, glm::vec3& member) {
-    read(key, field, member, vector_value);
-  }
-  void required_vector(std::size_t key, Field field, glm::vec3& member) {
-    if (!fields_.require(key)) {
-      member = glm::vec3(not_known);
-    }
-    vector(key, field, member);
-  }
-  void color(std::size_t key, Field field, glm::vec3& member) {
-    read(key, field, member, color_value);
-  }
-  // Of a material.
-  void shade(std::size_t key, Field field, glm::vec3& member) {
-    if (!fields_.has(key)) {
+  // Reads the value of a row into its member; `not_known` after an error. Textures are for the
+  // caller.
+  template <typename Owner>
+  void read(std::size_t key, const ValueRow<Owner>& row, Owner& to) const {
+    if (!fields.has(key)) {
       return;
     }
-    assign(member, color_value(context_, fields_.key(key)));
-    if (needs_place(field, member)) {
-      note(key, field);
+    bool worth_a_place = row.field.has_value();
+    if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
+      to.** number = number_value(context, fields.key(key)).value_or(not_known);
+    } else if (const auto* const maybe = std::get_if<std::optional<float> Owner::*>(&row.member)) {
+      to.** maybe = number_value(context, fields.key(key)).value_or(not_known);
+    } else if (const auto* const text = std::get_if<std::string Owner::*>(&row.member)) {
+      to.** text = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
+    } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
+      to.** vector = read_three(key, row.kind);
+      if constexpr (std::is_same_v<Owner, Material>) {
+        worth_a_place = needs_place(*row.field, to.**vector);
+      }
+    }
+    if (worth_a_place) {
+      note(key, *row.field);
     }
   }
-
- private:
-  template <typename Member, typename Read>
-  void read(std::size_t key, Field field, Member& member, Read read_value) {
-    if (!fields_.has(key)) {
-      return;
-    }
-    assign(member, read_value(context_, fields_.key(key)));
-    note(key, field);
+  template <typename Owner, std::size_t N>
+  void read(const ValueRow<Owner> (&rows)[N], Field field, Owner& to) const {
+    read(key_of(rows, field), row_of(rows, field), to);
   }
-  void note(std::size_t key, Field field) {
-    scene_.field_places.push_back({owner_, field, context_.place(fields_.key(key))});
+  glm::vec3 read_three(std::size_t key, ValueKind kind) const {
+    const JsonIndex at = fields.key(key);
+    return (kind == ValueKind::color ? color_value(context, at) : vector_value(context, at))
+        .value_or(glm::vec3(not_known));
   }
-
-  JsonContext& context_;
-  const JsonFields& fields_;
-  Location owner_;
-  Scene& scene_;
+  void note(std::size_t key, Field field) const {
+    scene.field_places.push_back({owner, field, context.place(fields.key(key))});
+  }
 };
 
 bool is_object(JsonContext& context, JsonIndex item, std::string_view what) {
@@ -151,21 +140,31 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
 }
 
 namespace global {
-enum Key { ambient, diffuse, specular, transparent };
-constexpr std::string_view names[] = {"ambientCoeff", "diffuseCoeff", "specularCoeff",
-                                      "transparentCoeff"};
+constexpr auto names = keys_of<key_of(global_rows, std::size(global_rows))>(global_rows);
 constexpr JsonVocabulary vocabulary{"globalData", names};
 }  // namespace global
 
 namespace camera {
-enum Key { position, up, height_angle, look, focus, aperture, focal_length };
-constexpr std::string_view names[] = {"position", "up",       "heightAngle", "look",
-                                      "focus",    "aperture", "focalLength"};
+constexpr auto names = keys_of<key_of(camera_rows, std::size(camera_rows))>(camera_rows);
 constexpr JsonVocabulary vocabulary{"cameraData", names};
+constexpr std::size_t look = key_of(camera_rows, Field::look);
+constexpr std::size_t focus = look + 1;
+static_assert(names[focus] == "focus");
+
+void read_required(const ObjectReader& reader, Field field, Camera& camera) {
+  const ValueRow<Camera>& row = row_of(camera_rows, field);
+  const bool found = reader.fields.require(key_of(camera_rows, field));
+  if (const auto* const vector = std::get_if<glm::vec3 Camera::*>(&row.member);
+      !found && vector != nullptr) {
+    camera.** vector = glm::vec3(not_known);
+  }
+  reader.read(camera_rows, field, camera);
+}
 
 // A focus is a point to look at; behind the reader there are directions only.
-void read_direction(JsonContext& context, JsonIndex object, const JsonFields& fields,
-                    Assigner& assigner, Camera& camera) {
+void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera) {
+  JsonContext& context = reader.context;
+  const JsonFields& fields = reader.fields;
   if (fields.has(look) && fields.has(focus)) {
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report(json_look_and_focus, second,
@@ -178,21 +177,20 @@ void read_direction(JsonContext& context, JsonIndex object, const JsonFields& fi
                    "cameraData must have one of the keys \"look\" and \"focus\"");
     camera.look = glm::vec3(not_known);
   }
-  assigner.vector(look, Field::look, camera.look);
+  reader.read(camera_rows, Field::look, camera);
   if (fields.has(focus)) {
-    glm::vec3 point = camera.position + camera.look;
-    assigner.vector(focus, Field::look, point);
-    camera.look = direction_to(point, camera.position);
+    camera.look = direction_to(reader.read_three(focus, ValueKind::vector), camera.position);
+    reader.note(focus, Field::look);
   }
 }
 }  // namespace camera
 
 namespace light {
-enum Key { type, color, name, attenuation, direction, penumbra, angle, width, height };
-constexpr std::string_view names[] = {"type",      "color",    "name",  "attenuationCoeff",
-                                      "direction", "penumbra", "angle", "width",
-                                      "height"};
+constexpr auto names = keys_of<key_of(light_rows, std::size(light_rows))>(light_rows);
 constexpr JsonVocabulary vocabulary{"a light", names};
+constexpr std::size_t type = 0;
+static_assert(names[type] == "type");
+constexpr std::size_t color = key_of(light_rows, Field::color);
 
 // The format text: without a type a light is a point light. What has no color either is none.
 std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
@@ -211,29 +209,21 @@ std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fie
 }
 
 void report_unused_keys(JsonContext& context, const JsonFields& fields, LightType kind) {
-  const std::string why = fmt::format("on a {} light", light_words[static_cast<std::size_t>(kind)]);
-  if (kind == LightType::point) {
-    report_unused(context, fields, direction, why);
-  }
-  if (kind == LightType::directional) {
-    report_unused(context, fields, attenuation, why);
-  }
-  if (kind != LightType::spot) {
-    report_unused(context, fields, penumbra, why);
-    report_unused(context, fields, angle, why);
-  }
-  if (kind != LightType::area) {
-    report_unused(context, fields, width, why);
-    report_unused(context, fields, height, why);
+  const std::string why = fmt::format("on a {} light", word_of(kind));
+  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
+    if (!light_rows[i].json.empty() && !light_rows[i].used_by_type(kind)) {
+      report_unused(context, fields, key_of(light_rows, i), why);
+    }
   }
 }
 
-void report_default(JsonContext& context, const JsonFields& fields, JsonIndex item, std::size_t key,
+void report_default(JsonContext& context, const JsonFields& fields, JsonIndex item, Field field,
                     LightType kind, std::string_view value) {
+  const std::size_t key = key_of(light_rows, field);
   if (!fields.has(key)) {
     context.report(json_light_default, item,
-                   fmt::format("a {} light must have the key \"{}\"; {} is used",
-                               light_words[static_cast<std::size_t>(kind)], names[key], value));
+                   fmt::format("a {} light must have the key \"{}\"; {} is used", word_of(kind),
+                               names[key], value));
   }
 }
 
@@ -241,37 +231,19 @@ void report_default(JsonContext& context, const JsonFields& fields, JsonIndex it
 void require_keys(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind) {
   fields.require(color);
   if (kind == LightType::point || kind == LightType::spot) {
-    report_default(context, fields, item, attenuation, kind, "1 0 0 (no falloff)");
+    report_default(context, fields, item, Field::attenuation, kind, "1 0 0 (no falloff)");
   }
-  if (kind == LightType::spot) {
-    report_default(context, fields, item, penumbra, kind, "0 (a hard edge)");
+  if (light_uses(kind, Field::penumbra_deg)) {
+    report_default(context, fields, item, Field::penumbra_deg, kind, "0 (a hard edge)");
   }
 }
 }  // namespace light
 
 namespace primitive {
-enum Key {
-  type,
-  mesh_file,
-  ambient,
-  diffuse,
-  specular,
-  reflective,
-  transparent,
-  shininess,
-  ior,
-  blend,
-  texture_file,
-  texture_u,
-  texture_v,
-  bump_file,
-  bump_u,
-  bump_v
-};
-constexpr std::string_view names[] = {"type",     "meshFile",    "ambient",     "diffuse",
-                                      "specular", "reflective",  "transparent", "shininess",
-                                      "ior",      "blend",       "textureFile", "textureU",
-                                      "textureV", "bumpMapFile", "bumpMapU",    "bumpMapV"};
+enum Key { type, mesh_file, first_of_material };
+constexpr std::string_view own_names[] = {"type", "meshFile"};
+constexpr auto names = keys_of<first_of_material + key_of(material_rows, std::size(material_rows))>(
+    material_rows, own_names);
 constexpr JsonVocabulary vocabulary{"a primitive", names};
 static_assert(std::size(names) <= JsonFields::max_keys);
 
@@ -312,21 +284,22 @@ Rare<TextureUse> read_texture(JsonContext& context, const JsonFields& fields, st
                     read_repeat(context, fields, v), context.place(fields.key(file))};
 }
 
-void read_material(JsonContext& context, const JsonFields& fields, Assigner& assigner,
-                   Material& material) {
-  assigner.shade(ambient, Field::ambient, material.ambient);
-  assigner.shade(diffuse, Field::diffuse, material.diffuse);
-  assigner.shade(specular, Field::specular, material.specular);
-  assigner.shade(reflective, Field::reflective, material.reflective);
-  assigner.shade(transparent, Field::transparent, material.transparent);
-  assigner.number(shininess, Field::shininess, material.shininess);
-  assigner.number(ior, Field::ior, material.ior);
-  assigner.number(blend, Field::blend, material.blend);
-  material.texture = read_texture(context, fields, texture_file);
-  if (fields.has(texture_file) && !material.texture) {
-    material.blend = not_known;  // or rather, whether there is anything to blend
+void read_material(const ObjectReader& reader, Material& material) {
+  for (std::size_t i = 0; i < std::size(material_rows); ++i) {
+    const ValueRow<Material>& row = material_rows[i];
+    const std::size_t key = first_of_material + key_of(material_rows, i);
+    const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member);
+    if (texture == nullptr) {
+      if (row.has_member()) {
+        reader.read(key, row, material);
+      }
+      continue;
+    }
+    material.** texture = read_texture(reader.context, reader.fields, key);
+    if (*texture == &Material::texture && reader.fields.has(key) && !material.texture) {
+      material.blend = not_known;  // or rather, whether there is anything to blend
+    }
   }
-  material.bump_map = read_texture(context, fields, bump_file);
 }
 }  // namespace primitive
 
@@ -338,14 +311,13 @@ void read_json_global(JsonContext& context, JsonIndex key, Scene& scene) {
   }
   const JsonFields fields(context, key + 1, global::vocabulary);
   scene.global.location = context.place(key);
-  Assigner assigner(context, fields, scene.global.location, scene);
-  fields.require(global::ambient);
-  fields.require(global::diffuse);
-  fields.require(global::specular);
-  assigner.number(global::ambient, Field::ambient, scene.global.ambient);
-  assigner.number(global::diffuse, Field::diffuse, scene.global.diffuse);
-  assigner.number(global::specular, Field::specular, scene.global.specular);
-  assigner.number(global::transparent, Field::transparent, scene.global.transparent);
+  const ObjectReader reader{context, fields, scene.global.location, scene};
+  fields.require(key_of(global_rows, Field::ambient));
+  fields.require(key_of(global_rows, Field::diffuse));
+  fields.require(key_of(global_rows, Field::specular));
+  for (const ValueRow<Global>& row : global_rows) {
+    reader.read(global_rows, *row.field, scene.global);
+  }
 }
 
 void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
@@ -355,15 +327,13 @@ void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
   const JsonFields fields(context, key + 1, camera::vocabulary);
   Camera& camera = scene.camera.emplace();
   camera.location = context.place(key);
-  Assigner assigner(context, fields, camera.location, scene);
-  assigner.required_vector(camera::position, Field::position, camera.position);
-  assigner.required_vector(camera::up, Field::up, camera.up);
-  if (fields.require(camera::height_angle)) {
-    assigner.number(camera::height_angle, Field::height_angle_deg, camera.height_angle_deg);
-  }
-  camera::read_direction(context, key + 1, fields, assigner, camera);
-  assigner.number(camera::aperture, Field::aperture, camera.aperture);
-  assigner.number(camera::focal_length, Field::focal_length, camera.focal_length);
+  const ObjectReader reader{context, fields, camera.location, scene};
+  camera::read_required(reader, Field::position, camera);
+  camera::read_required(reader, Field::up, camera);
+  camera::read_required(reader, Field::height_angle_deg, camera);
+  camera::read_direction(reader, key + 1, camera);
+  reader.read(camera_rows, Field::aperture, camera);
+  reader.read(camera_rows, Field::focal_length, camera);
 }
 
 std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene& scene) {
@@ -384,25 +354,12 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   }
   light::require_keys(context, fields, item, light.type);
   light::report_unused_keys(context, fields, light.type);
-  if (fields.has(light::name)) {
-    light.name =
-        text_value(context, fields.key(light::name), context.limits.name_bytes).value_or("");
-  }
-  Assigner assigner(context, fields, light.location, scene);
-  assigner.color(light::color, Field::color, light.color);
-  if (light.type != LightType::directional) {
-    assigner.vector(light::attenuation, Field::attenuation, light.attenuation);
-  }
-  if (light.type != LightType::point) {
-    assigner.vector(light::direction, Field::direction, light.direction);
-  }
-  if (light.type == LightType::spot) {
-    assigner.number(light::penumbra, Field::penumbra_deg, light.penumbra_deg);
-    assigner.number(light::angle, Field::angle_deg, light.angle_deg);
-  }
-  if (light.type == LightType::area) {
-    assigner.number(light::width, Field::width, light.width);
-    assigner.number(light::height, Field::height, light.height);
+  const ObjectReader reader{context, fields, light.location, scene};
+  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
+    const ValueRow<Light>& row = light_rows[i];
+    if (!row.json.empty() && row.has_member() && row.used_by_type(light.type)) {
+      reader.read(key_of(light_rows, i), row, light);
+    }
   }
   return light;
 }
@@ -420,8 +377,8 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   Primitive primitive;
   primitive.shape = static_cast<Shape>(*type);
   primitive.location = context.place(item);
-  Assigner assigner(context, fields, primitive.location, scene);
-  primitive::read_material(context, fields, assigner, primitive.material);
+  const ObjectReader reader{context, fields, primitive.location, scene};
+  primitive::read_material(reader, primitive.material);
   if (primitive.shape != Shape::mesh) {
     report_unused(context, fields, primitive::mesh_file, "on any primitive but a mesh");
   } else if (fields.has(primitive::mesh_file)) {

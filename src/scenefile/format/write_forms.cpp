@@ -2,12 +2,15 @@
 
 #include "scenefile/format/write_codes.h"
 #include "scenefile/scene/template_graph.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace scenefile {
 
@@ -72,21 +75,18 @@ Scene tidy_copy(const Scene& scene) {
   return copy;
 }
 
-void clear_unused(Light& light) {
+void clear_unused(Light& light, bool keep_idle) {
   const Light defaults;
-  if (light.type == LightType::directional) {
-    light.position = defaults.position;
-  }
-  if (light.type == LightType::point) {
-    light.direction = defaults.direction;
-  }
-  if (light.type != LightType::spot) {
-    light.angle_deg = defaults.angle_deg;
-    light.penumbra_deg = defaults.penumbra_deg;
-  }
-  if (light.type != LightType::area) {
-    light.width = defaults.width;
-    light.height = defaults.height;
+  for (const ValueRow<Light>& row : light_rows) {
+    if (!row.used_by_type(light.type) && !(keep_idle && row.idle_in_xml)) {
+      std::visit(
+          [&](const auto& member) {
+            if constexpr (!std::is_same_v<decltype(member), const std::monostate&>) {
+              light.*member = defaults.*member;
+            }
+          },
+          row.member);
+    }
   }
 }
 

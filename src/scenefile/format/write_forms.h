@@ -30,8 +30,9 @@ Scene json_form(const Scene& scene, Diagnostics& diagnostics);
 /// Instances lose what has no meaning in them.
 Scene tidy_copy(const Scene& scene);
 
-/// Gives the default to what has no effect on a light of its type, except the attenuation.
-void clear_unused(Light& light);
+/// Gives the default to what has no effect on a light of its type; `keep_idle`: except what XML
+/// files give to lights of all types.
+void clear_unused(Light& light, bool keep_idle);
 
 /// Moves what a node holds (its transforms too when `with_transforms`) into a new only child.
 NodeId push_down(Scene& scene, NodeId node, bool with_transforms);

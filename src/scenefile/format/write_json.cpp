@@ -3,8 +3,8 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
-#include "scenefile/format/write_parts.h"
 #include "scenefile/format/write_text.h"
+#include "scenefile/format/write_values.h"
 
 #include <fmt/format.h>
 
@@ -55,17 +55,27 @@ class JsonPrinter {
     out_ += ']';
     deepest_ = std::max(deepest_, open_.size() + 1);
   }
-  void vector(std::string_view key, const glm::vec3& v) { numbers(key, {v.x, v.y, v.z}); }
-  void color(std::string_view key, const glm::vec3& c) { vector(key, c); }
-  void string(std::string_view key, std::string_view value, Location place) {
+  void three(std::string_view key, ValueKind, const glm::vec3& v) { numbers(key, {v.x, v.y, v.z}); }
+  void text(std::string_view key, std::string_view value, Location place) {
     begin(key);
     if (!append_json(out_, value)) {
       diagnostics_.report(write_character, place,
                           fmt::format("{} holds bytes that are not UTF-8", quoted(value)));
     }
   }
-  void texture(const TextureUse& use) { image("textureFile", "textureU", "textureV", use); }
-  void bump_map(const TextureUse& use) { image("bumpMapFile", "bumpMapU", "bumpMapV", use); }
+  template <typename Owner>
+  void image(const ValueRow<Owner>& row, const TextureUse& use) {
+    text(row.json, use.file, use.location);
+    value(row.json_repeat[0], use.repeat_u);
+    value(row.json_repeat[1], use.repeat_v);
+  }
+  void id(std::string_view, int, Location) {}  // JSON cannot say it
+
+  template <typename Owner>
+  static std::string_view name_of(const ValueRow<Owner>& row) {
+    return row.json;
+  }
+  static bool is_idle(const ValueRow<Light>&) { return false; }
 
   /// Whether values were nested deeper than readers allow; there is no use in going on then.
   bool too_deep() const { return deepest_ > limits_.nesting; }
@@ -76,12 +86,6 @@ class JsonPrinter {
     char bracket;
     bool empty;
   };
-
-  void image(std::string_view file, std::string_view u, std::string_view v, const TextureUse& use) {
-    string(file, use.file, use.location);
-    value(u, use.repeat_u);
-    value(v, use.repeat_v);
-  }
 
   void new_line() {
     out_ += '\n';
@@ -107,50 +111,25 @@ class JsonPrinter {
   std::size_t deepest_ = 0;
 };
 
-void print_global(JsonPrinter& to, const Global& global) {
-  to.open("globalData", '{');
-  to.value("ambientCoeff", global.ambient);
-  to.value("diffuseCoeff", global.diffuse);
-  to.value("specularCoeff", global.specular);
-  if (global.transparent) {
-    to.value("transparentCoeff", *global.transparent);
-  }
-  to.close();
-}
-
 void print_camera(JsonPrinter& to, const Camera& camera) {
   to.open("cameraData", '{');
-  to.vector("position", camera.position);
-  to.vector("up", camera.up);
-  to.vector("look", camera.look);
-  to.value("heightAngle", camera.height_angle_deg);
-  if (camera.aperture != 0 || camera.focal_length != 0) {
-    to.value("aperture", camera.aperture);
-    to.value("focalLength", camera.focal_length);
-  }
+  print_values(to, camera, {Field::position, Field::up, Field::look, Field::height_angle_deg});
   to.close();
 }
 
-void print_light(JsonPrinter& to, const Light& light) {
-  to.open("", '{');
-  to.string("type", word_of(light.type), light.location);
-  if (!light.name.empty()) {
-    to.string("name", light.name, light.location);
-  }
-  to.vector("color", light.color);
-  if (light.type != LightType::directional) {
-    to.vector("attenuationCoeff", light.attenuation);
-  }
-  print_beam(to, light);
+template <typename Owner>
+void print_object(JsonPrinter& to, std::string_view key, const Owner& owner) {
+  to.open(key, '{');
+  print_values(to, owner);
   to.close();
 }
 
 void print_map(JsonPrinter& to, const Translate& translate) {
-  to.vector("translate", translate.by);
+  to.three("translate", ValueKind::vector, translate.by);
 }
 
 void print_map(JsonPrinter& to, const Scale& scale) {
-  to.vector("scale", scale.by);
+  to.three("scale", ValueKind::vector, scale.by);
 }
 
 void print_map(JsonPrinter& to, const Rotate& rotate) {
@@ -168,11 +147,11 @@ void print_map(JsonPrinter& to, const Matrix& matrix) {
 
 void print_primitive(JsonPrinter& to, const Primitive& primitive) {
   to.open("", '{');
-  to.string("type", word_of(primitive.shape), primitive.location);
+  to.text("type", word_of(primitive.shape), primitive.location);
   if (primitive.shape == Shape::mesh) {
-    to.string("meshFile", primitive.mesh_file, primitive.location);
+    to.text("meshFile", primitive.mesh_file, primitive.location);
   }
-  print_material(to, primitive.material);
+  print_values(to, primitive.material);
   to.close();
 }
 
@@ -220,12 +199,12 @@ class GroupPrinter {
     const Node& node = scene_.nodes[id];
     to_.open("", '{');
     if (!node.instance_of.empty()) {
-      to_.string("name", node.instance_of, node.location);
+      to_.text("name", node.instance_of, node.location);
       to_.close();
       return false;
     }
     if (!node.name.empty()) {
-      to_.string("name", node.name, node.location);
+      to_.text("name", node.name, node.location);
     }
     for (const Transform& transform : node.transforms) {
       std::visit([&](const auto& map) { print_map(to_, map); }, transform.map);
@@ -250,7 +229,7 @@ class GroupPrinter {
     }
     to_.open("lights", '[');
     for (const Light& light : node.lights) {
-      print_light(to_, light);
+      print_object(to_, "", light);
     }
     to_.close();
   }
@@ -274,9 +253,9 @@ std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& di
   JsonPrinter to(limits, diagnostics);
   to.open("", '{');
   if (!scene.name.empty()) {
-    to.string("name", scene.name, {});
+    to.text("name", scene.name, {});
   }
-  print_global(to, scene.global);
+  print_object(to, "globalData", scene.global);
   print_camera(to, scene.camera.value_or(Camera()));
   if (!scene.templates.empty()) {
     to.open("templateGroups", '[');

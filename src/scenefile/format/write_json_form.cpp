@@ -72,10 +72,7 @@ class JsonForm {
       for (Light& light : scene_.nodes[id].lights) {
         ids += light.id ? 1 : 0;
         light.id.reset();
-        clear_unused(light);
-        if (light.type == LightType::directional) {
-          light.attenuation = Light().attenuation;
-        }
+        clear_unused(light, false);
         if (light.type == LightType::area) {
           diagnostics_.report(write_area_light, light.location,
                               "the course's JSON reader knows no area lights");

@@ -3,6 +3,7 @@
 #include "scenefile/base/affine.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>
@@ -89,10 +90,10 @@ class WorldCopies {
 
   Light placed(const Light& light, const RenderLight& ready) {
     Light result = light;
-    if (light.type != LightType::directional) {
+    if (light_uses(light.type, Field::position)) {
       result.position = ready.position;
     }
-    if (light.type != LightType::point) {
+    if (light_uses(light.type, Field::direction)) {
       result.direction = stable_direction(light, ready);
     }
     if (light.type == LightType::area) {

@@ -3,12 +3,13 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_codes.h"
-#include "scenefile/format/write_parts.h"
 #include "scenefile/format/write_text.h"
+#include "scenefile/format/write_values.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,6 +17,16 @@
 namespace scenefile {
 
 namespace {
+
+// The attributes of a value of three parts.
+std::span<const std::string_view> part_names(ValueKind kind) {
+  static constexpr std::string_view of_color[] = {"r", "g", "b"};
+  static constexpr std::string_view of_coefficients[] = {"v1", "v2", "v3"};
+  static constexpr std::string_view of_vector[] = {"x", "y", "z"};
+  return kind == ValueKind::color          ? std::span(of_color)
+         : kind == ValueKind::coefficients ? std::span(of_coefficients)
+                                           : std::span(of_vector);
+}
 
 // Elements and attributes, one element a line.
 class XmlPrinter {
@@ -57,26 +68,39 @@ class XmlPrinter {
     out_ += fmt::format("</{}>\n", element);
   }
 
+  template <typename Owner>
+  static std::string_view name_of(const ValueRow<Owner>& row) {
+    return row.xml;
+  }
+  /// Whether it is written on lights that do not use it.
+  static bool is_idle(const ValueRow<Light>& row) { return row.idle_in_xml; }
+
   void value(std::string_view element, float v) { begin(element).attribute("v", v).leaf(); }
-  void vector(std::string_view element, const glm::vec3& v) {
-    begin(element).attribute("x", v.x).attribute("y", v.y).attribute("z", v.z).leaf();
+  void text(std::string_view element, std::string_view text, Location place) {
+    begin(element).attribute("v", text, place).leaf();
   }
-  void color(std::string_view element, const glm::vec3& c) {
-    begin(element).attribute("r", c.r).attribute("g", c.g).attribute("b", c.b).leaf();
+  void id(std::string_view element, int id, Location place) {
+    text(element, fmt::format("{}", id), place);
   }
-  void texture(const TextureUse& use) { image("texture", use); }
-  void bump_map(const TextureUse& use) { image("bumpmap", use); }
+  void three(std::string_view element, ValueKind kind, const glm::vec3& v) {
+    const std::span<const std::string_view> names = part_names(kind);
+    begin(element);
+    for (int i = 0; i < 3; ++i) {
+      attribute(names[static_cast<std::size_t>(i)], v[i]);
+    }
+    leaf();
+  }
+  template <typename Owner>
+  void image(const ValueRow<Owner>& row, const TextureUse& use) {
+    begin(row.xml).attribute("file", use.file, use.location);
+    attribute("u", use.repeat_u).attribute("v", use.repeat_v).leaf();
+  }
 
   /// Whether elements were nested deeper than readers allow; there is no use in going on then.
   bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
  private:
-  void image(std::string_view element, const TextureUse& use) {
-    begin(element).attribute("file", use.file, use.location);
-    attribute("u", use.repeat_u).attribute("v", use.repeat_v).leaf();
-  }
-
   const Limits& limits_;
   Diagnostics& diagnostics_;
   std::string out_;
@@ -85,55 +109,25 @@ class XmlPrinter {
   std::size_t deepest_ = 0;
 };
 
-void print_global(XmlPrinter& to, const Global& global) {
-  to.begin("globaldata").children();
-  to.value("ambientcoeff", global.ambient);
-  to.value("diffusecoeff", global.diffuse);
-  to.value("specularcoeff", global.specular);
-  if (global.transparent) {
-    to.value("transparentcoeff", *global.transparent);
-  }
-  to.end();
-}
-
 void print_camera(XmlPrinter& to, const Camera& camera) {
   to.begin("cameradata").children();
-  to.vector("pos", camera.position);
-  to.vector("look", camera.look);
-  to.vector("up", camera.up);
-  to.value("heightangle", camera.height_angle_deg);
-  if (camera.aperture != 0 || camera.focal_length != 0) {
-    to.value("aperture", camera.aperture);
-    to.value("focallength", camera.focal_length);
-  }
+  print_values(to, camera, {Field::position, Field::look, Field::up, Field::height_angle_deg});
   to.end();
 }
 
-void print_light(XmlPrinter& to, const Light& light) {
-  to.begin("lightdata").children();
-  if (light.id) {
-    to.begin("id").attribute("v", fmt::format("{}", *light.id), light.location).leaf();
-  }
-  to.begin("type").attribute("v", word_of(light.type), light.location).leaf();
-  to.color("color", light.color);
-  const bool directional = light.type == LightType::directional;
-  if (!directional || light.attenuation != Light().attenuation) {
-    to.begin("function").attribute("v1", light.attenuation.x);
-    to.attribute("v2", light.attenuation.y).attribute("v3", light.attenuation.z).leaf();
-  }
-  if (!directional) {
-    to.vector("position", light.position);
-  }
-  print_beam(to, light);
+template <typename Owner>
+void print_block(XmlPrinter& to, std::string_view element, const Owner& owner) {
+  to.begin(element).children();
+  print_values(to, owner);
   to.end();
 }
 
 void print_map(XmlPrinter& to, const Translate& translate) {
-  to.vector("translate", translate.by);
+  to.three("translate", ValueKind::vector, translate.by);
 }
 
 void print_map(XmlPrinter& to, const Scale& scale) {
-  to.vector("scale", scale.by);
+  to.three("scale", ValueKind::vector, scale.by);
 }
 
 void print_map(XmlPrinter& to, const Rotate& rotate) {
@@ -161,7 +155,7 @@ void print_primitive(XmlPrinter& to, const Primitive& primitive) {
     return;
   }
   to.children();
-  print_material(to, primitive.material);
+  print_values(to, primitive.material);
   to.end();
 }
 
@@ -235,12 +229,12 @@ class TreePrinter {
 std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
   XmlPrinter to(limits, diagnostics);
   to.begin("scenefile").children();
-  print_global(to, scene.global);
+  print_block(to, "globaldata", scene.global);
   if (scene.camera) {
     print_camera(to, *scene.camera);
   }
   for (const Light& light : scene.nodes[scene.root].lights) {
-    print_light(to, light);
+    print_block(to, "lightdata", light);
   }
   for (const NodeId head : scene.templates) {
     TreePrinter(to, scene).print(head);

@@ -51,7 +51,7 @@ class XmlForm {
     }
     add_ids(lights);
     for (Light& light : lights) {
-      clear_unused(light);
+      clear_unused(light, true);
       if (!light.name.empty()) {
         diagnostics_.report(
             write_light_name, light.location,

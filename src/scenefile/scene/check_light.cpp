@@ -1,6 +1,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/scene/check_parts.h"
 #include "scenefile/scene/codes.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ constexpr float huge_color = 1e4f;
 constexpr float byte_habit = 16;
 
 bool fades(const Light& light) {
-  return light.type != LightType::directional &&
+  return light_uses(light.type, Field::attenuation) &&
          (light.attenuation.y > 0 || light.attenuation.z > 0 || light.attenuation.x > 1);
 }
 
@@ -37,7 +38,7 @@ void check_color(const Light& light, const Subject& subject, Reporter& reporter)
 }
 
 void check_attenuation(const Light& light, const Subject& subject, Reporter& reporter) {
-  if (light.type == LightType::directional ||
+  if (!light_uses(light.type, Field::attenuation) ||
       !reporter.finite(subject, Field::attenuation, "function", light.attenuation)) {
     return;
   }
@@ -117,16 +118,16 @@ void check_light(const Light& light, NodeId node, Reporter& reporter) {
   const Subject subject{light_type_name(light.type), light.location, node};
   check_color(light, subject, reporter);
   check_attenuation(light, subject, reporter);
-  if (light.type != LightType::directional) {
+  if (light_uses(light.type, Field::position)) {
     reporter.finite(subject, Field::position, "position", light.position);
   }
-  if (light.type != LightType::point) {
+  if (light_uses(light.type, Field::direction)) {
     check_direction(light, subject, reporter);
   }
-  if (light.type == LightType::spot) {
+  if (light_uses(light.type, Field::angle_deg)) {
     check_cone(light, subject, reporter);
   }
-  if (light.type == LightType::area) {
+  if (light_uses(light.type, Field::width)) {
     check_rectangle(light, subject, reporter);
   }
 }

@@ -3,9 +3,11 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/scene/check_parts.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -81,57 +83,37 @@ struct Lister {
   }
 };
 
-void list(Lister& to, const Material& m) {
-  static const Material standard;
-  to.add("ambient", m.ambient, standard.ambient);
-  to.add("diffuse", m.diffuse, standard.diffuse);
-  to.add("specular", m.specular, standard.specular);
-  to.add("reflective", m.reflective, standard.reflective);
-  to.add("transparent", m.transparent, standard.transparent);
-  to.add("shininess", m.shininess, standard.shininess);
-  to.add("ior", m.ior, standard.ior);
-  to.add("blend", m.blend, standard.blend);
-  to.add("texture", m.texture, standard.texture);
-  to.add("bumpmap", m.bump_map, standard.bump_map);
+template <typename Owner, std::size_t N>
+void list_rows(Lister& to, const ValueRow<Owner> (&rows)[N], const Owner& owner) {
+  static const Owner standard;
+  for (const ValueRow<Owner>& row : rows) {
+    std::visit(
+        [&](const auto& member) {
+          if constexpr (!std::is_same_v<decltype(member), const std::monostate&>) {
+            to.add(row.name(), owner.*member, standard.*member);
+          }
+        },
+        row.member);
+  }
 }
 
 void list(Lister& to, const Global& global) {
-  const Global standard;
-  to.add("ambientcoeff", global.ambient, standard.ambient);
-  to.add("diffusecoeff", global.diffuse, standard.diffuse);
-  to.add("specularcoeff", global.specular, standard.specular);
-  to.add("transparentcoeff", global.transparent, standard.transparent);
+  list_rows(to, global_rows, global);
 }
 
 void list(Lister& to, const Camera& camera) {
-  const Camera standard;
-  to.add("pos", camera.position, standard.position);
-  to.add("look", camera.look, standard.look);
-  to.add("up", camera.up, standard.up);
-  to.add("heightangle", camera.height_angle_deg, standard.height_angle_deg);
-  to.add("aperture", camera.aperture, standard.aperture);
-  to.add("focallength", camera.focal_length, standard.focal_length);
+  list_rows(to, camera_rows, camera);
 }
 
 void list(Lister& to, const Light& light) {
-  const Light standard;
   to.values.push_back({"type", std::string(light_type_name(light.type))});
-  to.add("name", light.name, standard.name);
-  to.add("id", light.id, standard.id);
-  to.add("color", light.color, standard.color);
-  to.add("position", light.position, standard.position);
-  to.add("direction", light.direction, standard.direction);
-  to.add("function", light.attenuation, standard.attenuation);
-  to.add("angle", light.angle_deg, standard.angle_deg);
-  to.add("penumbra", light.penumbra_deg, standard.penumbra_deg);
-  to.add("width", light.width, standard.width);
-  to.add("height", light.height, standard.height);
+  list_rows(to, light_rows, light);
 }
 
 void list(Lister& to, const Primitive& primitive) {
   to.values.push_back({"type", std::string(word_of(primitive.shape))});
   to.add("file", primitive.mesh_file.str(), std::string());
-  list(to, primitive.material);
+  list_rows(to, material_rows, primitive.material);
 }
 
 template <typename Item>

@@ -2,6 +2,7 @@
 
 #include "scenefile/scene/template_graph.h"
 #include "scenefile/scene/transforms.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"
 
 #include <algorithm>
@@ -167,7 +168,7 @@ std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_
   RenderLight ready;
   ready.type = light.type;
   ready.color = light.color;
-  if (light.type != LightType::directional) {
+  if (light_uses(light.type, Field::position)) {
     const glm::dvec3 position = space_from_node.point(glm::dvec3(light.position));
     if (!finite(position)) {
       return std::nullopt;
@@ -175,7 +176,7 @@ std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_
     ready.position = glm::vec3(position);
     ready.attenuation = safe_attenuation(light.attenuation);
   }
-  if (light.type == LightType::point) {
+  if (!light_uses(light.type, Field::direction)) {
     return ready;
   }
   const std::optional<glm::dvec3> local = unit(glm::dvec3(light.direction));
@@ -185,9 +186,9 @@ std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_
     return std::nullopt;
   }
   ready.direction = glm::vec3(*world);
-  if (light.type == LightType::spot) {
+  if (light_uses(light.type, Field::angle_deg)) {
     set_cone(ready, light);
-  } else if (light.type == LightType::area) {
+  } else if (light_uses(light.type, Field::width)) {
     set_rectangle(ready, light, *local, space_from_node);
   }
   return ready;

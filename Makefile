@@ -57,6 +57,19 @@ test: ## build and pass all tests
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) --output-junit tests.xml; status=$$?; \
 	  scripts/test-summary $(BUILD)/tests.xml && exit $$status
 
+.PHONY: schemas
+schemas: ## the schemas of XML are what their source makes, and every validator agrees with the reader
+	@scripts/install-deps core tests schemas
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_schema_findings)
+	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) -R '^schema\.(generated|agrees|xsd|every)' \
+	  --output-junit schemas.xml; status=$$?; scripts/test-summary $(BUILD)/schemas.xml && exit $$status
+
+.PHONY: bare-machine
+bare-machine: ## SUITE=bookworm: demo, test and install on a Debian that has nothing (needs root)
+	@scripts/install-deps bare
+	@scripts/bare-machine $(or $(SUITE),bookworm)
+
 .PHONY: conformance
 conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make conformance CORPUS=DIR"; exit 2; }
@@ -115,7 +128,8 @@ asan-files: ## the same for what reads and writes files, and the fuzz targets' s
 	@scripts/install-deps core tests
 	@cmake --preset asan && cmake --build --preset asan --target \
 	  scenefile_replays $(call ROOM_TESTS,base scene format asset io)
-	@ctest --preset asan-files -j $(JOBS)
+	@ctest --preset asan-files -j $(JOBS) --output-junit tests.xml; status=$$?; \
+	  scripts/test-summary build/asan/tests.xml && exit $$status
 tsan: ## the tests of what runs in several threads under ThreadSanitizer
 	@scripts/install-deps core tests
 	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app viewer)
@@ -145,7 +159,9 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: sanitizers, failing calls, killed renders, coverage, fuzzing
+ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, coverage, fuzzing
+	@.ci/run
+	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) faults

@@ -25,6 +25,7 @@ function(scenefile_room name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
     $<BUILD_INTERFACE:scenefile_options>)
+  scenefile_precompile(${target} room)
   if(ROOM_PROGRAM_ONLY)
     return()
   endif()

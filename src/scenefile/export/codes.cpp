@@ -3,7 +3,8 @@
 namespace scenefile {
 
 std::span<const Code* const> export_codes() {
-  static constexpr const Code* codes[] = {&pov_approximate, &pov_lost};
+  static constexpr const Code* codes[] = {&export_approximate, &export_lost, &export_size_limit,
+                                          &pov_approximate, &pov_lost};
   return codes;
 }
 

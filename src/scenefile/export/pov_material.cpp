@@ -4,6 +4,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/pov_text.h"
+#include "scenefile/export/report_once.h"
 
 #include <fmt/format.h>
 
@@ -107,16 +108,6 @@ PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
     m.texture_path = texture_paths[texture.file];
   }
   return m;
-}
-
-void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics) {
-  const auto& list = diagnostics.list();
-  const bool said = std::any_of(list.begin(), list.end(), [&](const Diagnostic& d) {
-    return d.code == &code && d.message == message;
-  });
-  if (!said) {
-    diagnostics.report(code, {}, std::string(message));
-  }
 }
 
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {

@@ -25,9 +25,6 @@ struct PovMaterial {
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
                          std::span<const std::string> texture_paths, const PovOptions& options);
 
-/// Reports what is the same for many parts of a scene.
-void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics);
-
 /// Reports what of the material POV-Ray says otherwise, each thing once for a scene.
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics);
 

@@ -5,6 +5,7 @@
 #include "scenefile/export/pov_material.h"
 #include "scenefile/export/pov_shape.h"
 #include "scenefile/export/pov_text.h"
+#include "scenefile/export/report_once.h"
 
 #include <fmt/format.h>
 

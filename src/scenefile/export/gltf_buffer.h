@@ -1,0 +1,46 @@
+#pragma once
+// The binary part of a glTF file and the JSON that describes it. Private to the room.
+
+#include "scenefile/export/flat_mesh.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// Accessors of a mesh.
+struct GltfGeometry {
+  std::uint32_t positions = 0;
+  std::uint32_t normals = mesh_no_index;
+  std::uint32_t uvs = mesh_no_index;
+  std::uint32_t indices = 0;
+};
+
+class GltfBuffer {
+ public:
+  /// `repeat` multiplies the uvs. The mesh has triangles.
+  GltfGeometry add(const FlatMesh& mesh, const glm::vec2& repeat);
+  /// A file, as a buffer view of which the index is returned.
+  std::uint32_t add(std::string_view file);
+
+  const std::string& bytes() const { return bytes_; }
+  /// What stands in the arrays of that name.
+  const std::string& views() const { return views_; }
+  const std::string& accessors() const { return accessors_; }
+
+ private:
+  std::uint32_t add_view(const void* data, std::size_t size, int target);
+  std::uint32_t add_accessor(std::uint32_t view, std::size_t count, int component,
+                             std::string_view type, std::string_view more);
+
+  std::string bytes_;
+  std::string views_;
+  std::string accessors_;
+  std::uint32_t view_count_ = 0;
+  std::uint32_t accessor_count_ = 0;
+};
+
+std::string base64(std::string_view bytes);
+
+}  // namespace scenefile

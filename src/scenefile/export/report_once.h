@@ -1,0 +1,14 @@
+#pragma once
+// Private to the room.
+
+#include "scenefile/base/diagnostics.h"
+
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// Reports unless the same was said before.
+void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics);
+
+}  // namespace scenefile

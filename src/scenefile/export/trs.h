@@ -1,0 +1,30 @@
+#pragma once
+// Affine maps as translation, rotation and scale. Private to the room.
+
+#include "scenefile/base/affine.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <optional>
+
+namespace scenefile {
+
+/// x -> translation + rotation * (scale * x).
+struct Trs {
+  glm::dvec3 translation{0};
+  glm::dquat rotation{1, 0, 0, 0};
+  glm::dvec3 scale{1};
+};
+
+/// A map as outer * inner. Most need no inner part; one that shears has no single Trs, but two by
+/// the singular value decomposition of its linear part, to rounding.
+struct TrsPair {
+  Trs outer;
+  std::optional<glm::dquat> inner;  ///< a rotation that acts first
+};
+
+/// The map must be invertible.
+TrsPair decompose(const DAffine& map);
+
+}  // namespace scenefile

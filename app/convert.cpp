@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
+#include "scenefile/export/write_gltf.h"
 #include "scenefile/export/write_pov.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
@@ -22,7 +23,8 @@ namespace scenefile::app {
 namespace {
 
 std::string_view format_name(ConvertTo format) {
-  static constexpr std::array<std::string_view, 3> names{"XML", "JSON", "POV-Ray"};
+  static constexpr std::array<std::string_view, 6> names{"XML", "JSON", "POV-Ray",
+                                                         "GLB", "glTF", "OBJ"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -81,10 +83,45 @@ std::string write_pov_file(LoadedScene& scene, const Options& options, Context& 
                    scene.diagnostics);
 }
 
+std::string write_gltf_file(LoadedScene& scene, const Options& options, Context& context) {
+  context.phase = "writing the scene";
+  return write_gltf(
+      scene.written, scene.ready, scene.assets,
+      {.binary = *options.to == ConvertTo::glb, .segments = options.segments, .transparent = 0.5f},
+      scene.diagnostics);
+}
+
 std::string convert(LoadedScene& scene, const Options& options, Context& context) {
   drop_notes(scene.diagnostics);
-  return *options.to == ConvertTo::pov ? write_pov_file(scene, options, context)
-                                       : write_scene_file(scene, options, context);
+  switch (*options.to) {
+    case ConvertTo::xml:
+    case ConvertTo::json:
+      return write_scene_file(scene, options, context);
+    case ConvertTo::pov:
+      return write_pov_file(scene, options, context);
+    case ConvertTo::glb:
+    case ConvertTo::gltf:
+      return write_gltf_file(scene, options, context);
+    case ConvertTo::obj:
+      break;
+  }
+  return {};
+}
+
+// What the format needs of the scene's files.
+LoadDepth depth_for(ConvertTo format) {
+  switch (format) {
+    case ConvertTo::xml:
+    case ConvertTo::json:
+      return LoadDepth::prepared;
+    case ConvertTo::pov:
+      return LoadDepth::with_meshes;
+    case ConvertTo::glb:
+    case ConvertTo::gltf:
+    case ConvertTo::obj:
+      break;
+  }
+  return LoadDepth::with_all_assets;
 }
 
 std::string summary_text(const ConvertReport& report) {
@@ -110,10 +147,8 @@ ExitCode run_convert(const Options& options, Context& context) {
       status != ExitCode::fine) {
     return status;
   }
-  const LoadDepth depth =
-      report.format == ConvertTo::pov ? LoadDepth::with_meshes : LoadDepth::prepared;
-  LoadedScene scene =
-      load_scene(options.arguments[0], options, depth, /*allow_missing=*/true, context);
+  LoadedScene scene = load_scene(options.arguments[0], options, depth_for(report.format),
+                                 /*allow_missing=*/true, context);
   std::string text;
   if (status_of(scene) == ExitCode::fine) {
     text = convert(scene, options, context);

@@ -26,7 +26,7 @@ struct PixelPlace {
 };
 
 /// What a scene can be written as.
-enum class ConvertTo : std::uint8_t { xml, json, pov };
+enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
 /// An option as it stood on the command line.
 struct GivenOption {
@@ -49,6 +49,7 @@ struct Options {
   std::optional<double> timeout;            ///< seconds
 
   std::optional<ConvertTo> to;
+  int segments = 64;  ///< of a full turn of round shapes in files that have triangles alone
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< to show in full
 

@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"geometry", {"base"}},
     {"format", {"base", "scene"}},
     {"asset", {"base", "geometry"}},
-    {"export", {"base", "geometry", "scene/render_scene.h"}},
+    {"export", {"base", "geometry", "scene", "asset", "format/write_text.h"}},
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
     {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},

@@ -41,6 +41,4 @@ class GltfBuffer {
   std::uint32_t accessor_count_ = 0;
 };
 
-std::string base64(std::string_view bytes);
-
 }  // namespace scenefile

@@ -1,5 +1,6 @@
 #include "scenefile/export/write_gltf.h"
 
+#include "scenefile/base/base64.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/gltf_buffer.h"
 #include "scenefile/export/gltf_light.h"

@@ -1,4 +1,5 @@
 #include "scenefile/grade/gradebook.h"
+#include "scenefile/base/base64.h"
 #include "scenefile/grade/markup.h"
 
 #include <fmt/format.h>

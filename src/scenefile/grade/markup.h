@@ -9,7 +9,4 @@ namespace scenefile {
 /// '?'.
 std::string markup(std::string_view text);
 
-/// RFC 4648, with padding.
-std::string base64(std::string_view bytes);
-
 }  // namespace scenefile

@@ -58,7 +58,8 @@ class AllCodes : public ::testing::Test {
                           "8x8", "-o", folder.path("p.png")});
     }
     const std::string other = fs::path(path).extension() == ".xml" ? "out.json" : "out.xml";
-    return run_program({"convert", path, folder.path(family == "pov" ? "out.pov" : other)});
+    const std::string out = family == "pov" ? "out.pov" : family == "export" ? "out.glb" : other;
+    return run_program({"convert", path, folder.path(out)});
   }
 
   // The scene of the code copied to IN/, converted to OUT/.

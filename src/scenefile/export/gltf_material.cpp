@@ -70,8 +70,8 @@ std::string gltf_material(const RenderMaterial& material, const RenderGlobal& gl
     color = fmt::format(R"("baseColorFactor":[{},{},{},1])", pbr.base.x, pbr.base.y, pbr.base.z);
   }
   std::string text = fmt::format(
-      R"({{"pbrMetallicRoughness":{{{},"metallicFactor":0,"roughnessFactor":{}}},"doubleSided":true)",
-      color, pbr.roughness);
+      R"({{"pbrMetallicRoughness":{{{},"metallicFactor":0,"roughnessFactor":{}}},"doubleSided":{})",
+      color, pbr.roughness, pbr.transmission == 0);
   if (largest(pbr.emissive) > 0) {
     const float strength = std::max(1.0f, largest(pbr.emissive));
     text += fmt::format(R"(,"emissiveFactor":{})", list(pbr.emissive / strength));

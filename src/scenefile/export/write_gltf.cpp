@@ -73,17 +73,18 @@ class GltfWriter {
         box_(scene_box(ready.scene, assets.meshes)) {}
 
   std::string write() {
+    // A node for each copy of a primitive at least, which costs nothing to know.
+    too_large_ = count_virtual_primitives(ready_) > static_cast<double>(options_.most_nodes);
+    if (too_large_) {
+      return refuse();
+    }
     find_contents();
     mark_drawn();
     add_camera();
     add_lights();
     add_tree();
     if (too_large_) {
-      diagnostics_.report(
-          export_size_limit, {},
-          fmt::format("with all copies of its templates the scene has more than {} nodes",
-                      options_.most_nodes));
-      return {};
+      return refuse();
     }
     if (textures_.clipped()) {
       report_once(export_approximate, "colors over 1 are cut to 1", diagnostics_);
@@ -92,6 +93,14 @@ class GltfWriter {
   }
 
  private:
+  std::string refuse() {
+    diagnostics_.report(
+        export_size_limit, {},
+        fmt::format("with all copies of its templates the scene has more than {} nodes",
+                    options_.most_nodes));
+    return {};
+  }
+
   void find_contents() {
     for (const RenderGroup& group : ready_.groups) {
       for (const RenderPrimitive& p : group.primitives) {

@@ -1,0 +1,49 @@
+#pragma once
+// Materials and pictures of a glTF file. Private to the room.
+
+#include "scenefile/base/diagnostics.h"
+#include "scenefile/import/gltf_file.h"
+#include "scenefile/scene/scene.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace scenefile {
+
+/// What a primitive needs of its material. Uvs are given to the mesh, so that is for its texture to
+/// say, too: uv = offset + rotation and scale of the file's.
+struct GltfMaterial {
+  Material material;
+  std::uint32_t uv_set = 0;
+  glm::mat3x2 uv_map{1, 0, 0, 1, 0, 0};  ///< columns: images of u and v, offset; v counts down
+};
+
+class GltfMaterials {
+ public:
+  /// Pictures go to `files`.
+  GltfMaterials(const GltfFile& file, const ImportOptions& options,
+                std::vector<ImportedFile>& files, Diagnostics& diagnostics);
+
+  /// no_item: the default material of the specification.
+  const GltfMaterial& get(std::uint32_t index);
+
+ private:
+  GltfMaterial make(const JsonValue& json);
+  void add_texture(const JsonValue& info, const glm::vec3& factor, GltfMaterial& result);
+  std::string picture(std::uint32_t image, const glm::vec3& factor);
+  void leave_out(std::string_view what);
+
+  const GltfFile& file_;
+  const ImportOptions& options_;
+  std::vector<ImportedFile>& files_;
+  Diagnostics& diagnostics_;
+  std::map<std::uint32_t, GltfMaterial> known_;
+  std::map<std::tuple<std::uint32_t, float, float, float>, std::string> pictures_;
+  std::set<std::string, std::less<>> left_out_;
+  std::uint64_t texture_budget_;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,22 @@
+#pragma once
+// Triangles as the text of an OBJ file. Private to the room.
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+/// Vertices with all their values; normals and uvs (v up) are empty or one each.
+struct TriangleList {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec2> uvs;
+  std::vector<std::uint32_t> indices;  ///< three for each triangle, all valid
+};
+
+std::string obj_text(const TriangleList& list);
+
+}  // namespace scenefile

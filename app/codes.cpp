@@ -3,6 +3,7 @@
 #include "scenefile/asset/codes.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/import/codes.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/trace/codes.h"
 #include "scenefile/view/codes.h"
@@ -27,7 +28,8 @@ std::vector<const Code*> collect() {
       &render_no_directional_light,
   };
   for (const auto& room :
-       {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes()}) {
+       {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes(),
+                           import_codes()}) {
     codes.insert(codes.end(), room.begin(), room.end());
   }
   std::sort(codes.begin(), codes.end(),

@@ -2,6 +2,7 @@
 #include "app/codes.h"
 #include "app/command.h"
 #include "app/findings.h"
+#include "app/import_model.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
@@ -23,8 +24,8 @@ namespace scenefile::app {
 namespace {
 
 std::string_view format_name(ConvertTo format) {
-  static constexpr std::array<std::string_view, 6> names{"XML", "JSON", "POV-Ray",
-                                                         "GLB", "glTF", "OBJ"};
+  static constexpr std::array<std::string_view, 5> names{"XML", "JSON", "POV-Ray", "GLB",
+                                                         "glTF"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -48,6 +49,23 @@ void drop_notes(Diagnostics& diagnostics) {
   });
 }
 
+SceneFormat scene_format(ConvertTo format) {
+  return format == ConvertTo::json ? SceneFormat::json : SceneFormat::xml;
+}
+
+// A model becomes several files in a folder.
+ExitCode check_model_target(const ConvertReport& report) {
+  if (report.format != ConvertTo::xml && report.format != ConvertTo::json) {
+    say_error("a model becomes a scene, .xml or .json; convert that into another format");
+    return ExitCode::usage;
+  }
+  if (is_standard_output(report.output)) {
+    say_error("a model becomes a scene with files beside it; give the scene a name");
+    return ExitCode::usage;
+  }
+  return ExitCode::fine;
+}
+
 std::string write_scene_file(LoadedScene& scene, const Options& options, Context& context) {
   if (const std::size_t comments = count_comments(scene.text); comments != 0) {
     scene.diagnostics.report(
@@ -57,8 +75,7 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
   context.phase = "looking for textures and meshes";
   carry_files(scene, options.arguments[1], options);
   context.phase = "writing the scene";
-  const SceneFormat format = *options.to == ConvertTo::json ? SceneFormat::json : SceneFormat::xml;
-  return write_scene(scene.written, format, options.limits, scene.diagnostics);
+  return write_scene(scene.written, scene_format(*options.to), options.limits, scene.diagnostics);
 }
 
 // POV-Ray opens the textures itself, so it is told where they were found.
@@ -101,11 +118,9 @@ std::string convert(LoadedScene& scene, const Options& options, Context& context
       return write_pov_file(scene, options, context);
     case ConvertTo::glb:
     case ConvertTo::gltf:
-      return write_gltf_file(scene, options, context);
-    case ConvertTo::obj:
       break;
   }
-  return {};
+  return write_gltf_file(scene, options, context);
 }
 
 // What the format needs of the scene's files.
@@ -118,7 +133,6 @@ LoadDepth depth_for(ConvertTo format) {
       return LoadDepth::with_meshes;
     case ConvertTo::glb:
     case ConvertTo::gltf:
-    case ConvertTo::obj:
       break;
   }
   return LoadDepth::with_all_assets;
@@ -147,11 +161,22 @@ ExitCode run_convert(const Options& options, Context& context) {
       status != ExitCode::fine) {
     return status;
   }
-  LoadedScene scene = load_scene(options.arguments[0], options, depth_for(report.format),
-                                 /*allow_missing=*/true, context);
+  std::vector<ImportedFile> files;
+  const bool model = is_model(options.arguments[0]);
+  if (model) {
+    if (const ExitCode status = check_model_target(report); status != ExitCode::fine) {
+      return status;
+    }
+  }
+  LoadedScene scene =
+      model ? import_model(options.arguments[0], report.output, options, files, context)
+            : load_scene(options.arguments[0], options, depth_for(report.format),
+                         /*allow_missing=*/true, context);
   std::string text;
   if (status_of(scene) == ExitCode::fine) {
-    text = convert(scene, options, context);
+    text = model ? write_scene(scene.written, scene_format(report.format), options.limits,
+                               scene.diagnostics)
+                 : convert(scene, options, context);
   }
   if (!options.json) {
     say(findings_of(scene, options.quiet));
@@ -159,7 +184,8 @@ ExitCode run_convert(const Options& options, Context& context) {
   context.phase = "writing the file";
   ExitCode status = status_of(scene);
   report.error =
-      status == ExitCode::fine ? write_file(report.output, text).text : "the scene cannot be used";
+      status == ExitCode::fine ? write_model(report.output, text, files).text
+                               : "the scene cannot be used";
   report.bytes = text.size();
   if (status == ExitCode::fine && !report.error.empty()) {
     status = ExitCode::environment;

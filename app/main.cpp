@@ -51,13 +51,17 @@ constexpr std::array table{
             "scenefile info --json chess.xml",
             run_info},
     Command{"convert", for_convert, "IN OUT", "write a scene in the other format, or cleanly",
-            "Reads a scene in any dialect and writes it as clean XML or JSON that means the same. "
+            "Reads a scene in any dialect and writes it as clean XML or JSON that means the same, "
+            "or for other programs: glTF 2.0 and POV-Ray. Reads glTF models, too, and writes their "
+            "meshes and textures beside the scene. "
             "What the format cannot say as it stands is listed. Comments are not carried over. "
             "Texture and mesh names are written anew when OUT lies in another folder.",
             "scenefile convert chess.xml chess.json\n"
             "scenefile convert old.xml new.xml\n"
             "scenefile convert --compat course old.xml new.xml\n"
             "scenefile convert - - --to json < chess.xml > chess.json\n"
+            "scenefile convert chess.xml chess.glb\n"
+            "scenefile convert model.glb scene.xml\n"
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
     Command{"diff", for_diff, "A B", "say in what two scenes or two pictures differ",

@@ -33,7 +33,7 @@ class AllCodes : public ::testing::Test {
  protected:
   // The file of the code in tests/fixtures/commands.
   static std::string file(const std::string& code, const std::string& ending) {
-    for (const std::string syntax : {".xml", ".json", ".ini"}) {
+    for (const std::string syntax : {".xml", ".json", ".ini", ".gltf"}) {
       const fs::path path = fixtures / "commands" / (code + ending + syntax);
       if (fs::exists(path)) {
         return path.string();
@@ -78,6 +78,11 @@ class AllCodes : public ::testing::Test {
     return run_program(words);
   }
 
+  ProgramRun import(const std::string& limit) const {
+    const std::string model = (fixtures / "commands/import.value.ok.gltf").string();
+    return run_program({"convert", model, folder.path("m.xml"), "--limit", limit});
+  }
+
   Recipe limited(const std::string& path, const std::string& limit) const {
     return {[=] { return check(path, limit); }, [=] { return check(path, ""); }};
   }
@@ -90,6 +95,8 @@ class AllCodes : public ::testing::Test {
         {"convert.file-left-behind",
          {[=, this] { return convert_away("convert.file-left-behind", "away/out.json"); },
           [=, this] { return convert_away("convert.file-left-behind", "in/out.json"); }}},
+        {"import.limit", {[=, this] { return import("mesh-triangles=0"); },
+                          [=, this] { return import("mesh-triangles=1"); }}},
         {"json.limit", limited("format_json/json.comment.ok.json", "nesting=2")},
         {"light.count-limit", limited("commands/light.count-limit.json", "lights=1")},
         {"mesh.limit", limited("codes/mesh.degenerate.ok.xml", "mesh-triangles=1")},

@@ -10,8 +10,7 @@ namespace scenefile {
 namespace {
 
 float srgb_encoded(float linear) {
-  return linear <= 0.0031308f ? 12.92f * linear
-                              : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
 }  // namespace

@@ -52,8 +52,7 @@ GltfGeometry GltfBuffer::add(const FlatMesh& mesh, const glm::vec2& repeat) {
   const std::size_t count = mesh.positions.size();
   geometry.positions =
       add_accessor(add_view(mesh.positions.data(), count * sizeof(glm::vec3), vertices), count,
-                   float_type, "VEC3",
-                   fmt::format(R"(,"min":{},"max":{})", list(low), list(high)));
+                   float_type, "VEC3", fmt::format(R"(,"min":{},"max":{})", list(low), list(high)));
   if (!mesh.normals.empty()) {
     geometry.normals =
         add_accessor(add_view(mesh.normals.data(), count * sizeof(glm::vec3), vertices), count,

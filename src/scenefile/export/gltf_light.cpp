@@ -77,13 +77,14 @@ std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics&
   }
   if (light.type != LightType::directional) {
     factor = candela(light, box);
-    note("lights of glTF fade by the square of the distance: their strength is right in the "
-         "middle of the scene");
+    note(
+        "lights of glTF fade by the square of the distance: their strength is right in the "
+        "middle of the scene");
     own = fmt::format(R"(,"extras":{{"scenefile":{{"attenuation":{},"candela":{}{}}}}})",
                       attenuation(light), factor, own);
   }
-  return fmt::format(R"({{"type":"{}","color":[{},{},{}],"intensity":{}{}{}}})", type, hue.x,
-                     hue.y, hue.z, strongest * factor, more, own);
+  return fmt::format(R"({{"type":"{}","color":[{},{},{}],"intensity":{}{}{}}})", type, hue.x, hue.y,
+                     hue.z, strongest * factor, more, own);
 }
 
 }  // namespace scenefile

@@ -22,8 +22,9 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
   };
   const bool mirror = largest(phong.reflective) > 0;
   if (largest(phong.ambient) > 0) {
-    note("ambient light becomes emission: programs that follow light let it shine on other "
-         "surfaces");
+    note(
+        "ambient light becomes emission: programs that follow light let it shine on other "
+        "surfaces");
   }
   if (phong.shininess > 0 && largest(phong.specular) > 0) {
     note(mirror ? "a mirror has no highlight of its own"
@@ -46,11 +47,10 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
 
 // The format's own values, which glTF has no place for.
 std::string extras(const PhongColors& phong) {
-  return fmt::format(
-      R"({{"scenefile":{{"ambient":{},"diffuse":{},"specular":{},"reflective":{},)"
-      R"("transparent":{},"shininess":{},"ior":{}}}}})",
-      list(phong.ambient), list(phong.diffuse), list(phong.specular), list(phong.reflective),
-      list(phong.transparent), phong.shininess, phong.ior);
+  return fmt::format(R"({{"scenefile":{{"ambient":{},"diffuse":{},"specular":{},"reflective":{},)"
+                     R"("transparent":{},"shininess":{},"ior":{}}}}})",
+                     list(phong.ambient), list(phong.diffuse), list(phong.specular),
+                     list(phong.reflective), list(phong.transparent), phong.shininess, phong.ior);
 }
 
 }  // namespace
@@ -86,9 +86,9 @@ std::string gltf_material(const RenderMaterial& material, const RenderGlobal& gl
   }
   extensions.insert("KHR_materials_specular");
   more += R"("KHR_materials_specular":)";
-  more += largest(pbr.f0) > 0 ? fmt::format(R"({{"specularColorFactor":{}}})",
-                                            list(pbr.f0 / f0_of(pbr.ior)))
-                              : R"({"specularFactor":0})";
+  more += largest(pbr.f0) > 0
+              ? fmt::format(R"({{"specularColorFactor":{}}})", list(pbr.f0 / f0_of(pbr.ior)))
+              : R"({"specularFactor":0})";
   if (pbr.transmission > 0) {
     extensions.insert({"KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume"});
     more += fmt::format(R"(,"KHR_materials_transmission":{{"transmissionFactor":{}}})"

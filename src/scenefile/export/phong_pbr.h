@@ -37,13 +37,13 @@ struct PhongColors {
 
 /// What glTF says of a surface, its extensions for specular, transmission and ior included.
 struct PbrMaterial {
-  glm::vec3 base{1};      ///< 0 to 1
-  float metallic = 0;     ///< 0 to 1
-  float roughness = 1;    ///< 0 to 1
-  glm::vec3 f0{0.04f};    ///< reflectance of the part that is not metal, at normal incidence; 0 to 1
-  float transmission = 0; ///< 0 to 1
-  float ior = 1.5f;       ///< >= 1
-  glm::vec3 emissive{0};  ///< any strength
+  glm::vec3 base{1};    ///< 0 to 1
+  float metallic = 0;   ///< 0 to 1
+  float roughness = 1;  ///< 0 to 1
+  glm::vec3 f0{0.04f};  ///< reflectance of the part that is not metal, at normal incidence; 0 to 1
+  float transmission = 0;  ///< 0 to 1
+  float ior = 1.5f;        ///< >= 1
+  glm::vec3 emissive{0};   ///< any strength
 };
 
 /// `transparent`: the scene's coefficient where it gives none.

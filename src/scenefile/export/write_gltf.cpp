@@ -205,8 +205,7 @@ class GltfWriter {
   // The node, or the inner one of two. Returns what its contents belong to.
   std::uint32_t add_written(const Node& node, std::uint32_t parent) {
     const TrsPair pair = decompose(composed(DAffine(), node.transforms));
-    const std::uint32_t outer =
-        add_node(parent, {.place = pair.outer, .name = node.name.str()});
+    const std::uint32_t outer = add_node(parent, {.place = pair.outer, .name = node.name.str()});
     if (!pair.inner) {
       return outer;
     }
@@ -253,21 +252,20 @@ class GltfWriter {
                    material);
   }
 
-  GltfGeometry geometry_of(const RenderPrimitive& p, std::uint32_t shape,
-                           const glm::vec2& repeat) {
+  GltfGeometry geometry_of(const RenderPrimitive& p, std::uint32_t shape, const glm::vec2& repeat) {
     const auto [entry, is_new] = geometries_.try_emplace({shape, repeat.x, repeat.y});
     if (is_new) {
-      entry->second = buffer_.add(flatten(p.shape == Shape::mesh
-                                              ? assets_.meshes[p.mesh]
-                                              : tessellate(p.shape, options_.segments)),
-                                  repeat);
+      entry->second =
+          buffer_.add(flatten(p.shape == Shape::mesh ? assets_.meshes[p.mesh]
+                                                     : tessellate(p.shape, options_.segments)),
+                      repeat);
     }
     return entry->second;
   }
 
   std::uint32_t material_of(std::uint32_t index) {
-    const auto [entry, is_new] = material_numbers_.try_emplace(
-        index, static_cast<std::uint32_t>(material_numbers_.size()));
+    const auto [entry, is_new] =
+        material_numbers_.try_emplace(index, static_cast<std::uint32_t>(material_numbers_.size()));
     if (is_new) {
       materials_ += (entry->second == 0 ? "" : ",\n") +
                     gltf_material(ready_.materials[index], ready_.global, options_.transparent,
@@ -325,20 +323,22 @@ class GltfWriter {
   std::string assemble() {
     std::string images;
     for (const std::string& file : textures_.files()) {
-      fmt::format_to(std::back_inserter(images),
-                     R"({}{{"mimeType":"image/png","bufferView":{}}})", images.empty() ? "" : ",\n",
-                     buffer_.add(file));
+      fmt::format_to(std::back_inserter(images), R"({}{{"mimeType":"image/png","bufferView":{}}})",
+                     images.empty() ? "" : ",\n", buffer_.add(file));
     }
     std::string json = R"({"asset":{"version":"2.0","generator":"scenefile"},"scene":0,)";
-    json += "\n" R"("scenes":[{"nodes":[)" + children(last_root_) + "]}],\n\"nodes\":[\n";
+    json +=
+        "\n"
+        R"("scenes":[{"nodes":[)" +
+        children(last_root_) + "]}],\n\"nodes\":[\n";
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       json += i == 0 ? "" : ",\n";
       append_node(json, nodes_[i]);
     }
-    fmt::format_to(
-        std::back_inserter(json),
-        "],\n\"cameras\":[{{\"type\":\"perspective\",\"perspective\":{{\"yfov\":{},\"znear\":{}}}}}]",
-        ready_.camera.fov_y, near_plane());
+    fmt::format_to(std::back_inserter(json),
+                   "],\n\"cameras\":[{{\"type\":\"perspective\",\"perspective\":{{\"yfov\":{},"
+                   "\"znear\":{}}}}}]",
+                   ready_.camera.fov_y, near_plane());
     array(json, "meshes", meshes_);
     array(json, "materials", materials_);
     array(json, "images", images);

@@ -13,10 +13,10 @@
 namespace scenefile {
 
 struct GltfOptions {
-  bool binary = true;     ///< GLB, one binary file; else JSON with its data inside as base64
-  int segments = 64;      ///< of a full turn of round sides; see geometry/tessellate.h
-  float transparent = 0.5f;           ///< kt where the scene gives none
-  std::size_t most_nodes = 4'000'000; ///< of the file; templates count once for each copy
+  bool binary = true;        ///< GLB, one binary file; else JSON with its data inside as base64
+  int segments = 64;         ///< of a full turn of round sides; see geometry/tessellate.h
+  float transparent = 0.5f;  ///< kt where the scene gives none
+  std::size_t most_nodes = 4'000'000;  ///< of the file; templates count once for each copy
 };
 
 /// Writes the scene; `ready` is what prepare() made of it, `assets` the textures and meshes of its

@@ -12,18 +12,22 @@ inline constexpr Code import_added{
     "The file has none, and without them nothing would be seen. Change them in the scene."};
 inline constexpr Code import_left_out{
     "import.left-out", Severity::warning, "a part of the file is left out",
-    "Scenes hold triangles, Phong materials, pictures on surfaces, lights and a camera. Animations, "
+    "Scenes hold triangles, Phong materials, pictures on surfaces, lights and a camera. "
+    "Animations, "
     "skins, points, lines, normal maps and what else a model may have has no counterpart."};
 inline constexpr Code import_limit{
     "import.limit", Severity::error, "the model is larger than the limits allow",
     "The limits keep a mistaken or hostile file from taking all memory; --limit raises them.",
     CodeKind::limit};
 inline constexpr Code import_missing_file{
-    "import.missing-file", Severity::warning, "a file that the model names cannot be used",
+    "import.missing-file",
+    Severity::warning,
+    "a file that the model names cannot be used",
     "Materials and pictures lie beside the model or in the folders that docs/assets.md lists; "
     "--asset-root names another. A picture that is missing leaves the color of the material. A "
     "model whose geometry is missing is an error.",
-    CodeKind::plain, Severity::error};
+    CodeKind::plain,
+    Severity::error};
 inline constexpr Code import_not_a_model{
     "import.not-a-model", Severity::error, "the file is not a glTF or OBJ file",
     "It is cut, damaged, or of another kind. Export it again, as glTF 2.0 (.glb or .gltf) or "

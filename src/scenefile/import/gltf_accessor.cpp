@@ -45,9 +45,8 @@ T load(const char* at) {
 template <typename T>
 float fraction(const char* at, bool normalized) {
   const auto value = static_cast<float>(load<T>(at));
-  return normalized
-             ? std::max(-1.0f, value / static_cast<float>(std::numeric_limits<T>::max()))
-             : value;
+  return normalized ? std::max(-1.0f, value / static_cast<float>(std::numeric_limits<T>::max()))
+                    : value;
 }
 
 float number(const char* at, Component component, bool normalized) {
@@ -141,8 +140,8 @@ bool read_floats(const GltfFile& file, std::uint32_t accessor, std::size_t compo
   const std::size_t size = size_of(layout.component);
   for (std::size_t i = 0; i < layout.count; ++i) {
     for (std::size_t k = 0; k < components; ++k) {
-      const float value = number(layout.first + i * layout.stride + k * size, layout.component,
-                                 layout.normalized);
+      const float value =
+          number(layout.first + i * layout.stride + k * size, layout.component, layout.normalized);
       if (!std::isfinite(value)) {
         error = fmt::format(" has a number that is not finite, in element {}", i);
         return false;

@@ -128,9 +128,9 @@ class Opener {
       const std::string name = required.string().value_or("");
       if (!name.starts_with("KHR_materials_") &&
           std::find(std::begin(known), std::end(known), name) == std::end(known)) {
-        fine = fail(import_unsupported, {},
-                    fmt::format("the file requires the extension {}; export it without",
-                                quoted(name)));
+        fine = fail(
+            import_unsupported, {},
+            fmt::format("the file requires the extension {}; export it without", quoted(name)));
       }
     }
     return fine;
@@ -197,8 +197,8 @@ class Opener {
           length <= file_.buffers[buffer].size() - offset && stride <= 252) {
         view = {file_.buffers[buffer].substr(offset, length), stride};
       } else {
-        fine = fail(import_value, {},
-                    fmt::format("bufferViews[{}] leads outside of its buffer", i));
+        fine =
+            fail(import_value, {}, fmt::format("bufferViews[{}] leads outside of its buffer", i));
       }
       file_.views.push_back(view);
     }

@@ -15,14 +15,14 @@ namespace scenefile {
 inline constexpr std::uint32_t no_item = 0xffffffffu;
 
 struct GltfView {
-  std::string_view bytes;   ///< empty where the view is wrong
-  std::uint64_t stride = 0; ///< 0: packed
+  std::string_view bytes;    ///< empty where the view is wrong
+  std::uint64_t stride = 0;  ///< 0: packed
 };
 
 struct GltfFile {
   JsonTape tape;
   JsonValue root;
-  std::vector<std::string> fetched;      ///< what `buffers` lie in, but for the file itself
+  std::vector<std::string> fetched;  ///< what `buffers` lie in, but for the file itself
   std::vector<std::string_view> buffers;
   std::vector<GltfView> views;
   std::vector<JsonValue> accessors;

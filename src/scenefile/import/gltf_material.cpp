@@ -29,8 +29,8 @@ PbrMaterial read_pbr(const JsonValue& json) {
   const JsonValue core = json["pbrMetallicRoughness"];
   const JsonValue more = json["extensions"];
   if (const auto base = core["baseColorFactor"].numbers(4)) {
-    pbr.base = glm::clamp(glm::vec3((*base)[0], (*base)[1], (*base)[2]), glm::vec3(0),
-                          glm::vec3(1));
+    pbr.base =
+        glm::clamp(glm::vec3((*base)[0], (*base)[1], (*base)[2]), glm::vec3(0), glm::vec3(1));
   }
   pbr.metallic = unit(core["metallicFactor"], 1);
   pbr.roughness = unit(core["roughnessFactor"], 1);
@@ -60,8 +60,13 @@ std::optional<PhongColors> read_extras(const JsonValue& extras) {
       !(*ior > 0) || *shininess < 0) {
     return std::nullopt;
   }
-  return PhongColors{*ambient,     *diffuse, *specular, *reflective,
-                     *transparent, static_cast<float>(*shininess), static_cast<float>(*ior)};
+  return PhongColors{*ambient,
+                     *diffuse,
+                     *specular,
+                     *reflective,
+                     *transparent,
+                     static_cast<float>(*shininess),
+                     static_cast<float>(*ior)};
 }
 
 bool near(float a, float b) {
@@ -179,7 +184,7 @@ void GltfMaterials::add_texture(const JsonValue& info, const glm::vec3& factor,
   if (name.empty()) {
     return;
   }
-  result.material.texture = TextureUse{.file = name};
+  result.material.texture = TextureUse{name, 1, 1, {}};
   result.material.blend = 1;
   result.material.diffuse = glm::vec3(1);
   const JsonValue transform = info["extensions"]["KHR_texture_transform"];
@@ -229,8 +234,8 @@ std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor)
     texture.rgb[i] = value_of[i % 3][texture.rgb[i]];
   }
   const std::string name = fmt::format("{}-{}.png", options_.stem, files_.size() + 1);
-  files_.push_back({name, encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest,
-                                       error)});
+  files_.push_back(
+      {name, encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest, error)});
   entry->second = name;
   return name;
 }

@@ -24,7 +24,7 @@ struct ImportedScene {
 
 struct ImportOptions {
   std::string stem = "model";  ///< what the names of files begin with
-  FetchFile fetch;             ///< files that the model names; empty: all are missing
+  FetchFile fetch = {};        ///< files that the model names; empty: all are missing
   Limits limits;
 };
 

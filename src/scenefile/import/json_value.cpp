@@ -69,8 +69,7 @@ std::optional<std::vector<double>> JsonValue::numbers(std::size_t count) const {
 
 std::optional<glm::vec3> JsonValue::color() const {
   const auto values = numbers(3);
-  return values ? std::optional(glm::vec3((*values)[0], (*values)[1], (*values)[2]))
-                : std::nullopt;
+  return values ? std::optional(glm::vec3((*values)[0], (*values)[1], (*values)[2])) : std::nullopt;
 }
 
 }  // namespace scenefile

@@ -52,8 +52,7 @@ class GltfReader {
   ImportedScene read(std::string_view bytes) {
     if (open_gltf(bytes, options_, file_, diagnostics_) && find_tree()) {
       report_left_out();
-      result_.scene.global = {.ambient = 1, .diffuse = 1, .specular = 1, .transparent = 1.0f};
-      result_.scene.global.location = {};
+      result_.scene.global = {1, 1, 1, 1.0f, {}};
       add_nodes();
       complete_scene(result_.scene, box_, diagnostics_);
     }
@@ -203,8 +202,7 @@ class GltfReader {
     }
     if (const JsonValue value = json["rotation"]) {
       const auto q = value.numbers(4);
-      q ? add_rotation(glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]), list)
-        : wrong("rotation", 4);
+      q ? add_rotation(glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]), list) : wrong("rotation", 4);
     }
     if (const JsonValue value = json["scale"]) {
       const auto v = value.color();
@@ -262,10 +260,8 @@ class GltfReader {
                       attribute("NORMAL"),
                       uvs,
                       index(json["indices"], accessors, where + ".indices"),
-                      static_cast<std::uint32_t>(
-                          std::min<std::uint64_t>(json["mode"] ? json["mode"].whole().value_or(99)
-                                                               : 4,
-                                                  99)),
+                      static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                          json["mode"] ? json["mode"].whole().value_or(99) : 4, 99)),
                       {map[0].x, map[0].y, map[1].x, map[1].y, map[2].x, map[2].y}};
     const auto [entry, is_new] = mesh_files_.try_emplace(key);
     if (is_new) {

@@ -2,6 +2,7 @@
 // Files of the operating system: bounded reading, whole-or-nothing writing.
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace scenefile {
@@ -28,6 +29,17 @@ IoError check_writable(const std::string& path);
 /// symbolic link the file itself is replaced. "-" and /dev/stdout write to standard output; a
 /// device or pipe is written directly.
 IoError write_file(const std::string& path, const std::string& bytes);
+
+/// A file to be written.
+struct OutputFile {
+  std::string path;
+  const std::string* bytes = nullptr;
+};
+
+/// Writes files that belong together, each as write_file() does, but none gets its name before all
+/// are written. Names are given in order: put the file that leads to the others last. When a name
+/// cannot be given, the files before it that are new are removed again.
+IoError write_files(std::span<const OutputFile> files);
 
 /// Whether write_file() would write to standard output.
 bool is_standard_output(const std::string& path);

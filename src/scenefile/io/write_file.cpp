@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
@@ -171,6 +172,22 @@ IoError replace(const std::string& path, const Target& target, const std::string
   return {};
 }
 
+// A file that is written but has not its name yet. Removed unless it gets one.
+struct Pending {
+  Target target;
+  std::string temporary;
+  bool renamed = false;
+
+  Pending() = default;
+  Pending(const Pending&) = delete;
+  Pending& operator=(const Pending&) = delete;
+  ~Pending() {
+    if (!temporary.empty() && !renamed) {
+      ::unlink(temporary.c_str());
+    }
+  }
+};
+
 }  // namespace
 
 IoError check_writable(const std::string& path) {
@@ -206,6 +223,46 @@ IoError write_file(const std::string& path, const std::string& bytes) {
     return error;
   }
   return replace(path, target, bytes);
+}
+
+IoError write_files(std::span<const OutputFile> files) {
+  if (files.size() == 1) {
+    return write_file(files[0].path, *files[0].bytes);
+  }
+  const DeferredSignals deferred;
+  std::deque<Pending> pending;
+  for (const OutputFile& file : files) {
+    Pending& next = pending.emplace_back();
+    if (IoError error = find_target(file.path, next.target); !error.empty()) {
+      return error;
+    }
+    if (next.target.exists && !S_ISREG(next.target.status.st_mode)) {
+      return io_error(file.path, "cannot write: it is not a regular file");
+    }
+    if (IoError error = check_folder(file.path, next.target); !error.empty()) {
+      return error;
+    }
+    next.temporary = temporary_name(next.target.folder);
+    if (const int error = write_temporary(next.temporary, next.target, *file.bytes); error != 0) {
+      return write_error(file.path, error);
+    }
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::rename(pending[i].temporary.c_str(), pending[i].target.path.c_str()) != 0) {
+      const int error = errno;
+      for (std::size_t k = 0; k < i; ++k) {
+        if (!pending[k].target.exists) {
+          ::unlink(pending[k].target.path.c_str());
+        }
+      }
+      return write_error(files[i].path, error);
+    }
+    pending[i].renamed = true;
+  }
+  for (const Pending& file : pending) {
+    sync_folder(file.target.folder);
+  }
+  return {};
 }
 
 bool is_standard_output(const std::string& path) {

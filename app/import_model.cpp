@@ -1,0 +1,79 @@
+#include "app/import_model.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/import/read_gltf.h"
+#include "scenefile/io/file.h"
+#include "scenefile/scene/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+namespace scenefile::app {
+
+namespace {
+
+std::string extension_of(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string());
+}
+
+// What the names of the files begin with: no blanks, which OBJ files cannot have in names.
+std::string stem_of(const std::string& output) {
+  std::string stem = std::filesystem::path(output).stem().string().substr(0, 100);
+  std::replace_if(
+      stem.begin(), stem.end(),
+      [](unsigned char c) { return c < 0x80 && std::isalnum(c) == 0 && c != '-' && c != '_'; },
+      '_');
+  return stem.empty() ? "model" : stem;
+}
+
+}  // namespace
+
+bool is_model(const std::string& path) {
+  static constexpr std::array<std::string_view, 2> extensions{".glb", ".gltf"};
+  return std::find(extensions.begin(), extensions.end(), extension_of(path)) != extensions.end();
+}
+
+LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
+                         std::vector<ImportedFile>& files, Context& context) {
+  LoadedScene scene;
+  scene.diagnostics = Diagnostics(options.limits);
+  scene.path = path;
+  context.phase = "reading the file";
+  std::string bytes;
+  scene.unreadable = read_file(path, options.limits.file_bytes, bytes);
+  if (!scene.unreadable.empty()) {
+    return scene;
+  }
+  context.phase = "reading the model";
+  AssetRoots roots(asset_roots_options(path, options));
+  ImportOptions import{.stem = stem_of(output), .limits = options.limits};
+  import.fetch = [&](const std::string& name) { FileContents contents;
+  IoError error = roots.read(name, contents.bytes);
+  contents.error = std::move(error.text);
+  contents.over_limit = error.over_limit;
+  return contents;
+};
+ImportedScene imported = read_gltf(bytes, import, scene.diagnostics);
+scene.written = std::move(imported.scene);
+files = std::move(imported.files);
+if (!scene.diagnostics.has_errors()) {
+  context.phase = "checking the scene";
+  check(scene.written, options.limits, scene.diagnostics);
+}
+return scene;
+}  // namespace scenefile::app
+
+IoError write_model(const std::string& output, const std::string& text,
+                    const std::vector<ImportedFile>& files) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  std::vector<OutputFile> list;
+  for (const ImportedFile& file : files) {
+    list.push_back({(folder / file.name).string(), &file.bytes});
+  }
+  list.push_back({output, &text});
+  return write_files(list);
+}
+
+}  // namespace scenefile::app

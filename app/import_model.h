@@ -1,0 +1,24 @@
+#pragma once
+// Models of other programs as scenes.
+
+#include "app/load.h"
+#include "scenefile/import/imported_scene.h"
+
+#include <string>
+#include <vector>
+
+namespace scenefile::app {
+
+/// Whether the name says that the file is a model: .glb or .gltf.
+bool is_model(const std::string& path);
+
+/// Reads and checks the model. `files` are those that the scene needs beside it, with names that
+/// begin like that of `output`.
+LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
+                         std::vector<ImportedFile>& files, Context& context);
+
+/// Writes the scene and the files beside it: all, or none.
+IoError write_model(const std::string& output, const std::string& text,
+                    const std::vector<ImportedFile>& files);
+
+}  // namespace scenefile::app

@@ -1,0 +1,65 @@
+// Bytes through read_gltf(), with ample and with narrow limits.
+
+#include "finding_laws.h"
+#include "law.h"
+#include "scenefile/asset/read_obj.h"
+#include "scenefile/import/read_gltf.h"
+#include "scenefile/scene/check.h"
+#include "target.h"
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace scenefile;
+using fuzz::require;
+
+// What a scene names lies beside it, and can be read.
+void require_files(const ImportedScene& imported) {
+  std::set<std::string> names;
+  for (const ImportedFile& file : imported.files) {
+    require(names.insert(file.name).second, "files have names of their own");
+    require(file.name.starts_with("model-") && file.name.find('/') == std::string::npos,
+            "names are ours");
+    if (file.name.ends_with(".obj")) {
+      const Limits limits;
+      Diagnostics diagnostics(limits);
+      std::uint64_t triangles = limits.mesh_triangles;
+      std::uint64_t bytes = limits.mesh_bytes;
+      read_obj(file.bytes, file.name, limits, triangles, bytes, diagnostics);
+      require(!diagnostics.has_errors(), "meshes can be read");
+    }
+  }
+  for (const Node& node : imported.scene.nodes) {
+    for (const Primitive& primitive : node.primitives) {
+      require(names.contains(primitive.mesh_file), "the mesh is there");
+      require(!primitive.material.texture || names.contains(primitive.material.texture->file),
+              "the texture is there");
+    }
+  }
+}
+
+void judge(std::string_view bytes, const Limits& limits) {
+  Diagnostics diagnostics(limits);
+  ImportOptions options;
+  options.limits = limits;
+  const ImportedScene imported = read_gltf(bytes, options, diagnostics);
+  if (!diagnostics.has_errors()) {
+    require_files(imported);
+    check(imported.scene, limits, diagnostics);
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  judge(bytes, {});
+  Limits narrow = fuzz::narrow_limits();
+  narrow.mesh_triangles = 6;
+  narrow.mesh_bytes = 2000;
+  judge(bytes, narrow);
+  return 0;
+}

@@ -9,6 +9,7 @@
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/write_gltf.h"
+#include "scenefile/export/write_obj.h"
 #include "scenefile/export/write_pov.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace scenefile::app {
@@ -24,8 +26,8 @@ namespace scenefile::app {
 namespace {
 
 std::string_view format_name(ConvertTo format) {
-  static constexpr std::array<std::string_view, 5> names{"XML", "JSON", "POV-Ray", "GLB",
-                                                         "glTF"};
+  static constexpr std::array<std::string_view, 6> names{"XML", "JSON", "POV-Ray",
+                                                         "GLB", "glTF", "OBJ"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -59,8 +61,13 @@ ExitCode check_model_target(const ConvertReport& report) {
     say_error("a model becomes a scene, .xml or .json; convert that into another format");
     return ExitCode::usage;
   }
+  return ExitCode::fine;
+}
+
+// Several files need a folder.
+ExitCode check_several(const ConvertReport& report) {
   if (is_standard_output(report.output)) {
-    say_error("a model becomes a scene with files beside it; give the scene a name");
+    say_error("the output is several files; give it a name");
     return ExitCode::usage;
   }
   return ExitCode::fine;
@@ -108,7 +115,23 @@ std::string write_gltf_file(LoadedScene& scene, const Options& options, Context&
       scene.diagnostics);
 }
 
-std::string convert(LoadedScene& scene, const Options& options, Context& context) {
+std::string write_obj_file(LoadedScene& scene, const Options& options,
+                           std::vector<ImportedFile>& files, Context& context) {
+  context.phase = "writing the scene";
+  const std::string stem = file_stem(options.arguments[1]);
+  ObjScene obj = write_obj(scene.ready.scene, scene.assets,
+                           {.stem = stem, .segments = options.segments, .transparent = 0.5f},
+                           scene.diagnostics);
+  files.push_back({stem + ".mtl", std::move(obj.mtl)});
+  for (std::size_t i = 0; i < obj.pictures.size(); ++i) {
+    files.push_back({fmt::format("{}-{}.png", stem, i + 1), std::move(obj.pictures[i])});
+  }
+  return std::move(obj.obj);
+}
+
+// `files`: what lies beside the output.
+std::string convert(LoadedScene& scene, const Options& options, std::vector<ImportedFile>& files,
+                    Context& context) {
   drop_notes(scene.diagnostics);
   switch (*options.to) {
     case ConvertTo::xml:
@@ -118,9 +141,11 @@ std::string convert(LoadedScene& scene, const Options& options, Context& context
       return write_pov_file(scene, options, context);
     case ConvertTo::glb:
     case ConvertTo::gltf:
+      return write_gltf_file(scene, options, context);
+    case ConvertTo::obj:
       break;
   }
-  return write_gltf_file(scene, options, context);
+  return write_obj_file(scene, options, files, context);
 }
 
 // What the format needs of the scene's files.
@@ -133,6 +158,7 @@ LoadDepth depth_for(ConvertTo format) {
       return LoadDepth::with_meshes;
     case ConvertTo::glb:
     case ConvertTo::gltf:
+    case ConvertTo::obj:
       break;
   }
   return LoadDepth::with_all_assets;
@@ -168,6 +194,11 @@ ExitCode run_convert(const Options& options, Context& context) {
       return status;
     }
   }
+  if (model || report.format == ConvertTo::obj) {
+    if (const ExitCode status = check_several(report); status != ExitCode::fine) {
+      return status;
+    }
+  }
   LoadedScene scene =
       model ? import_model(options.arguments[0], report.output, options, files, context)
             : load_scene(options.arguments[0], options, depth_for(report.format),
@@ -176,16 +207,15 @@ ExitCode run_convert(const Options& options, Context& context) {
   if (status_of(scene) == ExitCode::fine) {
     text = model ? write_scene(scene.written, scene_format(report.format), options.limits,
                                scene.diagnostics)
-                 : convert(scene, options, context);
+                 : convert(scene, options, files, context);
   }
   if (!options.json) {
     say(findings_of(scene, options.quiet));
   }
   context.phase = "writing the file";
   ExitCode status = status_of(scene);
-  report.error =
-      status == ExitCode::fine ? write_model(report.output, text, files).text
-                               : "the scene cannot be used";
+  report.error = status == ExitCode::fine ? write_model(report.output, text, files).text
+                                          : "the scene cannot be used";
   report.bytes = text.size();
   if (status == ExitCode::fine && !report.error.empty()) {
     status = ExitCode::environment;

@@ -18,8 +18,10 @@ std::string extension_of(const std::string& path) {
   return lower_case(std::filesystem::path(path).extension().string());
 }
 
+}  // namespace
+
 // What the names of the files begin with: no blanks, which OBJ files cannot have in names.
-std::string stem_of(const std::string& output) {
+std::string file_stem(const std::string& output) {
   std::string stem = std::filesystem::path(output).stem().string().substr(0, 100);
   std::replace_if(
       stem.begin(), stem.end(),
@@ -27,8 +29,6 @@ std::string stem_of(const std::string& output) {
       '_');
   return stem.empty() ? "model" : stem;
 }
-
-}  // namespace
 
 bool is_model(const std::string& path) {
   static constexpr std::array<std::string_view, 2> extensions{".glb", ".gltf"};
@@ -48,7 +48,7 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
   }
   context.phase = "reading the model";
   AssetRoots roots(asset_roots_options(path, options));
-  ImportOptions import{.stem = stem_of(output), .limits = options.limits};
+  ImportOptions import{.stem = file_stem(output), .limits = options.limits};
   import.fetch = [&](const std::string& name) { FileContents contents;
   IoError error = roots.read(name, contents.bytes);
   contents.error = std::move(error.text);

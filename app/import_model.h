@@ -12,6 +12,9 @@ namespace scenefile::app {
 /// Whether the name says that the file is a model: .glb or .gltf.
 bool is_model(const std::string& path);
 
+/// What the names of files beside `output` begin with.
+std::string file_stem(const std::string& output);
+
 /// Reads and checks the model. `files` are those that the scene needs beside it, with names that
 /// begin like that of `output`.
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,

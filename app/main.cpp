@@ -52,7 +52,7 @@ constexpr std::array table{
             run_info},
     Command{"convert", for_convert, "IN OUT", "write a scene in the other format, or cleanly",
             "Reads a scene in any dialect and writes it as clean XML or JSON that means the same, "
-            "or for other programs: glTF 2.0 and POV-Ray. Reads glTF models, too, and writes their "
+            "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF models, too, and writes their "
             "meshes and textures beside the scene. "
             "What the format cannot say as it stands is listed. Comments are not carried over. "
             "Texture and mesh names are written anew when OUT lies in another folder.",

@@ -10,6 +10,7 @@ namespace scenefile::app {
 inline constexpr std::array<std::string_view, 9> face_names{"side", "top", "bottom", "+x", "-x",
                                                             "+y",   "-y",  "+z",     "-z"};
 /// What scenes are written as, also the extensions of such files.
-inline constexpr std::array<std::string_view, 5> format_words{"xml", "json", "pov", "glb", "gltf"};
+inline constexpr std::array<std::string_view, 6> format_words{"xml", "json", "pov",
+                                                              "glb", "gltf", "obj"};
 
 }  // namespace scenefile::app

@@ -425,11 +425,11 @@ constexpr std::array table{
               set_threshold<&Thresholds::max_flip, 1>},
     OptionRow{
         "--to", "", "FORMAT",
-        "xml, json, glb, gltf (glTF 2.0) or pov (POV-Ray 3.7), where the name of "
+        "xml, json, glb, gltf (glTF 2.0), obj (Wavefront) or pov (POV-Ray 3.7), where the name of "
         "the output does not say it, or says something else.",
         for_convert, set_to},
     OptionRow{"--segments", "", "N",
-              "Segments of a full turn of round shapes, for output in glTF (default 64).",
+              "Segments of a full turn of round shapes, for output in glTF and OBJ (default 64).",
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
     OptionRow{"--checkpoint", "", "FILE",

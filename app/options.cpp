@@ -137,8 +137,8 @@ std::string choose_format(Options& options) {
                      [&](std::string_view word) { return extension == fmt::format(".{}", word); });
     if (found == format_words.end()) {
       return fmt::format(
-          "the name {} does not say the format; end it in .xml, .json, .glb, .gltf or .pov, or give "
-          "--to",
+          "the name {} does not say the format; end it in .xml, .json, .glb, .gltf, .obj or .pov, or "
+          "give --to",
           quoted(output, 400));
     }
     options.to = static_cast<ConvertTo>(found - format_words.begin());

@@ -26,7 +26,7 @@ struct PixelPlace {
 };
 
 /// What a scene can be written as.
-enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf };
+enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
 /// An option as it stood on the command line.
 struct GivenOption {

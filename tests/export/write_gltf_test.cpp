@@ -35,7 +35,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at) {
 void write(const std::string& xml, Written& w, Assets assets = {}) {
   const Scene scene = read_scene(xml, {}, w.diagnostics);
   ASSERT_FALSE(w.diagnostics.has_errors());
-  w.diagnostics = {};
+  w.diagnostics = Diagnostics();
   const Prepared ready = prepare(scene, {});
   assets.textures.resize(ready.scene.texture_files.size());
   assets.meshes.resize(ready.scene.mesh_files.size());

@@ -170,7 +170,8 @@ class ObjWriter {
     const float through = std::min(1.0f, largest(phong.transparent));
     files_.mtl += fmt::format("newmtl m{}\n", materials_);
     color("Ka", phong.ambient);
-    color("Kd", phong.diffuse);
+    // A picture is multiplied by this.
+    color("Kd", textures_.shows(material) ? glm::vec3(1) : phong.diffuse);
     color("Ks", highlight ? phong.specular : phong.reflective);
     files_.mtl += fmt::format("Ns {}\n", number_text(highlight ? phong.shininess : 0));
     if (through > 0) {

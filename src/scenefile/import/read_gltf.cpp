@@ -163,7 +163,8 @@ class GltfReader {
       NodeId id = next.parent;
       if (links_[next.index].used) {
         id = add_child(result_.scene, next.parent);
-        result_.scene.nodes[id].name = json["name"].string().value_or("").substr(0, 200);
+        const std::string name = json["name"].string().value_or("");
+        result_.scene.nodes[id].name = name == "root" ? "" : name.substr(0, 200);
         result_.scene.nodes[id].transforms = transforms;
         add_mesh(json, next.index, id, world);
       }
@@ -446,7 +447,6 @@ class GltfReader {
     }
     const JsonValue& json = file_.lights[at];
     Light light;
-    light.name = node["name"].string().value_or("").substr(0, 200);
     light.position = glm::vec3(world.offset);
     light.direction = direction(-world.linear[2], {0, 0, -1});
     const double intensity = std::clamp(json["intensity"].number().value_or(1), 0.0, 1e30);

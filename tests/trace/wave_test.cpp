@@ -5,6 +5,8 @@
 
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/integrator.h"
+#include "scenefile/trace/single_pixels.h"
+#include "scenefile/trace/wave_pixels.h"
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
@@ -138,7 +140,7 @@ void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
   SCOPED_TRACE(options.profile == Profile::fine ? "fine" : "course");
   const Tracer tracer(b.scene, b.assets, options);
   ASSERT_EQ(tracer.status(), RenderStatus::complete);
-  ASSERT_TRUE(takes_waves(tracer, tracer.camera()));
+  ASSERT_TRUE(takes_waves(tracer));
   RayCounts expected_counts;
   const std::vector<WaveSight> expected = alone(tracer, expected_counts);
   for (const WaveKernel* kernel : wave_kernels()) {
@@ -200,6 +202,110 @@ TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
     RenderOptions options = small(profile);
     options.max_depth = 8;
     expect_equal(b, options);
+  }
+  // As many as one sample may have.
+  for (RenderMaterial& m : b.scene.materials) {
+    m.reflective = m.transparent = glm::vec3(1);
+  }
+  b.scene.global.specular = 1;
+  RenderOptions options = small(Profile::fine);
+  options.width = options.height = 9;
+  options.max_depth = 64;
+  expect_equal(b, options);
+}
+
+TEST(WaveOptions, FresnelsEquations) {
+  SceneBuilder b = some_scene(4, 30);
+  b.scene.global.transparent = 0.9f;
+  for (const bool reflect : {true, false}) {
+    RenderOptions options = small(Profile::fine);
+    options.fresnel = true;
+    options.features.reflect = reflect;
+    expect_equal(b, options);
+    options.features.refract = false;
+    expect_equal(b, options);
+  }
+}
+
+TEST(WaveOptions, Normals) {
+  const SceneBuilder b = some_scene(6, 30);
+  for (const Profile profile : profiles) {
+    RenderOptions options = small(profile);
+    options.mode = Mode::normals;
+    expect_equal(b, options);
+  }
+}
+
+void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
+  EXPECT_EQ(a.point, b.point);
+  EXPECT_EQ(a.color, b.color);
+  EXPECT_EQ(a.hit, b.hit);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.albedo, b.albedo);
+  EXPECT_EQ(a.lit, b.lit);
+  EXPECT_EQ(a.diffused, b.diffused);
+  EXPECT_EQ(a.unshadowed, b.unshadowed);
+  EXPECT_EQ(a.bounces, b.bounces);
+}
+
+/// Pixels by waves, and one sample after the other.
+template <typename Draw>
+void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, const Draw& draw) {
+  const Tracer tracer(b.scene, b.assets, options);
+  const CameraRays camera = tracer.camera();
+  const WaveScene scene(tracer, camera);
+  WavePool pool;
+  const SurfaceWish wish{true, {2, 0}};
+  std::vector<glm::ivec2> places;
+  for (int i = 0; i < 300; ++i) {
+    places.emplace_back(i % options.width, i / options.width);
+  }
+  RayCounts counts;
+  RayCounts expected_counts;
+  WaveSampler waves(scene, pool, wish, counts);
+  SingleSampler single(tracer, camera, wish, expected_counts);
+  const std::vector<DrawnPixel> pixels = draw(waves, tracer, camera, places);
+  const std::vector<DrawnPixel> expected = draw(single, tracer, camera, places);
+  ASSERT_EQ(pixels.size(), expected.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    EXPECT_EQ(pixels[i].at, expected[i].at);
+    EXPECT_EQ(pixels[i].color, expected[i].color);
+    EXPECT_EQ(pixels[i].samples.sum, expected[i].samples.sum);
+    ASSERT_EQ(pixels[i].surfaces.samples.size(), expected[i].surfaces.samples.size());
+    for (std::size_t k = 0; k < pixels[i].surfaces.samples.size(); ++k) {
+      expect_same_surface(pixels[i].surfaces.samples[k], expected[i].surfaces.samples[k]);
+    }
+    EXPECT_EQ(pixels[i].surfaces.light_colors, expected[i].surfaces.light_colors);
+  }
+  EXPECT_EQ(counts.primary, expected_counts.primary);
+}
+
+TEST(WavePixels, TheCoursesPatternsAndWhatTheirRaysMeet) {
+  SceneBuilder b = some_scene(8, 40);
+  const auto draw = [](auto& sampler, const Tracer&, const CameraRays&, const auto& places) {
+    return sampler.course(places);
+  };
+  RenderOptions options = small(Profile::course);
+  expect_same_pixels(b, options, draw);
+  options.features.super_sample = true;
+  expect_same_pixels(b, options, draw);
+  b.scene.camera.aperture = 0.2f;
+  b.scene.camera.focal_length = 5;
+  expect_same_pixels(b, options, draw);
+}
+
+TEST(WavePixels, FineSamplesAndWhatTheirRaysMeet) {
+  const SceneBuilder b = some_scene(8, 40);
+  for (const bool fresnel : {false, true}) {
+    RenderOptions options = small(Profile::fine);
+    options.fresnel = fresnel;
+    options.samples = 8;
+    expect_same_pixels(
+        b, options,
+        [](auto& sampler, const Tracer& tracer, const CameraRays& camera, const auto& places) {
+          return sampler.refine(FineSampler(tracer, camera), places);
+        });
   }
 }
 

@@ -25,21 +25,33 @@ inline bool differ(const Color& a, const Color& b) {
   return d.x > max_difference || d.y > max_difference || d.z > max_difference;
 }
 
+/// The corner of a quadrant of a cell: 0 top left, 1 top right, 2 bottom left, 3 bottom right.
+inline glm::dvec2 quadrant(const glm::dvec2& corner, double size, int index) {
+  return corner + size / 2 * glm::dvec2(index % 2, index / 2);
+}
+inline glm::dvec2 middle_of_quadrant(const glm::dvec2& corner, double size, int index) {
+  return quadrant(corner, size, index) + size / 4;
+}
+
+/// Whether a quadrant of a cell differs from a horizontal or vertical neighbor.
+inline bool uneven(const std::array<Color, 4>& colors, int index) {
+  const auto i = static_cast<std::size_t>(index);
+  return differ(colors[i], colors[i ^ 1]) || differ(colors[i], colors[i ^ 2]);
+}
+
 /// Average over a square cell: four samples in its quadrants, of which those that differ from a
 /// horizontal or vertical neighbor are cells themselves.
 template <ColorAt F>
 Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) {
-  const double half = size / 2;
-  std::array<glm::dvec2, 4> corners;  // top left, top right, bottom left, bottom right
   std::array<Color, 4> colors;
   for (int i = 0; i < 4; ++i) {
-    corners[i] = corner + half * glm::dvec2(i % 2, i / 2);
-    colors[i] = color_at(corners[i] + half / 2);
+    colors[static_cast<std::size_t>(i)] = color_at(middle_of_quadrant(corner, size, i));
   }
   Color sum(0);
   for (int i = 0; i < 4; ++i) {
-    const bool uneven = differ(colors[i], colors[i ^ 1]) || differ(colors[i], colors[i ^ 2]);
-    sum += uneven && level < max_level ? cell(color_at, corners[i], half, level + 1) : colors[i];
+    sum += uneven(colors, i) && level < max_level
+               ? cell(color_at, quadrant(corner, size, i), size / 2, level + 1)
+               : colors[static_cast<std::size_t>(i)];
   }
   return sum / 4.0;
 }

@@ -2,6 +2,7 @@
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/surface_point.h"
 
 #include <algorithm>
 #include <limits>
@@ -50,19 +51,18 @@ struct Means {
   double shadow() const { return unshadowed > 0 ? std::max(0.0, 1 - lit / unshadowed) : 0; }
 };
 
-Means means_of(const SurfaceRecorder& pixel, const std::vector<double>& weights,
-               std::size_t lights) {
+Means means_of(const PixelSurfaces& pixel, const std::vector<double>& weights, std::size_t lights) {
   Means means;
   means.lights.resize(lights, Color(0));
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const SurfaceSample& s = pixel.samples()[i];
+    const SurfaceSample& s = pixel.samples[i];
     means.normal += weights[i] * s.normal;
     means.albedo += weights[i] * s.albedo;
     means.lit += weights[i] * sum(s.lit);
     means.unshadowed += weights[i] * sum(s.unshadowed);
     means.bounces += weights[i] * s.bounces;
     for (std::size_t k = 0; k < lights; ++k) {
-      means.lights[k] += weights[i] * pixel.light_of(i, k);
+      means.lights[k] += weights[i] * pixel.light_of(i, k, lights);
     }
   }
   return means;
@@ -116,7 +116,7 @@ LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera, Pictu
   }
 }
 
-void LayerBuffers::put(int x, int y, const SurfaceRecorder& pixel) {
+void LayerBuffers::put(int x, int y, const PixelSurfaces& pixel) {
   const std::vector<Layer>& kinds = tracer_.options.layers;
   if (std::any_of(kinds.begin(), kinds.end(),
                   [](const Layer& l) { return is_of_middle(l.kind); })) {
@@ -149,8 +149,8 @@ void LayerBuffers::put_middle(int x, int y) {
   }
 }
 
-void LayerBuffers::put_means(std::size_t pixel, const SurfaceRecorder& recorder) {
-  const Means means = means_of(recorder, weights_of(recorder.samples()), lights_.size());
+void LayerBuffers::put_means(std::size_t pixel, const PixelSurfaces& surfaces) {
+  const Means means = means_of(surfaces, weights_of(surfaces.samples), lights_.size());
   std::size_t light = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerKind kind = tracer_.options.layers[i].kind;

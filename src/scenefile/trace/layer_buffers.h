@@ -3,7 +3,8 @@
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/picture_state.h"
-#include "scenefile/trace/surface_recorder.h"
+#include "scenefile/trace/surface_sample.h"
+#include "scenefile/trace/tracer.h"
 
 namespace scenefile {
 
@@ -16,18 +17,19 @@ class LayerBuffers {
   LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture);
 
   bool empty() const { return layers_.empty(); }
-  /// The lights that have layers, for SurfaceRecorder.
+  /// The lights that have layers:
+  /// whose light is to be kept apart.
   const std::vector<std::uint32_t>& lights() const { return lights_; }
 
   /// Fills the pixel (x, y) of the picture. Different pixels may be filled by different threads.
-  void put(int x, int y, const SurfaceRecorder& pixel);
+  void put(int x, int y, const PixelSurfaces& pixel);
 
  private:
   std::size_t index(int x, int y) const {
     return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
   }
   void put_middle(int x, int y);
-  void put_means(std::size_t pixel, const SurfaceRecorder& recorder);
+  void put_means(std::size_t pixel, const PixelSurfaces& surfaces);
   std::vector<double> weights_of(const std::vector<SurfaceSample>& samples) const;
 
   const Tracer& tracer_;

@@ -1,15 +1,15 @@
 #include "scenefile/trace/render_pass.h"
 
-#include "scenefile/trace/course_samples.h"
-#include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/layer_buffers.h"
+#include "scenefile/trace/single_pixels.h"
 #include "scenefile/trace/tiles.h"
 #include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
 #include <atomic>
 #include <span>
-#include <utility>
+#include <type_traits>
+#include <vector>
 
 namespace scenefile {
 
@@ -54,7 +54,8 @@ class Renderer {
         region_(picture.region),
         watch_(progress),
         picture_(picture),
-        layers_(tracer, camera_, picture) {}
+        layers_(tracer, camera_, picture),
+        wish_{!layers_.empty() || !picture.statistics.empty(), layers_.lights()} {}
 
   void run() {
     if (tracer_.course()) {
@@ -78,87 +79,63 @@ class Renderer {
   }
 
  private:
-  // Calls pixel(x, y, counts) for all pixels.
-  template <typename F>
-  void for_each_pixel(PassShare share, const F& pixel) {
-    for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
-      RayCounts counts;
-      SurfaceRecorder recorder(tracer_.scene, layers_.lights());
-      counts.recorder = records() ? &recorder : nullptr;
-      for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1 && !given_up(); ++x) {
-          recorder.clear();
-          pixel(x + region_.x0, y + region_.y0, counts);
-          keep(x + region_.x0, y + region_.y0, recorder);
-        }
-      }
-      counts_.add(counts);
-      return !given_up();
-    });
-  }
-
-  bool records() const { return !layers_.empty() || !picture_.statistics.empty(); }
-
-  // What was recorded of a pixel; nothing where the pass left it as it was.
-  void keep(int x, int y, const SurfaceRecorder& recorder) {
-    if (recorder.samples().empty()) {
-      return;
-    }
-    if (!layers_.empty()) {
-      layers_.put(x, y, recorder);
-    }
-    if (!picture_.statistics.empty()) {
-      picture_.statistics[index(x, y)] = statistics_of(recorder.samples(), picture_.sharp);
-    }
-  }
-
   bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
 
-  void put(int x, int y, const Color& color) {
-    float* const pixel = &picture_.image.rgb[3 * index(x, y)];
-    for (int c = 0; c < 3; ++c) {
-      pixel[c] = static_cast<float>(color[c]);
-    }
-  }
-
-  Color get(int x, int y) const {
-    const float* const pixel = &picture_.image.rgb[3 * index(x, y)];
-    return {pixel[0], pixel[1], pixel[2]};
-  }
-
-  bool in_waves() const { return !records() && takes_waves(tracer_, camera_); }
-
-  void run_course() {
-    if (!tracer_.options.features.super_sample && in_waves()) {
-      for_each_wave({0, 1}, [&](WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
-        const std::span<const WaveSight> sights = waves.middles(pixels);
-        for (std::size_t i = 0; i < pixels.size(); ++i) {
-          put(pixels[i].x, pixels[i].y, sights[i].color);
-        }
-      });
-      return;
-    }
-    for_each_pixel({0, 1}, [&](int x, int y, RayCounts& counts) {
-      put(x, y, course_pixel(tracer_, camera_, x, y, counts));
-    });
-  }
-
-  // Calls draw(waves, pixels) for the pixels of each piece.
+  // Calls draw(pixels, counts) for the pixels of each piece.
   template <typename F>
-  void for_each_wave(PassShare share, const F& draw) {
-    const WaveScene scene(tracer_, camera_);
-    WavePool pool;
+  void for_each_tile(PassShare share, const F& draw) {
     for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
       RayCounts counts;
-      WaveSampler waves(scene, pool, counts);
       std::vector<glm::ivec2> pixels;
       pixels.reserve(std::size_t{tile_side} * tile_side);
       for_each_in_blocks(
           tile, [&](int x, int y) { pixels.emplace_back(x + region_.x0, y + region_.y0); });
-      draw(waves, pixels);
+      draw(pixels, counts);
       counts_.add(counts);
       return !given_up();
     });
+  }
+
+  // Calls draw(sampler, pixels) for the pixels of each piece, with a sampler of its thread.
+  template <typename F>
+  void for_each_sampler(PassShare share, const F& draw) {
+    if (takes_waves(tracer_)) {
+      const WaveScene scene(tracer_, camera_);
+      WavePool pool;
+      for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
+        WaveSampler waves(scene, pool, wish_, counts);
+        draw(waves, pixels);
+      });
+    } else {
+      for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
+        SingleSampler sampler(tracer_, camera_, wish_, counts);
+        draw(sampler, pixels);
+      });
+    }
+  }
+
+  void run_course() {
+    const bool one_sample = !camera_.has_lens() && !tracer_.options.features.super_sample;
+    for_each_sampler({0, 1}, [&](auto& sampler, const std::vector<glm::ivec2>& pixels) {
+      if constexpr (std::is_same_v<decltype(sampler), WaveSampler&>) {
+        if (one_sample && !wish_.wanted) {
+          put_middles(sampler, pixels);
+          return;
+        }
+      }
+      for (const DrawnPixel& pixel : sampler.course(pixels)) {
+        put(pixel.at, pixel.color);
+        keep(pixel);
+      }
+    });
+  }
+
+  // The common case, with as little as possible for each pixel.
+  void put_middles(WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
+    const std::span<const WaveSight> sights = waves.middles(pixels);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      put(pixels[i], sights[i].color);
+    }
   }
 
   void run_fine() {
@@ -178,76 +155,77 @@ class Renderer {
     refine_marked(sampler, first_share);
   }
 
-  void put_first(int x, int y, const PixelSamples& samples) {
-    put(x, y, samples.mean());
-    if (!picture_.marked.empty()) {
-      picture_.marked[index(x, y)] = !settled(samples);
-    }
-  }
-
-  void sample_all(const FineSampler& sampler, double share) {
-    if (in_waves()) {
-      for_each_wave({0, share}, [&](WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
-        for (const auto& [at, samples] : waves.take(sampler, pixels)) {
-          put_first(at.x, at.y, samples);
+  void sample_all(const FineSampler& fine, double share) {
+    for_each_sampler({0, share}, [&](auto& sampler, const std::vector<glm::ivec2>& pixels) {
+      for (const DrawnPixel& pixel : sampler.take(fine, pixels)) {
+        put(pixel.at, pixel.samples.mean());
+        keep(pixel);
+        if (!picture_.marked.empty()) {
+          picture_.marked[index(pixel.at)] = !settled(pixel.samples);
         }
-      });
-      return;
-    }
-    for_each_pixel({0, share}, [&](int x, int y, RayCounts& counts) {
-      PixelSamples samples;
-      sampler.take(x, y, sampler.first_samples(), samples, counts);
-      put_first(x, y, samples);
-    });
-  }
-
-  // Whether the pixel needs more samples.
-  bool marked(int x, int y) const {
-    const PixelRegion& own = picture_.own;
-    return x >= own.x0 && x < own.x1 && y >= own.y0 && y < own.y1 &&
-           picture_.marked[index(x, y)] != 0;
-  }
-
-  void refine_marked(const FineSampler& sampler, double from) {
-    if (in_waves()) {
-      for_each_wave({from, 1}, [&](WaveSampler& waves, std::vector<glm::ivec2>& pixels) {
-        std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at.x, at.y); });
-        for (const auto& [at, samples] : waves.refine(sampler, pixels)) {
-          put(at.x, at.y, samples.mean());
-        }
-      });
-      return;
-    }
-    for_each_pixel({from, 1}, [&](int x, int y, RayCounts& counts) {
-      if (marked(x, y)) {
-        PixelSamples samples;
-        sampler.take(x, y, sampler.first_samples(), samples, counts);
-        sampler.refine(x, y, samples, counts);
-        put(x, y, samples.mean());
       }
     });
   }
 
+  void refine_marked(const FineSampler& fine, double from) {
+    for_each_sampler({from, 1}, [&](auto& sampler, std::vector<glm::ivec2>& pixels) {
+      std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at); });
+      for (const DrawnPixel& pixel : sampler.refine(fine, pixels)) {
+        put(pixel.at, pixel.samples.mean());
+        keep(pixel);
+      }
+    });
+  }
+
+  // Whether the pixel needs more samples.
+  bool marked(const glm::ivec2& at) const {
+    const PixelRegion& own = picture_.own;
+    return at.x >= own.x0 && at.x < own.x1 && at.y >= own.y0 && at.y < own.y1 &&
+           picture_.marked[index(at)] != 0;
+  }
+
   // Neighbors that differ both need more samples.
   void mark_edges() {
-    constexpr int steps[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
+    constexpr glm::ivec2 steps[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
     for (int y = region_.y0; y < region_.y1; ++y) {
       for (int x = region_.x0; x < region_.x1; ++x) {
-        for (const auto& [dx, dy] : steps) {
-          const int x1 = x + dx;
-          const int y1 = y + dy;
-          if (x1 >= region_.x0 && x1 < region_.x1 && y1 < region_.y1 &&
-              differ(get(x, y), get(x1, y1))) {
-            picture_.marked[index(x, y)] = 1;
-            picture_.marked[index(x1, y1)] = 1;
+        for (const glm::ivec2& step : steps) {
+          const glm::ivec2 at(x, y);
+          const glm::ivec2 beside = at + step;
+          if (beside.x >= region_.x0 && beside.x < region_.x1 && beside.y < region_.y1 &&
+              differ(get(at), get(beside))) {
+            picture_.marked[index(at)] = 1;
+            picture_.marked[index(beside)] = 1;
           }
         }
       }
     }
   }
 
-  std::size_t index(int x, int y) const {
-    return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
+  // What was recorded of a pixel.
+  void keep(const DrawnPixel& pixel) {
+    if (!layers_.empty()) {
+      layers_.put(pixel.at.x, pixel.at.y, pixel.surfaces);
+    }
+    if (!picture_.statistics.empty()) {
+      picture_.statistics[index(pixel.at)] = statistics_of(pixel.surfaces.samples, picture_.sharp);
+    }
+  }
+
+  void put(const glm::ivec2& at, const Color& color) {
+    float* const pixel = &picture_.image.rgb[3 * index(at)];
+    for (int c = 0; c < 3; ++c) {
+      pixel[c] = static_cast<float>(color[c]);
+    }
+  }
+
+  Color get(const glm::ivec2& at) const {
+    const float* const pixel = &picture_.image.rgb[3 * index(at)];
+    return {pixel[0], pixel[1], pixel[2]};
+  }
+
+  std::size_t index(const glm::ivec2& at) const {
+    return std::size_t(at.y - region_.y0) * region_.width() + (at.x - region_.x0);
   }
 
   const Tracer& tracer_;
@@ -256,6 +234,7 @@ class Renderer {
   Watch watch_;
   PictureState& picture_;
   LayerBuffers layers_;
+  SurfaceWish wish_;
   SharedCounts counts_;
 };
 

@@ -1,28 +1,26 @@
 #include "scenefile/trace/surface_recorder.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace scenefile {
 
 void SurfaceRecorder::clear() {
-  samples_.clear();
-  light_colors_.clear();
+  surfaces_.clear();
 }
 
 void SurfaceRecorder::begin_sample(const glm::dvec2& point, const glm::dvec2& /*lens*/) {
-  samples_.emplace_back().point = point;
-  light_colors_.resize(samples_.size() * lights_.size(), Color(0));
+  surfaces_.samples.emplace_back().point = point;
+  surfaces_.light_colors.resize(surfaces_.samples.size() * lights_.size(), Color(0));
   nesting_ = 0;
 }
 
 void SurfaceRecorder::end_sample(const Color& color) {
-  samples_.back().color = color;
+  surfaces_.samples.back().color = color;
 }
 
 void SurfaceRecorder::begin_ray(RayKind /*kind*/, int depth, const Ray& /*ray*/, double /*start*/) {
   ++nesting_;
-  samples_.back().bounces = std::max(samples_.back().bounces, depth);
+  surfaces_.samples.back().bounces = std::max(surfaces_.samples.back().bounces, depth);
 }
 
 void SurfaceRecorder::end_ray(const Color& /*color*/) {
@@ -31,17 +29,17 @@ void SurfaceRecorder::end_ray(const Color& /*color*/) {
 
 void SurfaceRecorder::met(const Ray& /*ray*/, double /*start*/, const SurfacePoint& point) {
   if (at_camera_ray()) {
-    samples_.back().hit = true;
-    samples_.back().normal = point.normal;
-    samples_.back().position = point.position;
+    surfaces_.samples.back().hit = true;
+    surfaces_.samples.back().normal = point.normal;
+    surfaces_.samples.back().position = point.position;
   }
 }
 
 void SurfaceRecorder::surface(const SurfacePoint& bumped, const Color& /*ambient*/,
                               const Color& diffuse, const Color& /*specular*/) {
   if (at_camera_ray()) {
-    samples_.back().normal = bumped.normal;
-    samples_.back().albedo = diffuse;
+    surfaces_.samples.back().normal = bumped.normal;
+    surfaces_.samples.back().albedo = diffuse;
   }
 }
 
@@ -56,87 +54,17 @@ void SurfaceRecorder::lit(const Illumination& light, double /*n_dot_l*/, double 
 
 void SurfaceRecorder::light(std::uint32_t index, std::uint32_t taken, const Color& contribution) {
   if (at_camera_ray()) {
-    samples_.back().lit += contribution;
-    samples_.back().unshadowed += unshadowed_ / double(taken);
+    surfaces_.samples.back().lit += contribution;
+    surfaces_.samples.back().unshadowed += unshadowed_ / double(taken);
     if (scene_.lights[index].type == LightType::area) {
-      samples_.back().diffused += diffused_ / double(taken);
+      surfaces_.samples.back().diffused += diffused_ / double(taken);
     }
-    Color* const colors = light_colors_.data() + (samples_.size() - 1) * lights_.size();
+    Color* const colors = surfaces_.light_colors.data() + (surfaces_.samples.size() - 1) * lights_.size();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
       colors[i] = lights_[i] == index ? contribution : colors[i];
     }
   }
   unshadowed_ = diffused_ = Color(0);
-}
-
-namespace {
-
-// What is filtered: the color, or the light that falls on the surface.
-Color signal_of(const SurfaceSample& sample, const Color& albedo, bool sharp) {
-  if (!sharp) {
-    return sample.color;
-  }
-  Color light(0);
-  for (int c = 0; c < 3; ++c) {
-    light[c] = albedo[c] > 0 ? sample.diffused[c] / albedo[c] : 0;
-  }
-  return light;
-}
-
-// Of the mean, by how much the means of its first and of its second half differ: each is as well
-// spread as the whole, which the variance of single samples knows nothing of.
-glm::dvec3 variance_of_mean(const std::vector<SurfaceSample>& samples, const Color& albedo,
-                            bool sharp) {
-  const std::size_t first = std::bit_floor(samples.size() - 1);
-  Color sums[2] = {Color(0), Color(0)};
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    sums[i < first ? 0 : 1] += signal_of(samples[i], albedo, sharp);
-  }
-  const auto a = static_cast<double>(first);
-  const auto b = static_cast<double>(samples.size() - first);
-  const Color difference = sums[0] / a - sums[1] / b;
-  return difference * difference * (a * b / ((a + b) * (a + b)));
-}
-
-}  // namespace
-
-PixelStatistics statistics_of(const std::vector<SurfaceSample>& samples, bool sharp) {
-  const auto count = static_cast<double>(samples.size());
-  SurfaceSample sum;
-  double hits = 0, of_normals = 0, of_albedos = 0;
-  for (const SurfaceSample& s : samples) {
-    hits += s.hit ? 1 : 0;
-    sum.color += s.color;
-    sum.diffused += s.diffused;
-    sum.normal += s.normal;
-    sum.albedo += s.albedo;
-    sum.position += s.position;
-    of_normals += glm::dot(s.normal, s.normal);
-    of_albedos += glm::dot(s.albedo, s.albedo);
-  }
-  PixelStatistics result;
-  const Color albedo = sum.albedo / count;
-  SurfaceSample mean;
-  mean.color = sum.color / count;
-  mean.diffused = sum.diffused / count;
-  const Color signal = signal_of(mean, albedo, sharp);
-  result.signal = signal;
-  result.scale = sharp ? glm::vec3(albedo) : glm::vec3(1);
-  result.rest = mean.color - (sharp ? albedo * signal : signal);
-  result.normal = sum.normal / count;
-  result.albedo = albedo;
-  result.position = sum.position / std::max(1.0, hits);
-  result.coverage = static_cast<float>(hits / count);
-  if (samples.size() > 1) {
-    result.variance = variance_of_mean(samples, albedo, sharp);
-    const auto of_mean = [&](double squares, const glm::dvec3& total) {
-      const double scatter = squares - glm::dot(total, total) / count;
-      return static_cast<float>(std::max(0.0, scatter) / (count * (count - 1)));
-    };
-    result.normal_variance = of_mean(of_normals, sum.normal);
-    result.albedo_variance = of_mean(of_albedos, sum.albedo);
-  }
-  return result;
 }
 
 }  // namespace scenefile

@@ -4,7 +4,7 @@
 #include "scenefile/trace/wave.h"
 
 #include "scenefile/base/components.h"
-#include "scenefile/trace/integrator.h"
+#include "scenefile/trace/optics.h"
 #include "scenefile/trace/sequence.h"
 #include "scenefile/trace/wave_memory.h"
 
@@ -67,10 +67,11 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
   std::fill_n(rays.weight, count, 1.0);
   std::fill_n(rays.budget, count, rays_of_a_sample);
   std::fill_n(rays.inside, count, nullptr);
-  std::fill_n(memory.nodes, count, WaveNode{});
+  std::fill_n(memory.nodes.data(), count, WaveNode{});
   rays.count = count;
   memory.node_count = count;
   memory.inside_count = 0;
+  memory.full = false;
   memory.hits.apart = false;
   for (int at = 0; at < count; at += lanes) {
     const CameraRay ray =
@@ -82,10 +83,9 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
 }
 
 // Parts hits into those to be lit and walls to be passed.
-void select_points(const WaveRays& rays, const Parts& parts, WaveMemory& memory) {
+void select_points(const WaveScene& scene, const WaveRays& rays, WaveMemory& memory) {
   memory.points.count = 0;
   memory.walls.count = 0;
-  const std::vector<Part>& group = parts.groups[parts.root].parts;
   for (int i = 0; i < rays.count; ++i) {
     if (memory.hits.t[i] == std::numeric_limits<double>::infinity()) {
       continue;
@@ -94,7 +94,7 @@ void select_points(const WaveRays& rays, const Parts& parts, WaveMemory& memory)
     const double part = memory.hits.part[i];
     const bool wall = inside != nullptr &&
                       (part < 0 ? same_object(*inside->object, memory.hits.others[i])
-                                : inside->object->part == &group[static_cast<std::size_t>(part)]);
+                                : inside->object->part == &scene.root[static_cast<std::size_t>(part)]);
     WavePoints& list = wall ? memory.walls : memory.points;
     list.ray[list.count++] = static_cast<std::uint32_t>(i);
   }
@@ -106,31 +106,74 @@ void keep_colors(const WaveRays& rays, WaveMemory& memory) {
   }
 }
 
-void trace(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
-           WaveSight* sights, RayCounts& counts) {
+// The mode that colors by normals.
+void color_by_normals(WavePoints& points) {
+  for (int at = 0; at < points.count; at += lanes) {
+    const V3 one{splat(1), splat(1), splat(1)};
+    store3(splat(0.5) * (load3(points.normal, at) + one), points.color, at);
+  }
+}
+
+// The surfaces that the camera rays met. Their materials count where light does.
+void record_surfaces(const WaveRays& rays, const WavePoints& points, bool lit,
+                     const WaveRecord& record) {
+  for (int k = 0; k < points.count; ++k) {
+    SurfaceSample& sample = record.samples[rays.node[points.ray[k]]];
+    sample.hit = true;
+    sample.normal = get(points.normal, k);
+    sample.position = get(points.position, k);
+    if (lit) {
+      sample.albedo = get(points.diffuse, k);
+    }
+  }
+}
+
+// One generation of rays: what they see, and which rays come of it.
+void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& next,
+                      WaveMemory& memory, RayCounts& counts, const WaveRecord* record) {
+  const Mode mode = scene.tracer.options.mode;
+  const bool lit = mode != Mode::normals;
+  next.count = 0;
+  find_hits(scene, rays, memory.hits);
+  select_points(scene, rays, memory);
+  find_surfaces(scene, rays, memory.hits, lit, memory.points);
+  if (record != nullptr) {
+    record_surfaces(rays, memory.points, lit, *record);
+  }
+  if (lit) {
+    find_lights(scene, rays, memory, counts, record);
+  } else {
+    color_by_normals(memory.points);
+  }
+  keep_colors(rays, memory);
+  if (mode == Mode::ray) {
+    follow_points(scene, memory, rays, next, memory.points, false, counts);
+    find_surfaces(scene, rays, memory.hits, false, memory.walls);
+    pass_walls(scene, memory, rays, next, counts);
+  }
+}
+
+bool trace(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+           WaveSight* sights, RayCounts& counts, const WaveRecord* record) {
   start_wave(scene, samples, count, memory);
   counts.primary += static_cast<std::uint64_t>(count);
-  const bool follows = scene.tracer.options.mode == Mode::ray;
+  const WaveRecord* of_camera_rays = record;
   for (int now = 0; memory.rays[now].count > 0; now = 1 - now) {
-    const WaveRays& rays = memory.rays[now];
-    WaveRays& next = memory.rays[1 - now];
-    next.count = 0;
-    find_hits(scene, rays, memory.hits);
-    select_points(rays, scene.tracer.accelerator.parts(), memory);
-    find_surfaces(scene, rays, memory.hits, true, memory.points);
-    find_lights(scene, rays, memory, counts);
-    keep_colors(rays, memory);
-    if (follows) {
-      follow_points(scene, memory, rays, next, counts);
-      find_surfaces(scene, rays, memory.hits, false, memory.walls);
-      pass_walls(scene, memory, rays, next, counts);
+    trace_generation(scene, memory.rays[now], memory.rays[1 - now], memory, counts, of_camera_rays);
+    of_camera_rays = nullptr;
+    if (memory.full) {
+      return false;
     }
   }
   sum_up(scene, memory);
   for (int i = 0; i < count; ++i) {
     sights[i].color = memory.nodes[i].color;
     sights[i].penumbra = memory.nodes[i].penumbra;
+    if (record != nullptr) {
+      record->samples[i].bounces = memory.nodes[i].bounces;
+    }
   }
+  return true;
 }
 
 }  // namespace scenefile::HWY_NAMESPACE
@@ -205,22 +248,38 @@ void put_density(const Tracer& tracer, std::size_t index, WaveMaterial& material
   put(Color(tracer.transmission.density(static_cast<std::uint32_t>(index))), material.density);
 }
 
+const std::vector<Part>& root_parts(const Parts& parts) {
+  static const std::vector<Part> none;
+  return parts.groups.empty() ? none : parts.groups[parts.root].parts;
+}
+
+// What it points to for the samples from `first` on.
+WaveRecord from(const WaveRecord& record, int first) {
+  return {record.samples + first, record.light_colors + first * record.lights.size(), record.lights};
+}
+
+void add(const RayCounts& more, RayCounts& counts) {
+  counts.primary += more.primary;
+  counts.shadow += more.shadow;
+  counts.secondary += more.secondary;
+}
+
 }  // namespace
 
 WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
     : tracer(t),
       camera(c),
       kernel(wave_kernels().front()),
+      root(root_parts(t.accelerator.parts())),
       course(t.course()),
       clear_shadows(!t.transmission.all_opaque()),
+      fresnel(t.options.fresnel && t.options.features.refract),
       tree(t.accelerator.part_tree()) {
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());
     by_footprint = by_footprint || materials.back().by_footprint;
   }
-  const Parts& parts = tracer.accelerator.parts();
-  const std::vector<Part>& root = parts.groups[parts.root].parts;
   few_parts = root.size() <= PartTree::fewest_parts &&
               std::all_of(root.begin(), root.end(),
                           [](const Part& part) { return part.kind == PartKind::shape; });
@@ -236,11 +295,8 @@ std::vector<const WaveKernel*> wave_kernels() {
   return result;
 }
 
-bool takes_waves(const Tracer& tracer, const CameraRays& camera) {
-  const RenderOptions& options = tracer.options;
-  return options.mode != Mode::normals && !(tracer.course() && camera.has_lens()) &&
-         !options.fresnel && options.mistakes == Mistakes{} &&
-         !tracer.accelerator.parts().groups.empty();
+bool takes_waves(const Tracer& tracer) {
+  return tracer.options.mistakes == Mistakes{};
 }
 
 void WaveDeleter::operator()(WaveMemory* memory) const {
@@ -251,9 +307,32 @@ WavePointer make_wave() {
   return WavePointer(new WaveMemory);
 }
 
+// Where the rays that come of the samples are too many, half of the samples are taken, until they
+// fit again and again.
 void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
-                WaveSight* sights, RayCounts& counts) {
-  scene.kernel->trace(scene, samples, count, memory, sights, counts);
+                WaveSight* sights, RayCounts& counts, const WaveRecord* record) {
+  constexpr int often = 16;
+  for (int done = 0; done < count;) {
+    const int now = std::min(count - done, memory.fits);
+    RayCounts rays;
+    WaveRecord part;
+    if (record != nullptr) {
+      part = from(*record, done);
+      std::fill_n(part.samples, now, SurfaceSample{});
+      std::fill_n(part.light_colors, now * part.lights.size(), Color(0));
+    }
+    if (!scene.kernel->trace(scene, samples + done, now, memory, sights + done, rays,
+                             record != nullptr ? &part : nullptr)) {
+      memory.fits = std::max(1, now / 2);
+      memory.fitted = 0;
+      continue;
+    }
+    add(rays, counts);
+    done += now;
+    if (memory.fits < wave_samples && ++memory.fitted % often == 0) {
+      memory.fits *= 2;
+    }
+  }
 }
 
 }  // namespace scenefile

@@ -5,8 +5,10 @@
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/part_tree.h"
 #include "scenefile/trace/path.h"
+#include "scenefile/trace/surface_sample.h"
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +41,13 @@ struct WaveSight {
   bool penumbra = false;  ///< area lights in part
 };
 
+/// Where to write what the camera rays met; arrays by sample.
+struct WaveRecord {
+  SurfaceSample* samples = nullptr;       ///< but for `point` and `color`
+  Color* light_colors = nullptr;          ///< by sample and light that is kept apart
+  std::span<const std::uint32_t> lights;  ///< those, into RenderScene::lights
+};
+
 struct WaveScene;
 struct WaveMemory;
 
@@ -46,8 +55,9 @@ struct WaveMemory;
 struct WaveKernel {
   std::string_view name;
   bool (*runs_here)();
-  void (*trace)(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
-                WaveSight* sights, RayCounts& counts);
+  /// See trace_wave(); false: they do not fit, and nothing was done.
+  bool (*trace)(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
+                WaveSight* sights, RayCounts& counts, const WaveRecord* record);
 };
 
 /// Those that this machine has, the best first; all find the same colors.
@@ -60,16 +70,19 @@ struct WaveScene {
   const Tracer& tracer;
   const CameraRays& camera;
   const WaveKernel* kernel;
-  bool course;         ///< the profile
-  bool clear_shadows;  ///< light may pass through objects
+  const std::vector<Part>& root;  ///< the parts of the root group
+  bool course;                    ///< the profile
+  bool clear_shadows;             ///< light may pass through objects
+  bool fresnel;                   ///< glass mirrors by Fresnel's equations
   std::vector<WaveMaterial> materials;
   bool by_footprint = false;  ///< a material is
   bool few_parts = false;     ///< all are shapes, and so few that each is tested
   const PartTree& tree;       ///< of more, where all are shapes and not too many
 };
 
-/// Whether pictures of this kind are made of waves. The others are made ray by ray.
-bool takes_waves(const Tracer& tracer, const CameraRays& camera);
+/// Whether pictures of this kind are made of waves. Those with planted mistakes are made ray by
+/// ray.
+bool takes_waves(const Tracer& tracer);
 
 /// The memory of one wave, to be used again for the same scene: it remembers what was in the way of
 /// lights, which changes no color. Large.
@@ -80,7 +93,8 @@ using WavePointer = std::unique_ptr<WaveMemory, WaveDeleter>;
 WavePointer make_wave();
 
 /// What the camera sees, `count` of at most wave_samples. Samples near each other are found faster.
+/// `record`: null where nobody asks.
 void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
-                WaveSight* sights, RayCounts& counts);
+                WaveSight* sights, RayCounts& counts, const WaveRecord* record = nullptr);
 
 }  // namespace scenefile

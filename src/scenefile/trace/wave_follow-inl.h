@@ -17,16 +17,20 @@ inline V3 facing_normal(const V3& normal, const V3& geometric, const V3& directi
 struct Onward {
   alignas(64) double mirrored[3][lanes];
   alignas(64) double refracted[3][lanes];
-  unsigned through = 0;   // bits: refracted, not mirrored inside
-  unsigned entering = 0;  // bits: from the outside
+  alignas(64) double cosine[lanes];  // of the angle between ray and normal
+  unsigned through = 0;              // bits: refracted, not mirrored inside
+  unsigned entering = 0;             // bits: from the outside
 };
 
-inline void find_mirrored(const WavePoints& points, int at, Onward& onward) {
-  store_rows(mirrored(load3(points.direction, at), load3(points.normal, at)), onward.mirrored);
+// `inner`: the rays are inside of objects and meet their walls.
+inline void find_mirrored(const WavePoints& points, int at, bool inner, Onward& onward) {
+  const V3 direction = load3(points.direction, at);
+  const V3 normal = load3(points.normal, at);
+  const V3 facing = inner ? facing_normal(normal, load3(points.geometric, at), direction) : normal;
+  store_rows(mirrored(direction, facing), onward.mirrored);
 }
 
-// `walls`: the rays are inside and meet the wall of what they are in.
-inline void find_refracted(const WavePoints& points, int at, bool walls, Onward& onward) {
+inline void find_refracted(const WavePoints& points, int at, bool inner, Onward& onward) {
   alignas(64) double iors[lanes];
   for (int i = 0; i < lanes; ++i) {
     iors[i] = points.material[at + i]->ior;
@@ -36,11 +40,12 @@ inline void find_refracted(const WavePoints& points, int at, bool walls, Onward&
   const V3 facing = facing_normal(load3(points.normal, at), geometric, direction);
   const M entering = dot(geometric, direction) < splat(0);
   const F ior = load(iors);
-  const F eta = walls ? ior : select(entering, splat(1) / ior, ior);
+  const F eta = inner ? ior : select(entering, splat(1) / ior, ior);
   const Refracted found = refraction(direction, facing, eta);
   store_rows(select(found.through, found.direction, mirrored(direction, facing)), onward.refracted);
+  store(-dot(facing, direction), onward.cosine);
   onward.through = bits(found.through);
-  onward.entering = bits(entering);
+  onward.entering = inner ? 0 : bits(entering);
 }
 
 // The path that ray r has gone.
@@ -87,34 +92,22 @@ inline void redirect(const WaveScene& scene, const WaveHits& hits, const WavePoi
   path.start = points.offset[k];
 }
 
-// Where there is no room, the ray is followed alone.
-inline WaveSight follow_alone(const WaveScene& scene, const Path& path, RayCounts& counts) {
-  const std::uint64_t penumbras = counts.penumbras;
-  const Color color = trace_path(scene.tracer, path, counts);
-  return {color, counts.penumbras != penumbras};
-}
-
-inline bool has_room(const WaveMemory& memory, const WaveRays& rays) {
-  return rays.count < wave_rays && memory.node_count < wave_nodes &&
-         memory.inside_count < wave_insides;
-}
-
 // What a ray sees by way of a mirror or glass.
-inline void arrive(WaveMemory& memory, std::uint32_t ray, RayKind way, const Color& seen,
-                   bool in_part) {
+inline void arrive(WaveMemory& memory, std::uint32_t ray, const WaveNode& child,
+                   const Color& seen) {
   WaveNode& node = memory.nodes[ray];
-  const bool mirrored = way == RayKind::reflected;
+  const bool mirrored = child.kind == RayKind::reflected;
   (mirrored ? memory.links[ray].mirrored : memory.links[ray].refracted) = seen;
   (mirrored ? node.mirrored : node.refracted) = true;
-  node.penumbra = node.penumbra || in_part;
+  node.penumbra = node.penumbra || child.penumbra;
+  node.bounces = std::max(node.bounces, child.bounces);
 }
 
-inline void add_child(WaveMemory& memory, WaveRays& rays, const WaveScene& scene, const Path& path,
-                      const Color& factor, std::uint32_t parent, RayCounts& counts) {
+inline void add_child(WaveMemory& memory, WaveRays& rays, const Path& path, const Color& factor,
+                      std::uint32_t parent, RayCounts& counts) {
   ++counts.secondary;
-  if (!has_room(memory, rays)) {
-    const WaveSight sight = follow_alone(scene, path, counts);
-    arrive(memory, parent, path.kind, factor * sight.color, sight.penumbra);
+  if (rays.count == wave_rays || memory.node_count == wave_nodes) {
+    memory.full = true;
     return;
   }
   const auto index = static_cast<std::uint32_t>(memory.node_count++);
@@ -123,46 +116,66 @@ inline void add_child(WaveMemory& memory, WaveRays& rays, const WaveScene& scene
   memory.links[index].factor = factor;
   node.parent = parent;
   node.kind = path.kind;
+  node.bounces = static_cast<std::uint8_t>(path.depth);
   push(path, index, rays);
 }
 
-// What a refracted ray is in.
-struct Entered {
-  Hit object;
-  Inside inside;
-};
-
-// What the path is in behind point k, kept with the wave; for a ray that is followed at once, in
-// `alone`.
-inline const Inside* enter(const WaveScene& scene, WaveMemory& memory, const WaveRays& next, int k,
-                           const Path& path, Entered& alone) {
-  const bool kept = has_room(memory, next);
-  const int i = kept ? memory.inside_count++ : 0;
-  Hit& object = kept ? memory.objects[i] : alone.object;
-  Inside& inside = kept ? memory.insides[i] : alone.inside;
-  object = hit_of(scene, memory.hits, memory.points.ray[k], path.ray);
-  inside = {&object, path.inside};
-  return &inside;
+// What the path is in behind point k.
+inline const Inside* enter(const WaveScene& scene, WaveMemory& memory, const WavePoints& points,
+                           int k, const Path& path) {
+  if (memory.inside_count == wave_insides) {
+    memory.full = true;
+    return path.inside;
+  }
+  const int i = memory.inside_count++;
+  memory.objects[i] = hit_of(scene, memory.hits, points.ray[k], path.ray);
+  memory.insides[i] = {&memory.objects[i], path.inside};
+  return &memory.insides[i];
 }
 
+// What mirrored and refracted light is multiplied by.
+struct Branches {
+  Color mirror;
+  Color glass;
+};
+
+inline Branches branches_of(const WaveScene& scene, const WaveMaterial& material, bool inner,
+                            double cosine, double eta) {
+  Branches result{color_of(material.mirror), color_of(material.glass)};
+  if (inner) {
+    result = {Color(0), Color(1)};
+  }
+  if (scene.fresnel) {
+    const double share = fresnel_reflectance(cosine, eta);
+    result.mirror += share * result.glass;
+    result.glass *= 1 - share;
+  }
+  return result;
+}
+
+// `inner`: the point is on the wall of the object that its ray is in, and both ways are followed.
 inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
-                         WaveRays& to, int k, int lane, const Onward& onward, RayCounts& counts) {
-  const WavePoints& points = memory.points;
+                         WaveRays& to, const WavePoints& points, bool inner, int k, int lane,
+                         const Onward& onward, RayCounts& counts) {
   const WaveMaterial& material = *points.material[k];
   const std::uint32_t ray = points.ray[k];
-  if (!material.mirrors && !material.refracts) {
+  if (!material.mirrors && !material.refracts && !inner) {
     return;
   }
-  const Color mirror = color_of(material.mirror);
-  const Color glass = color_of(material.glass);
+  const Features& features = scene.tracer.options.features;
+  const int most = scene.tracer.options.max_depth;
+  const bool entering = (onward.entering >> lane & 1) != 0;
+  const double eta = entering ? 1 / material.ior : material.ior;
+  const auto [mirror, glass] = branches_of(scene, material, inner, onward.cosine[lane], eta);
   const auto worth = [&](const Color& factor) {
-    return scene.course || from.weight[ray] * largest(factor) >= min_weight;
+    return factor != Color(0) && (scene.course || from.weight[ray] * largest(factor) >= min_weight);
   };
-  const bool mirrors = material.mirrors && worth(mirror);
-  const bool refracts = material.refracts && worth(glass);
+  // A passage counts as one bounce: the way out is none.
+  const int depth_behind = from.depth[ray] + (inner ? 0 : 1);
+  const bool mirrors = (features.reflect || inner) && from.depth[ray] + 1 <= most && worth(mirror);
+  const bool refracts = features.refract && depth_behind <= most && worth(glass);
   const std::uint32_t children = std::uint32_t(mirrors) + std::uint32_t(refracts);
-  if (from.depth[ray] + 1 > scene.tracer.options.max_depth || children == 0 ||
-      from.budget[ray] <= children) {
+  if (children == 0 || from.budget[ray] <= children) {
     return;
   }
   const Path path = path_of(from, ray);
@@ -171,44 +184,43 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   if (mirrors) {
     Path next = child_of(path, mirror, budget, RayKind::reflected);
     redirect(scene, memory.hits, points, k, lane_of(onward.mirrored, lane), 2, next);
-    add_child(memory, to, scene, next, mirror, parent, counts);
+    add_child(memory, to, next, mirror, parent, counts);
   }
   if (refracts) {
     const bool through = (onward.through >> lane & 1) != 0;
-    const bool entering = (onward.entering >> lane & 1) != 0;
-    const double eta = entering ? 1 / material.ior : material.ior;
     Path next = child_of(path, glass, budget, RayKind::refracted);
-    Entered alone;
-    if (through == entering) {
-      next.inside = enter(scene, memory, to, k, path, alone);
+    next.depth = depth_behind;
+    if (inner) {
+      next.inside = path.inside->around;
+    } else if (through == entering) {
+      next.inside = enter(scene, memory, points, k, path);
     }
     redirect(scene, memory.hits, points, k, lane_of(onward.refracted, lane),
              through ? std::abs(eta - 1) : 2, next);
-    add_child(memory, to, scene, next, glass, parent, counts);
+    add_child(memory, to, next, glass, parent, counts);
   }
 }
 
-/// Sends the points' rays on.
+/// Sends the points' rays on, by mirrors and glass.
 inline void follow_points(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
-                          WaveRays& to, RayCounts& counts) {
-  const WavePoints& points = memory.points;
+                          WaveRays& to, const WavePoints& points, bool inner, RayCounts& counts) {
   for (int at = 0; at < points.count; at += lanes) {
     const int end = std::min(points.count, at + lanes);
     const auto some = [&](bool WaveMaterial::*has) {
       return std::any_of(points.material + at, points.material + end,
                          [&](const WaveMaterial* m) { return m->*has; });
     };
-    const bool mirrors = some(&WaveMaterial::mirrors);
-    const bool refracts = some(&WaveMaterial::refracts);
+    const bool refracts = inner || some(&WaveMaterial::refracts);
+    const bool mirrors = (scene.fresnel && refracts) || some(&WaveMaterial::mirrors);
     Onward onward{};
     if (mirrors) {
-      find_mirrored(points, at, onward);
+      find_mirrored(points, at, inner, onward);
     }
     if (refracts) {
-      find_refracted(points, at, false, onward);
+      find_refracted(points, at, inner, onward);
     }
     for (int k = at; k < end && (mirrors || refracts); ++k) {
-      follow_point(scene, memory, from, to, k, k - at, onward, counts);
+      follow_point(scene, memory, from, to, points, inner, k, k - at, onward, counts);
     }
   }
 }
@@ -227,20 +239,22 @@ inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays
   } else if (++path.depth > scene.tracer.options.max_depth) {
     return;
   }
-  if (to.count < wave_rays) {
-    push(path, from.node[ray], to);
+  if (to.count == wave_rays) {
+    memory.full = true;
     return;
   }
-  const WaveSight sight = follow_alone(scene, path, counts);
-  WaveNode& node = memory.nodes[from.node[ray]];
-  node.color = sight.color;
-  node.penumbra = node.penumbra || sight.penumbra;
+  push(path, from.node[ray], to);
 }
 
-/// Sends rays inside of objects through their walls or back from them.
+/// Sends rays inside of objects through their walls or back from them. By Fresnel's equations a
+/// wall does both, and the ray ends there.
 inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                        WaveRays& to, RayCounts& counts) {
   const WavePoints& walls = memory.walls;
+  if (scene.fresnel) {
+    follow_points(scene, memory, from, to, walls, true, counts);
+    return;
+  }
   for (int at = 0; at < walls.count; at += lanes) {
     Onward onward{};
     find_refracted(walls, at, true, onward);
@@ -252,18 +266,19 @@ inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRay
 
 /// Gives each ray's color to the one that it came of, the last first.
 inline void sum_up(const WaveScene& scene, WaveMemory& memory) {
+  const bool clamps = scene.course && scene.tracer.options.mode != Mode::normals;
   for (int i = memory.node_count - 1; i >= 0; --i) {
     WaveNode& node = memory.nodes[i];
     if (node.mirrored || node.refracted) {
       const WaveLink& link = memory.links[i];
-      node.color += (node.mirrored ? link.mirrored : Color(0)) +
-                    (node.refracted ? link.refracted : Color(0));
+      node.color +=
+          (node.mirrored ? link.mirrored : Color(0)) + (node.refracted ? link.refracted : Color(0));
     }
-    if (scene.course) {
+    if (clamps) {
       node.color = glm::clamp(node.color, Color(0), Color(1));
     }
     if (node.parent != no_index) {
-      arrive(memory, node.parent, node.kind, memory.links[i].factor * node.color, node.penumbra);
+      arrive(memory, node.parent, node, memory.links[i].factor * node.color);
     }
   }
 }

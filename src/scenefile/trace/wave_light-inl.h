@@ -39,24 +39,50 @@ inline int count_bits(const std::uint8_t* bytes, int count) {
   return sum;
 }
 
+inline V3 no_color() {
+  return {splat(0), splat(0), splat(0)};
+}
+
+// The share of the light's color that goes on to the eye: diffuse and specular.
+inline V3 reflected_share(const WavePoints& points, const WaveLight& light, M asked, int at) {
+  const F mirrored = load(light.mirrored + at);
+  const M shines = asked & (mirrored > splat(0));
+  const V3 diffused = load(light.cosine + at) * load3(points.diffuse, at);
+  if (none(shines)) {
+    return diffused;
+  }
+  const F bright = power(mirrored, load(points.shininess + at), shines);
+  const V3 shining = bright * load3(points.specular, at);
+  return diffused + select(shines, shining, no_color());
+}
+
 inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color, bool dimmed,
               int at) {
   const unsigned sees = light.asks[at / lanes] & ~unsigned{light.blocked[at / lanes]};
-  const V3 none_at_all = {splat(0), splat(0), splat(0)};
   if (sees == 0) {
-    return none_at_all;
+    return no_color();
   }
   const M seen = of_bits(sees);
-  const F mirrored = load(light.mirrored + at);
-  const M shines = seen & (mirrored > splat(0));
-  V3 share = load(light.cosine + at) * load3(points.diffuse, at);
-  if (any(shines)) {
-    const F bright = power(mirrored, load(points.shininess + at), shines);
-    const V3 shining = bright * load3(points.specular, at);
-    share = share + select(shines, shining, none_at_all);
-  }
-  share = share * (load(light.share + at) * color);
-  return select(seen, dimmed ? share * load3(light.left, at) : share, none_at_all);
+  const V3 share = reflected_share(points, light, seen, at) * (load(light.share + at) * color);
+  return select(seen, dimmed ? share * load3(light.left, at) : share, no_color());
+}
+
+// The same light without shadows, and the diffuse part of what arrives.
+struct RecordedLight {
+  V3 unshadowed;
+  V3 diffused;
+};
+inline RecordedLight recorded_light(const WavePoints& points, const WaveLight& light,
+                                    const V3& color, const V3& arrived, int at) {
+  const M asked = of_bits(light.asks[at / lanes]);
+  const V3 share = reflected_share(points, light, asked, at);
+  const V3 diffuse = load(light.cosine + at) * load3(points.diffuse, at);
+  const auto part = [](F of, F by, F whole) {
+    return select(whole > splat(0), of * by / whole, splat(0));
+  };
+  return {select(asked, share * (load(light.share + at) * color), no_color()),
+          {part(arrived.x, diffuse.x, share.x), part(arrived.y, diffuse.y, share.y),
+           part(arrived.z, diffuse.z, share.z)}};
 }
 
 // How many points of a light the points of a generation look at, and which: one, the middles of
@@ -65,15 +91,17 @@ struct LightSamples {
   const WaveRays& rays;
   const WavePoints& points;
   const RenderLight& light;
+  std::uint32_t index;
   std::uint32_t pattern;
   bool grid;
   std::uint32_t count = 1;
 
-  LightSamples(const WaveScene& scene, const WaveRays& r, const WavePoints& p, std::uint32_t index)
+  LightSamples(const WaveScene& scene, const WaveRays& r, const WavePoints& p, std::uint32_t i)
       : rays(r),
         points(p),
-        light(scene.tracer.scene.lights[index]),
-        pattern(16 + index),
+        light(scene.tracer.scene.lights[i]),
+        index(i),
+        pattern(16 + i),
         grid(scene.course) {
     if (light.type == LightType::area) {
       const std::uint32_t side = course_light_side;
@@ -115,8 +143,41 @@ inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode*
   }
 }
 
+// What a light sent to the points, kept apart for the record of camera rays.
+inline void record_light(const LightSamples& samples, const V3* sums, const RecordedLight* terms,
+                         const WaveRecord& record) {
+  const std::size_t kept = record.lights.size();
+  const F count = splat(samples.count);
+  const bool area = samples.light.type == LightType::area;
+  alignas(64) double lit[3][lanes];
+  alignas(64) double unshadowed[3][lanes];
+  alignas(64) double diffused[3][lanes];
+  for (int k = 0; k < samples.points.count; ++k) {
+    const int lane = k % lanes;
+    if (lane == 0) {
+      const int c = k / lanes;
+      store_rows(sums[c] / count, lit);
+      store_rows(terms[c].unshadowed / count, unshadowed);
+      store_rows(terms[c].diffused / count, diffused);
+    }
+    const std::uint32_t sample = samples.rays.node[samples.points.ray[k]];
+    SurfaceSample& to = record.samples[sample];
+    to.lit += lane_of(lit, lane);
+    to.unshadowed += lane_of(unshadowed, lane);
+    if (area) {
+      to.diffused += lane_of(diffused, lane);
+    }
+    for (std::size_t i = 0; i < kept; ++i) {
+      if (record.lights[i] == samples.index) {
+        record.light_colors[sample * kept + i] = lane_of(lit, lane);
+      }
+    }
+  }
+}
+
+// `record`: null but for camera rays of which more is to be told.
 inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveMemory& memory,
-                      RayCounts& counts) {
+                      RayCounts& counts, const WaveRecord* record) {
   const Tracer& tracer = scene.tracer;
   const bool shadows = tracer.options.features.shadows && tracer.options.mode == Mode::ray;
   const bool dimmed = shadows && scene.clear_shadows;
@@ -126,6 +187,7 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
   const V3 color = splat3(samples.light.color);
   alignas(64) V3 sums[wave_rays / lanes];
   alignas(64) F seen[wave_rays / lanes];
+  alignas(64) RecordedLight terms[wave_samples / lanes];  // camera rays are no more than that
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     find_light(
         scene, samples.light, [&](int at) { return samples.at(i, at); }, points, light);
@@ -137,6 +199,12 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
     for (int c = 0; c < chunks; ++c) {
       const V3 one = lit(points, light, color, dimmed, c * lanes);
       sums[c] = i == 0 ? one : sums[c] + one;
+      if (record != nullptr) {
+        const RecordedLight more = recorded_light(points, light, color, one, c * lanes);
+        terms[c] = i == 0 ? more
+                          : RecordedLight{terms[c].unshadowed + more.unshadowed,
+                                          terms[c].diffused + more.diffused};
+      }
       if (samples.count > 1) {
         const M sees = (one.x != splat(0)) | (one.y != splat(0)) | (one.z != splat(0));
         seen[c] = (i == 0 ? splat(0) : seen[c]) + select(sees, splat(1), splat(0));
@@ -148,13 +216,16 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
            c * lanes);
   }
   if (samples.count > 1) {
-    mark_penumbras(samples, seen, memory.nodes);
+    mark_penumbras(samples, seen, memory.nodes.data());
+  }
+  if (record != nullptr) {
+    record_light(samples, sums, terms, *record);
   }
 }
 
 /// Adds what the lights of the scene send to the eye by way of the points.
 inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory& memory,
-                        RayCounts& counts) {
+                        RayCounts& counts, const WaveRecord* record) {
   if (memory.points.count == 0) {
     return;
   }
@@ -163,7 +234,7 @@ inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     memory.light.index = i;
     if (shines_in(scene.tracer, lights[i])) {
-      add_light(scene, LightSamples(scene, rays, memory.points, i), memory, counts);
+      add_light(scene, LightSamples(scene, rays, memory.points, i), memory, counts, record);
     }
   }
 }

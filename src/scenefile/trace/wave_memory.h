@@ -3,13 +3,34 @@
 
 #include "scenefile/trace/wave.h"
 
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace scenefile {
 
-inline constexpr int wave_rays = 512;    ///< on their way at once
+/// One sample always fits (rays_of_a_sample, path.h): each of its rays may become two, with half of
+/// the budget each, so that no generation has more than half of them. Of more samples as many are
+/// taken as fit.
+inline constexpr int wave_rays = 2048;   ///< of one generation
 inline constexpr int wave_nodes = 4096;  ///< rays of all generations
-inline constexpr int wave_insides = 1024;
+inline constexpr int wave_insides = 4096;
+static_assert(wave_nodes >= rays_of_a_sample && 2 * wave_rays >= rays_of_a_sample);
+
+/// An array whose memory nobody touches before its numbers are written: a wave is large, and few
+/// scenes use all of it.
+template <typename T, int size>
+class WaveArray {
+ public:
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+  T* data() { return reinterpret_cast<T*>(bytes_); }
+  const T* data() const { return reinterpret_cast<const T*>(bytes_); }
+
+ private:
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+  alignas(64) unsigned char bytes_[size * sizeof(T)];
+};
 
 struct WaveVectors {
   alignas(64) double x[wave_rays];
@@ -26,8 +47,8 @@ struct WaveRays {
   std::uint32_t node[wave_rays];
   int depth[wave_rays];
   double weight[wave_rays];
-  RayCone cone[wave_rays];
-  SampleKey key[wave_rays];
+  WaveArray<RayCone, wave_rays> cone;
+  WaveArray<SampleKey, wave_rays> key;
   std::uint32_t budget[wave_rays];
   const Inside* inside[wave_rays];
 };
@@ -39,7 +60,7 @@ struct WaveHits {
   alignas(64) double t[wave_rays];     ///< infinite: nothing
   alignas(64) double face[wave_rays];  ///< number of a Face
   alignas(64) double part[wave_rays];  ///< index in the root group; -1: it is in `others`
-  Hit others[wave_rays];               ///< what is no shape of the root group
+  WaveArray<Hit, wave_rays> others;    ///< what is no shape of the root group
 };
 
 /// The points where light is to be found, a selection of the hits.
@@ -47,8 +68,9 @@ struct WavePoints {
   int count = 0;
   std::uint32_t ray[wave_rays];  ///< rising
   const WaveMaterial* material[wave_rays];
-  bool known[wave_rays];            ///< in full, as `surface`
-  SurfacePoint surface[wave_rays];  ///< of points that were made by the functions for one
+  bool known[wave_rays];  ///< in full, as `surface`
+  WaveArray<SurfacePoint, wave_rays>
+      surface;  ///< of points that were made by the functions for one
   WaveVectors position;
   WaveVectors normal;
   WaveVectors geometric;  ///< normal of the surface itself
@@ -96,9 +118,10 @@ struct WaveNode {
   Color color{0};  ///< without what follows
   std::uint32_t parent = no_index;
   RayKind kind = RayKind::camera;
-  bool penumbra = false;   ///< saw area lights in part, or what came of it did
-  bool mirrored = false;   ///< something came by way of a mirror
-  bool refracted = false;  ///< by way of glass
+  std::uint8_t bounces = 0;  ///< of it or of what came of it, most
+  bool penumbra = false;     ///< saw area lights in part, or what came of it did
+  bool mirrored = false;     ///< something came by way of a mirror
+  bool refracted = false;    ///< by way of glass
 };
 
 /// What is more of a ray that others follow, or that follows one. Apart, because most do neither.
@@ -109,17 +132,20 @@ struct WaveLink {
 };
 
 struct WaveMemory {
+  int fits = wave_samples;  ///< so many samples are taken at once
+  int fitted = 0;           ///< times in turn that they did
   WaveRays rays[2];
   WaveHits hits;
   WavePoints points;
   WavePoints walls;
   WaveLight light;
+  bool full = false;  ///< more rays were asked for than there is room
   int node_count = 0;
-  WaveNode nodes[wave_nodes];
-  WaveLink links[wave_nodes];  ///< by node
+  WaveArray<WaveNode, wave_nodes> nodes;
+  WaveArray<WaveLink, wave_nodes> links;  ///< by node
   int inside_count = 0;
-  Hit objects[wave_insides];
-  Inside insides[wave_insides];
+  WaveArray<Hit, wave_insides> objects;
+  WaveArray<Inside, wave_insides> insides;
 };
 
 }  // namespace scenefile

@@ -1,27 +1,78 @@
 #include "scenefile/trace/wave_pixels.h"
 
+#include "scenefile/trace/course_samples.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-std::vector<WavePixel> without_samples(std::span<const glm::ivec2> pixels) {
-  std::vector<WavePixel> result;
-  result.reserve(pixels.size());
-  for (const glm::ivec2& at : pixels) {
-    result.push_back({at, {}});
-  }
-  return result;
-}
-
-std::vector<WavePixel*> pointers_to(std::vector<WavePixel>& pixels) {
-  std::vector<WavePixel*> pointers;
+std::vector<DrawnPixel*> pointers_to(std::vector<DrawnPixel>& pixels) {
+  std::vector<DrawnPixel*> pointers;
   pointers.reserve(pixels.size());
-  for (WavePixel& pixel : pixels) {
+  for (DrawnPixel& pixel : pixels) {
     pointers.push_back(&pixel);
   }
   return pointers;
+}
+
+// Cells of the adaptive pattern of many pixels, each behind the one that it refines.
+struct Cell {
+  std::size_t pixel = 0;
+  glm::dvec2 corner{0};
+  double size = 1;
+  int level = 1;
+  std::array<Color, 4> colors;
+  std::array<std::size_t, 4> finer{};  // the cells that stand for its quadrants; 0: none
+};
+
+// The cells that follow a sampled one.
+void refine_cell(std::size_t index, std::vector<Cell>& cells) {
+  const Cell cell = cells[index];
+  for (int i = 0; i < 4 && cell.level < course::max_level; ++i) {
+    if (course::uneven(cell.colors, i)) {
+      cells[index].finer[static_cast<std::size_t>(i)] = cells.size();
+      cells.push_back({cell.pixel,
+                       course::quadrant(cell.corner, cell.size, i),
+                       cell.size / 2,
+                       cell.level + 1,
+                       {},
+                       {}});
+    }
+  }
+}
+
+// The colors of all cells; the first ones are those of pixels.
+std::vector<Color> colors_of(const std::vector<Cell>& cells) {
+  std::vector<Color> colors(cells.size());
+  for (std::size_t c = cells.size(); c-- > 0;) {
+    Color sum(0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t finer = cells[c].finer[i];
+      sum += finer != 0 ? colors[finer] : cells[c].colors[i];
+    }
+    colors[c] = sum / 4.0;
+  }
+  return colors;
+}
+
+// In the order in which one sample after the other would have been taken.
+void append_surfaces(const std::vector<Cell>& cells, std::size_t index, const PixelSurfaces& all,
+                     std::size_t lights, PixelSurfaces& surfaces) {
+  const auto first = static_cast<std::ptrdiff_t>(4 * index);
+  surfaces.samples.insert(surfaces.samples.end(), all.samples.begin() + first,
+                          all.samples.begin() + first + 4);
+  const auto light = first * static_cast<std::ptrdiff_t>(lights);
+  surfaces.light_colors.insert(
+      surfaces.light_colors.end(), all.light_colors.begin() + light,
+      all.light_colors.begin() + light + 4 * static_cast<std::ptrdiff_t>(lights));
+  for (const std::size_t finer : cells[index].finer) {
+    if (finer != 0) {
+      append_surfaces(cells, finer, all, lights, surfaces);  // at most max_level deep
+    }
+  }
 }
 
 }  // namespace
@@ -41,73 +92,174 @@ void WavePool::give(WavePointer wave) {
   free_.push_back(std::move(wave));
 }
 
-WaveSampler::WaveSampler(const WaveScene& scene, WavePool& pool, RayCounts& counts)
-    : scene_(scene), pool_(pool), counts_(counts), memory_(pool.take()) {
-  samples_.reserve(wave_samples);
-}
+WaveSampler::WaveSampler(const WaveScene& scene, WavePool& pool, const SurfaceWish& wish,
+                         RayCounts& counts)
+    : scene_(scene),
+      pool_(pool),
+      wish_(wish),
+      counts_(counts),
+      memory_(pool.take()),
+      surfaces_(wish.wanted ? wave_samples : 0),
+      light_colors_(surfaces_.size() * wish.lights.size()) {}
 
 WaveSampler::~WaveSampler() {
   pool_.give(std::move(memory_));
 }
 
-std::span<const WaveSight> WaveSampler::trace() {
-  const std::size_t count = samples_.size();
-  trace_wave(scene_, samples_.data(), static_cast<int>(count), *memory_, sights_.data(), counts_);
-  samples_.clear();
-  return {sights_.data(), count};
+// What is in samples_.
+void WaveSampler::trace(int count, bool recorded) {
+  const WaveRecord record{surfaces_.data(), light_colors_.data(), wish_.lights};
+  trace_wave(scene_, samples_.data(), count, *memory_, sights_.data(), counts_,
+             recorded ? &record : nullptr);
+  for (int i = 0; i < count && recorded; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    surfaces_[k].point = samples_[k].point;
+    surfaces_[k].color = sights_[k].color;
+  }
+}
+
+// Calls keep(i, k) for `count` samples: number i is number k of the wave now.
+template <typename SampleOf, typename Keep>
+void WaveSampler::trace(std::size_t count, const SampleOf& sample_of, const Keep& keep) {
+  for (std::size_t first = 0; first < count; first += wave_samples) {
+    const std::size_t size = std::min<std::size_t>(wave_samples, count - first);
+    for (std::size_t k = 0; k < size; ++k) {
+      samples_[k] = sample_of(first + k);
+    }
+    trace(static_cast<int>(size), wish_.wanted);
+    for (std::size_t k = 0; k < size; ++k) {
+      keep(first + k, static_cast<int>(k));
+    }
+  }
+}
+
+void WaveSampler::add_surface(int index, PixelSurfaces& surfaces) const {
+  if (wish_.wanted) {
+    const auto k = static_cast<std::size_t>(index);
+    surfaces.samples.push_back(surfaces_[k]);
+    const Color* const first = light_colors_.data() + k * wish_.lights.size();
+    surfaces.light_colors.insert(surfaces.light_colors.end(), first, first + wish_.lights.size());
+  }
 }
 
 std::span<const WaveSight> WaveSampler::middles(std::span<const glm::ivec2> pixels) {
-  for (const glm::ivec2& pixel : pixels) {
-    samples_.push_back({glm::dvec2(pixel) + 0.5, {}, {}, {}});
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    samples_[k] = {glm::dvec2(pixels[k]) + 0.5, {}, {}, {}};
   }
-  return trace();
+  trace(static_cast<int>(pixels.size()), false);
+  return {sights_.data(), pixels.size()};
 }
 
-void WaveSampler::finish() {
-  const std::span<const WaveSight> sights = trace();
-  for (std::size_t i = 0; i < sights.size(); ++i) {
-    owners_[i]->samples.add(sights[i].color, sights[i].penumbra);
+void WaveSampler::lens_pixels(std::vector<DrawnPixel>& pixels) {
+  constexpr std::size_t each = course::lens_points.size();
+  trace(
+      each * pixels.size(),
+      [&](std::size_t i) -> CameraSample {
+        const auto& [u, v] = course::lens_points[i % each];
+        return {glm::dvec2(pixels[i / each].at) + 0.5, {u, v}, {}, {}};
+      },
+      [&](std::size_t i, int k) {
+        DrawnPixel& pixel = pixels[i / each];
+        pixel.color += sights_[static_cast<std::size_t>(k)].color;
+        add_surface(k, pixel.surfaces);
+      });
+  for (DrawnPixel& pixel : pixels) {
+    pixel.color /= double(each);
   }
-  owners_.clear();
 }
 
-void WaveSampler::add(WavePixel& pixel, const CameraSample& sample) {
-  samples_.push_back(sample);
-  owners_.push_back(&pixel);
-  if (samples_.size() == wave_samples) {
-    finish();
+void WaveSampler::cell_pixels(std::vector<DrawnPixel>& pixels) {
+  std::vector<Cell> cells(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    cells[i].pixel = i;
+    cells[i].corner = glm::dvec2(pixels[i].at);
   }
-}
-
-void WaveSampler::take(const FineSampler& sampler, const std::vector<WavePixel*>& pixels,
-                       std::uint32_t count) {
-  for (WavePixel* const pixel : pixels) {
-    for (std::uint32_t i = pixel->samples.count; i < count; ++i) {
-      add(*pixel, sampler.sample(pixel->at.x, pixel->at.y, i));
+  PixelSurfaces surfaces;  // by cell and quadrant
+  for (std::size_t first = 0; first < cells.size();) {
+    const std::size_t last = cells.size();
+    trace(
+        4 * (last - first),
+        [&](std::size_t i) -> CameraSample {
+          const Cell& cell = cells[first + i / 4];
+          return {course::middle_of_quadrant(cell.corner, cell.size, int(i % 4)), {}, {}, {}};
+        },
+        [&](std::size_t i, int k) {
+          cells[first + i / 4].colors[i % 4] = sights_[static_cast<std::size_t>(k)].color;
+          add_surface(k, surfaces);
+        });
+    for (; first < last; ++first) {
+      refine_cell(first, cells);
     }
   }
-  finish();
+  const std::vector<Color> colors = colors_of(cells);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    pixels[i].color = colors[i];
+    if (wish_.wanted) {
+      append_surfaces(cells, i, surfaces, wish_.lights.size(), pixels[i].surfaces);
+    }
+  }
 }
 
-std::vector<WavePixel> WaveSampler::take(const FineSampler& sampler,
-                                         std::span<const glm::ivec2> pixels) {
-  std::vector<WavePixel> result = without_samples(pixels);
-  take(sampler, pointers_to(result), sampler.first_samples());
-  return result;
+std::vector<DrawnPixel> WaveSampler::course(std::span<const glm::ivec2> places) {
+  std::vector<DrawnPixel> pixels = pixels_at(places);
+  if (scene_.camera.has_lens()) {
+    lens_pixels(pixels);
+  } else if (scene_.tracer.options.features.super_sample) {
+    cell_pixels(pixels);
+  } else {
+    trace(
+        pixels.size(),
+        [&](std::size_t i) -> CameraSample {
+          return {glm::dvec2(pixels[i].at) + 0.5, {}, {}, {}};
+        },
+        [&](std::size_t i, int k) {
+          pixels[i].color = sights_[static_cast<std::size_t>(k)].color;
+          add_surface(k, pixels[i].surfaces);
+        });
+  }
+  return pixels;
 }
 
-std::vector<WavePixel> WaveSampler::refine(const FineSampler& sampler,
-                                           std::span<const glm::ivec2> pixels) {
-  std::vector<WavePixel> result = take(sampler, pixels);
-  std::vector<WavePixel*> left = pointers_to(result);
+// All pixels have as many samples.
+void WaveSampler::take(const FineSampler& sampler, const std::vector<DrawnPixel*>& pixels,
+                       std::uint32_t count) {
+  if (pixels.empty()) {
+    return;
+  }
+  const std::uint32_t taken = pixels.front()->samples.count;
+  const std::size_t each = count - taken;
+  trace(
+      each * pixels.size(),
+      [&](std::size_t i) {
+        const glm::ivec2& at = pixels[i / each]->at;
+        return sampler.sample(at.x, at.y, taken + static_cast<std::uint32_t>(i % each));
+      },
+      [&](std::size_t i, int k) {
+        DrawnPixel& pixel = *pixels[i / each];
+        const WaveSight& sight = sights_[static_cast<std::size_t>(k)];
+        pixel.samples.add(sight.color, sight.penumbra);
+        add_surface(k, pixel.surfaces);
+      });
+}
+
+std::vector<DrawnPixel> WaveSampler::take(const FineSampler& sampler,
+                                          std::span<const glm::ivec2> places) {
+  std::vector<DrawnPixel> pixels = pixels_at(places);
+  take(sampler, pointers_to(pixels), sampler.first_samples());
+  return pixels;
+}
+
+std::vector<DrawnPixel> WaveSampler::refine(const FineSampler& sampler,
+                                            std::span<const glm::ivec2> places) {
+  std::vector<DrawnPixel> pixels = take(sampler, places);
+  std::vector<DrawnPixel*> left = pointers_to(pixels);
   std::uint32_t count = sampler.first_samples();
   while (!left.empty()) {
     count = sampler.next_count(count);
     take(sampler, left, count);
-    std::erase_if(left, [&](const WavePixel* pixel) { return sampler.enough(pixel->samples); });
+    std::erase_if(left, [&](const DrawnPixel* pixel) { return sampler.enough(pixel->samples); });
   }
-  return result;
+  return pixels;
 }
 
 }  // namespace scenefile

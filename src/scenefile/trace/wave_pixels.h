@@ -1,7 +1,7 @@
 #pragma once
 // The samples of many pixels, taken in waves.
 
-#include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/drawn_pixel.h"
 #include "scenefile/trace/wave.h"
 
 #include <array>
@@ -22,41 +22,43 @@ class WavePool {
   std::vector<WavePointer> free_;
 };
 
-/// A pixel with its samples so far.
-struct WavePixel {
-  glm::ivec2 at{0};
-  PixelSamples samples;
-};
-
 /// Waves of one thread for one piece of a picture.
 class WaveSampler {
  public:
-  WaveSampler(const WaveScene& scene, WavePool& pool, RayCounts& counts);
+  WaveSampler(const WaveScene& scene, WavePool& pool, const SurfaceWish& wish, RayCounts& counts);
   ~WaveSampler();
   WaveSampler(const WaveSampler&) = delete;
   WaveSampler& operator=(const WaveSampler&) = delete;
 
   /// What is seen in the middles of pixels, at most wave_samples, in the order of `pixels`; until
-  /// the next call.
+  /// the next call. Not recorded.
   std::span<const WaveSight> middles(std::span<const glm::ivec2> pixels);
+  /// course_pixel() of each.
+  std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
   /// FineSampler::take() of the first samples of each pixel.
-  std::vector<WavePixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
   /// The same, and refine().
-  std::vector<WavePixel> refine(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> refine(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
 
  private:
-  void take(const FineSampler& sampler, const std::vector<WavePixel*>& pixels, std::uint32_t count);
-  void add(WavePixel& pixel, const CameraSample& sample);
-  void finish();
-  std::span<const WaveSight> trace();
+  template <typename SampleOf, typename Keep>
+  void trace(std::size_t count, const SampleOf& sample_of, const Keep& keep);
+  void trace(int count, bool recorded);
+  void add_surface(int index, PixelSurfaces& surfaces) const;
+  void take(const FineSampler& sampler, const std::vector<DrawnPixel*>& pixels,
+            std::uint32_t count);
+  void lens_pixels(std::vector<DrawnPixel>& pixels);
+  void cell_pixels(std::vector<DrawnPixel>& pixels);
 
   const WaveScene& scene_;
   WavePool& pool_;
+  const SurfaceWish& wish_;
   RayCounts& counts_;
   WavePointer memory_;
-  std::vector<CameraSample> samples_;  // of the next wave
-  std::vector<WavePixel*> owners_;     // of those
+  std::array<CameraSample, wave_samples> samples_;
   std::array<WaveSight, wave_samples> sights_;
+  std::vector<SurfaceSample> surfaces_;  // by sample, where they are wished for
+  std::vector<Color> light_colors_;      // by sample and light
 };
 
 }  // namespace scenefile

@@ -94,12 +94,11 @@ inline void put_hit(const std::vector<Part>& root, const Hit& hit, int i, WaveHi
 inline void find_by_lane(const WaveScene& scene, const WaveRays& rays, int first, int last,
                          WaveHits& hits) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Parts& all = scene.tracer.accelerator.parts();
   for (int i = first; i < last; ++i) {
     const Ray ray{{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]},
                   {rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]}};
     if (scene.tracer.accelerator.closest_part(ray, rays.start[i], infinity, hits.others[i])) {
-      put_hit(all.groups[all.root].parts, hits.others[i], i, hits);
+      put_hit(scene.root, hits.others[i], i, hits);
     } else {
       hits.t[i] = infinity;
     }
@@ -130,8 +129,7 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
 
 /// What each ray of a generation hits first.
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
-  const Parts& all = scene.tracer.accelerator.parts();
-  const std::vector<Part>& parts = all.groups[all.root].parts;
+  const std::vector<Part>& parts = scene.root;
   if (scene.few_parts) {
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < rays.count; at += lanes) {
@@ -225,8 +223,7 @@ inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& point
     return;
   }
   const Tracer& tracer = scene.tracer;
-  const Parts& all = tracer.accelerator.parts();
-  const std::vector<Part>& root = all.groups[all.root].parts;
+  const std::vector<Part>& root = scene.root;
   RecentBlockers& recent = recent_blockers(light);
   const Chunk chunk = shadow_chunk(points, light, at);
   Shadows shadows{scene, root, chunk, load(points.offset + at), chunk.mask};
@@ -270,9 +267,8 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
   if (light.asks[at / lanes] == 0) {
     return;
   }
-  const Parts& all = scene.tracer.accelerator.parts();
   const Chunk chunk = shadow_chunk(points, light, at);
-  Shadows shadows{scene, all.groups[all.root].parts, chunk, load(points.offset + at), chunk.mask};
+  Shadows shadows{scene, scene.root, chunk, load(points.offset + at), chunk.mask};
   std::uint32_t& last = recent_blockers(light).last;
   const std::uint32_t first = last;
   if (first != no_index) {
@@ -292,8 +288,7 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
 /// Which of the points that ask for light do not see it.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
   if (scene.few_parts) {
-    const Parts& all = scene.tracer.accelerator.parts();
-    const auto count = static_cast<int>(all.groups[all.root].parts.size());
+    const auto count = static_cast<int>(scene.root.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < points.count; at += lanes) {
       find_blocked_among(scene, count, each_part, points, at, light);

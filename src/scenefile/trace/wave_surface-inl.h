@@ -97,8 +97,7 @@ inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r,
   if (hits.part[r] < 0) {
     return hits.others[r];
   }
-  const Parts& all = scene.tracer.accelerator.parts();
-  const Part& part = all.groups[all.root].parts[static_cast<std::size_t>(hits.part[r])];
+  const Part& part = scene.root[static_cast<std::size_t>(hits.part[r])];
   Hit hit;
   hit.t = hits.t[r];
   hit.shape = part.shape;
@@ -267,13 +266,11 @@ inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[l
 // Of shapes of the root group alone.
 inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, bool lit,
                            WavePoints& points, int at) {
-  const Parts& all = scene.tracer.accelerator.parts();
-  const std::vector<Part>& group = all.groups[all.root].parts;
   const Part* parts[lanes];
   alignas(64) double faces[lanes];
   for (int i = 0; i < lanes; ++i) {
     const std::uint32_t r = points.ray[at + i];
-    parts[i] = &group[static_cast<std::size_t>(hits.part[r])];
+    parts[i] = &scene.root[static_cast<std::size_t>(hits.part[r])];
     faces[i] = hits.face[r];
   }
   const bool textured = shape_materials(scene, parts, points, at) && lit;

@@ -1,0 +1,46 @@
+#include "scenefile/trace/single_pixels.h"
+
+namespace scenefile {
+
+SingleSampler::SingleSampler(const Tracer& tracer, const CameraRays& camera,
+                             const SurfaceWish& wish, RayCounts& counts)
+    : tracer_(tracer), camera_(camera), wish_(wish), counts_(counts) {}
+
+// Calls draw_pixel(pixel, counts) for each.
+template <typename Draw>
+std::vector<DrawnPixel> SingleSampler::draw(std::span<const glm::ivec2> places,
+                                            const Draw& draw_pixel) {
+  std::vector<DrawnPixel> pixels = pixels_at(places);
+  SurfaceRecorder recorder(tracer_.scene, wish_.lights);
+  counts_.recorder = wish_.wanted ? &recorder : nullptr;
+  for (DrawnPixel& pixel : pixels) {
+    recorder.clear();
+    draw_pixel(pixel, counts_);
+    pixel.surfaces = recorder.surfaces();
+  }
+  counts_.recorder = nullptr;
+  return pixels;
+}
+
+std::vector<DrawnPixel> SingleSampler::course(std::span<const glm::ivec2> places) {
+  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
+    pixel.color = course_pixel(tracer_, camera_, pixel.at.x, pixel.at.y, counts);
+  });
+}
+
+std::vector<DrawnPixel> SingleSampler::take(const FineSampler& sampler,
+                                            std::span<const glm::ivec2> places) {
+  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
+    sampler.take(pixel.at.x, pixel.at.y, sampler.first_samples(), pixel.samples, counts);
+  });
+}
+
+std::vector<DrawnPixel> SingleSampler::refine(const FineSampler& sampler,
+                                              std::span<const glm::ivec2> places) {
+  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
+    sampler.take(pixel.at.x, pixel.at.y, sampler.first_samples(), pixel.samples, counts);
+    sampler.refine(pixel.at.x, pixel.at.y, pixel.samples, counts);
+  });
+}
+
+}  // namespace scenefile

@@ -1,0 +1,30 @@
+#pragma once
+// The samples of pixels, one after the other: for pictures with planted mistakes.
+
+#include "scenefile/trace/course_samples.h"
+#include "scenefile/trace/drawn_pixel.h"
+#include "scenefile/trace/surface_recorder.h"
+
+namespace scenefile {
+
+/// As WaveSampler.
+class SingleSampler {
+ public:
+  SingleSampler(const Tracer& tracer, const CameraRays& camera, const SurfaceWish& wish,
+                RayCounts& counts);
+
+  std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> refine(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+
+ private:
+  template <typename Draw>
+  std::vector<DrawnPixel> draw(std::span<const glm::ivec2> places, const Draw& draw_pixel);
+
+  const Tracer& tracer_;
+  const CameraRays& camera_;
+  const SurfaceWish& wish_;
+  RayCounts& counts_;
+};
+
+}  // namespace scenefile

@@ -1,6 +1,7 @@
 #include "app/codes_page.h"
 
 #include "app/codes.h"
+#include "app/wrap.h"
 
 #include <fmt/format.h>
 
@@ -45,17 +46,21 @@ std::string markdown(std::string_view text) {
 
 }  // namespace
 
-std::string codes_text(std::string_view family) {
+std::string codes_text(std::size_t terminal_width, std::string_view family) {
   std::string text;
   std::size_t width = 0;
   for (const std::string_view name : code_names()) {
     width = std::max(width, name.size());
   }
   for (const Code* code : all_codes()) {
-    if (family.empty() || family_of(*code) == family) {
-      text += fmt::format("{:<{}}  {:<7}  {}\n", code->name, width, severity_name(code->severity),
-                          code->summary);
+    if (!family.empty() && family_of(*code) != family) {
+      continue;
     }
+    const std::string head =
+        fmt::format("{:<{}}  {:<7}", code->name, width, severity_name(code->severity));
+    const bool fits = head.size() + 2 + code->summary.size() <= terminal_width;
+    text += fits ? fmt::format("{}  {}\n", head, code->summary)
+                 : fmt::format("{}\n    {}\n", head, wrapped(code->summary, 4, 4, terminal_width));
   }
   return text + "\n\"scenefile help CODE\" says more.\n";
 }

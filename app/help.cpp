@@ -7,57 +7,104 @@
 #include "app/manual.h"
 #include "app/option_table.h"
 #include "app/output.h"
+#include "app/wrap.h"
 #include "scenefile/base/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scenefile::app {
 
 namespace {
 
-constexpr std::size_t text_width = 80;
-constexpr std::size_t option_column = 24;
+// Options under the headings of the help. What is in none of them stands under the last heading.
+struct Heading {
+  std::string_view title;
+  std::vector<std::string_view> options;
+};
 
-// Breaks text at spaces so that it ends before text_width; all lines but the first are indented.
-std::string wrapped(std::string_view text, std::size_t indent) {
-  std::string result;
-  std::size_t column = indent;
-  while (!text.empty()) {
-    const std::size_t space = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, space);
-    if (column > indent && column + 1 + word.size() > text_width) {
-      result += '\n';
-      result.append(indent, ' ');
-      column = indent;
-    }
-    if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += word.size();
-    text.remove_prefix(std::min(space + 1, text.size()));
-  }
-  return result;
+const std::vector<Heading>& headings() {
+  static const std::vector<Heading> all{
+      {"Picture",
+       {"--size", "--crop", "--pixel", "--sample", "--engine", "--profile", "--mode", "--features",
+        "--fresnel", "--max-depth"}},
+      {"Quality", {"--samples", "--seed", "--denoise"}},
+      {"Layers", {"--aov"}},
+      {"Comparison",
+       {"--references", "--scenes", "--scene", "--min-psnr", "--max-mean", "--max-difference",
+        "--max-share", "--pixel-threshold", "--min-ssim", "--max-flip"}},
+      {"Window", {"--window", "--trace", "--screenshot", "--frames", "--script"}},
+      {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
+      {"Findings", {"--strict", "--deny", "--allow"}},
+      {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
+      {"Output",
+       {"--output", "--to", "--preview", "--checkpoint", "--heatmap", "--sheet", "--report",
+        "--junit", "--check", "--files", "--tree", "--json", "--sarif", "--markdown", "--quiet",
+        "--help"}},
+      {"Other", {}},
+  };
+  return all;
 }
 
-std::string option_text(const OptionRow& row) {
+// The options of a command under a heading, in its order.
+std::vector<const OptionRow*> options_under(const Heading& heading, const Command& command) {
+  const auto place = [&](const std::vector<std::string_view>& names, const OptionRow& row) {
+    return std::find(names.begin(), names.end(), row.name);
+  };
+  const auto is_here = [&](const OptionRow& row) {
+    if (!heading.options.empty()) {
+      return place(heading.options, row) != heading.options.end();
+    }
+    return std::none_of(headings().begin(), headings().end(), [&](const Heading& other) {
+      return place(other.options, row) != other.options.end();
+    });
+  };
+  std::vector<const OptionRow*> rows;
+  for (const OptionRow& row : option_table()) {
+    if ((row.commands & command.bit) != 0 && is_here(row)) {
+      rows.push_back(&row);
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(), [&](const OptionRow* a, const OptionRow* b) {
+    return place(heading.options, *a) < place(heading.options, *b);
+  });
+  return rows;
+}
+
+// Where the second column starts.
+std::size_t second_column(std::size_t width, std::size_t usual) {
+  return width >= usual + 40 ? usual : 6;
+}
+
+// Two columns; the second on a line of its own where the first is too long.
+std::string columns_text(std::string_view first, std::string_view second, std::size_t column,
+                         std::size_t width) {
+  const bool fits = first.size() + 2 <= column;
+  return fmt::format("{}{}{:{}}{}\n", first, fits ? "" : "\n", "",
+                     fits ? column - first.size() : column, wrapped(second, column, column, width));
+}
+
+std::string option_text(const OptionRow& row, std::size_t width) {
   const std::string head = fmt::format("  {}{}{}{}{}", row.letter, row.letter.empty() ? "" : ", ",
                                        row.name, row.value.empty() ? "" : " ", row.value);
-  const bool fits = head.size() + 2 <= option_column;
-  return fmt::format("{}{}{:{}}{}\n", head, fits ? "" : "\n", "",
-                     fits ? option_column - head.size() : option_column,
-                     wrapped(row.help, option_column));
+  return columns_text(head, row.help, second_column(width, 24), width);
 }
 
-std::string indented_lines(std::string_view lines) {
+// "scenefile check SCENE...".
+std::string usage_text(const Command& command) {
+  return fmt::format("scenefile {}{}{}", command.name, command.arguments.empty() ? "" : " ",
+                     command.arguments);
+}
+
+std::string example_text(std::string_view lines, std::size_t width) {
   std::string result;
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
-    result += fmt::format("  {}\n", lines.substr(0, end));
+    result += fmt::format("  {}\n", wrapped(lines.substr(0, end), 2, 6, width, " \\"));
     lines.remove_prefix(std::min(end + 1, lines.size()));
   }
   return result;
@@ -93,37 +140,54 @@ std::span<const std::string_view> command_names() {
 }
 
 std::string overview_text() {
+  const std::size_t width = help_width();
   std::string text =
-      "scenefile reads, checks and renders scene files of the course CS123 / CSCI1230.\n\n";
+      wrapped("scenefile reads, checks and renders scene files of the course CS123 / CSCI1230.", 0,
+              0, width) +
+      "\n\n";
   for (const Command& command : commands()) {
-    const std::string head = fmt::format("  scenefile {} {}", command.name, command.arguments);
-    text += fmt::format("{:<38}{}\n", head, command.summary);
+    text +=
+        columns_text("  " + usage_text(command), command.summary, second_column(width, 38), width);
   }
-  return text +
-         "\n\"scenefile help COMMAND\" explains a command, \"scenefile help CODE\" a finding,\n"
-         "\"scenefile help codes\" lists the codes of all findings,\n"
-         "\"scenefile help limits\" what a file may cost.\n"
-         "- in place of a file is standard input or output.\n\n"
-         "Exit status: 0 fine (warnings included), 1 errors in the input, 2 wrong usage,\n"
-         "3 something cannot be read or written, 4 a limit was reached, 130 interrupted.\n";
+  text += "\nMore:\n";
+  for (const auto& [topic, what] :
+       {std::pair("COMMAND", "a command with its options and examples"),
+        {"CODE", "a finding, such as xml.number; or a family of them, such as xml"},
+        {"codes", "the codes of all findings"},
+        {"limits", "what a file may cost"}}) {
+    text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
+                         width);
+  }
+  return text + "\n" + wrapped("- in place of a file is standard input or output.", 0, 0, width) +
+         "\n\n" +
+         wrapped(
+             "Exit status: 0 fine (warnings included), 1 errors in the input, 2 wrong usage, 3 "
+             "something cannot be read or written, 4 a limit was reached, 130 interrupted.",
+             0, 0, width) +
+         "\n";
 }
 
 std::string command_text(const Command& command) {
-  std::string text = fmt::format("scenefile {}{}{} [options]\n\n{}\n\nOptions:\n", command.name,
-                                 command.arguments.empty() ? "" : " ", command.arguments,
-                                 wrapped(command.description, 0));
-  for (const OptionRow& row : option_table()) {
-    if ((row.commands & command.bit) != 0) {
-      text += option_text(row);
+  const std::size_t width = help_width();
+  std::string text =
+      fmt::format("{}\n\n{}\n", wrapped(usage_text(command) + " [options]", 0, 6, width),
+                  wrapped(command.description, 0, 0, width));
+  for (const Heading& heading : headings()) {
+    const std::vector<const OptionRow*> rows = options_under(heading, command);
+    text += rows.empty() ? "" : fmt::format("\n{}:\n", heading.title);
+    for (const OptionRow* row : rows) {
+      text += option_text(*row, width);
     }
   }
-  return text + "\nExamples:\n" + indented_lines(command.examples);
+  return text + "\nExamples:\n" + example_text(command.examples, width);
 }
 
 std::string code_text(const Code& code) {
-  return fmt::format("{}: {} ({}{})\n\n{}\n", code.name, code.summary, severities_text(code),
-                     code.kind == CodeKind::dialect ? ": an error with --strict" : "",
-                     wrapped(code.help, 0));
+  const std::size_t width = help_width();
+  return wrapped(fmt::format("{}: {} ({}{})", code.name, code.summary, severities_text(code),
+                             code.kind == CodeKind::dialect ? ": an error with --strict" : ""),
+                 0, 2, width) +
+         "\n\n" + wrapped(code.help, 0, 0, width) + "\n";
 }
 
 ExitCode run_help(const Options& options, Context& /*context*/) {
@@ -151,13 +215,13 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const auto families = code_families();
       std::find(families.begin(), families.end(), topic) != families.end()) {
-    return answer(options.json ? help_json() : codes_text(topic));
+    return answer(options.json ? help_json() : codes_text(help_width(), topic));
   }
   if (topic == "codes") {
-    return answer(options.json ? help_json() : codes_text());
+    return answer(options.json ? help_json() : codes_text(help_width()));
   }
   if (topic == "limits") {
-    return answer(options.json ? help_json() : limits_text());
+    return answer(options.json ? help_json() : limits_text(help_width()));
   }
   say_error(no_such_topic(topic));
   return ExitCode::usage;

@@ -1,6 +1,7 @@
 #include "app/limit_table.h"
 
 #include "app/option_table.h"
+#include "app/wrap.h"
 #include "scenefile/base/text.h"
 
 #include <fmt/format.h>
@@ -139,20 +140,29 @@ std::string set_limit(Limits& limits, const std::string& assignment) {
   return fmt::format("{}: {}", name, wrong);
 }
 
-std::string limits_text() {
+std::string limits_text(std::size_t width) {
   std::string text =
-      "Limits keep a hostile or mistaken file from costing more than a scene is worth. A file "
-      "that\n"
-      "reaches one is refused with a message and exit status 4. Each is set by --limit "
-      "NAME=VALUE;\n"
-      "K, M and G behind a number of bytes stand for 2^10, 2^20 and 2^30.\n\n";
+      wrapped(
+          "Limits keep a hostile or mistaken file from costing more than a scene is worth. A "
+          "file that reaches one is refused with a message and exit status 4. Each is set by "
+          "--limit NAME=VALUE; K, M and G after a number of bytes stand for 2^10, 2^20 and "
+          "2^30.",
+          0, 0, width) +
+      "\n\n";
+  constexpr std::size_t column = 31;
+  const std::size_t indent = width >= 72 ? column : 6;
   for (const LimitRow& limit : table) {
-    text += fmt::format("  {:<18} {:>9}  {}{}\n", limit.name, shown(limit, limit.get({})),
-                        limit.help, limit.bytes ? ", in bytes" : "");
+    text += fmt::format("  {:<18} {:>9}  ", limit.name, shown(limit, limit.get({})));
+    text += wrapped(fmt::format("{}{}", limit.help, limit.bytes ? ", in bytes" : ""), column + 1,
+                    indent + 1, width) +
+            "\n";
   }
-  return text +
-         "\nBesides: --max-memory for the memory of the whole run, --timeout for its time,\n"
-         "--max-depth for rays.\n";
+  return text + "\n" +
+         wrapped(
+             "Besides: --max-memory for the memory of the whole run, --timeout for its time, "
+             "--max-depth for rays.",
+             0, 0, width) +
+         "\n";
 }
 
 }  // namespace scenefile::app

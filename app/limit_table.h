@@ -3,6 +3,7 @@
 
 #include "scenefile/base/limits.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -30,7 +31,7 @@ std::string set_limit(Limits& limits, const std::string& assignment);
 std::string parse_bytes(const std::string& text, std::uint64_t min, std::uint64_t max,
                         std::uint64_t& bytes);
 
-/// What `scenefile help limits` says.
-std::string limits_text();
+/// What `scenefile help limits` says, in lines of that width.
+std::string limits_text(std::size_t width);
 
 }  // namespace scenefile::app

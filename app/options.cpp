@@ -92,6 +92,13 @@ std::string check_output(const std::string& output) {
   if (output == "-" || output.starts_with("/dev/") || image_format_of(output, format)) {
     return {};
   }
+  if (const std::string extension = lower_case_extension(output);
+      extension == ".jpg" || extension == ".jpeg") {
+    return fmt::format(
+        "cannot write {}: the name must end in .png, .exr or .pfm; JPEG changes "
+        "colors, so pictures could not be compared",
+        quoted(output, 400));
+  }
   return fmt::format("cannot write {}: {}", quoted(output, 400),
                      named ? "the name must end in .png, .exr or .pfm"
                            : "without .png, .exr or .pfm at its end it does not say what to write");

@@ -2,6 +2,7 @@
 
 #include "scenefile/io/file.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -36,6 +37,11 @@ bool wants_swatches(Stream stream) {
 
 bool wants_progress() {
   return is_smart_terminal(Stream::chatter) && !is_set("CI");
+}
+
+std::size_t terminal_width(Stream stream) {
+  winsize size{};
+  return ::ioctl(static_cast<int>(stream), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 ExitCode answer(const std::string& text) {

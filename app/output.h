@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 
+#include <cstddef>
 #include <new>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ bool wants_color(Stream stream);
 bool wants_swatches(Stream stream);
 /// Whether a progress bar makes sense: standard error is a terminal, and no CI job's.
 bool wants_progress();
+
+/// How many characters a line of the terminal holds; 0: it is none, or does not say.
+std::size_t terminal_width(Stream stream);
 
 /// Writes to standard output at once. A failure (closed, full) is said and is
 /// ExitCode::environment.

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,6 +33,11 @@ class Terminal {
   ~Terminal() { ::close(fd_); }
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
+
+  void set_columns(unsigned short columns) const {
+    const winsize size{24, columns, 0, 0};
+    ::ioctl(fd_, TIOCSWINSZ, &size);
+  }
 
   std::string name() const { return ::ptsname(fd_); }
 
@@ -121,6 +127,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const RunSetti
   folder.write("out", "");
   folder.write("err", "");
   const Terminal terminal;
+  terminal.set_columns(settings.columns);
   const pid_t child = ::fork();
   if (child == 0) {
     become_program(arguments, settings, folder, terminal);

@@ -5,9 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -102,6 +105,7 @@ TEST(Usage, MissesWhatIsMissing) {
   is_misuse({"render", "a.xml", "-o"}, "--output needs a value");
   is_misuse({"render", "a.xml", "b.xml", "-o", "b.png"}, R"(what is "b.xml"?)");
   is_misuse({"render", "a.xml", "-o", "b.jpg"}, "must end in .png, .exr or .pfm");
+  is_misuse({"render", "a.xml", "-o", "b.JPEG"}, "JPEG changes colors");
   is_misuse({"render", "a.xml", "-o", "picture"}, "does not say what to write");
 }
 
@@ -139,8 +143,9 @@ TEST(Usage, HelpListsTheCodesOfAFamily) {
   EXPECT_EQ(camera.status, 0);
   std::istringstream lines(camera.out);
   int count = 0;
-  for (std::string line; std::getline(lines, line) && !line.empty(); ++count) {
-    EXPECT_TRUE(line.starts_with("camera.")) << line;
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    EXPECT_TRUE(line.starts_with("camera.") || line.starts_with("    ")) << line;
+    count += line.starts_with("camera.") ? 1 : 0;
   }
   EXPECT_GT(count, 5);
   is_misuse({"help", "camra"}, "did you mean camera?");
@@ -170,6 +175,64 @@ TEST(Usage, HelpFitsATerminal) {
     std::istringstream lines(run_program({"help", command}).out);
     for (std::string line; std::getline(lines, line);) {
       EXPECT_LE(line.size(), 90U) << line;
+    }
+  }
+}
+
+std::size_t longest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t longest = 0;
+  for (std::string line; std::getline(lines, line);) {
+    longest = std::max(longest, line.size() - (line.ends_with('\r') ? 1 : 0));
+  }
+  return longest;
+}
+
+TEST(Usage, HelpIsAsWideAsTheTerminal) {
+  const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
+  std::vector<std::vector<std::string>> pages{{"help"},
+                                              {"help", "codes"},
+                                              {"help", "limits"},
+                                              {"help", "camera"},
+                                              {"help", "xml.alias-attribute"}};
+  for (const auto& command : help["commands"].GetArray()) {
+    pages.push_back({"help", command["name"].GetString()});
+  }
+  for (const std::vector<std::string>& page : pages) {
+    for (const std::size_t width : {60U, 44U}) {
+      const std::string columns = "COLUMNS=" + std::to_string(width);
+      const std::string text = run_program(page, {.environment = {columns}}).out;
+      EXPECT_LE(longest_line(text), width) << text;
+    }
+    EXPECT_LE(longest_line(run_program(page, {.environment = {"COLUMNS="}}).out), 80U);
+    RunSettings terminal{.environment = {"COLUMNS=", "TERM=xterm"}};
+    terminal.terminal = true;
+    terminal.columns = 50;
+    EXPECT_LE(longest_line(run_program(page, terminal).out), 50U);
+  }
+  EXPECT_GT(longest_line(run_program({"help", "render"}, {.environment = {"COLUMNS=200"}}).out),
+            90U);
+}
+
+TEST(Usage, OptionsStandUnderHeadings) {
+  const std::string render = run_program({"help", "render"}).out;
+  std::size_t last = 0;
+  for (const char* heading : {"\nPicture:\n", "\nQuality:\n", "\nLayers:\n", "\nInput:\n",
+                              "\nLimits:\n", "\nOutput:\n", "\nExamples:\n"}) {
+    const std::size_t at = render.find(heading);
+    ASSERT_NE(at, std::string::npos) << heading;
+    EXPECT_GT(at, last) << heading;
+    last = at;
+  }
+  const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);
+  for (const auto& command : help["commands"].GetArray()) {
+    const std::string text = run_program({"help", command["name"].GetString()}).out;
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("\nOther:\n"))) << "give it a heading in help.cpp";
+    for (const auto& option : command["options"].GetArray()) {
+      const std::string name = option["name"].GetString();
+      EXPECT_TRUE(text.find("  " + name) != std::string::npos ||
+                  text.find(", " + name) != std::string::npos)
+          << name;
     }
   }
 }

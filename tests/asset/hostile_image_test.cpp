@@ -303,9 +303,24 @@ TEST(HostileImage, TgaPacketsThatEndEarly) {
   const std::string head = std::string("\0\0\x0a", 3) + std::string(9, '\0') + u16(200) + u16(2) +
                            std::string("\x18\x20", 2);
   const std::string run = "\xff\7\7\7";
-  EXPECT_EQ(decode(head + run + run + run + run).error, "");
+  const std::string run_of_16 = "\x8f\7\7\7";
+  EXPECT_EQ(decode(head + run + run + run + run_of_16).error, "");
   EXPECT_THAT(decode(head + run + run + run).error, HasSubstr("ends early"));
   EXPECT_THAT(decode(head + run).error, HasSubstr("so many cannot be in"));
+}
+
+// TGA 1 lets packets run from a row into the next; out of the picture none may.
+TEST(HostileImage, TgaPacketsThatRunTooFar) {
+  const std::string head = std::string("\0\0\x0a", 3) + std::string(9, '\0') + u16(3) + u16(2) +
+                           std::string("\x18\x20", 2);
+  const std::string four = "\x83\7\7\7";
+  const std::string two = "\x81\x9\x9\x9";
+  const Decoded whole = decode(head + four + two);
+  EXPECT_EQ(whole.error, "");
+  EXPECT_EQ(decode(head + four + four).error, "the run-length data goes on past the last pixel");
+  const std::string three_raw = "\2\1\1\1\2\2\2\3\3\3";
+  EXPECT_EQ(decode(head + four + three_raw).error,
+            "the run-length data goes on past the last pixel");
 }
 
 }  // namespace

@@ -117,6 +117,8 @@ class Pixels {
     return color_;
   }
 
+  /// Whether the last packet goes on past the pixel that was read last.
+  bool in_packet() const { return left_ > 0; }
   bool ended() const { return in_.ended(); }
   bool bad_index() const { return bad_index_; }
 
@@ -166,6 +168,11 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
       error = fmt::format("a pixel in row {} has a color beyond the end of the palette", row);
       return false;
     }
+  }
+  // Packets may run from one row into the next, as those of TGA 1 do, but not out of the picture.
+  if (pixels.in_packet()) {
+    error = "the run-length data goes on past the last pixel";
+    return false;
   }
   return true;
 }

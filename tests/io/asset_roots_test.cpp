@@ -268,7 +268,7 @@ TEST_F(Layout, SaysWhereItLooked) {
   const ResolvedAsset asset = roots_of(home).resolve("image/no.png");
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("image/no.png")));
-  EXPECT_THAT(asset.error.text, HasSubstr(home.path("scenes/image/no.png")));
+  EXPECT_THAT(asset.error.text, HasSubstr("looked for image/no.png, ../image/no.png"));
   EXPECT_THAT(asset.error.text,
               HasSubstr("; files elsewhere need --asset-root DIR or --allow-outside"));
 }
@@ -280,6 +280,18 @@ TEST_F(Layout, TheSizeIsBounded) {
   options.max_bytes = 4;
   std::string bytes;
   EXPECT_TRUE(AssetRoots(options).read("a.png", bytes).over_limit);
+}
+
+TEST_F(Layout, AMissNamesAllPlacesAsSeenFromTheScene) {
+  home.write("data/a.png");
+  home.write("far/away/data/a.png");
+  AssetRoots roots = roots_of(home, {"data", "far/away/data"});
+  EXPECT_EQ(misses(roots, "image/deep/no.png"),
+            "no such file; looked for image/deep/no.png, ../image/deep/no.png, "
+            "../data/image/deep/no.png, ../far/away/data/image/deep/no.png, deep/no.png, "
+            "../deep/no.png, ../data/deep/no.png, ../far/away/data/deep/no.png, no.png, ../no.png, "
+            "../data/no.png, ../far/away/data/no.png; files elsewhere need --asset-root DIR or "
+            "--allow-outside");
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ namespace {
 constexpr std::array<std::string_view, 8> sibling_folders{"image", "images", "texture", "textures",
                                                           "mesh",  "meshes", "model",   "models"};
 constexpr std::size_t max_searched_entries = 10'000;
-constexpr std::size_t shown_places = 3;
 
 // Absolute, without links, "." and ".."; empty when there is no such file.
 std::string canonical(const std::string& path) {
@@ -258,7 +257,7 @@ class AssetSearch {
   void explain() {
     std::string why = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
     if (why.empty()) {
-      why = "no such file in the scene's folder or an asset root; looked for " + places();
+      why = "no such file; looked for " + places();
       for (const std::string& root : roots_.index().skipped()) {
         why += fmt::format("; {} has too many files to search by name", escaped(root, PATH_MAX));
       }
@@ -271,17 +270,20 @@ class AssetSearch {
 
   std::string places() const {
     std::string text;
-    std::size_t shown = 0;
     for (const std::string& path : result_.tried) {
-      if (shown < shown_places) {
-        text += (shown++ == 0 ? "" : ", ") + escaped(path, PATH_MAX);
-      }
-    }
-    if (result_.tried.size() > shown) {
-      const std::size_t more = result_.tried.size() - shown;
-      text += fmt::format(" and {} more place{}", more, more == 1 ? "" : "s");
+      text += (text.empty() ? "" : ", ") + escaped(from_scene(path), PATH_MAX);
     }
     return text.empty() ? "it nowhere, for want of an asset root" : text;
+  }
+
+  // The path as one would write it in the scene, where that is near.
+  std::string from_scene(const std::string& path) const {
+    if (roots_.scene_folder_.empty()) {
+      return path;
+    }
+    const std::string relative =
+        std::filesystem::path(path).lexically_relative(roots_.scene_folder_).string();
+    return relative.empty() || relative.starts_with("../../") ? path : relative;
   }
 
   AssetRoots& roots_;

@@ -102,7 +102,7 @@ inline constexpr Code xml_ignored_element{
     Severity::warning,
     "an element of some readers has no effect",
     "Some programs read it; the format text does not name it and nothing here depends on it. A "
-    "note where nothing could depend on it at all.",
+    "note where nothing could depend on it at all and its value makes sense.",
     CodeKind::plain,
     Severity::note};
 inline constexpr Code xml_alias_element{

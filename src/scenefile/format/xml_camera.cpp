@@ -1,5 +1,7 @@
 #include "scenefile/format/xml_camera.h"
 
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
 
@@ -70,6 +72,18 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
   draft.camera.look = direction == glm::vec3(0) ? glm::vec3(not_known) : direction;
 }
 
+// It never counts, but one that cannot be a ratio may hide a mistake.
+void report_aspect_ratio(const XmlContext& context, const XmlTag& tag) {
+  const XmlAttribute* const v = tag.find("v");
+  const XmlAttribute* const given = v != nullptr ? v : tag.find("value");
+  const ParsedNumber number = parse_number(given != nullptr ? given->value : "1");
+  const bool is_ratio = number.error == NumberError::none && number.value > 0;
+  context.diagnostics.report(
+      xml_ignored_element, is_ratio ? Severity::note : Severity::warning, tag.location,
+      fmt::format("<aspectratio>{} has no effect: the picture's size decides",
+                  is_ratio ? "" : fmt::format(" {} is not a ratio, and", quoted(given->value))));
+}
+
 }  // namespace
 
 bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen, Scene& scene) {
@@ -96,9 +110,7 @@ bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft&
   } else if (row.has_member()) {
     read_value(context, tag, row, draft.camera);
   } else {
-    context.diagnostics.report(
-        xml_ignored_element, Severity::note, tag.location,
-        fmt::format("<{}> has no effect: the picture's size decides", row.xml));
+    report_aspect_ratio(context, tag);
   }
   return true;
 }

@@ -198,6 +198,13 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                    "<object type=\"primitive\"> lacks attribute name, the shape");
     return std::nullopt;
   }
+  if (object.name.find_first_not_of(" \t\r\n") == std::string::npos) {
+    context.diagnostics.report(
+        xml_missing_attribute, object.name_place,
+        fmt::format("the attribute name of the primitive is empty; it must say the shape: {}",
+                    fmt::join(shape_words, ", ")));
+    return std::nullopt;
+  }
   std::size_t i = index_of(shape_words, object.name);
   if (i == shape_words.size()) {
     const std::string_view near = nearest_name(object.name, shape_words);

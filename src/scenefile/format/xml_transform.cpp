@@ -36,12 +36,16 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
                                fmt::format("the last row of the matrix is {} {} {} {}; {}", last.x,
                                            last.y, last.z, last.w, what));
   };
+  const bool repeated = !only_w && last == rows[2];
   const bool no_translation = rows[0].w == 0 && rows[1].w == 0 && rows[2].w == 0;
   if (only_w && !is_finite(rows / last.w)) {
     report(Severity::error, "it must be 0 0 0 1");
   } else if (only_w) {
     report(Severity::warning, "the matrix was divided by its last number to make it 0 0 0 1");
     rows /= last.w;
+  } else if (repeated) {
+    report(Severity::warning,
+           "the third row stands there twice. It must be 0 0 0 1, so it has no effect");
   } else if (no_translation && last.w == 1) {
     report(Severity::warning,
            "it has no effect. The matrix seems to be transposed: a translation belongs into the "
@@ -72,7 +76,8 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
   const Parts& parts = *found;
   const int axis_parts = (parts[0] != nullptr) + (parts[1] != nullptr) + (parts[2] != nullptr);
   if (axis_parts == 0 && parts[3] != nullptr) {
-    context.report(xml_rotate_axis, tag, "<rotate> has no axis, so it has no effect");
+    context.report(xml_rotate_axis, tag,
+                   "<rotate> has no axis, so it has no effect; write its axis as x, y and z");
     return std::nullopt;
   }
   if (axis_parts != 3) {
@@ -80,7 +85,8 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     return std::nullopt;
   }
   if (parts[3] == nullptr) {
-    context.report(xml_rotate_angle, tag, "<rotate> has no angle; it was read as 0 degrees");
+    context.report(xml_rotate_angle, tag,
+                   "<rotate> has no angle, so it has no effect; write its degrees as angle");
   }
   Rotate rotate;
   for (int i = 0; i < 3; ++i) {

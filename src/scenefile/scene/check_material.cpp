@@ -74,6 +74,11 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
     reporter.report(material_ior_negative, subject, Field::ior,
                     fmt::format("ior {} of the {} is negative; it counts as 1", number_text(ior),
                                 subject.what));
+  } else if (ior == 0 && largest(material.transparent) > 0 && reporter.gives(subject, Field::ior)) {
+    reporter.report(material_ior_unusual, subject, Field::ior,
+                    fmt::format("ior 0 of the transparent {} counts as 1, so light passes straight "
+                                "through it; glass has 1.5",
+                                subject.what));
   } else if (ior != 0 && (ior < least_ior || ior > most_ior)) {
     reporter.report(
         material_ior_unusual, subject, Field::ior,

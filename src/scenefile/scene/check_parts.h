@@ -38,6 +38,11 @@ class Reporter {
   /// A finding about one value of the subject.
   void report(const Code& code, const Subject& subject, Field field, std::string message);
 
+  /// Whether the file gives the value, rather than leaving it to its default.
+  bool gives(const Subject& subject, Field field) {
+    return places_.find(subject.location, field) != subject.location;
+  }
+
   /// False: the value could not be read.
   bool knows(float value) const { return !scene_.incomplete || !std::isnan(value); }
   /// Whether the value is finite; reports if not.

@@ -5,7 +5,9 @@
 #include "scenefile/scene/walk.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/matrix_access.hpp>
 
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -52,7 +54,7 @@ class TransformCheck {
       }
     }
     check_last_row(matrix.m());
-    return has_inverse([] { return "matrix"; });
+    return has_inverse([&] { return "matrix" + repeated_rows(matrix.m()); });
   }
 
   void check_last_row(const glm::mat4& m) {
@@ -66,6 +68,18 @@ class TransformCheck {
                                  vector_text(row), number_text(m[3].w),
                                  transposed ? "; is it transposed, with its translation in the row?"
                                             : "; it is taken as that"));
+  }
+
+  // " with its rows 1 and 2 the same", or nothing.
+  static std::string repeated_rows(const glm::mat4& m) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = i + 1; j < 3; ++j) {
+        if (glm::row(m, i) == glm::row(m, j)) {
+          return fmt::format(" with its rows {} and {} the same", i + 1, j + 1);
+        }
+      }
+    }
+    return {};
   }
 
   // `what` says it in words, which few scenes need.

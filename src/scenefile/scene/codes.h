@@ -189,7 +189,8 @@ inline constexpr Code material_ior_negative{
 inline constexpr Code material_ior_unusual{
     "material.ior-unusual", Severity::warning, "an index of refraction of no material",
     "ior is 1 for air, 1.33 for water, 1.5 for glass, 2.4 for diamond, and may be down to a half "
-    "for a bubble of air in something denser. It is used as written."};
+    "for a bubble of air in something denser. It is used as written; 0, which stands for no ior at "
+    "all, counts as 1."};
 inline constexpr Code material_blend_range{"material.blend-range", Severity::warning,
                                            "a blend outside 0 to 1",
                                            "blend is the share of the texture in the diffuse "

@@ -221,7 +221,9 @@ ExitCode write_text(const std::string& path, const std::string& text) {
 }
 
 ExitCode check_places(const Options& options) {
-  for (const std::string& folder : {options.arguments.front(), options.references}) {
+  for (const std::string& folder :
+       {options.arguments.front(), options.references,
+        options.scenes.empty() ? options.references : options.scenes}) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
       say_error(fmt::format("{} is not a folder that can be read", quoted(folder, 400)));

@@ -209,6 +209,11 @@ TEST_F(Grade, WhatIsMissing) {
   const ProgramRun run = in_folder({"grade", ".", "--references", "empty"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("\"empty\" holds no pictures"));
+  const ProgramRun no_scenes =
+      in_folder({"grade", ".", "--references", ".", "--scenes", "nowhere"});
+  EXPECT_EQ(no_scenes.status, 3);
+  EXPECT_THAT(no_scenes.err, HasSubstr("\"nowhere\" is not a folder that can be read"));
+  EXPECT_EQ(no_scenes.out, "");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "app/output.h"
 #include "app/projects_ray.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/memory.h"
 
@@ -138,6 +139,19 @@ ExitCode complain(std::string_view what, std::string_view topic) {
   return ExitCode::usage;
 }
 
+// What stands in the place of the command.
+std::string unknown_command(std::string_view name) {
+  if (name.starts_with('-')) {
+    return fmt::format("the command comes first, then options such as {}: scenefile COMMAND ...",
+                       quoted(name));
+  }
+  if (is_scene_name(name)) {
+    return fmt::format("{} is a file, not a command; a command comes first: scenefile check {}",
+                       quoted(name), escaped(name));
+  }
+  return fmt::format("there is no command {}{}", quoted(name), did_you_mean(name, command_names()));
+}
+
 void bound(const Options& options, Context& context) {
   context.max_memory = options.max_memory.value_or(0);
   limit_memory(options.max_memory.value_or(default_memory_limit()));
@@ -173,9 +187,7 @@ ExitCode run(std::span<const char* const> words, Context& context) {
   if (const Command* const command = find_command(name); command != nullptr) {
     return run_command(*command, words.subspan(1), context);
   }
-  return complain(
-      fmt::format("there is no command {}{}", quoted(name), did_you_mean(name, command_names())),
-      {});
+  return complain(unknown_command(name), {});
 }
 
 }  // namespace

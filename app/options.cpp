@@ -124,9 +124,12 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
                        command.name, command.arguments);
   }
   if (arguments.size() > most) {
-    return fmt::format("{} takes {}; what is {}?", command.name,
+    ImageFormat format{};
+    const bool output = command.bit == for_render && image_format_of(arguments[most], format);
+    return fmt::format("{} takes {}; what is {}?{}", command.name,
                        most == 1 ? "one argument" : fmt::format("{} arguments", most),
-                       quoted(arguments[most], 400));
+                       quoted(arguments[most], 400),
+                       output ? " The picture to write goes after -o" : "");
   }
   if (std::count(arguments.begin(), arguments.end(), "-") > (command.bit == for_convert ? 2 : 1)) {
     return "standard input can be read only once";

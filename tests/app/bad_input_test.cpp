@@ -112,6 +112,18 @@ TEST(BadInput, AMisspelledFileAttributeIsUsedOrAnError) {
   EXPECT_THAT(texture.out, HasSubstr("texture \"no.png\": no such file"));
 }
 
+TEST(BadInput, WordsInOddOrder) {
+  const auto told = [](const std::vector<std::string>& words) {
+    const ProgramRun run = run_program(words);
+    EXPECT_EQ(run.status, 2);
+    return run.err;
+  };
+  EXPECT_THAT(told({"a/b.xml"}), HasSubstr("a command comes first: scenefile check a/b.xml"));
+  EXPECT_THAT(told({"--json", "check", "b.xml"}),
+              HasSubstr("the command comes first, then options"));
+  EXPECT_THAT(told({"render", "a.xml", "b.png"}), HasSubstr("The picture to write goes after -o"));
+}
+
 }  // namespace
 
 }  // namespace scenefile

@@ -43,8 +43,8 @@ const std::vector<Heading>& headings() {
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output",
        {"--output", "--to", "--preview", "--checkpoint", "--heatmap", "--sheet", "--report",
-        "--junit", "--check", "--files", "--tree", "--json", "--sarif", "--markdown", "--quiet",
-        "--help"}},
+        "--junit", "--check", "--files", "--tree", "--man", "--completion", "--json", "--sarif",
+        "--markdown", "--quiet", "--help"}},
       {"Other", {}},
   };
   return all;

@@ -78,6 +78,14 @@ conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
 	$(call compile,scenefile_conformance)
 	@$(BUILD)/tests/conformance/scenefile_conformance "$(CORPUS)" out/conformance
 
+.PHONY: realtime
+realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime in DIR/references.tsv
+	@test -n "$(REALTIME)" || { echo "say where the references are: make realtime REALTIME=DIR"; exit 2; }
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_realtime)
+	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
+
 .PHONY: driver
 driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }

@@ -3,6 +3,7 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/realtime.h"
 #include "app/sarif.h"
 #include "app/scene_files.h"
 
@@ -80,6 +81,10 @@ ExitCode run_check(const Options& options, Context& context) {
     if (scene.unreadable.empty()) {
       context.phase = "checking the picture";
       check_picture(scene, {});
+      if (const auto realtime = realtime_options(options);
+          realtime && status_of(scene) == ExitCode::fine) {
+        check_realtime(*realtime, scene);
+      }
     }
     apply_policy(options, scene.diagnostics);
     status = worse(status, status_of(scene));

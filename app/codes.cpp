@@ -18,6 +18,7 @@ namespace {
 
 std::vector<const Code*> collect() {
   // One a line, so that additions do not meet.
+  // clang-format off
   std::vector<const Code*> codes{
       &convert_comments,
       &convert_file_left_behind,
@@ -25,8 +26,12 @@ std::vector<const Code*> collect() {
       &gl_copies_left_out,
       &gl_not_drawn,
       &gl_shadows_left_out,
+      &realtime_light_skipped,
+      &realtime_no_light,
+      &realtime_not_drawn,
       &render_no_directional_light,
   };
+  // clang-format on
   for (const auto& room :
        {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes(),
                            import_codes()}) {

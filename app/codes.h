@@ -14,6 +14,22 @@ inline constexpr Code render_no_directional_light{
     "and the scene has none: the picture shows ambient light only. With --profile fine, or with "
     "--mode ray, the other lights count too."};
 
+inline constexpr Code realtime_light_skipped{
+    "realtime.light-skipped", Severity::note, "a light that the milestone does not know",
+    "The milestone Lights, Camera of the assignment Realtime has directional lights alone, Action "
+    "also point lights and spotlights. The program of the assignment skips all other lights "
+    "silently, and so does --profile realtime."};
+
+inline constexpr Code realtime_no_light{
+    "realtime.no-light", Severity::warning, "no light shines in this milestone",
+    "The scene has lights, but none of a type that the milestone knows: the picture shows ambient "
+    "light only. Scenes with point lights and spotlights are drawn with --milestone action."};
+
+inline constexpr Code realtime_not_drawn{
+    "realtime.not-drawn", Severity::note, "what the assignment Realtime does not draw",
+    "The assignment has no textures, reflections, transparency or shadows. --profile course and "
+    "--profile fine draw them."};
+
 inline constexpr Code convert_comments{
     "convert.comments", Severity::note, "comments are not carried over",
     "A scene is written from what it means, and comments have no meaning; JSON has none at all. "

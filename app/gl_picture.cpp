@@ -1,5 +1,6 @@
 #include "app/gl_picture.h"
 
+#include "app/realtime.h"
 #include "scenefile/view/codes.h"
 #include "scenefile/view/draw_options.h"
 #include "scenefile/view/headless.h"
@@ -20,7 +21,14 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
   const RenderScene& ready = scene.ready.scene;
   Drawing drawing =
       upload(*device, ready, scene.assets, upload_options(options.render), scene.diagnostics);
+  if (options.realtime) {
+    // realtime.not-drawn says it of the assignment.
+    scene.diagnostics.rewrite([](const Code& code, Severity severity) {
+      return &code == &gl_not_drawn ? std::nullopt : std::optional(severity);
+    });
+  }
   DrawOptions draw = draw_options(options.render);
+  draw.realtime = realtime_options(options);
   if (was_given(options, "--samples")) {
     draw.samples = options.render.samples;
   }

@@ -2,6 +2,7 @@
 #include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
+#include "app/names.h"
 #include "app/output.h"
 #include "app/tree.h"
 #include "scenefile/base/text.h"
@@ -75,6 +76,22 @@ std::string files_text(const std::vector<AssetFile>& files, AssetKind kind) {
   return missing == 0 ? fmt::format("{}", total) : fmt::format("{}, {} missing", total, missing);
 }
 
+std::string realtime_text(const RealtimeReport& report) {
+  const TessellationParameters& parameters = report.options.tessellation;
+  std::array<std::size_t, light_words.size()> skipped{};
+  for (const SkippedLight& light : report.skipped_lights) {
+    ++skipped[static_cast<std::size_t>(light.type)];
+  }
+  std::string text =
+      fmt::format("{}: {} lights shine, {:.0f} triangles of shapes with parameters {},{}",
+                  milestone_names[static_cast<std::size_t>(report.options.milestone)],
+                  report.lights, report.triangles, parameters.parameter1, parameters.parameter2);
+  if (!report.skipped_lights.empty()) {
+    text += "; skipped lights: " + counts_text(skipped, light_words);
+  }
+  return text;
+}
+
 void append_line(std::string& text, std::string_view name, std::string_view value) {
   text += fmt::format("  {:<11} {}\n", name, value);
 }
@@ -95,6 +112,9 @@ std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   append_line(text, "bounds", bounds_text(report.bounds));
   append_line(text, "textures", files_text(report.files, AssetKind::texture));
   append_line(text, "meshes", files_text(report.files, AssetKind::mesh));
+  if (report.realtime) {
+    append_line(text, "realtime", realtime_text(*report.realtime));
+  }
   return text;
 }
 
@@ -128,6 +148,9 @@ InfoReport make_report(const LoadedScene& scene, const Options& options, Context
   report.files = locate_files(scene, options);
   if (const Bounds bounds = scene_bounds(scene.ready.scene, scene.assets); !bounds.empty()) {
     report.bounds = bounds;
+  }
+  if (const auto realtime = realtime_options(options)) {
+    report.realtime = realtime_report(*realtime, scene);
   }
   if (options.tree) {
     report.tree = tree_text(scene.written);

@@ -275,6 +275,27 @@ void add_object_ids(Json& json, const LoadedScene& scene) {
   json.end_array();
 }
 
+void add_realtime(Json& json, const RealtimeReport& report) {
+  const RealtimeOptions& options = report.options;
+  json.add("milestone", milestone_names[static_cast<std::size_t>(options.milestone)]);
+  json.begin_array("parameters");
+  json.value(options.tessellation.parameter1);
+  json.value(options.tessellation.parameter2);
+  json.end_array();
+  json.add("near", options.near);
+  json.add("far", options.far);
+  json.add("filter", filter_names[static_cast<std::size_t>(options.filter)]);
+  json.add("lights_drawn", std::uint64_t{report.lights});
+  json.begin_array("lights_skipped");
+  for (const SkippedLight& light : report.skipped_lights) {
+    json.begin_object();
+    json.add("type", word_of(light.type));
+    add_location(json, light.location);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 void add_work(Json& json, const RenderReport& report) {
   json.add("engine", report.gl.renderer.empty() ? "trace" : "gl");
   if (!report.gl.renderer.empty()) {
@@ -316,7 +337,14 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   if (!report.error.empty()) {
     json.add("error", report.error);
   }
-  add_render_options(json, options);
+  if (report.realtime) {
+    json.add("width", options.width);
+    json.add("height", options.height);
+    json.add("profile", "realtime");
+    add_realtime(json, *report.realtime);
+  } else {
+    add_render_options(json, options);
+  }
   if (std::any_of(options.layers.begin(), options.layers.end(),
                   [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
     add_object_ids(json, scene);
@@ -336,6 +364,12 @@ std::string info_json(const LoadedScene& scene, const InfoReport* report) {
     add_camera(json, scene.written);
     add_summary(json, report->summary);
     add_bounds(json, report->bounds);
+    if (report->realtime) {
+      json.begin_object("realtime");
+      add_realtime(json, *report->realtime);
+      json.add("shape_triangles", report->realtime->triangles);
+      json.end_object();
+    }
     json.begin_array("files");
     for (const AssetFile& file : report->files) {
       add_file(json, file);

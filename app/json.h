@@ -4,6 +4,7 @@
 #include "app/gl_picture.h"
 #include "app/load.h"
 #include "app/option_table.h"
+#include "app/realtime.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/scene/diff.h"
@@ -37,6 +38,7 @@ struct RenderReport {
   double seconds = 0;  ///< wall time of everything
   RenderStats stats;
   GlReport gl;  ///< of --engine gl
+  std::optional<RealtimeReport> realtime;
 };
 std::string render_json(const LoadedScene& scene, const RenderReport& report);
 
@@ -46,6 +48,7 @@ struct InfoReport {
   std::optional<Bounds> bounds;  ///< none: nothing is drawn
   std::vector<AssetFile> files;
   std::string tree;  ///< empty: not asked for
+  std::optional<RealtimeReport> realtime;
 };
 std::string info_json(const LoadedScene& scene, const InfoReport* report);
 

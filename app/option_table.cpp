@@ -113,9 +113,50 @@ std::string set_pixel(Options& options, const std::string& value) {
 }
 
 std::string set_profile(Options& options, const std::string& value) {
+  static constexpr std::array<std::string_view, 3> words{profile_words[0], profile_words[1],
+                                                         "realtime"};
   std::size_t index = 0;
-  std::string wrong = set_choice("profile", value, profile_words, index);
-  options.render = default_options(static_cast<Profile>(index));
+  std::string wrong = set_choice("profile", value, words, index);
+  options.realtime = index == profile_words.size();
+  options.render = default_options(options.realtime ? Profile::fine : static_cast<Profile>(index));
+  return wrong;
+}
+
+std::string set_parameters(Options& options, const std::string& value) {
+  const std::size_t comma = value.find(',');
+  if (comma == std::string::npos) {
+    return fmt::format("{} is not two parameters such as 5,5", quoted(value));
+  }
+  TessellationParameters& parameters = options.realtime_panel.tessellation;
+  std::string wrong =
+      set_number(value.substr(0, comma), 1, most_tessellation, parameters.parameter1);
+  return wrong.empty()
+             ? set_number(value.substr(comma + 1), 1, most_tessellation, parameters.parameter2)
+             : wrong;
+}
+
+template <double RealtimeOptions::*depth>
+std::string set_depth(Options& options, const std::string& value) {
+  constexpr double most = 1e9;
+  const ParsedNumber number = parse_number(value);
+  options.realtime_panel.*depth = number.value;
+  if (number.error != NumberError::none || !(number.value > 0 && number.value <= most)) {
+    return fmt::format("{} is not a depth above 0 and up to {:g}", quoted(value), most);
+  }
+  return {};
+}
+
+std::string set_filter(Options& options, const std::string& value) {
+  std::size_t index = 0;
+  std::string wrong = set_choice("filter", value, filter_names, index);
+  options.realtime_panel.filter = static_cast<Filter>(index);
+  return wrong;
+}
+
+std::string set_milestone(Options& options, const std::string& value) {
+  std::size_t index = 0;
+  std::string wrong = set_choice("milestone", value, milestone_names, index);
+  options.realtime_panel.milestone = static_cast<Milestone>(index);
   return wrong;
 }
 
@@ -341,12 +382,30 @@ constexpr std::array table{
               "",
               "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
-              "pixels of the course's reference pictures; implies --compat course.",
-              for_tracing | for_pictures | for_view,
+              "pixels of the course's ray tracer; implies --compat course. realtime: those of the "
+              "course's "
+              "assignment Realtime, by OpenGL; implies --compat course.",
+              for_tracing | for_pictures | for_realtime,
               set_profile,
               "profile",
               {},
               true},
+    OptionRow{"--milestone", "", "NAME",
+              "Of --profile realtime: lights-camera (default) has directional lights alone, action "
+              "point lights and spotlights too, and the frame of its reference pictures.",
+              for_realtime, set_milestone},
+    OptionRow{"--parameters", "", "P1,P2",
+              "Of --profile realtime: the two parameters of the tessellation (default 5,5).",
+              for_realtime, set_parameters},
+    OptionRow{"--near", "", "DEPTH",
+              "Of --profile realtime: clip what is nearer to the camera (default 0.1).",
+              for_realtime, set_depth<&RealtimeOptions::near>},
+    OptionRow{"--far", "", "DEPTH",
+              "Of --profile realtime: clip what is farther from the camera (default 100).",
+              for_realtime, set_depth<&RealtimeOptions::far>},
+    OptionRow{"--filter", "", "NAME",
+              "Of --profile realtime: none (default), invert, grayscale, blur or sharpen.",
+              for_realtime, set_filter},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "

@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/names.h"
 #include "app/option_table.h"
+#include "app/realtime.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
@@ -279,7 +280,14 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (std::string wrong = set_given(options); !wrong.empty() || options.help) {
     return wrong;
   }
-  options.compat_course = options.compat_course || options.render.profile == Profile::course;
+  if (std::string wrong = check_realtime_options(options, command.bit); !wrong.empty()) {
+    return wrong;
+  }
+  if (options.realtime) {
+    options.engine = Engine::gl;
+  }
+  options.compat_course =
+      options.compat_course || options.render.profile == Profile::course || options.realtime;
   return check_together(command, options);
 }
 

@@ -5,6 +5,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/visit_options.h"
+#include "scenefile/view/realtime.h"
 
 #include <array>
 #include <cstdint>
@@ -40,9 +41,11 @@ struct Options {
 
   std::string output;
   Engine engine = Engine::trace;
-  RenderOptions render;    ///< complete: the profile's defaults where nothing was given
-  std::string checkpoint;  ///< a file; empty: none
-  std::string preview;     ///< a file; empty: none
+  bool realtime = false;           ///< --profile realtime; `engine` is then gl
+  RealtimeOptions realtime_panel;  ///< for `realtime`
+  RenderOptions render;            ///< complete: the profile's defaults where nothing was given
+  std::string checkpoint;          ///< a file; empty: none
+  std::string preview;             ///< a file; empty: none
 
   Limits limits;
   std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is

@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
+#include "app/realtime.h"
 #include "app/tracing.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
@@ -158,6 +159,11 @@ ExitCode run_render(const Options& options, Context& context) {
   report.output = options.output;
   LoadedScene scene = load_for_tracing(options, report.options, context);
   Outcome outcome{status_of(scene), {}};
+  if (const auto realtime = realtime_options(options);
+      realtime && outcome.status == ExitCode::fine) {
+    check_realtime(*realtime, scene);
+    report.realtime = realtime_report(*realtime, scene);
+  }
   Image drawn;
   if (options.engine == Engine::gl && outcome.status == ExitCode::fine) {
     outcome = draw_with_gl(options, scene, drawn, report.gl, context);

@@ -57,6 +57,9 @@ class AllCodes : public ::testing::Test {
       return run_program({"render", path, "--profile", "course", "--mode", "intersect", "--size",
                           "8x8", "-o", folder.path("p.png")});
     }
+    if (family == "realtime") {
+      return run_program({"check", path, "--profile", "realtime"});
+    }
     const std::string other = fs::path(path).extension() == ".xml" ? "out.json" : "out.xml";
     const std::string out = family == "pov" ? "out.pov" : family == "export" ? "out.glb" : other;
     return run_program({"convert", path, folder.path(out)});

@@ -64,7 +64,7 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--size", "4x4x4"), R"("4x4" is not a whole number)");
   is_misuse(render("--profile", "curse"),
             R"(--profile: unknown profile "curse"; did you mean course?)");
-  is_misuse(render("--profile", "nice"), R"(unknown profile "nice"; known: course, fine)");
+  is_misuse(render("--profile", "nice"), R"(unknown profile "nice"; known: course, fine, realtime)");
   is_misuse(render("--engine", "embree"), R"(unknown engine "embree"; known: trace, gl)");
   is_misuse(render("--mode", "rays"), "did you mean ray?");
   is_misuse(render("--features", "shadows,reflection"), R"(unknown feature "reflection"; )");

@@ -1,0 +1,146 @@
+#include "app/realtime.h"
+
+#include "app/codes.h"
+#include "app/names.h"
+#include "app/option_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile::app {
+
+namespace {
+
+bool shines(LightType type, Milestone milestone) {
+  switch (type) {
+    case LightType::directional:
+      return true;
+    case LightType::point:
+    case LightType::spot:
+      return milestone == Milestone::action;
+    case LightType::area:
+      break;
+  }
+  return false;
+}
+
+// Of the group that is the world: all triangles of its shapes, those of instances included.
+double count_triangles(const RenderScene& scene, const TessellationParameters& parameters) {
+  std::array<double, shape_words.size()> each{};
+  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
+    each[static_cast<std::size_t>(shape)] =
+        static_cast<double>(realtime_mesh(shape, parameters).triangles.size());
+  }
+  std::vector<double> of_group;
+  for (const RenderGroup& group : scene.groups) {
+    double sum = 0;
+    for (const RenderPrimitive& primitive : group.primitives) {
+      sum += each[static_cast<std::size_t>(primitive.shape)];
+    }
+    for (const RenderInstance& instance : group.instances) {
+      sum += of_group[instance.group];  // a group stands after all that it contains
+    }
+    of_group.push_back(sum);
+  }
+  return scene.root < of_group.size() ? of_group[scene.root] : 0;
+}
+
+std::vector<std::string_view> features_not_drawn(const RenderScene& scene) {
+  const auto any = [&](const auto& test) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), test);
+  };
+  std::vector<std::string_view> result;
+  if (any([](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; })) {
+    result.emplace_back("textures");
+  }
+  if (any([](const RenderMaterial& m) { return m.reflective != glm::vec3(0); })) {
+    result.emplace_back("reflections");
+  }
+  if (any([](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
+    result.emplace_back("transparency");
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<RealtimeOptions> realtime_options(const Options& options) {
+  if (!options.realtime) {
+    return std::nullopt;
+  }
+  return options.realtime_panel;
+}
+
+RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene& scene) {
+  RealtimeReport report;
+  report.options = options;
+  for (const RenderLight& light : scene.ready.scene.lights) {
+    if (shines(light.type, options.milestone)) {
+      ++report.lights;
+    } else {
+      report.skipped_lights.push_back({light.type, scene.ready.sources[light.source].location});
+    }
+  }
+  report.triangles = count_triangles(scene.ready.scene, options.tessellation);
+  return report;
+}
+
+void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
+  const RealtimeReport report = realtime_report(options, scene);
+  const std::string_view milestone = milestone_names[static_cast<std::size_t>(options.milestone)];
+  for (const SkippedLight& light : report.skipped_lights) {
+    const bool in_action = shines(light.type, Milestone::action);
+    scene.diagnostics.report(
+        realtime_light_skipped, light.location,
+        fmt::format("the milestone {} has no {} lights: this one does not shine{}", milestone,
+                    word_of(light.type), in_action ? "; --milestone action has them" : ""));
+  }
+  if (report.lights == 0 && !report.skipped_lights.empty()) {
+    scene.diagnostics.report(
+        realtime_no_light, {},
+        fmt::format("none of the scene's lights shines in the milestone {}: the picture shows "
+                    "ambient light only",
+                    milestone));
+  }
+  if (const auto missing = features_not_drawn(scene.ready.scene); !missing.empty()) {
+    scene.diagnostics.report(realtime_not_drawn, {},
+                             fmt::format("the scene has what the assignment Realtime does not "
+                                         "draw: {}",
+                                         fmt::join(missing, ", ")));
+  }
+}
+
+std::string check_realtime_options(const Options& options, unsigned command) {
+  if (!options.realtime) {
+    for (const std::string_view name :
+         {"--parameters", "--near", "--far", "--filter", "--milestone"}) {
+      if (was_given(options, name)) {
+        return fmt::format("{} is for --profile realtime", name);
+      }
+    }
+    return {};
+  }
+  if ((command & for_realtime) == 0) {
+    return "--profile realtime is for render, view, check and info";
+  }
+  constexpr std::string_view words =
+      "--profile realtime draws the course's assignment with OpenGL: leave {} out";
+  if (was_given(options, "--engine") && options.engine == Engine::trace) {
+    return fmt::format(words, "--engine trace");
+  }
+  for (const std::string_view name : {"--features", "--mode", "--samples", "--trace"}) {
+    if (was_given(options, name)) {
+      return fmt::format(words, name);
+    }
+  }
+  const RealtimeOptions& panel = options.realtime_panel;
+  return panel.near < panel.far
+             ? std::string()
+             : fmt::format("--near must be less than --far, and {} is not less than {}", panel.near,
+                           panel.far);
+}
+
+}  // namespace scenefile::app

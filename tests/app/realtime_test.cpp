@@ -1,0 +1,160 @@
+// --profile realtime: options, answers, and which lights shine.
+
+#include "app/run_program.h"
+#include "scenefile/asset/image_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace scenefile {
+
+namespace {
+
+using namespace testing_support;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct RealtimeProgram : ::testing::Test {
+  static std::string fixture(const std::string& name) {
+    return std::string(SCENEFILE_FIXTURES) + "/commands/" + name + ".json";
+  }
+  ProgramRun render(const std::string& scene, std::vector<std::string> more) const {
+    std::vector<std::string> words{"render", scene,   "-o",        folder.path("p.png"),
+                                   "--size", "64x48", "--profile", "realtime"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+  std::string pixels() const {
+    const Limits limits;
+    std::uint64_t budget = limits.texture_bytes;
+    std::string error;
+    const Texture picture = decode_image(folder.read("p.png"), limits, budget, error);
+    EXPECT_EQ(error, "");
+    return {picture.rgb.begin(), picture.rgb.end()};
+  }
+  static bool has_gl(const ProgramRun& run) { return run.status != 3; }
+
+  TempFolder folder;
+};
+
+void is_misuse(std::vector<std::string> words, const std::string& text) {
+  const ProgramRun run = run_program(words);
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_THAT(run.err, HasSubstr(text));
+}
+
+TEST_F(RealtimeProgram, AnswersInJson) {
+  const ProgramRun run =
+      render(fixture("realtime.light-skipped"),
+             {"--json", "--parameters", "3,7", "--near", "0.5", "--far", "20", "--filter", "blur"});
+  if (!has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  EXPECT_EQ(run.status, 0) << run.err;
+  const rapidjson::Document json = parse_json(run.out);
+  EXPECT_STREQ(json["profile"].GetString(), "realtime");
+  EXPECT_STREQ(json["engine"].GetString(), "gl");
+  EXPECT_STREQ(json["milestone"].GetString(), "lights-camera");
+  EXPECT_STREQ(json["filter"].GetString(), "blur");
+  EXPECT_EQ(json["parameters"][0].GetInt(), 3);
+  EXPECT_EQ(json["parameters"][1].GetInt(), 7);
+  EXPECT_EQ(json["near"].GetDouble(), 0.5);
+  EXPECT_EQ(json["far"].GetDouble(), 20);
+  EXPECT_EQ(json["triangles"].GetInt(), 7 * 4);
+  EXPECT_EQ(json["lights_drawn"].GetInt(), 1);
+  ASSERT_EQ(json["lights_skipped"].Size(), 1U);
+  EXPECT_STREQ(json["lights_skipped"][0]["type"].GetString(), "point");
+  EXPECT_GT(json["lights_skipped"][0]["line"].GetInt(), 1);
+}
+
+TEST_F(RealtimeProgram, TheMilestoneSaysWhichLightsShine) {
+  const std::string scene = fixture("realtime.light-skipped");
+  if (const ProgramRun run = render(scene, {}); !has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  const std::string lights_camera = pixels();
+  ASSERT_EQ(render(fixture("realtime.light-skipped.ok"), {}).status, 0);
+  EXPECT_TRUE(pixels() == lights_camera) << "the point light is skipped";
+  ASSERT_EQ(render(scene, {"--milestone", "action"}).status, 0);
+  const std::string action = pixels();
+  ASSERT_EQ(render(fixture("realtime.light-skipped.ok"), {"--milestone", "action"}).status, 0);
+  EXPECT_TRUE(pixels() != action);
+}
+
+TEST_F(RealtimeProgram, EachOptionReachesThePicture) {
+  const std::string scene = fixture("realtime.light-skipped");
+  if (const ProgramRun run = render(scene, {}); !has_gl(run)) {
+    GTEST_SKIP() << run.err;
+  }
+  const std::string plain = pixels();
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--parameters", "9,5"},
+                                               {"--parameters", "5,9"},
+                                               {"--near", "2.7"},
+                                               {"--far", "2.8"},
+                                               {"--filter", "invert"},
+                                               {"--filter", "grayscale"},
+                                               {"--filter", "blur"},
+                                               {"--filter", "sharpen"},
+                                               {"--milestone", "action"}}) {
+    ASSERT_EQ(render(scene, more).status, 0) << more[0];
+    EXPECT_TRUE(pixels() != plain) << more[0] << ' ' << more[1];
+  }
+  ASSERT_EQ(render(scene, {"--parameters", "5,5", "--near", "0.1", "--far", "100", "--filter",
+                           "none", "--milestone", "lights-camera", "--engine", "gl"})
+                .status,
+            0);
+  EXPECT_TRUE(pixels() == plain) << "the defaults";
+}
+
+TEST_F(RealtimeProgram, InfoAndCheckKnowTheMilestone) {
+  const std::string scene = fixture("realtime.light-skipped");
+  const ProgramRun info = run_program({"info", scene, "--profile", "realtime"});
+  EXPECT_THAT(info.out, HasSubstr("lights-camera: 1 lights shine, 40 triangles"));
+  EXPECT_THAT(info.out, HasSubstr("skipped lights: 1 (1 point)"));
+  const rapidjson::Document json = parse_json(
+      run_program({"info", scene, "--json", "--profile", "realtime", "--milestone", "action"}).out);
+  EXPECT_EQ(json["realtime"]["lights_drawn"].GetInt(), 2);
+  EXPECT_EQ(json["realtime"]["shape_triangles"].GetDouble(), 40);
+  EXPECT_THAT(run_program({"check", scene, "--profile", "realtime"}).out,
+              HasSubstr("[realtime.light-skipped]"));
+  EXPECT_THAT(run_program({"check", scene, "--profile", "realtime", "--milestone", "action"}).out,
+              Not(HasSubstr("[realtime.")));
+  EXPECT_THAT(run_program({"check", scene}).out, Not(HasSubstr("[realtime.")));
+}
+
+TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
+  const auto words = [](std::vector<std::string> more) {
+    std::vector<std::string> result{"render", "a.xml", "-o", "b.png", "--profile", "realtime"};
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  };
+  is_misuse(words({"--engine", "trace"}), "leave --engine trace out");
+  is_misuse(words({"--features", "shadows"}), "leave --features out");
+  is_misuse(words({"--mode", "ray"}), "leave --mode out");
+  is_misuse(words({"--samples", "4"}), "leave --samples out");
+  is_misuse(words({"--near", "5", "--far", "5"}), "--near must be less than --far");
+  is_misuse(words({"--near", "0"}), "not a depth above 0");
+  is_misuse(words({"--parameters", "5"}), "not two parameters such as 5,5");
+  is_misuse(words({"--parameters", "0,5"}), "from 1 to 1024");
+  is_misuse(words({"--filter", "invret"}), "did you mean invert?");
+  is_misuse(words({"--milestone", "actoin"}), "did you mean action?");
+  is_misuse(words({"--aov", "depth"}), "--aov");
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--parameters", "5,5"},
+                                                 {"--near", "1"},
+                                                 {"--far", "9"},
+                                                 {"--filter", "none"},
+                                                 {"--milestone", "action"}}) {
+    is_misuse({"render", "a.xml", "-o", "b.png", option[0], option[1]},
+              option[0] + " is for --profile realtime");
+  }
+  is_misuse({"explain", "a.xml", "--pixel", "1,1", "--profile", "realtime"},
+            "--profile realtime is for render, view, check and info");
+  is_misuse({"diff", "a.png", "b.png", "--profile", "realtime"},
+            "--profile realtime is for render, view, check and info");
+}
+
+}  // namespace
+
+}  // namespace scenefile

@@ -2,6 +2,7 @@
 #include "app/findings.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/realtime.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/playlist.h"
@@ -87,6 +88,7 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
   window.setup.read = {.compat_course = options.compat_course, .limits = options.limits};
   window.setup.trace = options.render;
+  window.setup.realtime = realtime_options(options);
   window.scene = options.arguments.front();
   window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {

@@ -256,6 +256,84 @@ TEST_F(SessionTest, DoesNotSaveOverTheWorkOfOthers) {
   EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
 }
 
+TEST_F(SessionTest, ASavedViewIsUndone) {
+  perform(session, Action::undo_save);
+  EXPECT_THAT(session.notice->text, HasSubstr("no view has been saved"));
+  const ViewCamera home = session.home;
+  wheel_turned(session, 2);
+  perform(session, Action::save_view);
+  ASSERT_NE(folder.read("a.xml"), testing::scene_text);
+  settle();
+  perform(session, Action::undo_save);
+  EXPECT_THAT(session.notice->text, HasSubstr("undone"));
+  EXPECT_EQ(folder.read("a.xml"), testing::scene_text);
+  EXPECT_EQ(session.home, home);
+  EXPECT_FALSE(session.saved_over.has_value());
+}
+
+TEST_F(SessionTest, UndoingASaveSparesTheWorkOfOthers) {
+  wheel_turned(session, 2);
+  perform(session, Action::save_view);
+  folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
+  perform(session, Action::undo_save);
+  EXPECT_TRUE(session.notice->bad);
+  EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
+}
+
+TEST_F(SessionTest, TheAssignmentIsDrawnAsItsPanelSays) {
+  EXPECT_FALSE(draw_options(session).realtime.has_value());
+  session.settings.ray_tracing = true;
+  perform(session, Action::realtime);
+  session.realtime_panel.tessellation = {3, 9};
+  session.realtime_panel.filter = Filter::blur;
+  ASSERT_TRUE(draw_options(session).realtime.has_value());
+  EXPECT_EQ(*draw_options(session).realtime, session.realtime_panel);
+  EXPECT_FALSE(shows_traced(session));
+  perform(session, Action::wireframe);
+  EXPECT_EQ(draw_options(session).mode, DrawMode::wireframe);
+  EXPECT_THAT(mode_text(session), HasSubstr("Realtime"));
+}
+
+TEST_F(SessionTest, ClicksMeetTheAssignmentsPicture) {
+  click(140, 150);
+  ASSERT_TRUE(session.selected.has_value());
+  const std::uint32_t sphere = *session.selected;
+  perform(session, Action::realtime);
+  session.realtime_panel.milestone = Milestone::action;
+  session.pixels = {1024, 768};
+  const CameraView view = camera_view(session);
+  EXPECT_NEAR(view.box.size.x, 400.0 * 1024 / 1092, 1e-6);
+  EXPECT_NEAR(view.box.at.y + view.box.size.y, 300, 1e-6);
+  select(session, std::nullopt);
+  click(view.box.at.x + 140 / 400.0 * view.box.size.x, view.box.at.y + view.box.size.y / 2);
+  EXPECT_EQ(session.selected, sphere);
+  click(399, 1);
+  EXPECT_FALSE(session.selected.has_value()) << "beyond the camera's view";
+}
+
+TEST_F(SessionTest, KeysOfTheAssignment) {
+  session.settings.assignment_keys = true;
+  const ViewCamera before = session.camera;
+  key_pressed(session, {"Space"});
+  pass(1);
+  key_released(session, "Space");
+  EXPECT_NEAR(session.camera.position.y - before.position.y, 5, 0.3);
+  key_pressed(session, {"Control", true});
+  pass(1);
+  key_released(session, "Control");
+  EXPECT_NEAR(session.camera.position.y, before.position.y, 0.6);
+  const glm::dvec3 ahead = axes_of(session.camera).ahead;
+  const glm::dvec3 start = session.camera.position;
+  key_pressed(session, {"W"});
+  pass(1);
+  key_released(session, "W");
+  EXPECT_NEAR(glm::dot(session.camera.position - start, ahead), 5, 0.3);
+  const glm::dvec3 stays = session.camera.position;
+  drag(50, 0);
+  EXPECT_LT(glm::length(session.camera.position - stays), 1e-9) << "looks around";
+  EXPECT_LT(glm::dot(axes_of(session.camera).ahead, ahead), 0.9999);
+}
+
 TEST_F(SessionTest, OneLightAtATime) {
   perform(session, Action::next_light);
   EXPECT_EQ(draw_options(session).lights, (std::vector<bool>{true, false}));

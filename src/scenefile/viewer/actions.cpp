@@ -14,6 +14,7 @@ constexpr std::array table{
     ActionRow{Action::side_right, "Ctrl+3", "Camera", "from the right (Shift: left)"},
     ActionRow{Action::side_top, "Ctrl+7", "Camera", "from above (Shift: below)"},
     ActionRow{Action::save_view, "Ctrl+S", "Camera", "save the view into the scene's file"},
+    ActionRow{Action::undo_save, "Ctrl+Z", "Camera", "undo the last save of the view"},
     ActionRow{Action::shaded, "1", "Show", "shaded"},
     ActionRow{Action::wireframe, "2", "Show", "wireframe"},
     ActionRow{Action::normals, "3", "Show", "normals"},
@@ -25,9 +26,11 @@ constexpr std::array table{
     ActionRow{Action::toggle_shadows, "K", "Show", "shadows"},
     ActionRow{Action::next_light, "L", "Show", "one light at a time"},
     ActionRow{Action::all_lights, "Shift+L", "Show", "all lights"},
+    ActionRow{Action::axes, "N", "Show", "axes, lights and the scene's camera"},
     ActionRow{Action::hide_selected, "H", "Show", "hide what is selected, or show it again"},
     ActionRow{Action::show_all, "Shift+H", "Show", "show everything"},
     ActionRow{Action::trace, "R", "Picture", "ray tracing when the camera rests"},
+    ActionRow{Action::realtime, "G", "Picture", "the assignment Realtime, with its panel"},
     ActionRow{Action::split, "X", "Picture", "ours beside the reference"},
     ActionRow{Action::difference, "M", "Picture", "where they differ: heat map, FLIP, reference"},
     ActionRow{Action::screenshot, "F12", "Picture", "screenshot of the window"},
@@ -96,6 +99,11 @@ KeyPress parse_key(std::string_view text) {
 bool is_flying_key(const KeyPress& key) {
   constexpr std::array<std::string_view, 6> keys{"W", "A", "S", "D", "Q", "E"};
   return !key.control && std::find(keys.begin(), keys.end(), key.name) != keys.end();
+}
+
+bool is_assignment_key(const KeyPress& key) {
+  constexpr std::array<std::string_view, 6> keys{"W", "A", "S", "D", "Space", "Control"};
+  return std::find(keys.begin(), keys.end(), key.name) != keys.end();
 }
 
 const ActionRow* action_of(const KeyPress& key) {

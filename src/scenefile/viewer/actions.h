@@ -16,6 +16,7 @@ enum class Action : std::uint8_t {
   side_right,
   side_top,
   save_view,
+  undo_save,
   shaded,
   wireframe,
   normals,
@@ -30,6 +31,7 @@ enum class Action : std::uint8_t {
   hide_selected,
   show_all,
   trace,
+  realtime,
   split,
   difference,
   reload,
@@ -40,6 +42,7 @@ enum class Action : std::uint8_t {
   outline,
   messages,
   statistics,
+  axes,
   larger_text,
   smaller_text,
   full_screen,
@@ -82,5 +85,7 @@ KeyPress parse_key(std::string_view text);
 const ActionRow* action_of(const KeyPress& key);
 /// Whether the camera flies while the key is held.
 bool is_flying_key(const KeyPress& key);
+/// The same with the keys of the assignment Realtime, of which control is one.
+bool is_assignment_key(const KeyPress& key);
 
 }  // namespace scenefile::viewer

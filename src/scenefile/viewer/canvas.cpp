@@ -2,6 +2,7 @@
 
 #include "scenefile/view/draw_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,13 +45,14 @@ void Canvas::update(Session& session) {
   }
 }
 
-void Canvas::draw(const Session& session, int framebuffer_height, double scale, bool quick) {
+void Canvas::draw(const Session& session, int framebuffer_height, double scale, int hurry) {
   if (!drawing_) {
     return;
   }
   DrawOptions options = draw_options(session);
-  if (quick) {
+  if (hurry > 0) {
     options.samples = 1;
+    options.shadows = options.shadows && shadowed_ == version_;
   } else if (!options.course) {
     options.samples = 4;  // as fast as it is good while the camera moves
   }
@@ -61,6 +63,13 @@ void Canvas::draw(const Session& session, int framebuffer_height, double scale, 
   target.width = static_cast<int>(std::lround(box.size.x * scale));
   target.height = static_cast<int>(std::lround(box.size.y * scale));
   target.y = framebuffer_height - static_cast<int>(std::lround(box.at.y * scale)) - target.height;
+  if (hurry == 0 && options.shadows) {
+    shadowed_ = version_;
+  }
+  for (int i = 1; i < hurry; ++i) {
+    target.width = std::max(1, target.width / 2);
+    target.height = std::max(1, target.height / 2);
+  }
   Recipe recipe{version_, render_camera(session.camera), std::move(options), target};
   if (recipe_ != recipe) {
     stats_ = scenefile::draw(*device_, *drawing_, recipe.camera, recipe.options, target);

@@ -22,8 +22,10 @@ class Canvas {
 
   /// Draws the scene for drawn(), where it is another picture than the last; leaves the window's
   /// back buffer in disorder. `framebuffer_height` in pixels; `scale` pixels to a unit of the
-  /// window. `quick`: one sample a pixel.
-  void draw(const Session& session, int framebuffer_height, double scale, bool quick);
+  /// window. `hurry`: 0 for the best picture, 1 for one sample a
+  /// pixel, and for each more half as many pixels a side. In a hurry there are no shadows where
+  /// none have been drawn yet.
+  void draw(const Session& session, int framebuffer_height, double scale, int hurry);
 
   /// What OpenGL makes of the scene at the size of the reference; empty where that is too large.
   Texture picture_for_reference(const Session& session);
@@ -53,6 +55,7 @@ class Canvas {
   std::unique_ptr<GlDevice> device_;
   std::optional<Drawing> drawing_;
   std::uint64_t version_ = 0;     ///< of the scene in `drawing_`
+  std::uint64_t shadowed_ = 0;    ///< version of the scene that was last drawn with its shadows
   std::optional<Recipe> recipe_;  ///< of `drawn_`
   GlPicture drawn_;
   GlPicture traced_;

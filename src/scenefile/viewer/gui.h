@@ -40,6 +40,7 @@ void build_outline(Session& session, const GuiFrame& frame);
 void build_messages(const Session& session);
 void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
+void build_realtime_panel(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);
 
 }  // namespace scenefile::viewer

@@ -42,6 +42,10 @@ bool is_on(const Session& session, Action action) {
       return session.settings.messages;
     case Action::statistics:
       return session.settings.statistics;
+    case Action::axes:
+      return session.settings.axes;
+    case Action::realtime:
+      return session.realtime;
     case Action::full_screen:
       return session.full_screen;
     default:
@@ -56,6 +60,8 @@ bool is_possible(const Session& session, Action action) {
       return !session.reference.empty();
     case Action::hide_selected:
       return session.selected.has_value();
+    case Action::undo_save:
+      return session.saved_over.has_value();
     case Action::show_all:
       return !session.hidden.empty();
     default:
@@ -95,7 +101,7 @@ void build_title(const Session& session) {
 }
 
 std::string tracing_text(const Session& session) {
-  if (!session.settings.ray_tracing || session.mode != DrawMode::shaded) {
+  if (session.realtime || !session.settings.ray_tracing || session.mode != DrawMode::shaded) {
     return "OpenGL";
   }
   if (!session.traced) {

@@ -123,8 +123,8 @@ void paint_comparison(const Session& session, const GuiFrame& frame) {
 /// From the world to the window.
 class Projection {
  public:
-  Projection(const RenderCamera& camera, const Box& box)
-      : camera_(camera), box_(box), half_(std::tan(camera.fov_y / 2)) {}
+  Projection(const RenderCamera& camera, const CameraView& view)
+      : camera_(camera), box_(view.box), aspect_(view.aspect), half_(std::tan(camera.fov_y / 2)) {}
 
   // The line between two points of the world, as far as it is before the camera.
   void paint(glm::dvec3 a, glm::dvec3 b, ImU32 color, float width) const {
@@ -146,7 +146,8 @@ class Projection {
   double depth(const glm::dvec3& p) const { return -glm::dot(p - camera_.position, camera_.w); }
   glm::dvec2 point(const glm::dvec3& p) const {
     const glm::dvec3 to = p - camera_.position;
-    const double scale = box_.size.y / (2 * half_ * std::max(depth(p), 1e-9));
+    const double reach = 2 * half_ * std::max(depth(p), 1e-9);
+    const glm::dvec2 scale = box_.size / glm::dvec2(reach * aspect_, reach);
     const glm::dvec2 middle = box_.at + box_.size * 0.5;
     return glm::clamp(
         middle + glm::dvec2(glm::dot(to, camera_.u), -glm::dot(to, camera_.v)) * scale, -1e5, 1e5);
@@ -154,6 +155,7 @@ class Projection {
 
   const RenderCamera camera_;
   const Box box_;
+  double aspect_;
   double half_;
 };
 
@@ -186,7 +188,98 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   const double right =
       session.compare == CompareView::split ? session.split * picture.size.x : picture.size.x;
   draw.PushClipRect(vec(picture.at), vec(picture.at + glm::dvec2(right, picture.size.y)));
-  paint_box(Projection(render_camera(session.camera), picture), box, frame.scale);
+  paint_box(Projection(render_camera(session.camera), camera_view(session)), box, frame.scale);
+  draw.PopClipRect();
+}
+
+// A cross where the light is, or an arrow along a directional one from the middle of the scene.
+void paint_light(const Projection& projection, const RenderLight& light, const Bounds& scene,
+                 ImU32 color, double scale) {
+  const double size = scene.empty() ? 1 : glm::length(scene.max - scene.min);
+  const auto width = static_cast<float>(1.5 * scale);
+  const glm::dvec3 direction(light.direction);
+  if (light.type == LightType::directional) {
+    const glm::dvec3 middle = scene.empty() ? glm::dvec3(0) : 0.5 * (scene.min + scene.max);
+    const glm::dvec3 from = middle - 0.5 * size * direction;
+    const glm::dvec3 to = from + 0.25 * size * direction;
+    const glm::dvec3 side = glm::normalize(glm::cross(
+        direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+    projection.paint(from, to, color, width);
+    for (const double s : {-1.0, 1.0}) {
+      projection.paint(to, to - 0.05 * size * direction + s * 0.025 * size * side, color, width);
+    }
+    return;
+  }
+  const glm::dvec3 at(light.position);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 reach(0);
+    reach[axis] = 0.03 * size;
+    projection.paint(at - reach, at + reach, color, width);
+  }
+  if (light.type != LightType::point) {
+    projection.paint(at, at + 0.15 * size * direction, color, width);
+  }
+}
+
+// The pyramid of what the scene's own camera sees.
+void paint_camera(const Projection& projection, const RenderCamera& camera, double aspect,
+                  double size, ImU32 color, double scale) {
+  const auto width = static_cast<float>(scale);
+  const double depth = 0.15 * size;
+  const double half = depth * std::tan(camera.fov_y / 2);
+  std::array<glm::dvec3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double x = i == 0 || i == 3 ? -1 : 1;
+    const double y = i < 2 ? -1 : 1;
+    corners[i] =
+        camera.position - depth * camera.w + x * half * aspect * camera.u + y * half * camera.v;
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    projection.paint(camera.position, corners[i], color, width);
+    projection.paint(corners[i], corners[(i + 1) % 4], color, width);
+  }
+  projection.paint(corners[2], 0.5 * (corners[2] + corners[3]) + 0.5 * half * camera.v, color,
+                   width);
+  projection.paint(corners[3], 0.5 * (corners[2] + corners[3]) + 0.5 * half * camera.v, color,
+                   width);
+}
+
+// Axes of the world, all lights and the scene's camera, where they are asked for; of the lights and
+// the camera also the one that is selected.
+void paint_helpers(const Session& session, const GuiFrame& frame) {
+  if (session.shown == nullptr || session.compare > CompareView::split) {
+    return;
+  }
+  const Projection projection(render_camera(session.camera), camera_view(session));
+  const Bounds& box = session.shown->bounds;
+  const double size = box.empty() ? 1 : glm::length(box.max - box.min);
+  const OutlineRow* const selected =
+      session.selected ? &session.shown->outline.rows[*session.selected] : nullptr;
+  const bool all = session.settings.axes;
+  ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+  const Box& picture = session.picture;
+  draw.PushClipRect(vec(picture.at), vec(picture.at + picture.size));
+  if (all) {
+    static constexpr std::array<unsigned, 3> colors{0xe05050, 0x50c050, 0x5080ff};
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 end(0);
+      end[axis] = 0.3 * size;
+      projection.paint(glm::dvec3(0), end, rgba(colors[static_cast<std::size_t>(axis)]),
+                       static_cast<float>(2 * frame.scale));
+    }
+  }
+  for (const RenderLight& light : session.shown->opened.ready.scene.lights) {
+    const bool chosen =
+        selected != nullptr && selected->kind == RowKind::light && selected->source == light.source;
+    if (all || chosen) {
+      paint_light(projection, light, box, rgba(chosen ? color_accent : 0xffe080), frame.scale);
+    }
+  }
+  const bool camera_chosen = selected != nullptr && selected->kind == RowKind::camera;
+  if ((all || camera_chosen) && session.camera != session.home) {
+    paint_camera(projection, render_camera(session.home), picture.size.x / picture.size.y, size,
+                 rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
+  }
   draw.PopClipRect();
 }
 
@@ -268,9 +361,13 @@ void paint_legend(const Session& session, const GuiFrame& frame) {
 void build_overlay(Session& session, const GuiFrame& frame) {
   paint_pictures(session, frame);
   paint_selection(session, frame);
+  paint_helpers(session, frame);
   paint_comparison(session, frame);
   paint_legend(session, frame);
   paint_welcome(session, frame);
+  if (session.realtime && session.shown != nullptr && !session.picture_only) {
+    build_realtime_panel(session, frame);
+  }
   if (session.settings.statistics && !session.picture_only) {
     build_statistics(session, frame);
   }

@@ -5,17 +5,27 @@
 
 namespace scenefile::viewer {
 
+namespace {
+
+// Why the file must not be written over; empty: it may. `now`: its bytes.
+std::string refusal(const std::string& path, std::string_view known, const ReadOptions& options,
+                    std::string& now) {
+  if (path == "-") {
+    return "the scene came from standard input and has no file";
+  }
+  if (const IoError error = read_file(path, options.limits.file_bytes, now); !error.empty()) {
+    return error.text;
+  }
+  return now == known ? "" : "the file has changed since it was read; look at it first";
+}
+
+}  // namespace
+
 SavedView save_view(const std::string& path, std::string_view known, const Camera& camera,
                     const ReadOptions& options) {
-  if (path == "-") {
-    return {{}, "the scene came from standard input and has no file"};
-  }
   std::string now;
-  if (const IoError error = read_file(path, options.limits.file_bytes, now); !error.empty()) {
-    return {{}, error.text};
-  }
-  if (now != known) {
-    return {{}, "the file has changed since it was read; look at it first"};
+  if (std::string refused = refusal(path, known, options, now); !refused.empty()) {
+    return {{}, std::move(refused)};
   }
   CameraEdit edit = edit_camera(now, camera, options);
   if (!edit.refused.empty()) {
@@ -28,6 +38,18 @@ SavedView save_view(const std::string& path, std::string_view known, const Camer
     return {{}, error.text};
   }
   return {std::move(edit.bytes), {}};
+}
+
+SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,
+                       const ReadOptions& options) {
+  std::string now;
+  if (std::string refused = refusal(path, known, options, now); !refused.empty()) {
+    return {{}, std::move(refused)};
+  }
+  if (const IoError error = write_file(path, before); !error.empty()) {
+    return {{}, error.text};
+  }
+  return {before, {}};
 }
 
 }  // namespace scenefile::viewer

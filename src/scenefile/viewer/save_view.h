@@ -20,4 +20,8 @@ struct SavedView {
 SavedView save_view(const std::string& path, std::string_view known, const Camera& camera,
                     const ReadOptions& options);
 
+/// Writes the bytes that the file had before it was saved; refused as save_view() does.
+SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,
+                       const ReadOptions& options);
+
 }  // namespace scenefile::viewer

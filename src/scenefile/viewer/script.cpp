@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 3> button_names{"left", "right", "middle"
 // Whether the window does something at the key.
 bool is_key(std::string_view text) {
   const KeyPress key = parse_key(text);
-  return action_of(key) != nullptr || is_flying_key(key) || key.name == "Shift";
+  return action_of(key) != nullptr || is_flying_key(key) || is_assignment_key(key) ||
+         key.name == "Shift";
 }
 
 /// The words of a line, and what follows each of them.

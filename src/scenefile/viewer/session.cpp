@@ -24,7 +24,7 @@ bool at_rest(const Session& session) {
 }
 
 bool wants_trace(const Session& session) {
-  return session.settings.ray_tracing && session.shown != nullptr &&
+  return session.settings.ray_tracing && session.shown != nullptr && !session.realtime &&
          session.mode == DrawMode::shaded;
 }
 
@@ -85,9 +85,28 @@ bool tick_comparison(Session& session) {
   return true;
 }
 
+// The handout: W A S D along the view, space and control along the y axis of the world, 5 units of
+// the world a second.
+void fly_as_assigned(Session& session, double seconds) {
+  constexpr double speed = 5;
+  const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };
+  const glm::dvec3 direction{down("D") - down("A"), 0, down("W") - down("S")};
+  const double rise = (down("Space") - down("Control")) * speed * seconds;
+  if (direction != glm::dvec3(0) || rise != 0) {
+    ViewCamera camera = moved(session.camera, direction * (speed * seconds));
+    camera.position.y += rise;
+    camera.pivot.y += rise;
+    set_camera(session, camera);
+  }
+}
+
 bool tick_flight(Session& session, double seconds) {
   if (session.held.empty() || session.shown == nullptr) {
     return false;
+  }
+  if (session.settings.assignment_keys) {
+    fly_as_assigned(session, std::min(seconds, 0.1));
+    return true;
   }
   const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };
   const glm::dvec3 direction{down("D") - down("A"), down("E") - down("Q"), down("W") - down("S")};
@@ -263,6 +282,24 @@ Box picture_box(const Session& session, const Box& room) {
   return box;
 }
 
+CameraView camera_view(const Session& session) {
+  const Box& box = session.picture;
+  if (!session.realtime) {
+    return {box, box.size.x / box.size.y};
+  }
+  const RealtimeWindow window = realtime_window(session.pixels.x, session.pixels.y);
+  CameraView view{box, double(window.width) / window.height};
+  switch (session.realtime_panel.milestone) {
+    case Milestone::lights_camera:
+      break;
+    case Milestone::action:  // at the lower left of a larger frame
+      view.box.size *= glm::dvec2(session.pixels) / glm::dvec2(window.width, window.height);
+      view.box.at.y += box.size.y - view.box.size.y;
+      break;
+  }
+  return view;
+}
+
 bool shows_traced(const Session& session) {
   return wants_trace(session) && session.traced && session.traced->image.width > 0;
 }
@@ -271,6 +308,9 @@ DrawOptions draw_options(const Session& session) {
   DrawOptions options = draw_options(trace_options(session));
   if (session.mode != DrawMode::shaded) {
     options.mode = session.mode;
+  }
+  if (session.realtime) {
+    options.realtime = session.realtime_panel;
   }
   const RenderScene& scene = session.shown->opened.ready.scene;
   options.lights.assign(scene.lights.size(), !session.only_light);
@@ -304,6 +344,11 @@ std::string mode_text(const Session& session) {
       "shaded", "wireframe", "normals",       "texture coordinates",
       "depth",  "objects",   "bounding boxes"};
   std::string text(names[static_cast<std::size_t>(session.mode)]);
+  if (session.realtime) {
+    text = session.realtime_panel.milestone == Milestone::action
+               ? "Realtime, Action: " + text
+               : "Realtime, Lights, Camera: " + text;
+  }
   if (session.only_light) {
     text += fmt::format(", light {} alone", *session.only_light + 1);
   }

@@ -32,8 +32,9 @@ namespace scenefile::viewer {
 /// What the program decides before the window opens.
 struct SessionSetup {
   LoadScene load;
-  ReadOptions read;              ///< as `load` reads, for saving the view
-  RenderOptions trace;           ///< of the ray tracer; size and samples are the window's
+  ReadOptions read;     ///< as `load` reads, for saving the view
+  RenderOptions trace;  ///< of the ray tracer; size and samples are the window's
+  std::optional<RealtimeOptions> realtime{};  ///< the assignment's picture is shown from the start
   std::function<void()> wake{};  ///< called from other threads when tick() has something to do
 };
 
@@ -71,6 +72,13 @@ struct Pointer {
   Drag drag = Drag::none;
   bool moved = false;     ///< since it was pressed: no click any more
   glm::dvec3 grasped{0};  ///< what lay under it, for zooming; world space
+};
+
+/// What undoing a saved view needs.
+struct SavedOver {
+  std::string path;
+  std::string text;  ///< the bytes of the file before
+  ViewCamera home;
 };
 
 struct Session {
@@ -111,6 +119,10 @@ struct Session {
   std::set<std::uint32_t> open_rows;         ///< rows of the outline that show what they hold
   bool reveal_selected = false;              ///< the outline is to scroll there
 
+  // The assignment Realtime.
+  bool realtime = false;           ///< its picture is shown, and its panel
+  RealtimeOptions realtime_panel;  ///< what the panel says
+
   // Ray tracing.
   LiveTrace trace;
   bool trace_started = false;           ///< for the picture as it is
@@ -127,6 +139,8 @@ struct Session {
   Background<Comparison> comparing;
   std::optional<Comparison> comparison;  ///< of the picture as it is, or the one before
   std::uint64_t comparison_version = 0;
+
+  std::optional<SavedOver> saved_over;  ///< what the last saved view replaced
 
   // The window.
   bool help = false;
@@ -192,6 +206,13 @@ void compare_with(Session& session, Texture ours);
 double picture_aspect(const Session& session, const glm::dvec2& room);
 /// The picture, as large as fits the middle of the room.
 Box picture_box(const Session& session, const Box& room);
+/// Where the camera's view lies in the window, and its aspect ratio, which in the assignment
+/// Realtime is not that of the picture.
+struct CameraView {
+  Box box;
+  double aspect = 1;
+};
+CameraView camera_view(const Session& session);
 /// Whether the tracer's picture is what is seen.
 bool shows_traced(const Session& session);
 /// What is drawn, for OpenGL.

@@ -33,10 +33,28 @@ void save(Session& session) {
   } else if (saved.text == session.known_text) {
     say(session, fmt::format("{} says this view already", name));
   } else {
+    session.saved_over = {session.path, std::move(session.known_text), session.home};
     session.known_text = std::move(saved.text);
     session.home = session.camera;
     say(session, fmt::format("the view is saved: the camera of {}", name));
   }
+}
+
+void undo_save(Session& session) {
+  if (!session.saved_over || session.saved_over->path != session.path) {
+    say(session, "no view has been saved into this scene");
+    return;
+  }
+  SavedView restored =
+      restore_text(session.path, session.known_text, session.saved_over->text, session.setup.read);
+  if (!restored.refused.empty()) {
+    say(session, fmt::format("the save is not undone: {}", restored.refused), true);
+    return;
+  }
+  session.known_text = std::move(restored.text);
+  session.home = session.saved_over->home;
+  session.saved_over.reset();
+  say(session, fmt::format("undone: {} has its old camera", scene_name(session)));
 }
 
 void go_to_neighbor(Session& session, int steps) {
@@ -148,6 +166,9 @@ void perform_on_scene(Session& session, Action action, const KeyPress& key) {
     case Action::save_view:
       save(session);
       break;
+    case Action::undo_save:
+      undo_save(session);
+      break;
     case Action::next_light:
       next_light(session);
       break;
@@ -182,6 +203,10 @@ void perform_on_picture(Session& session, Action action) {
       break;
     case Action::trace:
       settings.ray_tracing = !settings.ray_tracing;
+      picture_changed(session);
+      break;
+    case Action::realtime:
+      session.realtime = !session.realtime;
       picture_changed(session);
       break;
     case Action::split:
@@ -221,6 +246,9 @@ void perform_on_window(Session& session, Action action) {
       break;
     case Action::statistics:
       settings.statistics = !settings.statistics;
+      break;
+    case Action::axes:
+      settings.axes = !settings.axes;
       break;
     case Action::larger_text:
       set_text_scale(session, 1.1);

@@ -22,9 +22,9 @@ bool near_split(const Session& session, const glm::dvec2& at) {
 }
 
 Ray ray_under(const Session& session, const glm::dvec2& at) {
-  const Box& box = session.picture;
-  return ray_through(render_camera(session.camera), (at - box.at) / box.size,
-                     box.size.x / box.size.y);
+  const CameraView view = camera_view(session);
+  return ray_through(render_camera(session.camera), (at - view.box.at) / view.box.size,
+                     view.aspect);
 }
 
 // What lies under the pointer, or a point as far away as the pivot.
@@ -56,6 +56,9 @@ Drag drag_of(const Session& session, int button, const KeyPress& with) {
   }
   switch (button) {
     case 0:
+      if (session.settings.assignment_keys) {
+        return Drag::look;
+      }
       return with.shift ? Drag::pan : with.control ? Drag::look : Drag::orbit;
     case 1:
       return Drag::zoom;
@@ -93,7 +96,7 @@ void drag_by(Session& session, const glm::dvec2& by) {
 
 bool key_pressed(Session& session, const KeyPress& key) {
   session.fast = key.shift;
-  if (is_flying_key(key)) {
+  if (session.settings.assignment_keys ? is_assignment_key(key) : is_flying_key(key)) {
     session.held.insert(key.name);
     return true;
   }
@@ -142,7 +145,7 @@ void pointer_moved(Session& session, const glm::dvec2& to) {
 
 void pointer_released(Session& session) {
   Pointer& pointer = session.pointer;
-  const bool click = pointer.drag == Drag::orbit && !pointer.moved;
+  const bool click = (pointer.drag == Drag::orbit || pointer.drag == Drag::look) && !pointer.moved;
   pointer.drag = Drag::none;
   if (click && session.picture.holds(pointer.at)) {
     select_under(session);

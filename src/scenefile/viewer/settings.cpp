@@ -47,6 +47,8 @@ constexpr std::array table{
     row<&Settings::statistics>("statistics", 0, 1),
     row<&Settings::shadows>("shadows", 0, 1),
     row<&Settings::textures>("textures", 0, 1),
+    row<&Settings::axes>("axes", 0, 1),
+    row<&Settings::assignment_keys>("assignment_keys", 0, 1),
     row<&Settings::ray_tracing>("ray_tracing", 0, 1),
     row<&Settings::samples>("samples", 1, 4096),
 };

@@ -16,6 +16,8 @@ struct Settings {
   bool statistics = false;
   bool shadows = true;
   bool textures = true;
+  bool axes = false;             ///< axes, lights and the scene's camera are drawn over the picture
+  bool assignment_keys = false;  ///< keys and mouse of the assignment Realtime
   bool ray_tracing = false;
   int samples = 16;  ///< of the ray tracer, a pixel
 

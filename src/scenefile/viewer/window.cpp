@@ -25,8 +25,12 @@ namespace {
 
 // ImGui takes a few frames to come to rest after something has happened.
 constexpr int frames_after_event = 3;
-// Above this a moving picture gets one sample a pixel.
-constexpr double slow_frame = 0.06;
+// A moving picture whose frames take longer, in seconds, gets coarser: Canvas::draw().
+constexpr double slow_frame = 0.04;
+constexpr int most_hurry = 4;
+// The first picture of a scene with more objects is coarse, before it is known how long it takes.
+constexpr double many_objects = 5000;
+constexpr int first_hurry = 3;
 
 struct NamedKey {
   int code;
@@ -41,6 +45,9 @@ constexpr std::array named_keys{
     NamedKey{GLFW_KEY_EQUAL, "+"},
     NamedKey{GLFW_KEY_KP_ADD, "+"},
     NamedKey{GLFW_KEY_KP_SUBTRACT, "-"},
+    NamedKey{GLFW_KEY_SPACE, "Space"},
+    NamedKey{GLFW_KEY_LEFT_CONTROL, "Control"},
+    NamedKey{GLFW_KEY_RIGHT_CONTROL, "Control"},
     NamedKey{GLFW_KEY_LEFT_SHIFT, "Shift"},
     NamedKey{GLFW_KEY_RIGHT_SHIFT, "Shift"},
 };
@@ -134,6 +141,7 @@ class Window {
 
   void wait();
   void follow_session();
+  int next_hurry() const;
   void draw_frame(bool best);
   void begin_gui_frame();
   GuiFrame gui_frame() const;
@@ -154,7 +162,8 @@ class Window {
   glm::ivec2 framebuffer_{1};
   int frames_due_ = frames_after_event;
   double frame_seconds_ = 0;
-  bool drawn_quickly_ = false;
+  int hurry_ = 0;                   ///< of the last picture, as Canvas::draw() has it
+  std::uint64_t seen_version_ = 0;  ///< of the scene in it
   bool full_screen_ = false;
   std::array<int, 4> windowed_{};  // place and size before the full screen
   std::size_t step_ = 0;
@@ -227,6 +236,8 @@ WindowResult Window::open() {
   }
   create_gui();
   session_.setup = options_.setup;
+  session_.realtime = options_.setup.realtime.has_value();
+  session_.realtime_panel = options_.setup.realtime.value_or(RealtimeOptions());
   session_.setup.wake = glfwPostEmptyEvent;
   session_.now = glfwGetTime();
   if (!note.empty()) {
@@ -455,6 +466,15 @@ GuiFrame Window::gui_frame() const {
   return frame;
 }
 
+// Of a picture that moves.
+int Window::next_hurry() const {
+  if (session_.shown != nullptr && session_.version != seen_version_) {
+    const bool many = count_virtual_primitives(session_.shown->opened.ready.scene) > many_objects;
+    return many ? first_hurry : 0;
+  }
+  return frame_seconds_ > slow_frame ? std::min(hurry_ + 1, most_hurry) : hurry_;
+}
+
 void Window::draw_frame(bool best) {
   const double start = glfwGetTime();
   glm::ivec2 size(1);
@@ -467,9 +487,10 @@ void Window::draw_frame(bool best) {
   const double scale = static_cast<double>(framebuffer_.x) / std::max(size.x, 1);
   session_.pixels = glm::max(glm::ivec2(glm::round(session_.picture.size * scale)), glm::ivec2(1));
   const bool moving = session_.now - session_.moved_at < 0.2;
-  drawn_quickly_ = !best && moving && (drawn_quickly_ || frame_seconds_ > slow_frame);
+  hurry_ = best || !moving ? 0 : next_hurry();
+  seen_version_ = session_.version;
   if (session_.shown != nullptr && !shows_traced(session_)) {
-    canvas_->draw(session_, framebuffer_.y, scale, drawn_quickly_);
+    canvas_->draw(session_, framebuffer_.y, scale, hurry_);
   }
   clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -513,7 +534,7 @@ void Window::remember_settings() {
 WindowResult Window::run() {
   while (!session_.quit && glfwWindowShouldClose(window_) == GLFW_FALSE) {
     wait();
-    if (tick(session_, glfwGetTime()) || (drawn_quickly_ && frames_due_ == 0)) {
+    if (tick(session_, glfwGetTime()) || (hurry_ > 0 && frames_due_ == 0)) {
       stir();
     }
     if (scripted() && !do_step()) {

@@ -1,0 +1,84 @@
+// The panel of the assignment Realtime: its sliders and filters.
+
+#include "scenefile/viewer/gui.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile::viewer {
+
+namespace {
+
+// The sliders of the course's program; other values can be typed with Ctrl and a click.
+constexpr int most_of_slider = 25;
+constexpr float most_near = 10;
+constexpr float most_far = 100;
+
+bool depth_slider(const char* name, double& depth, float least, float most) {
+  auto value = static_cast<float>(depth);
+  if (!ImGui::SliderFloat(name, &value, least, most, "%.2f")) {
+    return false;
+  }
+  depth = static_cast<double>(value);
+  return true;
+}
+
+bool parameter_slider(const char* name, int& parameter) {
+  if (!ImGui::SliderInt(name, &parameter, 1, most_of_slider)) {
+    return false;
+  }
+  parameter = std::clamp(parameter, 1, most_tessellation);
+  return true;
+}
+
+bool build_controls(RealtimeOptions& panel) {
+  bool changed = false;
+  int milestone = static_cast<int>(panel.milestone);
+  changed |= ImGui::RadioButton("Lights, Camera", &milestone, 0);
+  ImGui::SameLine();
+  changed |= ImGui::RadioButton("Action", &milestone, 1);
+  panel.milestone = static_cast<Milestone>(milestone);
+  changed |= parameter_slider("parameter 1", panel.tessellation.parameter1);
+  changed |= parameter_slider("parameter 2", panel.tessellation.parameter2);
+  changed |= depth_slider("near plane", panel.near, 0.01F, most_near);
+  changed |= depth_slider("far plane", panel.far, 0.1F, most_far);
+  static constexpr std::array<const char*, 5> filters{"no filter", "invert", "grayscale", "blur",
+                                                      "sharpen"};
+  int filter = static_cast<int>(panel.filter);
+  changed |= ImGui::Combo("filter", &filter, filters.data(), static_cast<int>(filters.size()));
+  panel.filter = static_cast<Filter>(filter);
+  return changed;
+}
+
+}  // namespace
+
+void build_realtime_panel(Session& session, const GuiFrame& frame) {
+  const double margin = 12 * frame.scale;
+  const glm::dvec2 at = session.picture.at + margin;
+  ImGui::SetNextWindowPos({static_cast<float>(at.x), static_cast<float>(at.y)},
+                          ImGuiCond_Appearing);
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  ImGui::Begin("Realtime", nullptr,
+               ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PushItemWidth(ImGui::GetFontSize() * 11);
+  RealtimeOptions panel = session.realtime_panel;
+  if (build_controls(panel) && panel.near > 0 && panel.near < panel.far) {
+    session.realtime_panel = panel;
+    picture_changed(session);
+  }
+  ImGui::PopItemWidth();
+  ImGui::Checkbox("keys of the assignment", &session.settings.assignment_keys);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("W A S D, space and control move, dragging looks around");
+  }
+  ImGui::TextDisabled("%s", fmt::format("{} {}", frame.drawn.triangles,
+                                        session.mode == DrawMode::wireframe ? "lines" : "triangles")
+                                .c_str());
+  ImGui::End();
+}
+
+}  // namespace scenefile::viewer

@@ -31,7 +31,7 @@ const std::vector<Heading>& headings() {
   static const std::vector<Heading> all{
       {"Picture",
        {"--size", "--crop", "--pixel", "--sample", "--engine", "--profile", "--mode", "--features",
-        "--fresnel", "--max-depth"}},
+        "--fresnel", "--max-depth", "--segments"}},
       {"Quality", {"--samples", "--seed", "--denoise"}},
       {"Layers", {"--aov"}},
       {"Comparison",

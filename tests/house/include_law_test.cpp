@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"export", {"base", "geometry", "scene", "asset", "format/write_text.h"}},
     {"import",
      {"base", "geometry", "scene", "asset", "export/phong_pbr.h", "format/json_parser.h",
-      "format/json_places.h"}},
+      "format/text_places.h"}},
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
     {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},

@@ -5,8 +5,8 @@
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_places.h"
 #include "scenefile/format/json_repair.h"
+#include "scenefile/format/text_places.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <glm/glm.hpp>
@@ -37,7 +37,7 @@ struct JsonContext {
   const RepairedJson& repaired;
   const Limits& limits;
   Diagnostics& diagnostics;
-  JsonPlaces places;
+  TextPlaces places;
 };
 
 /// The keys of one kind of object.

@@ -2,7 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_codes.h"
-#include "scenefile/format/json_places.h"
+#include "scenefile/format/text_places.h"
 
 #include <fmt/format.h>
 
@@ -67,7 +67,7 @@ class Repair {
 
   std::string_view text_;
   Diagnostics& diagnostics_;
-  JsonPlaces places_;
+  TextPlaces places_;
   RepairedJson result_;
 };
 

@@ -5,8 +5,8 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/json_codes.h"
-#include "scenefile/format/json_places.h"
 #include "scenefile/format/syntax.h"
+#include "scenefile/format/text_places.h"
 
 #include <fmt/format.h>
 
@@ -282,10 +282,7 @@ class Explainer {
   }
 
   static bool is_special(std::string_view word) {
-    std::string lower(word.substr(word.find_first_of("+-") == 0 ? 1 : 0));
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    const std::string lower = lower_case(word.substr(word.find_first_of("+-") == 0 ? 1 : 0));
     return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
@@ -451,7 +448,7 @@ class Explainer {
   const RepairedJson& repaired_;
   std::string_view text_;
   const Limits& limits_;
-  JsonPlaces places_;
+  TextPlaces places_;
   std::size_t at_;
 };
 

@@ -3,9 +3,9 @@
 #include "scenefile/format/json_codes.h"
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_places.h"
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/layout_lines.h"
+#include "scenefile/format/text_places.h"
 
 namespace scenefile {
 
@@ -121,7 +121,7 @@ std::optional<std::string> lay_out_json(std::string_view text, const Limits& lim
     return std::nullopt;
   }
   if (!tape.is_object(0)) {
-    diagnostics.report(json_wrong_type, JsonPlaces(text).at(tape.items[0].offset),
+    diagnostics.report(json_wrong_type, TextPlaces(text).at(tape.items[0].offset),
                        "a scene must be an object, found " + describe_json(tape, 0));
     return std::nullopt;
   }

@@ -51,16 +51,6 @@ const std::array keys{
     Key{"Settings/only-render-normals", &CourseConfig::only_render_normals},
 };
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) { return lower(c); });
-  return result;
-}
-
 // As messages show it: "[IO] scene".
 std::string shown(std::string_view name) {
   const std::size_t slash = name.find('/');
@@ -72,7 +62,7 @@ std::string shown(std::string_view name) {
 
 // Keys before any section may name it themselves, and General is the section without a name.
 std::string name_of(const IniEntry& entry) {
-  return entry.section.empty() || lower(entry.section) == "general"
+  return entry.section.empty() || lower_case(entry.section) == "general"
              ? entry.key
              : entry.section + "/" + entry.key;
 }
@@ -121,7 +111,7 @@ struct Reader {
   }
 
   void set(const IniEntry& entry, const Key& key, Switch field) const {
-    const std::string word = lower(entry.value);
+    const std::string word = lower_case(entry.value);
     config.*field = word == "true" || word == "1";
     if (!(config.*field) && word != "false" && word != "0" && !word.empty()) {
       fail(entry, key, "true or false");
@@ -149,8 +139,9 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   std::array<bool, keys.size()> given{};
   for (const IniEntry& entry : read_ini(text, diagnostics)) {
     const std::string name = name_of(entry);
-    const auto key = std::find_if(keys.begin(), keys.end(),
-                                  [&](const Key& k) { return lower(k.name) == lower(name); });
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) {
+      return lower_case(k.name) == lower_case(name);
+    });
     if (key == keys.end()) {
       report_unknown(entry, name, diagnostics);
       continue;

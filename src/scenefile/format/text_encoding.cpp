@@ -87,14 +87,6 @@ std::string_view decode_single_byte(std::string_view bytes, bool windows, std::s
   return storage;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return result;
-}
-
 // The encoding that an XML declaration names, in lower case; empty without one.
 std::string declared_encoding(std::string_view bytes) {
   constexpr std::size_t longest_declaration = 400;
@@ -109,8 +101,9 @@ std::string declared_encoding(std::string_view bytes) {
     return {};
   }
   const std::size_t close = declaration.find(declaration[open], open + 1);
-  return close == std::string_view::npos ? std::string()
-                                         : lower(declaration.substr(open + 1, close - open - 1));
+  return close == std::string_view::npos
+             ? std::string()
+             : lower_case(declaration.substr(open + 1, close - open - 1));
 }
 
 bool is_ascii(std::string_view bytes) {

@@ -3,27 +3,133 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/large_scene.h"
+#include "scenefile/format/xml_camera.h"
 #include "scenefile/format/xml_comments.h"
+#include "scenefile/format/xml_context.h"
+#include "scenefile/format/xml_fields.h"
+#include "scenefile/format/xml_light.h"
+#include "scenefile/format/xml_material.h"
+#include "scenefile/format/xml_object.h"
 #include "scenefile/format/xml_plain.h"
-#include "scenefile/format/xml_scene_builder.h"
+#include "scenefile/format/xml_reader.h"
+#include "scenefile/format/xml_references.h"
+#include "scenefile/format/xml_transform.h"
 #include "scenefile/format/xml_values.h"
+#include "scenefile/scene/scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace scenefile {
 
 namespace {
+
+enum class Block : std::uint8_t {
+  document,
+  scenefile,
+  globals,
+  camera,
+  light,
+  tree,
+  transblock,
+  primitive,
+  instance,
+  matrix,
+  leaf
+};
+
+/// An element that is being read.
+struct Frame {
+  Block block = Block::leaf;
+  bool has_content = false;  ///< transblock: its object has come; tree: a transblock has
+  bool is_implicit = false;  ///< transblock that is not in the file
+  bool is_nested = false;    ///< tree inside a transblock
+  NodeId node = 0;           ///< tree, transblock, primitive, instance
+  std::string_view element;  ///< as written
+  Location name_place;       ///< tree
+};
+
+/// Builds the scene while the file is read. Holds the elements that are open and nothing of those
+/// that are closed but what they mean.
+class SceneBuilder final : public XmlHandler {
+ public:
+  explicit SceneBuilder(const XmlContext& context) : context_(context) { push(Block::document, 0); }
+
+  bool start(const XmlTag& tag) override;
+  void end() override;
+  void text(std::string_view characters, Location location) override;
+
+  /// At the end of the file, or where reading it stopped.
+  Scene finish(bool complete);
+
+ private:
+  bool open(const XmlTag& tag);
+  bool open_document(const XmlTag& tag);
+  bool open_top(const XmlTag& tag);
+  bool open_globals(const XmlTag& tag);
+  bool open_light(const XmlTag& tag);
+  bool open_top_object(const XmlTag& tag);
+  bool open_in_tree(const XmlTag& tag);
+  bool open_transblock(const XmlTag& tag);
+  bool open_in_transblock(const XmlTag& tag);
+  bool open_transform(const XmlTag& tag, std::optional<Transform> transform);
+  bool open_matrix(const XmlTag& tag);
+  bool open_object(const XmlTag& tag);
+  bool open_tree(const XmlTag& tag, const ObjectTag& object);
+  bool open_instance(const XmlTag& tag, const ObjectTag& object);
+  bool open_primitive(const XmlTag& tag, const ObjectTag& object);
+  bool open_leaf(const XmlTag& tag, bool known);
+  bool ignore(const Code& code, const XmlTag& tag, std::string message);
+
+  bool push(Block block, NodeId node, std::string_view element = {});
+  Frame& top() { return frames_.back(); }
+  NodeId add_node(Location location);
+  NodeId add_child_node(NodeId parent, Location location);
+  void flush_transforms(NodeId node);
+  void make_room_for_object(NodeId node);
+  void end_tree(const Frame& tree);
+  void end_transblock(const Frame& block);
+
+  XmlContext context_;
+  Scene scene_;
+  XmlReferences references_;
+  std::vector<Frame> frames_;
+  std::size_t ignored_ = 0;  // elements open inside one that is left out, and itself
+  bool stopped_ = false;
+  bool lost_tree_ = false;  // a tree at the top, after an error: its name may be used
+  bool text_reported_ = false;
+  Location scenefile_;
+
+  // What is being read; none of these can stand inside itself.
+  SeenFields globals_;
+  CameraDraft camera_;
+  LightDraft light_;
+  PrimitiveDraft primitive_;
+  MatrixDraft matrix_;
+  std::vector<Transform> transforms_;  // of the innermost transblock, until its object comes
+};
+
+enum BlockField : std::size_t { b_translate, b_rotate, b_scale, b_matrix, b_object };
+constexpr FieldName block_names[] = {{"translate", b_translate},
+                                     {"rotate", b_rotate},
+                                     {"scale", b_scale},
+                                     {"matrix", b_matrix},
+                                     {"object", b_object}};
 
 enum TopField : std::size_t { t_globals, t_camera, t_light, t_object };
 constexpr FieldName top_names[] = {{"globaldata", t_globals},
                                    {"cameradata", t_camera},
                                    {"lightdata", t_light},
                                    {"object", t_object}};
-
-}  // namespace
 
 bool SceneBuilder::start(const XmlTag& tag) {
   if (ignored_ != 0 || !open(tag)) {
@@ -265,7 +371,215 @@ bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
   return true;
 }
 
-namespace {
+// What stands in a tree: transblocks, their transforms and their objects.
+
+bool SceneBuilder::open_in_tree(const XmlTag& tag) {
+  constexpr std::string_view transblock = "transblock";
+  if (tag.name == transblock) {
+    return open_transblock(tag);
+  }
+  if (!nearest_name(tag.name, {&transblock, 1}).empty()) {
+    context_.report(xml_misspelt_transblock, tag,
+                    fmt::format("{} was read as <transblock>", element_text(tag.name)));
+    return open_transblock(tag);
+  }
+  if (tag.name != "object") {
+    report_unknown_element(context_, tag, top().element);
+    return false;
+  }
+  context_.report(
+      xml_object_without_transblock, tag,
+      "the object stands in a tree without a transblock around it; it was read as if one "
+      "without transforms were there: put <transblock> and </transblock> around it");
+  top().has_content = true;
+  const std::size_t depth = frames_.size();
+  push(Block::transblock, add_child_node(top().node, tag.location), tag.name);
+  const bool opened = open_object(tag);
+  if (opened) {
+    frames_[depth].is_implicit = true;
+  } else {
+    frames_.pop_back();
+  }
+  return opened;
+}
+
+bool SceneBuilder::open_transblock(const XmlTag& tag) {
+  expect_no_attributes(context_, tag);
+  top().has_content = true;
+  return push(Block::transblock, add_child_node(top().node, tag.location), tag.name);
+}
+
+bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
+  if (top().has_content && !context_.options.compat_course) {
+    return ignore(
+        xml_after_object, tag,
+        fmt::format("{} is ignored, as all that follows the first object of a transblock; "
+                    "--compat course uses it",
+                    element_text(tag.name)));
+  }
+  if (tag.name == "transblock") {
+    return ignore(xml_misplaced_element, tag,
+                  "a transblock cannot stand right inside a transblock, so it was ignored; put it "
+                  "into <object type=\"tree\">");
+  }
+  const std::optional<std::size_t> field = find_field(context_, tag, block_names, top().element);
+  if (!field) {
+    return false;
+  }
+  if (top().has_content) {
+    context_.report(xml_after_object_used, tag,
+                    fmt::format("{} follows the first object of a transblock; it was used all the "
+                                "same",
+                                element_text(tag.name)));
+  }
+  switch (static_cast<BlockField>(*field)) {
+    case b_translate:
+      return open_transform(tag, read_translate(context_, tag));
+    case b_rotate:
+      return open_transform(tag, read_rotate(context_, tag));
+    case b_scale:
+      return open_transform(tag, read_scale(context_, tag));
+    case b_matrix:
+      return open_matrix(tag);
+    case b_object:
+      return open_object(tag);
+  }
+  return false;
+}
+
+bool SceneBuilder::open_transform(const XmlTag& tag, std::optional<Transform> transform) {
+  if (transform) {
+    transforms_.push_back(*transform);
+  }
+  return open_leaf(tag, true);
+}
+
+bool SceneBuilder::open_matrix(const XmlTag& tag) {
+  expect_no_attributes(context_, tag);
+  matrix_ = {};
+  matrix_.location = tag.location;
+  return push(Block::matrix, 0, tag.name);
+}
+
+// In a transblock.
+bool SceneBuilder::open_object(const XmlTag& tag) {
+  const std::optional<ObjectTag> object = read_object_tag(context_, tag);
+  make_room_for_object(top().node);
+  top().has_content = true;
+  if (!object) {
+    return false;
+  }
+  switch (object->type) {
+    case ObjectType::tree:
+      return open_tree(tag, *object);
+    case ObjectType::master:
+      return open_instance(tag, *object);
+    case ObjectType::primitive:
+      return open_primitive(tag, *object);
+  }
+  return false;
+}
+
+bool SceneBuilder::open_tree(const XmlTag& tag, const ObjectTag& object) {
+  if (object.name == "root") {
+    context_.diagnostics.report(xml_reserved_root, Severity::warning, object.name_place,
+                                "the name root belongs to the tree at the top of the file");
+  }
+  Node& node = scene_.nodes[top().node];
+  if (node.name.empty()) {
+    node.name = object.name;
+  }
+  push(Block::tree, top().node, tag.name);
+  top().is_nested = true;
+  top().name_place = object.name_place;
+  return true;
+}
+
+bool SceneBuilder::open_instance(const XmlTag& tag, const ObjectTag& object) {
+  if (object.name.empty()) {
+    return ignore(xml_master_name, tag, "an instance needs the name of a master");
+  }
+  if (object.name == "root") {
+    return ignore(xml_reserved_root, tag, "root cannot be a part of the scene; it is the scene");
+  }
+  Node& node = scene_.nodes[top().node];
+  const bool is_used = !node.primitives.empty() || !node.children.empty();
+  const NodeId id = is_used ? add_child_node(top().node, tag.location) : top().node;
+  references_.use(scene_, id, object.name, object.name_place, false);
+  return push(Block::instance, id, tag.name);
+}
+
+bool SceneBuilder::open_primitive(const XmlTag& tag, const ObjectTag& object) {
+  const std::optional<Shape> shape = read_shape(context_, tag, object);
+  if (!shape) {
+    return false;
+  }
+  primitive_ = {top().node, {}, true};
+  Primitive& primitive = scene_.nodes[top().node].primitives.emplace_back();
+  primitive.shape = *shape;
+  primitive.location = tag.location;
+  if (*shape == Shape::mesh) {
+    primitive.mesh_file = object.filename;
+    scene_.field_places.push_back({tag.location, Field::mesh_file, object.filename_place});
+  }
+  return push(Block::primitive, top().node, tag.name);
+}
+
+NodeId SceneBuilder::add_node(Location location) {
+  reserve_nodes(scene_.nodes, context_.places.progress());
+  scene_.nodes.emplace_back().location = location;
+  return static_cast<NodeId>(scene_.nodes.size() - 1);
+}
+
+NodeId SceneBuilder::add_child_node(NodeId parent, Location location) {
+  const NodeId child = add_node(location);
+  scene_.nodes[parent].children.push_back(child);
+  return child;
+}
+
+// All transforms so far go to the node, in an array that is just large enough.
+void SceneBuilder::flush_transforms(NodeId node) {
+  std::vector<Transform>& all = scene_.nodes[node].transforms;
+  if (all.empty()) {
+    all.assign(transforms_.begin(), transforms_.end());
+  } else {
+    all.insert(all.end(), transforms_.begin(), transforms_.end());
+  }
+  transforms_.clear();
+}
+
+// An instance has no contents of its own: when another object comes, it moves into a child.
+void SceneBuilder::make_room_for_object(NodeId node) {
+  flush_transforms(node);
+  if (scene_.nodes[node].instance_of.empty()) {
+    return;
+  }
+  const NodeId child = add_child_node(node, scene_.nodes[node].location);
+  scene_.nodes[child].instance_of = std::exchange(scene_.nodes[node].instance_of, {});
+  references_.move_last_use(node, child);
+}
+
+void SceneBuilder::end_tree(const Frame& tree) {
+  if (!tree.is_nested || tree.has_content) {
+    return;
+  }
+  Node& node = scene_.nodes[tree.node];
+  const bool is_used = !node.primitives.empty() || !node.children.empty();
+  if (node.name.empty() || is_used) {
+    context_.diagnostics.report(xml_empty_tree, tree.name_place, "the tree is empty");
+    return;
+  }
+  const std::string name = std::exchange(node.name, {});
+  references_.use(scene_, tree.node, name, tree.name_place, true);
+}
+
+void SceneBuilder::end_transblock(const Frame& block) {
+  flush_transforms(block.node);
+  if (!block.has_content) {
+    context_.diagnostics.report(xml_transblock_without_object, scene_.nodes[block.node].location,
+                                "the transblock has no object, so nothing is drawn for it");
+  }
+}
 
 // Nothing, and nothing reported, when the text is not plain.
 std::optional<Scene> read_plain(std::string_view text, const ReadOptions& options,

@@ -1,7 +1,5 @@
 #include "scenefile/format/xml_tag.h"
 
-#include <cstring>
-
 namespace scenefile {
 
 namespace {
@@ -30,21 +28,6 @@ const char* skip_name(const char* p, const char* end) {
 
 std::string_view between(const char* first, const char* last) {
   return {first, static_cast<std::size_t>(last - first)};
-}
-
-bool has_lone_cr(std::string_view text) {
-  std::size_t at = text.find('\r');
-  while (at != std::string_view::npos && at + 1 < text.size()) {
-    if (text[at + 1] != '\n') {
-      return true;
-    }
-    at = text.find('\r', at + 1);
-  }
-  return false;
-}
-
-bool starts_character(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
 // From the first character of an attribute to the one behind it.
@@ -106,54 +89,6 @@ TagScan scan_tag(std::string_view text, const Limits& limits, std::vector<XmlAtt
     p = skip_blanks(p, end);
   }
   return scan;
-}
-
-TextCursor::TextCursor(std::string_view text)
-    : begin_(text.data()),
-      end_(text.data() + text.size()),
-      lone_cr_(has_lone_cr(text)),
-      tag_{text.data()},
-      inside_{text.data()} {}
-
-Location TextCursor::advance_to(const char* at) {
-  move(tag_, at);
-  inside_ = tag_;
-  return tag_.location;
-}
-
-Location TextCursor::inside_tag(const char* at) {
-  if (at < inside_.at) {
-    inside_ = tag_;
-  }
-  move(inside_, at);
-  return inside_.location;
-}
-
-double TextCursor::progress() const {
-  return static_cast<double>(tag_.at - begin_) / static_cast<double>(end_ - begin_);
-}
-
-void TextCursor::move(Point& point, const char* to) const {
-  const char* p = point.at;
-  Location location = point.location;
-  if (lone_cr_) {
-    for (; p != to; ++p) {
-      const bool ends_line = *p == '\n' || (*p == '\r' && p + 1 != end_ && p[1] != '\n');
-      location.line += ends_line;
-      location.column = ends_line ? 1 : location.column + starts_character(*p);
-    }
-    point = {to, location};
-    return;
-  }
-  while (const void* newline = std::memchr(p, '\n', static_cast<std::size_t>(to - p))) {
-    p = static_cast<const char*>(newline) + 1;
-    ++location.line;
-    location.column = 1;
-  }
-  for (; p != to; ++p) {
-    location.column += starts_character(*p);
-  }
-  point = {to, location};
 }
 
 }  // namespace scenefile

@@ -1,9 +1,9 @@
 #pragma once
-// One start tag of an XML text as the author wrote it, and places in the text. Internal to the
-// room.
+// One start tag of an XML text as the author wrote it. Internal to the room.
 
 #include "scenefile/base/limits.h"
 #include "scenefile/base/location.h"
+#include "scenefile/format/text_places.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,32 +42,5 @@ struct TagScan {
 /// Finds the parts of the start tag at the front of `text`, which is well-formed but may be cut off
 /// anywhere. Values are as written, with their references.
 TagScan scan_tag(std::string_view text, const Limits& limits, std::vector<XmlAttribute>& out);
-
-/// Lines and columns of a text. Each call moves on from the place found before, so that all places
-/// of a file together cost one pass over it.
-class TextCursor {
- public:
-  explicit TextCursor(std::string_view text);
-
-  /// The place of a tag or text; calls must be in the order of the text.
-  Location advance_to(const char* at);
-  /// A place inside the tag that was advanced to last.
-  Location inside_tag(const char* at);
-  /// How much of the text is behind, 0..1.
-  double progress() const;
-
- private:
-  struct Point {
-    const char* at;
-    Location location{1, 1};
-  };
-  void move(Point& point, const char* to) const;
-
-  const char* begin_;
-  const char* end_;
-  bool lone_cr_;  ///< carriage returns end lines by themselves
-  Point tag_;
-  Point inside_;
-};
 
 }  // namespace scenefile

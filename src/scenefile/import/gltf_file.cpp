@@ -2,7 +2,7 @@
 
 #include "scenefile/base/base64.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/json_places.h"
+#include "scenefile/format/text_places.h"
 #include "scenefile/import/codes.h"
 #include "scenefile/import/read_gltf.h"
 
@@ -102,7 +102,7 @@ class Opener {
       const std::size_t at = error.fault == JsonFault::none ? 0 : error.offset;
       return binary ? fail(import_not_a_model, {},
                            fmt::format("its JSON is damaged at byte {} of the chunk", at))
-                    : fail(import_not_a_model, JsonPlaces(text).at(at),
+                    : fail(import_not_a_model, TextPlaces(text).at(at),
                            "this is not the JSON of a glTF file");
     }
     file_.root = JsonValue(file_.tape, 0);

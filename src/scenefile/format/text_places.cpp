@@ -1,12 +1,17 @@
-#include "scenefile/format/json_places.h"
+#include "scenefile/format/text_places.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace scenefile {
 
 namespace {
 
 constexpr std::size_t step = 4096;
+
+bool starts_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+}
 
 // Short runs with a sum of one byte, which compilers turn into wide instructions.
 template <typename Test>
@@ -26,9 +31,10 @@ std::uint32_t count_bytes(std::string_view text, Test test) {
 
 // Of UTF-8; counts the bytes that do not continue a character.
 std::uint32_t count_characters(std::string_view text) {
-  return count_bytes(text, [](char c) { return static_cast<signed char>(c) >= -0x40; });
+  return count_bytes(text, starts_character);
 }
 
+// Whether carriage returns end lines by themselves.
 bool has_lone_cr(std::string_view text) {
   for (std::size_t at = text.find('\r'); at != std::string_view::npos;
        at = text.find('\r', at + 1)) {
@@ -41,9 +47,9 @@ bool has_lone_cr(std::string_view text) {
 
 }  // namespace
 
-JsonPlaces::JsonPlaces(std::string_view text) : text_(text), lone_cr_(has_lone_cr(text)) {}
+TextPlaces::TextPlaces(std::string_view text) : text_(text), lone_cr_(has_lone_cr(text)) {}
 
-Location JsonPlaces::at(std::size_t offset) {
+Location TextPlaces::at(std::size_t offset) {
   offset = std::min(offset, text_.size());
   if (offset < last_.offset || offset - last_.offset > step) {
     go_near(offset);
@@ -52,7 +58,7 @@ Location JsonPlaces::at(std::size_t offset) {
   return last_.location;
 }
 
-void JsonPlaces::go_near(std::size_t offset) {
+void TextPlaces::go_near(std::size_t offset) {
   while (steps_.size() * step <= offset) {
     advance(last_step_, steps_.size() * step);
     steps_.push_back(last_step_.location);
@@ -60,7 +66,7 @@ void JsonPlaces::go_near(std::size_t offset) {
   last_ = {offset / step * step, steps_[offset / step]};
 }
 
-void JsonPlaces::advance(Mark& mark, std::size_t offset) const {
+void TextPlaces::advance(Mark& mark, std::size_t offset) const {
   const std::string_view passed = text_.substr(mark.offset, offset - mark.offset);
   if (lone_cr_) {
     advance_by_character(mark, offset);
@@ -75,7 +81,7 @@ void JsonPlaces::advance(Mark& mark, std::size_t offset) const {
 }
 
 // Where old line ends are about, what a CR means depends on what follows it.
-void JsonPlaces::advance_by_character(Mark& mark, std::size_t offset) const {
+void TextPlaces::advance_by_character(Mark& mark, std::size_t offset) const {
   for (; mark.offset < offset; ++mark.offset) {
     const char c = text_[mark.offset];
     const char next = mark.offset + 1 < text_.size() ? text_[mark.offset + 1] : '\0';
@@ -85,6 +91,54 @@ void JsonPlaces::advance_by_character(Mark& mark, std::size_t offset) const {
       mark.location.column += count_characters(text_.substr(mark.offset, 1));
     }
   }
+}
+
+TextCursor::TextCursor(std::string_view text)
+    : begin_(text.data()),
+      end_(text.data() + text.size()),
+      lone_cr_(has_lone_cr(text)),
+      tag_{text.data()},
+      inside_{text.data()} {}
+
+Location TextCursor::advance_to(const char* at) {
+  move(tag_, at);
+  inside_ = tag_;
+  return tag_.location;
+}
+
+Location TextCursor::inside_tag(const char* at) {
+  if (at < inside_.at) {
+    inside_ = tag_;
+  }
+  move(inside_, at);
+  return inside_.location;
+}
+
+double TextCursor::progress() const {
+  return static_cast<double>(tag_.at - begin_) / static_cast<double>(end_ - begin_);
+}
+
+void TextCursor::move(Point& point, const char* to) const {
+  const char* p = point.at;
+  Location location = point.location;
+  if (lone_cr_) {
+    for (; p != to; ++p) {
+      const bool ends_line = *p == '\n' || (*p == '\r' && p + 1 != end_ && p[1] != '\n');
+      location.line += ends_line;
+      location.column = ends_line ? 1 : location.column + starts_character(*p);
+    }
+    point = {to, location};
+    return;
+  }
+  while (const void* newline = std::memchr(p, '\n', static_cast<std::size_t>(to - p))) {
+    p = static_cast<const char*>(newline) + 1;
+    ++location.line;
+    location.column = 1;
+  }
+  for (; p != to; ++p) {
+    location.column += starts_character(*p);
+  }
+  point = {to, location};
 }
 
 }  // namespace scenefile

@@ -9,8 +9,48 @@ namespace scenefile::app {
 
 namespace {
 
-SceneView view_of(const LoadedScene& scene, RenderOptions options) {
-  return {&scene.ready.scene, &scene.assets, options};
+SceneView view_of(const LoadedScene& scene, RenderOptions options, std::string said) {
+  return {&scene.ready.scene, &scene.assets, options, &scene.written, std::move(said)};
+}
+
+// What references in use were drawn with; the course's own words for the sets are beside them.
+void add_views_of_features(const LoadedScene& scene, RenderOptions render, const std::string& name,
+                           std::vector<SceneView>& views) {
+  const auto add = [&](const char* words, const Features& features) {
+    render.features = features;
+    views.push_back(view_of(scene, render, fmt::format("{} --features {}", name, words)));
+  };
+  Features f = render.features;
+  f.super_sample = false;
+  f.texture_filter = false;
+  add("shadows,reflect,refract,texture,depthoffield", f);
+  f.depthoffield = false;
+  add("shadows,reflect,refract,texture", f);
+  f.refract = false;
+  add("shadows,reflect,texture", f);
+  f.texture = false;
+  add("shadows,reflect", f);
+  f.reflect = false;
+  add("shadows", f);
+  f = {true, false, false, true, false, false, false};
+  add("shadows,texture", f);
+  f = {false, true, false, true, false, false, false};
+  add("reflect,texture", f);
+  f = {false, false, false, true, false, false, false};
+  add("texture", f);
+  f = {false, false, false, true, true, false, false};
+  add("texture,texture-filter", f);
+  f = {true, true, false, true, true, false, false};
+  add("shadows,reflect,texture,texture-filter", f);
+  add("none", Features{false, false, false, false, false, false, false});
+  if (render.mode == Mode::ray) {
+    render.features = Features{false, false, false, false, false, false, false};
+    for (const auto& [mode, word] :
+         {std::pair(Mode::intersect, "intersect"), std::pair(Mode::normals, "normals")}) {
+      render.mode = mode;
+      views.push_back(view_of(scene, render, fmt::format("{} --mode {}", name, word)));
+    }
+  }
 }
 
 // The ways in which the scene may have been drawn, as far as the options leave it open.
@@ -21,15 +61,11 @@ std::vector<SceneView> possible_views(const LoadedScene& scene, const Options& o
   }
   std::vector<SceneView> views;
   for (const Profile profile : profiles) {
-    RenderOptions render = render_options(options, profile);
-    views.push_back(view_of(scene, render));
+    const RenderOptions render = render_options(options, profile);
+    const std::string name = profile == Profile::course ? "--profile course" : "--profile fine";
+    views.push_back(view_of(scene, render, name));
     if (!was_given(options, "--features")) {
-      render.features.texture_filter = false;
-      views.push_back(view_of(scene, render));
-      render.features.refract = false;
-      views.push_back(view_of(scene, render));
-      render.features = Features{false, false, false, false, false, false, false};
-      views.push_back(view_of(scene, render));
+      add_views_of_features(scene, render, name, views);
     }
   }
   return views;
@@ -60,6 +96,7 @@ Judgement judge(const Texture& reference, const Texture& test, const LoadedScene
   }
   judgement.scene_used = true;
   const SceneView view = most_alike(reference, possible_views(*scene, options));
+  judgement.view = view.said;
   judgement.causes = find_causes(reference, test, &view, progress);
   return judgement;
 }
@@ -74,6 +111,13 @@ std::string causes_text(const Judgement& judgement) {
   for (const Claim& claim : report.rivals) {
     text += fmt::format("   or: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
+  }
+  for (const Claim& claim : report.partial) {
+    text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
+                        claim.evidence);
+  }
+  if (judgement.scene_used && report.share_scene_unlike <= 0.1 && !judgement.view.empty()) {
+    text += fmt::format("reference: as drawn with {}\n", judgement.view);
   }
   if (judgement.scene_used && report.share_scene_unlike > 0.1) {
     text += fmt::format(
@@ -129,8 +173,10 @@ void add_judgement(Json& json, const Judgement& judgement) {
   add_clauses(json, "broken", judgement.broken);
   add_claims(json, "causes", judgement.causes.claims);
   add_claims(json, "rivals", judgement.causes.rivals);
+  add_claims(json, "partial", judgement.causes.partial);
   if (judgement.scene_used) {
     json.add("share_scene_unlike", judgement.causes.share_scene_unlike);
+    json.add("reference_drawn_with", judgement.view);
   }
 }
 

@@ -13,6 +13,7 @@ struct Judgement {
   std::vector<float> flip_errors;   ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;  ///< thresholds; empty: the same
   CauseReport causes;               ///< nothing where the pictures are the same
+  std::string view;                 ///< how the reference was drawn, as options; empty: not known
   bool scene_used = false;          ///< whether a scene was there to look for causes with
 };
 

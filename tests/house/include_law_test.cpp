@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>> may_know = {
       "format/text_places.h"}},
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
-    {"grade", {"base", "asset", "compare", "trace", "scene/render_scene.h"}},
+    {"grade", {"base", "scene", "geometry", "asset", "compare", "trace"}},
     {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
     {"view", {"base", "geometry", "asset", "scene/render_scene.h", "trace/render_options.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},

@@ -1,367 +1,957 @@
 #include "scenefile/grade/causes.h"
 
-#include "scenefile/grade/acne.h"
 #include "scenefile/grade/hypotheses.h"
-#include "scenefile/grade/likeness.h"
+#include "scenefile/grade/model.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
+#include <future>
 #include <limits>
-#include <new>
+#include <map>
 #include <optional>
+#include <random>
+#include <thread>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double enough_alone = 0.6;     // share of the difference that a single mistake explains
-constexpr double enough_together = 0.8;  // ... that two explain
-constexpr double left_by_second = 0.4;   // what a second mistake may leave of what the first leaves
-constexpr double least_left = 0.02;      // ... which must be worth a look
-constexpr double worth_pairing = 0.2;    // what the better of two mistakes explains alone
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double enough = 0.85;         // share of the difference that what is claimed explains
+constexpr double enough_exact = 0.75;   // share of the pixels that differ that it gives as they are
+constexpr double enough_shift = 0.6;    // of edges, for shifts of less than a pixel
+constexpr double most_broken = 0.03;    // share of the right pixels that it may make wrong
+constexpr double part = 0.5;            // share of the difference worth to be called a part
+constexpr double necessary = 0.03;      // what each of several mistakes explains beside the others
 constexpr double rival_margin = 0.03;
-constexpr double most_unlike = 0.1;  // share of pixels where the scene may not be the reference
+constexpr double most_unlike = 0.1;     // share of pixels where the scene may not be the reference
+constexpr double most_for_rounding = 0.05;  // share of pixels that differ by more
 constexpr std::size_t few_pixels = 12;
-
-// Large pictures are looked at in every third or fifth pixel across and down.
-int step_for(int width) {
-  return width <= 400 ? 1 : width <= 1200 ? 3 : 5;
-}
-
-// The camera of a thinned picture: its rays are those of the pixels that were kept.
-RenderCamera thinned_camera(const RenderCamera& full, const Texture& picture, const Texture& thin,
-                            int step, const glm::dvec2& shift) {
-  const double tangent = std::tan(full.fov_y / 2);
-  const double spread = 2 * tangent / picture.height;
-  const double right = (step * thin.width - picture.width) / 2.0 + shift.x;
-  const double down = (step * thin.height - picture.height) / 2.0 + shift.y;
-  RenderCamera camera = full;
-  camera.fov_y = 2 * std::atan(tangent * step * thin.height / picture.height);
-  camera.w -= spread * (right * full.u - down * full.v);
-  return camera;
-}
-
-// One ray a pixel; nothing when the scene cannot be drawn.
-std::optional<Texture> drawn(const Trial& trial, const Assets& assets, const Texture& full,
-                             const Texture& thin, int step) {
-  RenderOptions options = trial.options;
-  options.features.super_sample = false;
-  options.samples = 4;
-  options.width = thin.width;
-  options.height = thin.height;
-  RenderScene scene = trial.scene;
-  scene.camera = thinned_camera(scene.camera, full, thin, step, trial.shift);
-  const RenderResult result = render(scene, assets, options);
-  if (result.status == RenderStatus::failed) {
-    throw std::bad_alloc();
-  }
-  if (result.status != RenderStatus::complete) {
-    return std::nullopt;
-  }
-  return quantize(result.image, rounding_of(options.profile));
-}
+constexpr std::size_t screen = 240;      // points to choose single mistakes by
+constexpr std::size_t few_points = 100;  // ... and several
+constexpr std::size_t most_edited = 2000;  // shapes, where those are changed together with others
+constexpr double exact_within = 3;      // in 1/255
+constexpr double right_within = 8;
+constexpr double tolerance = 2;
+constexpr double worst = 64;            // more than this off counts no more
+constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
-// Pictures that the test may be, if a mistake was made.
-using Predictions = std::vector<Texture>;
+struct Point {
+  int x = 0;
+  int y = 0;
+  dvec3 test{0};  // in 1/255, as all colors here
+  dvec3 low{0};   // of what counts as the same
+  dvec3 high{0};
+  double weight = 1;  // pixels that it stands for
+  bool differs = false;
+};
+
+dvec3 at(const Texture& t, int x, int y) {
+  const std::uint8_t* p = t.texel(x, y);
+  return {p[0], p[1], p[2]};
+}
+
+dvec3 outside(const dvec3& value, const dvec3& low, const dvec3& high) {
+  return glm::max(dvec3(0), glm::max(low - value, value - high));
+}
+
+double largest_of(const dvec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+// The least and the greatest of the pixels around.
+struct Range {
+  dvec3 low, high;
+  bool calm() const { return largest_of(high - low) <= 12; }
+};
+
+Range around(const Texture& t, int x, int y) {
+  Range range{dvec3(255), dvec3(0)};
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, t.height - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, t.width - 1); ++u) {
+      const dvec3 c = at(t, u, v);
+      range.low = glm::min(range.low, c);
+      range.high = glm::max(range.high, c);
+    }
+  }
+  return range;
+}
+
+using Colors = std::vector<dvec3>;  // of the points; 255 is full, not clamped
+
+struct Score {
+  double left = 0;      // what differs still, beyond the tolerance, in 1/255 * pixels
+  double raw = 0;       // the same without tolerance
+  double exact = 0;     // weights of points that differed and are as the test has them
+  double broken = 0;    // weights of points that were right and are no more
+};
+
+Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {
+  Score s;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& p = points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    const dvec3 off = outside(c, p.low, p.high);
+    s.left += p.weight * (std::min(off.x, worst) + std::min(off.y, worst) + std::min(off.z, worst));
+    const dvec3 d = glm::abs(c - p.test);
+    s.raw += p.weight * (std::min(d.x, worst) + std::min(d.y, worst) + std::min(d.z, worst));
+    const double most = largest_of(off);
+    if (p.differs) {
+      s.exact += most <= exact_within - tolerance ? p.weight : 0;
+    } else {
+      s.broken += most > right_within ? p.weight : 0;
+    }
+  }
+  return s;
+}
+
+// Several mistakes at once, by their places in the list.
+using Together = std::vector<std::uint16_t>;
 
 struct Tried {
-  const Hypothesis* hypothesis = nullptr;
-  Predictions predictions;
-  double strict = 0;  // shares of the difference that are explained
-  double tolerant = 0;
-
-  bool geometric() const { return hypothesis->cause == Cause::half_pixel_shift; }
-  double explained() const { return geometric() ? strict : tolerant; }
+  Together together;
+  Score score;
+  double explained = 0;
+  double exact = 0;
+  double broken = 0;
+  double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
 };
+
+// A class of pixels and points of it, drawn at random but always the same.
+void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
+                std::size_t count, bool differs, bool strict, std::mt19937& random,
+                std::vector<Point>& points) {
+  const std::size_t all = pixels.size();
+  count = std::min(count, all);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::swap(pixels[i], pixels[i + random() % (all - i)]);
+    Point p;
+    p.x = static_cast<int>(pixels[i] % static_cast<std::uint32_t>(test.width));
+    p.y = static_cast<int>(pixels[i] / static_cast<std::uint32_t>(test.width));
+    p.test = at(test, p.x, p.y);
+    const Range of_test = around(test, p.x, p.y);
+    const Range of_reference = around(reference, p.x, p.y);
+    const dvec3 r = at(reference, p.x, p.y);
+    // Where the reference has an edge, the places of edges are not compared, only colors nearby.
+    const bool exactly =
+        strict || (of_reference.calm() && (differs || of_test.calm())) ||
+        (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);
+    p.low = (exactly ? p.test : of_test.low) - tolerance;
+    p.high = (exactly ? p.test : of_test.high) + tolerance;
+    p.weight = static_cast<double>(all) / static_cast<double>(count);
+    p.differs = differs;
+    points.push_back(p);
+  }
+}
+
+// The pixels that differ by more than edges and rounding can, and the others.
+struct Pixels {
+  std::vector<std::uint32_t> different;
+  std::vector<std::uint32_t> same;
+  std::vector<std::uint32_t> off;  // by more than 8/255, edges or not
+};
+
+Pixels sorted_pixels(const Texture& reference, const Texture& test) {
+  Pixels pixels;
+  for (int y = 0; y < test.height; ++y) {
+    for (int x = 0; x < test.width; ++x) {
+      const std::uint8_t* r = reference.texel(x, y);
+      const std::uint8_t* t = test.texel(x, y);
+      const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(test.width) +
+                         static_cast<std::uint32_t>(x);
+      const int most =
+          std::max({std::abs(r[0] - t[0]), std::abs(r[1] - t[1]), std::abs(r[2] - t[2])});
+      if (most > 4) {
+        const Range of_test = around(test, x, y);
+        const Range of_reference = around(reference, x, y);
+        const double off = std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
+                                    largest_of(outside(at(test, x, y), of_reference.low,
+                                                       of_reference.high)));
+        if (off > 4) {
+          pixels.different.push_back(index);
+        }
+        if (most > right_within) {
+          pixels.off.push_back(index);
+        }
+      } else {
+        pixels.same.push_back(index);
+      }
+    }
+  }
+  return pixels;
+}
 
 class Search {
  public:
   Search(const Texture& reference, const Texture& test, const SceneView* view,
          const std::function<bool(double)>& go_on)
-      : full_(reference),
-        step_(step_for(reference.width)),
-        reference_(thinned(reference, step_)),
-        test_(thinned(test, step_)),
-        view_(view),
-        go_on_(go_on),
-        on_pictures_(picture_hypotheses()) {}
+      : reference_(reference), test_(test), view_(view), go_on_(go_on) {}
 
   CauseReport run() {
-    clean_ = {reference_};
-    base_strict_ = strict_distance(test_, reference_);
-    base_tolerant_ = tolerant_distance(test_, reference_);
+    const Pixels pixels = sorted_pixels(reference_, test_);
+    const double all = static_cast<double>(test_.width) * test_.height;
+    report_.share_different = static_cast<double>(pixels.different.size()) / all;
     look_at_scene();
-    report_.share_different = share(base_tolerant_);
-    if (base_strict_.pixels < few_pixels) {
+    if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
       return report_;
     }
-    if (usable_) {
-      on_drawings_ = drawing_hypotheses(*view_);
+    if (claim_black()) {
+      return report_;
     }
-    try_each();
-    choose();
+    list_ = picture_hypotheses();
+    if (usable_) {
+      std::vector<Hypothesis> drawn =
+          drawing_hypotheses(*view_, reference_.width, reference_.height);
+      std::move(drawn.begin(), drawn.end(), std::back_inserter(list_));
+    }
+    std::mt19937 random(1);
+    add_points(reference_, test_, pixels.different, 1200, true, false, random, points_);
+    drop_what_samples_explain(true);
+    const std::size_t different = points_.size();
+    add_points(reference_, test_, pixels.same, 400, false, false, random, points_);
+    interleave(different);
+    prepare_clean();
+    if (usable_) {
+      add_background();
+    }
+    if (significant()) {
+      search();
+    }
+    if (report_.claims.empty() && !stopped_ && usable_) {
+      search_shifts(pixels);
+    }
     return report_;
   }
 
  private:
-  double share(const Distance& distance) const {
-    return static_cast<double>(distance.pixels) / (static_cast<double>(test_.rgb.size()) / 3);
-  }
-
-  bool significant() const { return base_tolerant_.pixels >= few_pixels; }
-
   bool step(double done) {
     stopped_ = stopped_ || (go_on_ && !go_on_(done));
     return !stopped_;
   }
 
-  std::optional<Texture> draw(const Trial& trial) const {
-    return drawn(trial, *view_->assets, full_, reference_, step_);
+  // ---- drawing -----------------------------------------------------------------------------
+
+  dvec2 middle(const Point& p, const Turn& turn) const {
+    const int x = turn.across ? test_.width - 1 - p.x : p.x;
+    const int y = turn.down ? test_.height - 1 - p.y : p.y;
+    return {x + 0.5, y + 0.5};
   }
 
-  Trial right_trial() const { return {*view_->scene, view_->options, {}}; }
+  Trial right_trial(bool with_groups) const {
+    Trial trial;
+    const RenderScene& scene = *view_->scene;
+    if (with_groups) {
+      trial.scene = scene;
+    } else {
+      trial.scene.global = scene.global;
+      trial.scene.camera = scene.camera;
+      trial.scene.lights = scene.lights;
+      trial.scene.materials = scene.materials;
+    }
+    trial.options = view_->options;
+    return trial;
+  }
+
+  Colors draw(const Trial& trial, const ModelShapes& shapes, const std::vector<Point>& points,
+              std::size_t count, const Turn& turn, const std::vector<ModelHit>* hits) const {
+    const Model model(trial.scene, shapes, *view_->assets, trial.options, trial.mistakes);
+    Colors colors(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const ModelHit* const known = hits != nullptr ? &(*hits)[i] : nullptr;
+      colors[i] = 255.0 * model.pixel(middle(points[i], turn) + trial.shift, test_.width,
+                                      test_.height, known);
+    }
+    rays_ += model.rays();
+    return colors;
+  }
 
   void look_at_scene() {
     if (view_ == nullptr) {
       return;
     }
-    const std::optional<Texture> drawn = draw(right_trial());
-    if (!drawn) {
+    shapes_ = flatten(*view_->scene, *view_->assets);
+    if (shapes_ == nullptr) {
       return;
     }
-    const Distance unlike = tolerant_distance(reference_, *drawn);
-    report_.share_scene_unlike = share(unlike);
+    std::mt19937 random(2);
+    std::vector<std::uint32_t> pixels(std::size_t(test_.width) * test_.height);
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+      pixels[i] = i;
+    }
+    std::vector<Point> points;
+    add_points(test_, reference_, std::move(pixels), 1500, false, false, random, points);
+    const Colors colors =
+        draw(right_trial(false), *shapes_, points, points.size(), Turn(), nullptr);
+    std::size_t unlike = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Range range = around(reference_, points[i].x, points[i].y);
+      const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+      unlike += largest_of(outside(c, range.low - 6.0, range.high + 6.0)) > 0 ? 1 : 0;
+    }
+    report_.share_scene_unlike =
+        static_cast<double>(unlike) / static_cast<double>(std::max<std::size_t>(1, points.size()));
     usable_ = report_.share_scene_unlike <= most_unlike;
+  }
+
+  // Points where one sample at the middle gives what the test has differ by samples alone.
+  void drop_what_samples_explain(bool tolerant) {
+    if (!usable_) {
+      return;
+    }
+    const Colors colors =
+        draw(right_trial(false), *shapes_, points_, points_.size(), Turn(), nullptr);
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& p = points_[i];
+      const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+      if (largest_of(tolerant ? outside(c, p.low, p.high) : glm::abs(c - p.test)) > 2) {
+        kept.push_back(p);
+      }
+    }
+    points_ = std::move(kept);
+  }
+
+  // So that the first points are of both kinds, in the shares that screening wants.
+  void interleave(std::size_t different) {
+    std::vector<Point> mixed;
+    std::size_t d = 0;
+    std::size_t s = different;
+    while (d < different || s < points_.size()) {
+      for (int i = 0; i < 3 && d < different; ++i) {
+        mixed.push_back(points_[d++]);
+      }
+      if (s < points_.size()) {
+        mixed.push_back(points_[s++]);
+      }
+    }
+    points_ = std::move(mixed);
+  }
+
+  struct Clean {
+    Colors reference;
+    Colors drawn;
+    std::vector<ModelHit> hits;
+  };
+
+  const Clean& clean(const Turn& turn) const {
+    return clean_[(turn.across ? 1 : 0) + (turn.down ? 2 : 0)];
+  }
+
+  void prepare_clean() {
+    for (const bool down : {false, true}) {
+      for (const bool across : {false, true}) {
+        const Turn turn{across, down};
+        Clean& c = clean_[(across ? 1 : 0) + (down ? 2 : 0)];
+        c = {};
+        for (const Point& p : points_) {
+          const dvec2 m = middle(p, turn);
+          c.reference.push_back(at(reference_, static_cast<int>(m.x), static_cast<int>(m.y)));
+        }
+        if (!usable_) {
+          continue;
+        }
+        const Trial trial = right_trial(false);
+        const Model model(trial.scene, *shapes_, *view_->assets, trial.options, trial.mistakes);
+        for (const Point& p : points_) {
+          c.hits.push_back(
+              model.first_hit(model.camera_ray(middle(p, turn), test_.width, test_.height)));
+        }
+        c.drawn = draw(trial, *shapes_, points_, points_.size(), turn, &c.hits);
+      }
+    }
+  }
+
+  // ---- scoring -----------------------------------------------------------------------------
+
+  double weight_that_differs(std::size_t count) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      sum += points_[i].differs ? points_[i].weight : 0;
+    }
+    return sum;
+  }
+
+  bool significant() const {
+    std::size_t count = 0;
+    for (const Point& p : points_) {
+      count += p.differs ? 1 : 0;
+    }
+    return count >= few_pixels;
+  }
+
+  struct Base {
+    double left = 0;
+    double differs = 0;
+    double same = 0;
+  };
+
+  Base base(std::size_t count) const {
+    Base b;
+    b.left = score(points_, count, clean({}).reference).left;
     if (usable_) {
-      clean_.push_back(*drawn);
-      const Distance strict = strict_distance(test_, *drawn);
-      const Distance tolerant = tolerant_distance(test_, *drawn);
-      base_strict_ = strict.sum < base_strict_.sum ? strict : base_strict_;
-      base_tolerant_ = tolerant.sum < base_tolerant_.sum ? tolerant : base_tolerant_;
+      b.left = std::min(b.left, score(points_, count, clean({}).drawn).left);
     }
+    for (std::size_t i = 0; i < count; ++i) {
+      (points_[i].differs ? b.differs : b.same) += points_[i].weight;
+    }
+    return b;
   }
 
-  // What the test would be: the changed drawing, or the reference with the change added to it.
-  Predictions predict(const Texture& drawn) const {
-    Texture changed = reference_;
-    for (std::size_t i = 0; i < changed.rgb.size(); ++i) {
-      const int value = int{reference_.rgb[i]} + drawn.rgb[i] - clean_[1].rgb[i];
-      changed.rgb[i] = static_cast<std::uint8_t>(std::clamp(value, 0, 255));
+  // What the scene is drawn as, with these mistakes; nothing where none touches the drawing.
+  std::optional<Colors> drawn(const Together& together, std::size_t count, const Turn& turn) const {
+    Touches touches = Touches::picture;
+    bool hits = false;
+    for (const std::uint16_t i : together) {
+      touches = std::max(touches, list_[i].touches);
+      hits = hits || list_[i].touches >= Touches::hits;
     }
-    return {drawn, changed};
-  }
-
-  // The picture of several hypotheses at once; nothing when it cannot be drawn.
-  Predictions predict(const std::vector<const Hypothesis*>& together) const {
-    Predictions predictions = clean_;
-    if (std::any_of(together.begin(), together.end(),
-                    [](const Hypothesis* h) { return bool(h->draw); })) {
-      Trial trial = right_trial();
-      for (const Hypothesis* hypothesis : together) {
-        if (hypothesis->draw) {
-          hypothesis->draw(trial);
+    if (touches == Touches::picture) {
+      return std::nullopt;
+    }
+    const std::uint16_t one = drawing_member(together);
+    if (one != no_member && turn == Turn() && one < cache_.size() && cache_[one].size() >= count) {
+      return Colors(cache_[one].begin(), cache_[one].begin() + std::ptrdiff_t(count));
+    }
+    Trial trial = right_trial(touches == Touches::shapes);
+    for (const Touches kind : {Touches::shapes, Touches::shading}) {
+      for (const std::uint16_t i : together) {
+        if (list_[i].draw && (list_[i].touches == Touches::shapes) == (kind == Touches::shapes)) {
+          list_[i].draw(trial);
         }
       }
-      const std::optional<Texture> drawn = draw(trial);
-      predictions = drawn ? predict(*drawn) : Predictions();
     }
-    for (const Hypothesis* hypothesis : together) {
-      if (hypothesis->picture) {
-        std::transform(predictions.begin(), predictions.end(), predictions.begin(),
-                       hypothesis->picture);
+    std::shared_ptr<const ModelShapes> shapes = shapes_;
+    if (touches == Touches::shapes) {
+      shapes = flatten(trial.scene, *view_->assets);
+    }
+    return draw(trial, *shapes, points_, count, turn, hits ? nullptr : &clean(turn).hits);
+  }
+
+  static constexpr std::uint16_t no_member = 0xffff;
+
+  // The only one that touches the drawing, if it is only one.
+  std::uint16_t drawing_member(const Together& together) const {
+    std::uint16_t found = no_member;
+    for (const std::uint16_t i : together) {
+      if (list_[i].touches != Touches::picture) {
+        if (found != no_member) {
+          return no_member;
+        }
+        found = i;
       }
     }
-    return predictions;
+    return found;
   }
 
-  double explained(const Predictions& predictions, const Distance& base,
-                   Distance (*distance)(const Texture&, const Texture&)) const {
-    double least = base.sum;
-    for (const Texture& prediction : predictions) {
-      least = std::min(least, distance(test_, prediction).sum);
+  // Draws the single mistakes once, for the pairs of each with what changes the finished picture.
+  void fill_cache(std::size_t count) {
+    cache_.clear();
+    count = std::min(count, points_.size());
+    std::vector<Colors> cache(list_.size());
+    in_parallel(0, list_.size(), [&](std::size_t i) {
+      const std::optional<Colors> colors =
+          drawn({static_cast<std::uint16_t>(i)}, count, Turn());
+      cache[i] = colors ? *colors : Colors();
+    });
+    cache_ = std::move(cache);
+  }
+
+  template <typename F>
+  void in_parallel(std::size_t start, std::size_t end, const F& work_on) const {
+    const int threads = view_ != nullptr && view_->options.threads > 0
+                            ? view_->options.threads
+                            : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    std::atomic<std::size_t> next = start;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < end; i = next++) {
+        work_on(i);
+      }
+    };
+    std::vector<std::future<void>> helpers;
+    for (int i = 1; i < std::min(threads, 8) && end - start > 4; ++i) {
+      helpers.push_back(std::async(std::launch::async, work));
     }
-    return base.sum > 0 ? 1 - least / base.sum : 0;
+    work();
+    for (std::future<void>& helper : helpers) {
+      helper.get();
+    }
   }
 
-  Tried tried(const Hypothesis& hypothesis) const {
-    Tried result{&hypothesis, predict({&hypothesis}), 0, 0};
-    result.strict = explained(result.predictions, base_strict_, strict_distance);
-    if (significant()) {
-      result.tolerant = explained(result.predictions, base_tolerant_, tolerant_distance);
+  // The best score of what the test may be: the changed drawing, or the reference with the change
+  // added to it.
+  Score score_of(const Together& together, std::size_t count,
+                 const std::optional<Colors>& known = std::nullopt) const {
+    Turn turn;
+    std::vector<const Hypothesis*> on_picture;
+    for (const std::uint16_t i : together) {
+      turn.across = turn.across != list_[i].turn.across;
+      turn.down = turn.down != list_[i].turn.down;
+      if (list_[i].color) {
+        on_picture.push_back(&list_[i]);
+      }
+    }
+    const auto finished = [&](Colors colors) {
+      for (dvec3& c : colors) {
+        for (const Hypothesis* h : on_picture) {
+          c = 255.0 * h->color(c / 255.0);
+        }
+      }
+      return score(points_, count, colors);
+    };
+    const Clean& right = clean(turn);
+    const std::optional<Colors> changed = known ? known : drawn(together, count, turn);
+    if (!changed) {
+      Colors reference(right.reference.begin(), right.reference.begin() + std::ptrdiff_t(count));
+      const Score of_reference = finished(std::move(reference));
+      if (!usable_) {
+        return of_reference;
+      }
+      Colors model(right.drawn.begin(), right.drawn.begin() + std::ptrdiff_t(count));
+      const Score of_model = finished(std::move(model));
+      return of_model.left < of_reference.left ? of_model : of_reference;
+    }
+    Colors added(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const dvec3 now = glm::clamp((*changed)[i], dvec3(0), dvec3(255));
+      const dvec3 before = glm::clamp(right.drawn[i], dvec3(0), dvec3(255));
+      added[i] = right.reference[i] + now - before;
+    }
+    const Score of_added = finished(std::move(added));
+    const Score of_changed = finished(*changed);
+    return of_added.left < of_changed.left ? of_added : of_changed;
+  }
+
+  Tried rated(Together together, const Score& s, const Base& b) const {
+    Tried t;
+    t.together = std::move(together);
+    t.score = s;
+    t.explained = b.left > 0 ? 1 - s.left / b.left : 0;
+    t.exact = b.differs > 0 ? s.exact / b.differs : 0;
+    t.broken = b.same > 0 ? s.broken / b.same : 0;
+    return t;
+  }
+
+  // Each alone or together, several at once where there are processors.
+  std::vector<Tried> try_all(const std::vector<Together>& sets, std::size_t count, double from,
+                             double to) {
+    count = std::min(count, points_.size());
+    const Base b = base(count);
+    std::vector<Tried> result(sets.size());
+    constexpr std::size_t chunk = 64;
+    for (std::size_t start = 0; start < sets.size(); start += chunk) {
+      if (!step(from + (to - from) * static_cast<double>(start) / static_cast<double>(sets.size()))) {
+        result.resize(start);
+        break;
+      }
+      const std::size_t end = std::min(sets.size(), start + chunk);
+      in_parallel(start, end,
+                  [&](std::size_t i) { result[i] = rated(sets[i], score_of(sets[i], count), b); });
     }
     return result;
   }
 
-  void try_each() {
-    const double count = static_cast<double>(on_pictures_.size() + on_drawings_.size());
-    for (const std::vector<Hypothesis>* list : {&on_pictures_, &on_drawings_}) {
-      for (const Hypothesis& hypothesis : *list) {
-        if (step(0.8 * static_cast<double>(tried_.size()) / count)) {
-          tried_.push_back(tried(hypothesis));
+  static void sort_by_merit(std::vector<Tried>& list) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Tried& a, const Tried& b) { return a.merit() > b.merit(); });
+  }
+
+  bool good(const Tried& t) const {
+    return t.explained >= enough && t.exact >= enough_exact && t.broken <= most_broken;
+  }
+
+  // ---- searching ---------------------------------------------------------------------------
+
+  void search() {
+    std::vector<Together> singles;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      singles.push_back({i});
+    }
+    std::vector<Tried> ranked = try_all(singles, screen, 0, 0.3);
+    sort_by_merit(ranked);
+    std::vector<Tried> best = verified(ranked, 16, 0.3, 0.4);
+    if (stopped_ && best.empty()) {
+      return;
+    }
+    if (!best.empty() && good(best.front())) {
+      const Tried whole = completed(best.front());
+      claim(whole, best);
+      return;
+    }
+    if (claim_acne()) {
+      return;
+    }
+    const std::vector<Tried> alone = best;
+    if (usable_) {
+      fill_cache(few_points);
+    }
+    std::vector<Tried> pairs = extended(firsts(ranked), few_points, 0.4, 0.65);
+    best = verified(pairs, 12, 0.65, 0.7);
+    if (!best.empty() && good(best.front())) {
+      const Tried pair = without_needless(best.front());
+      claim(completed(pair), best);
+      return;
+    }
+    if (!pairs.empty() && pairs.front().merit() > 0.3 && rays_ < work_for_pairs) {
+      std::vector<Tried> starts(pairs.begin(), pairs.begin() + std::min<std::ptrdiff_t>(
+                                                                  4, std::ptrdiff_t(pairs.size())));
+      std::vector<Together> sets;
+      for (const Tried& t : starts) {
+        sets.push_back(t.together);
+      }
+      std::vector<Tried> triples = extended(sets, few_points, 0.7, 0.9);
+      best = verified(triples, 8, 0.9, 1);
+      if (!best.empty() && good(best.front())) {
+        claim(without_needless(best.front()), best);
+        return;
+      }
+    }
+    if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
+        alone.front().broken <= most_broken) {
+      const Hypothesis& h = list_[alone.front().together.front()];
+      report_.partial.push_back(
+          {h.cause, h.what,
+           fmt::format("made on purpose, it explains {} of the difference; something else is wrong, "
+                       "too",
+                       percent(alone.front().explained)),
+           alone.front().explained});
+    }
+  }
+
+  // The best of those that were screened, at all points; the likelier first where they are alike.
+  std::vector<Tried> verified(const std::vector<Tried>& ranked, std::size_t count, double from,
+                              double to) {
+    std::vector<Together> sets;
+    for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i) {
+      if (ranked[i].merit() > 0.05) {
+        sets.push_back(ranked[i].together);
+      }
+    }
+    std::vector<Tried> result = try_all(sets, points_.size(), from, to);
+    const double all = base(points_.size()).left;
+    std::stable_sort(result.begin(), result.end(), [&](const Tried& a, const Tried& b) {
+      return a.score.raw < b.score.raw;
+    });
+    if (result.empty()) {
+      return result;
+    }
+    // Among those that leave the same, the one that stands first in the list.
+    const double limit = 1.1 * result.front().score.raw + 0.0003 * all;
+    auto last = result.begin();
+    while (last != result.end() && last->score.raw <= limit) {
+      ++last;
+    }
+    std::stable_sort(result.begin(), last,
+                     [](const Tried& a, const Tried& b) { return a.together < b.together; });
+    std::stable_partition(result.begin(), result.end(), [&](const Tried& t) { return good(t); });
+    return result;
+  }
+
+  // What is worth to be tried with others: the best, those that make many pixels right, and what
+  // changes the whole picture.
+  std::vector<Together> firsts(const std::vector<Tried>& ranked) const {
+    std::vector<Together> result;
+    const auto add = [&](const Together& t) {
+      if (std::find(result.begin(), result.end(), t) == result.end()) {
+        result.push_back(t);
+      }
+    };
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
+      add(ranked[i].together);
+    }
+    std::vector<Tried> by_exact = ranked;
+    std::stable_sort(by_exact.begin(), by_exact.end(),
+                     [](const Tried& a, const Tried& b) { return a.exact > b.exact; });
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, by_exact.size()); ++i) {
+      add(by_exact[i].together);
+    }
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      if (list_[i].touches == Touches::picture) {
+        add({i});
+      }
+    }
+    return result;
+  }
+
+  // Each start with each single mistake that is not in it.
+  std::vector<Tried> extended(const std::vector<Together>& starts, std::size_t count, double from,
+                              double to) {
+    std::vector<Together> sets;
+    for (const Together& start : starts) {
+      for (std::uint16_t i = 0; i < list_.size(); ++i) {
+        Together together = start;
+        if (std::find(start.begin(), start.end(), i) == start.end() && fits(start, i)) {
+          together.push_back(i);
+          std::sort(together.begin(), together.end());
+          sets.push_back(together);
         }
       }
     }
+    std::sort(sets.begin(), sets.end());
+    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+    std::vector<Tried> result = try_all(sets, count, from, to);
+    sort_by_merit(result);
+    return result;
   }
 
-  void choose() {
-    std::stable_sort(tried_.begin(), tried_.end(),
-                     [](const Tried& a, const Tried& b) { return a.explained() > b.explained(); });
-    prefer_geometry_by_the_strict_measure();
-    if (tried_.empty()) {
-      return;
+  // Two of one kind rarely add up: they replace each other.
+  bool fits(const Together& start, std::uint16_t other) const {
+    if (list_[other].touches == Touches::shapes && shapes_->parts.size() > most_edited) {
+      return false;
     }
-    const double best = tried_.front().explained();
-    if (significant() && best < 1 - least_left && (claim_acne(best) || claim_pair(best))) {
-      return;
-    }
-    if (best >= enough_alone) {
-      report_.claims.push_back(claim(tried_.front(), best));
-      add_rivals(best);
-    }
-  }
-
-  // Shifts are measured by edges, which the tolerant measure does not see; what explains edges and
-  // all goes first.
-  void prefer_geometry_by_the_strict_measure() {
-    const auto shift =
-        std::find_if(tried_.begin(), tried_.end(), [](const Tried& t) { return t.geometric(); });
-    if (shift == tried_.end()) {
-      return;
-    }
-    const bool beaten = std::any_of(tried_.begin(), tried_.end(), [&](const Tried& t) {
-      return !t.geometric() && t.tolerant >= enough_alone && t.strict > shift->strict;
+    return std::none_of(start.begin(), start.end(), [&](std::uint16_t i) {
+      const Hypothesis& a = list_[i];
+      const Hypothesis& b = list_[other];
+      const bool shift = a.cause == Cause::half_pixel_shift || b.cause == Cause::half_pixel_shift;
+      return shift || (a.cause == b.cause && a.cause != Cause::specular &&
+                       a.cause != Cause::texture && a.cause != Cause::shapes) ||
+             (a.touches == Touches::shapes && b.touches == Touches::shapes &&
+              a.cause == Cause::transforms);
     });
-    if (beaten || shift->strict < enough_alone) {
-      tried_.erase(std::remove_if(tried_.begin(), tried_.end(),
-                                  [](const Tried& t) { return t.geometric(); }),
-                   tried_.end());
-    } else {
-      std::rotate(tried_.begin(), shift, shift + 1);
+  }
+
+  // Adds what explains most of the rest, where there is a rest.
+  Tried completed(const Tried& found) {
+    const Base b = base(points_.size());
+    const double rest = found.score.left;
+    if (stopped_ || rest < 0.02 * b.left || found.together.size() > 2) {
+      return found;
     }
+    std::vector<Tried> more = extended({found.together}, screen, 0.7, 0.9);
+    std::vector<Tried> best = verified(more, 6, 0.9, 1);
+    if (!best.empty() && best.front().score.left < 0.4 * rest &&
+        best.front().broken <= most_broken && good(best.front())) {
+      return completed(without_needless(best.front()));
+    }
+    return found;
   }
 
-  Claim claim(const Tried& t, double share) const {
-    const Distance& base = t.geometric() ? base_strict_ : base_tolerant_;
-    const double values = static_cast<double>(test_.rgb.size());
-    const std::string where = t.geometric() ? "" : " beyond edges and rounding";
-    return {
-        t.hypothesis->cause, t.hypothesis->what,
-        fmt::format("made on purpose, it leaves {:.3f}/255 of a mean difference of {:.3f}/255{}",
-                    (1 - share) * base.sum / values, base.sum / values, where),
-        share};
+  Tried without_needless(Tried found) {
+    const Base b = base(points_.size());
+    for (std::size_t i = 0; found.together.size() > 1 && i < found.together.size();) {
+      Together fewer = found.together;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      const Tried t = rated(fewer, score_of(fewer, points_.size()), b);
+      if (good(t) && t.explained > found.explained - necessary / 3) {
+        found = t;
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+    return found;
   }
 
-  void add_rivals(double best) {
-    for (std::size_t i = 1; i < tried_.size() && report_.rivals.size() < 3; ++i) {
-      const Tried& t = tried_[i];
-      const bool other = t.hypothesis->cause != tried_.front().hypothesis->cause;
-      if (other && !t.geometric() && t.tolerant >= std::max(best - rival_margin, enough_alone)) {
-        report_.rivals.push_back(claim(t, t.tolerant));
+  void claim(const Tried& found, const std::vector<Tried>& others) {
+    const Base b = base(points_.size());
+    const double values = 3.0 * test_.width * test_.height;
+    for (const std::uint16_t i : found.together) {
+      Claim one{list_[i].cause, list_[i].what, {}, found.explained};
+      if (found.together.size() == 1) {
+        one.evidence = fmt::format(
+            "made on purpose, it leaves {:.3f}/255 of a mean difference of {:.3f}/255 beyond edges "
+            "and rounding, and {} of the pixels that differed are as here",
+            found.score.left / values, b.left / values, percent(found.exact));
+      } else {
+        const Tried alone = rated({i}, score_of({i}, points_.size()), b);
+        one.evidence = fmt::format("together they explain {} of the difference; alone {}",
+                                   percent(found.explained),
+                                   percent(std::max(0.0, alone.explained)));
+      }
+      report_.claims.push_back(std::move(one));
+    }
+    if (found.together.size() > 1) {
+      return;
+    }
+    for (const Tried& t : others) {
+      const Hypothesis& h = list_[t.together.front()];
+      const bool listed =
+          h.cause == list_[found.together.front()].cause ||
+          std::any_of(report_.rivals.begin(), report_.rivals.end(),
+                      [&](const Claim& c) { return c.cause == h.cause; });
+      if (t.together.size() == 1 && !listed && good(t) && report_.rivals.size() < 3 &&
+          t.score.raw <= found.score.raw + rival_margin * b.left) {
+        report_.rivals.push_back(
+            {h.cause, h.what,
+             fmt::format("made on purpose, it explains {} of the difference", percent(t.explained)),
+             t.explained});
       }
     }
   }
 
-  bool claim_acne(double best) {
+  // ---- causes that are not tried like the others -------------------------------------------
+
+  bool claim_black() {
+    std::size_t dark = 0;
+    std::size_t bright = 0;
+    for (std::size_t i = 0; i < test_.rgb.size(); ++i) {
+      dark += test_.rgb[i] <= 2 ? 1 : 0;
+      bright += reference_.rgb[i] > 8 ? 1 : 0;
+    }
+    const auto all = static_cast<double>(test_.rgb.size());
+    if (static_cast<double>(dark) < 0.9995 * all || static_cast<double>(bright) < 0.005 * all) {
+      return false;
+    }
+    report_.claims.push_back({Cause::black, "the picture is black: nothing is drawn",
+                              "all pixels are black, and the reference shows something", 1});
+    return true;
+  }
+
+  // One color where nothing is hit.
+  void add_background() {
+    std::map<std::array<int, 3>, double> colors;
+    double all = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (clean({}).hits[i].part == nullptr && points_[i].differs) {
+        const dvec3& t = points_[i].test;
+        colors[{int(t.x), int(t.y), int(t.z)}] += points_[i].weight;
+        all += points_[i].weight;
+      }
+    }
+    if (all == 0) {
+      return;
+    }
+    const auto most = std::max_element(colors.begin(), colors.end(), [](const auto& a, const auto& b) {
+      return a.second < b.second;
+    });
+    if (most->second < 0.7 * all) {
+      return;
+    }
+    const dvec3 color = dvec3(most->first[0], most->first[1], most->first[2]) / 255.0;
+    list_.push_back({Cause::background,
+                     fmt::format("the background is {} {} {}, not black", most->first[0],
+                                 most->first[1], most->first[2]),
+                     Touches::shading,
+                     [color](Trial& t) { t.mistakes.background = color; },
+                     {},
+                     {}});
+  }
+
+  // Whether the test has the color of the clean picture without some of the lights.
+  static bool lacks_lights(const dvec3& test, const dvec3& clean, const std::vector<dvec3>& shares) {
+    const std::size_t count = std::min<std::size_t>(shares.size(), 5);
+    for (unsigned subset = 1; subset < 1u << count; ++subset) {
+      dvec3 c = clean;
+      for (std::size_t i = 0; i < count; ++i) {
+        c -= (subset >> i & 1) != 0 ? 255.0 * shares[i] : dvec3(0);
+      }
+      if (largest_of(glm::abs(glm::clamp(c, dvec3(0), dvec3(255)) - test)) <= 4) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool claim_acne() {
     if (!usable_ || !view_->options.features.shadows || view_->options.mode != Mode::ray) {
       return false;
     }
-    Trial dark = right_trial();
-    dark.scene.lights.clear();
-    const std::optional<Texture> drawn = draw(dark);
-    if (!drawn) {
-      return false;
+    const Trial trial = right_trial(false);
+    const Model model(trial.scene, *shapes_, *view_->assets, trial.options, trial.mistakes);
+    Trial unlit = trial;
+    unlit.scene.lights.clear();
+    const Model dark(unlit.scene, *shapes_, *view_->assets, unlit.options, unlit.mistakes);
+    std::size_t looked_at = 0;
+    std::size_t between = 0;
+    std::size_t scattered = 0;
+    std::size_t dull = 0;
+    std::size_t lacking = 0;
+    for (std::size_t i = 0; i < points_.size() && looked_at < 400; ++i) {
+      const Point& p = points_[i];
+      if (!p.differs || clean({}).hits[i].part == nullptr) {
+        continue;
+      }
+      ++looked_at;
+      const ModelRay ray = model.camera_ray(middle(p, {}), test_.width, test_.height);
+      const dvec3 low = glm::clamp(255.0 * dark.color(ray), dvec3(0), dvec3(255));
+      const dvec3 high = glm::clamp(clean({}).drawn[i], dvec3(0), dvec3(255));
+      between += largest_of(outside(p.test, low - 4.0, high + 4.0)) <= 0 ? 1 : 0;
+      scattered += right_beside(p) ? 1 : 0;
+      const RenderMaterial& m = trial.scene.materials[clean({}).hits[i].part->material];
+      // Mirrors that start in themselves may show anything.
+      if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
+        ++dull;
+        lacking += lacks_lights(p.test, clean({}).drawn[i], model.light_shares(ray)) ? 1 : 0;
+      }
     }
-    const AcneEvidence evidence = look_for_acne(test_, clean_[1], *drawn);
-    if (evidence.between < 0.85 || evidence.scattered < 0.4 || evidence.between < best) {
+    const auto share = [](std::size_t part_of, std::size_t whole) {
+      return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
+    };
+    std::fprintf(stderr,"ACNE %zu dull %zu between %.2f scattered %.2f lacking %.2f\n",looked_at,dull,share(between,looked_at),share(scattered,looked_at),share(lacking,dull));
+    if (looked_at < few_pixels || dull < few_pixels || share(scattered, looked_at) < 0.4 ||
+        share(lacking, dull) < 0.85 ||
+        share(between, looked_at) < (share(lacking, dull) < 0.95 ? 0.85 : 0.5)) {
       return false;
     }
     report_.claims.push_back(
         {Cause::acne,
          "surfaces shadow themselves in spots (shadow acne): start rays off the surface",
-         fmt::format("{} of the pixels that differ lie between the lit and the shadowed surface, "
-                     "scattered among right ones",
-                     percent(evidence.between)),
-         evidence.between});
+         fmt::format("{} of the pixels that differ on dull surfaces lack exactly the light of one or "
+                     "more lights, scattered among right ones",
+                     percent(share(lacking, dull))),
+         share(between, looked_at)});
     return true;
   }
 
-  // Two mistakes at once: where one alone explains much, that one with any other; else one that
-  // changes the finished picture with any other, or two of the best.
-  bool claim_pair(double best) {
-    std::vector<const Hypothesis*> pair;
-    double most = std::max(enough_together, 1 - left_by_second * (1 - best));
-    const auto attempt = [&](const Hypothesis& a, const Hypothesis& b, const Predictions& p) {
-      const double share = explained(p, base_tolerant_, tolerant_distance);
-      if (a.cause != b.cause && share > most) {
-        most = share;
-        pair = {&a, &b};
+  bool right_beside(const Point& p) const {
+    int right = 0;
+    for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, test_.height - 1); ++y) {
+      for (int x = std::max(p.x - 1, 0); x <= std::min(p.x + 1, test_.width - 1); ++x) {
+        right += largest_of(glm::abs(at(test_, x, y) - at(reference_, x, y))) <= 3 ? 1 : 0;
       }
-    };
-    const Hypothesis* const only = best >= enough_alone ? tried_.front().hypothesis : nullptr;
-    pair_with_pictures(only, attempt);
-    if (best >= worth_pairing && (only == nullptr || only->draw)) {
-      pair_drawings(only == nullptr ? 3 : 1, attempt);
     }
-    for (const Hypothesis* hypothesis : pair) {
-      const auto alone = std::find_if(tried_.begin(), tried_.end(),
-                                      [&](const Tried& t) { return t.hypothesis == hypothesis; });
-      Claim one = claim(*alone, alone->tolerant);
-      one.evidence = fmt::format("together they explain {} of the difference; alone {}",
-                                 percent(most), percent(std::max(0.0, alone->tolerant)));
-      report_.claims.push_back(std::move(one));
-    }
-    return !pair.empty();
+    return right >= 1;
   }
 
-  template <typename F>
-  void pair_with_pictures(const Hypothesis* only, const F& attempt) const {
-    for (const Tried& t : tried_) {
-      for (const Hypothesis& last : on_pictures_) {
-        const bool wanted = only == nullptr || only == t.hypothesis || only == &last;
-        if (wanted && t.hypothesis->draw && !t.geometric()) {
-          Predictions predictions = t.predictions;
-          std::transform(predictions.begin(), predictions.end(), predictions.begin(), last.picture);
-          attempt(*t.hypothesis, last, predictions);
-        }
+  // Shifts of less than a pixel show at edges alone.
+  void search_shifts(const Pixels& pixels) {
+    points_.clear();
+    std::mt19937 random(3);
+    add_points(reference_, test_, pixels.off, 1500, true, true, random, points_);
+    const std::size_t before = points_.size();
+    drop_what_samples_explain(false);
+    if (points_.size() < few_pixels || points_.size() < before / 4) {
+      return;
+    }
+    const std::size_t different = points_.size();
+    add_points(reference_, test_, pixels.same, 500, false, true, random, points_);
+    interleave(different);
+    prepare_clean();
+    std::vector<Together> shifts;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      if (list_[i].cause == Cause::half_pixel_shift || list_[i].touches == Touches::camera) {
+        shifts.push_back({i});
       }
+    }
+    std::vector<Tried> tried = try_all(shifts, points_.size(), 0.95, 1);
+    std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
+      return a.score.raw < b.score.raw;
+    });
+    if (!tried.empty() && tried.front().explained >= enough_shift && tried.front().exact >= 0.5) {
+      claim(tried.front(), {});
     }
   }
 
-  template <typename F>
-  void pair_drawings(std::size_t firsts, const F& attempt) {
-    std::vector<const Hypothesis*> drawn;
-    for (const Tried& t : tried_) {
-      if (t.hypothesis->draw && !t.geometric()) {
-        drawn.push_back(t.hypothesis);
-      }
-    }
-    for (std::size_t i = 0; i < std::min(drawn.size(), firsts); ++i) {
-      for (std::size_t j = i + 1; j < drawn.size() && step(0.9); ++j) {
-        attempt(*drawn[i], *drawn[j], predict({drawn[i], drawn[j]}));
-      }
-    }
-  }
-
-  const Texture& full_;
-  int step_;
-  Texture reference_;
-  Texture test_;
+  const Texture& reference_;
+  const Texture& test_;
   const SceneView* view_;
   const std::function<bool(double)>& go_on_;
-  std::vector<Hypothesis> on_pictures_;
-  std::vector<Hypothesis> on_drawings_;
-  std::vector<Tried> tried_;
-  Predictions clean_;  // the reference, and our drawing where it is like it
-  Distance base_strict_;
-  Distance base_tolerant_;
+  std::shared_ptr<const ModelShapes> shapes_;
+  std::vector<Hypothesis> list_;
+  std::vector<Point> points_;
+  std::array<Clean, 4> clean_;
+  std::vector<Colors> cache_;  // of the single mistakes, at the first points
+  mutable std::atomic<std::uint64_t> rays_ = 0;
   bool usable_ = false;
   bool stopped_ = false;
   CauseReport report_;
@@ -384,12 +974,14 @@ Steps count_steps(const Texture& reference, const Texture& test) {
 }
 
 // The sign is the evidence: rounded values are never below truncated ones.
-std::optional<Claim> find_rounding(const Texture& reference, const Texture& test) {
+std::optional<Claim> find_rounding(const Texture& reference, const Texture& test,
+                                   double share_different) {
   const Steps steps = count_steps(reference, test);
   const auto values = static_cast<double>(test.rgb.size());
   const auto near = static_cast<double>(steps.up + steps.down);
   const auto larger = static_cast<double>(std::max(steps.up, steps.down));
-  if (near < 0.05 * values || larger < 0.9 * near || static_cast<double>(steps.far) > near) {
+  if (near < 0.05 * values || larger < 0.9 * near || static_cast<double>(steps.far) > near ||
+      share_different > most_for_rounding) {
     return std::nullopt;
   }
   const bool up = steps.up > steps.down;
@@ -404,25 +996,41 @@ std::optional<Claim> find_rounding(const Texture& reference, const Texture& test
 }  // namespace
 
 std::string_view name_of(Cause cause) {
-  static constexpr std::array<std::string_view, 17> names{
-      "vertical-flip",    "horizontal-flip", "gamma",   "rounding", "swapped-channels",
-      "half-pixel-shift", "ambient",         "diffuse", "specular", "blinn",
-      "attenuation",      "normals",         "shadows", "acne",     "texture",
-      "recursion-depth",  "spot-falloff"};
+  static constexpr std::array<std::string_view, cause_count> names{
+      "vertical-flip", "horizontal-flip", "gamma",      "rounding",    "swapped-channels",
+      "half-pixel-shift", "ambient",      "diffuse",    "specular",    "blinn",
+      "attenuation",   "normals",         "shadows",    "acne",        "texture",
+      "recursion-depth", "spot-falloff",  "camera",     "transforms",  "shapes",
+      "nearest-hit",   "lights",          "reflection", "refraction",  "overflow",
+      "background",    "brightness",      "black",      "features"};
   return names[static_cast<std::size_t>(cause)];
 }
 
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views) {
-  const int step = step_for(reference.width);
-  const Texture thin = thinned(reference, step);
   SceneView best = views.front();
+  const auto shapes = flatten(*best.scene, *best.assets);
+  if (shapes == nullptr || views.size() == 1) {
+    return best;
+  }
+  std::mt19937 random(4);
+  std::vector<std::uint32_t> pixels(std::size_t(reference.width) * reference.height);
+  for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+    pixels[i] = i;
+  }
+  std::vector<Point> points;
+  add_points(reference, reference, std::move(pixels), 1200, false, false, random, points);
   double least = std::numeric_limits<double>::infinity();
   for (const SceneView& view : views) {
-    const std::optional<Texture> picture =
-        drawn({*view.scene, view.options, {}}, *view.assets, reference, thin, step);
-    const double sum = picture ? tolerant_distance(thin, *picture).sum : least;
-    if (sum < least) {
-      least = sum;
+    const ModelMistakes right;
+    const Model model(*view.scene, *shapes, *view.assets, view.options, right);
+    Colors colors;
+    for (const Point& p : points) {
+      colors.push_back(255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width,
+                                           reference.height, nullptr));
+    }
+    const double left = score(points, points.size(), colors).left;
+    if (left < least) {
+      least = left;
       best = view;
     }
   }
@@ -435,8 +1043,8 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     return {};
   }
   CauseReport report = Search(reference, test, view, go_on).run();
-  if (report.claims.empty()) {
-    if (std::optional<Claim> rounding = find_rounding(reference, test)) {
+  if (report.claims.empty() && report.partial.empty()) {
+    if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));
     }
   }

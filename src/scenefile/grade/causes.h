@@ -2,8 +2,10 @@
 // Why a picture is not the reference: known mistakes are made on purpose, and one is named when
 // what it makes of the reference is the picture. Nothing is named without such evidence.
 
+#include "scenefile/scene/scene.h"
 #include "scenefile/trace/render.h"
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -21,17 +23,31 @@ enum class Cause : std::uint8_t {
   swapped_channels,
   half_pixel_shift,  ///< rays through corners or edges of pixels, not their middles
   ambient,           ///< term missing, doubled, or added once for each light
-  diffuse,           ///< term missing or doubled
-  specular,          ///< term missing or doubled
+  diffuse,           ///< term missing, doubled, or put together wrongly
+  specular,          ///< term missing, doubled, or put together wrongly
   blinn,             ///< Blinn's highlight for Phong's
-  attenuation,       ///< lights do not fade with distance
-  normals,           ///< not transformed by the inverse transpose
-  shadows,           ///< none
+  attenuation,       ///< how lights fade with distance
+  normals,           ///< not transformed by the inverse transpose, inverted, not normalized
+  shadows,           ///< none, or of wrong rays
   acne,              ///< surfaces shadow themselves in spots
-  texture,           ///< mirrored, not repeated, or not drawn
+  texture,           ///< mirrored, not repeated, not drawn, or mixed wrongly
   recursion_depth,   ///< too few or too many reflections
   spot_falloff,      ///< no smoothstep between the angles, or other angles
+  camera,            ///< angles, aspect, axes
+  transforms,        ///< order, transposed, signs, degrees
+  shapes,            ///< caps or kinds of shapes missing, sizes, the cone's normal
+  nearest_hit,       ///< not the nearest hit is shown
+  lights,            ///< vectors, colors, kinds and numbers of lights
+  reflection,        ///< put together wrongly, or missing
+  refraction,        ///< missing, wrong way, wrong weights
+  overflow,          ///< values over 1 wrap around, or are scaled
+  background,
+  brightness,        ///< the whole picture times a factor, inverted, or gray
+  black,             ///< nothing was drawn
+  features,          ///< drawn with other features or in another mode than the reference
 };
+
+inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::features) + 1;
 
 /// The word for programs, such as "half-pixel-shift".
 std::string_view name_of(Cause cause);
@@ -50,6 +66,8 @@ struct SceneView {
   const RenderScene* scene = nullptr;
   const Assets* assets = nullptr;
   RenderOptions options;
+  const Scene* written = nullptr;  ///< what the scene was made of; null: transforms are not tried
+  std::string said;                ///< the view in words; may be empty
 };
 
 struct CauseReport {
@@ -58,6 +76,8 @@ struct CauseReport {
   std::vector<Claim> claims;
   /// Other single mistakes that explain it nearly as well as the best.
   std::vector<Claim> rivals;
+  /// A mistake that explains a part only: something else is wrong, or something else altogether.
+  std::vector<Claim> partial;
   /// Share of pixels that differ by more than edges and rounding can.
   double share_different = 0;
   /// Share of pixels where our own picture of the scene is not the reference; the claims of a scene
@@ -65,9 +85,9 @@ struct CauseReport {
   double share_scene_unlike = 1;
 };
 
-/// Looks for the mistakes. Draws the scene some dozens of times, at a third or a fifth of the size
-/// where the pictures are large, and for each asks `go_on` with the share of work done in [0, 1];
-/// false stops with the claims so far. Pictures of different sizes: no claims.
+/// Looks for the mistakes, at some thousand pixels: for each mistake a model of a student's ray
+/// tracer makes it there. Asks `go_on` now and then with the share of work done in [0, 1]; false
+/// stops with the claims so far. Pictures of different sizes: no claims.
 CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
                         const std::function<bool(double done)>& go_on = {});

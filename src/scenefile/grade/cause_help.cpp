@@ -1,0 +1,192 @@
+#include "scenefile/grade/cause_help.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::array<CauseHelp, cause_count> pages{{
+    {Cause::vertical_flip, "The picture is upside down",
+     "Top and bottom are exchanged; nothing else differs.",
+     "Row 0 of a picture is its top row, and y of the film grows upward.",
+     "Where a row of the picture becomes a height on the film."},
+    {Cause::horizontal_flip, "The picture is mirrored",
+     "Left and right are exchanged, as in a mirror.",
+     "The axis to the right of the camera has the wrong sign: the factors of a cross product were "
+     "exchanged, or a handedness mixed up.",
+     "Where the camera's axes are made, and where a column becomes a place on the film."},
+    {Cause::gamma, "Gamma",
+     "Everything is paler (or darker) than it should be; black and full brightness stay.",
+     "The format knows no gamma: values go into the picture as they are.",
+     "Where colors become bytes, and where a library writes the file: some convert to sRGB on "
+     "their own."},
+    {Cause::rounding, "Rounding",
+     "Values are one off, all to the same side. Nobody sees it.",
+     "The references cut off what is behind the point; others round. No mistake by itself.",
+     "Nowhere, unless the same bytes are asked for."},
+    {Cause::swapped_channels, "Channels in the wrong order",
+     "Red things are blue, or another exchange of the three; gray stays gray.",
+     "Some libraries want blue, green, red, or count four values a pixel.",
+     "Where a color becomes bytes, and how a pixel of a texture is read."},
+    {Cause::half_pixel_shift, "Rays beside the middles of pixels",
+     "Edges are half a pixel off; areas are right.",
+     "A pixel covers an area, and its ray goes through the middle of it.",
+     "Where a pixel's number becomes a place on the film."},
+    {Cause::ambient, "The ambient term",
+     "What no light reaches is black, or everything is too bright by the same amount.",
+     "The ambient term is added once for each hit, with the global coefficient, whatever the "
+     "lights do.",
+     "The lighting equation: what stands before the loop over the lights, and what in it."},
+    {Cause::diffuse, "The diffuse term",
+     "Matte colors are missing, too bright, or on the wrong side of objects.",
+     "The term is kd times the color times N.L, not below 0; N and L of unit length.",
+     "The lighting equation: coefficients, the dot product, and what happens below 0."},
+    {Cause::specular, "The specular term",
+     "Highlights are missing, in the wrong place, too large, too small, or too bright.",
+     "The term is ks times the specular color times (R.V)^n: R is L mirrored at N, V points to "
+     "where the ray came from.",
+     "The lighting equation: the signs of R and V, the exponent, the coefficient."},
+    {Cause::blinn, "Blinn's highlights for Phong's",
+     "Highlights are wider than they should be, and long at grazing angles.",
+     "The equation has Phong's (R.V)^n. The half vector is another model.",
+     "Which vectors the specular term multiplies."},
+    {Cause::attenuation, "How lights fade",
+     "Far things are too bright or too dark; near ones may be too bright.",
+     "Point and spot lights are multiplied by min(1, 1 / (c + l d + q d^2)), with the "
+     "coefficients of the file; directional lights do not fade.",
+     "Which coefficient goes with which power of the distance, what the distance is measured "
+     "between, and the limit of 1."},
+    {Cause::normals, "Normals",
+     "Shading is wrong on objects that are scaled or turned, and right on others; or all objects "
+     "are lit from the wrong side.",
+     "Normals go to the world by the inverse transpose of the linear part of the matrix, and are "
+     "normalized after that.",
+     "Where a normal leaves the object's space, and the normals of each shape."},
+    {Cause::shadows, "Shadows",
+     "Shadows are missing, too many, too dark, or where none should be.",
+     "A light counts unless something is hit between the surface and the light. Each light is "
+     "asked on its own; the ambient term stays.",
+     "The direction, the start and the end of the shadow ray, what is compared with the distance of "
+     "the light, and what the loop over the lights does after a shadow."},
+    {Cause::acne, "Shadow acne",
+     "Dark specks or rings on surfaces that should be lit.",
+     "Rays that start on a surface hit the same surface again because numbers are rounded.",
+     "The start of shadow rays and reflected rays: a little off the surface."},
+    {Cause::texture, "Textures",
+     "The image is upside down, mirrored, not repeated, missing, or too dark or too bright.",
+     "u and v are computed in the object's space; v grows upward, rows of images grow downward; the "
+     "texture is blended with the diffuse color, and is not multiplied by kd.",
+     "The u and v of each shape and face, how they become a pixel of the image, and how its color "
+     "goes into the diffuse term."},
+    {Cause::recursion_depth, "How deep reflections go",
+     "Mirrors in mirrors end too soon (black), or go on too long.",
+     "The references follow four reflections behind each other.",
+     "Where the recursion ends, and whether the count starts at 0 or 1."},
+    {Cause::spot_falloff, "Spots",
+     "The cone of light is too wide or narrow, or its edge too hard or too soft.",
+     "The angle is from the axis to where light ends; the penumbra lies inside of it; between, the "
+     "light falls by the smoothstep of the angle.",
+     "Which angles are inner and outer, half or full, degrees or radians; and the polynomial."},
+    {Cause::camera, "The camera",
+     "All is too large, too small, stretched, or seen from elsewhere.",
+     "The height angle is the full vertical angle of view; the width follows by the aspect ratio of "
+     "the tangents. The camera looks along -w; up is made perpendicular to it.",
+     "Half angles and their tangents, degrees and radians, aspect, and the three axes."},
+    {Cause::transforms, "Transforms",
+     "Objects are in the wrong place, turned the wrong way, or of the wrong size.",
+     "Transforms of a block multiply in the order of the file, those of outer blocks stand on the "
+     "left; angles are degrees, matrices are listed by rows.",
+     "The order of each product, degrees, rows and columns, and what is handed down to children."},
+    {Cause::shapes, "Shapes",
+     "Objects are open, missing, of the wrong size, or shaded as if they were others.",
+     "All shapes fit into a cube of side 1 around the origin; cylinders have two caps, cones one.",
+     "The intersection of each shape: its size, its limits in y, its caps, its normal."},
+    {Cause::nearest_hit, "The nearest hit",
+     "Things behind are drawn over things in front.",
+     "Of all hits in front of the camera the nearest counts, measured along the ray in the world.",
+     "What is compared between objects, and in which space it is measured."},
+    {Cause::lights, "Lights",
+     "Light comes from the wrong side, is missing, or has the wrong color.",
+     "Directional lights have a direction of travel; point and spot lights a position. Vectors in "
+     "the lighting equation point to the light and have unit length.",
+     "How each type of light is read, the sign and length of its vector, and the loop over all."},
+    {Cause::reflection, "Reflections put together wrongly",
+     "Mirrors are too bright, too dark, or of the wrong color, or show the wrong things.",
+     "A reflection adds ks times the reflective color times what the mirrored ray sees. Weights "
+     "multiply from bounce to bounce; the eye of a reflection is where its ray starts.",
+     "What the color of the mirrored ray is multiplied by, what it is added to, and what the "
+     "recursion hands on."},
+    {Cause::refraction, "Refraction",
+     "Glass shows nothing, or what is behind it in the wrong place.",
+     "Snell's law: on the way in the ratio is 1 to the index, on the way out the inverse; where the "
+     "root is of a negative number, all is reflected.",
+     "The ratio, the side of the normal, and the start of the ray inside."},
+    {Cause::overflow, "Values over 1",
+     "Bright places show dark or colored rings, or the whole is too dark.",
+     "A byte holds 0 to 255; what is more must be cut off before it becomes one.",
+     "Where colors become bytes."},
+    {Cause::background, "The background",
+     "Where nothing is hit the picture is not black.",
+     "The references are black there, and opaque.",
+     "What a ray that hits nothing returns."},
+    {Cause::brightness, "The whole picture is too dark, too bright, or gray",
+     "Every value is off by the same factor.",
+     "Something divides or multiplies all colors: samples that are counted but not taken, 255 and "
+     "256, a factor of the lights.",
+     "Where colors are averaged and become bytes."},
+    {Cause::black, "A black picture",
+     "Nothing is drawn.",
+     "No ray hits anything, all values are not numbers, or the picture was never filled.",
+     "The direction of one ray through the middle, by hand; then the first intersection; then what "
+     "is stored. 'scenefile explain' shows all of it for a pixel."},
+    {Cause::features, "Other features than the reference",
+     "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other way "
+     "round.",
+     "References of the first assignment know directional lights alone and no shadows. Not a "
+     "mistake of the tracer.",
+     "The configuration, and which folder of references belongs to it."},
+}};
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    if (pages[i].cause != static_cast<Cause>(i)) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(in_order());
+
+}  // namespace
+
+const CauseHelp& help_of(Cause cause) {
+  return pages[static_cast<std::size_t>(cause)];
+}
+
+std::optional<Cause> find_cause(std::string_view name) {
+  for (const CauseHelp& page : pages) {
+    if (name_of(page.cause) == name) {
+      return page.cause;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string causes_markdown() {
+  std::string text =
+      "# Mistakes that scenefile knows\n\n"
+      "`scenefile diff REFERENCE MINE --scene SCENE` names one of these when making it on purpose "
+      "gives the picture.\n`scenefile help NAME` prints a page. This file is made by "
+      "`scenefile help causes --markdown`.\n";
+  for (const CauseHelp& page : pages) {
+    text += fmt::format(
+        "\n## {}\n\n`{}`\n\n- What it looks like: {}\n- Why: {}\n- Where to look: {}\n", page.title,
+        name_of(page.cause), page.looks, page.why, page.where);
+  }
+  return text;
+}
+
+}  // namespace scenefile

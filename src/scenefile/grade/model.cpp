@@ -1,0 +1,1101 @@
+#include "scenefile/grade/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = 3.14159265358979323846;
+constexpr std::uint32_t area_side = 3;
+
+double clamped(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+dvec3 clamped(const dvec3& c) {
+  return glm::clamp(c, dvec3(0), dvec3(1));
+}
+
+dvec3 unit(const dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : dvec3(0, 1, 0);
+}
+
+}  // namespace
+
+struct Model::Surface {
+  ModelHit hit;
+  const RenderMaterial* material = nullptr;
+  dvec3 position{0};
+  dvec3 object_point{0};
+  dvec3 object_normal{0};
+  dvec3 normal{0};
+  dvec3 geometric{0};  // unit, as it should be
+  dvec3 direction{0};  // of the ray
+  dvec3 eye{0};        // where the camera is
+  dvec2 uv{0};
+};
+
+struct Model::Arrival {
+  dvec3 to_light{0};   // as it is used for shading
+  dvec3 toward{0};     // unit, where the light is
+  double distance = 0;
+  double factor = 1;   // attenuation and spot
+  double specular_factor = 1;
+};
+
+Model::Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& assets,
+             const RenderOptions& options, const ModelMistakes& mistakes)
+    : scene_(scene), shapes_(shapes), assets_(assets), options_(options), m_(mistakes) {}
+
+ModelRay Model::camera_ray(const dvec2& place, int width, int height) const {
+  const RenderCamera& c = scene_.camera;
+  const double spread = 2 * std::tan(c.fov_y / 2) / height;
+  const dvec3 direction = spread * (place.x - width / 2.0) * c.u -
+                          spread * (place.y - height / 2.0) * c.v - c.w;
+  return {c.position, unit(direction)};
+}
+
+ModelHit Model::first_hit(const ModelRay& ray) const {
+  ModelHit hit;
+  return search(ray, 0, infinity, false, nullptr, hit) ? hit : ModelHit();
+}
+
+dvec3 Model::color(const ModelRay& ray, const ModelHit* known) const {
+  return trace(ray, 0, known, 0, dvec3(1));
+}
+
+dvec3 Model::pixel(const dvec2& place, int width, int height, const ModelHit* known) const {
+  const ModelRay ray = camera_ray(place, width, height);
+  const RenderCamera& c = scene_.camera;
+  if (!options_.features.depthoffield || !(c.aperture > 0) || !(c.focal_length > 0)) {
+    return color(ray, known);
+  }
+  static constexpr std::array<std::array<double, 2>, 8> lens{
+      {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
+  const dvec3 focus = c.position + ray.direction * (c.focal_length / -glm::dot(ray.direction, c.w));
+  dvec3 sum(0);
+  for (const auto& at : lens) {
+    const dvec3 from = c.position + c.aperture * (at[0] * c.u + at[1] * c.v);
+    sum += clamped(color({from, unit(focus - from)}));
+  }
+  return sum / 8.0;
+}
+
+namespace {
+
+// The angle around the y axis as u.
+double around(const dvec3& p) {
+  const double u = std::atan2(p.z, p.x) / (2 * pi);
+  return u < 0 ? -u : 1 - u;
+}
+
+dvec2 flat_uv(int axis, bool low, const dvec3& p) {
+  switch (axis) {
+    case 0:
+      return {0.5 + (low ? p.z : -p.z), p.y + 0.5};
+    case 1:
+      return {p.x + 0.5, 0.5 + (low ? p.z : -p.z)};
+    default:
+      return {0.5 + (low ? -p.x : p.x), p.y + 0.5};
+  }
+}
+
+dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
+  dvec2 uv(0);
+  bool flat = false;
+  bool cap = false;
+  switch (shape) {
+    case Shape::cube:
+      uv = flat_uv((face - 1) / 2, (face - 1) % 2 == 1, p);
+      if (mistake == UvMistake::cube_same_faces) {
+        uv = flat_uv((face - 1) / 2, (face - 1) / 2 == 0, p);
+      }
+      flat = true;
+      break;
+    case Shape::sphere:
+      uv = {around(p), mistake == UvMistake::sphere_linear_v
+                           ? p.y + 0.5
+                           : std::asin(std::clamp(2 * p.y, -1.0, 1.0)) / pi + 0.5};
+      break;
+    case Shape::cylinder:
+    case Shape::cone:
+      cap = face != 0;
+      flat = cap && mistake != UvMistake::caps_as_side;
+      uv = flat ? flat_uv(1, face == 2, p) : dvec2(around(p), clamped(p.y + 0.5));
+      break;
+    case Shape::mesh:
+      break;
+  }
+  switch (mistake) {
+    case UvMistake::flip_u:
+      uv.x = 1 - uv.x;
+      break;
+    case UvMistake::flip_v:
+      uv.y = 1 - uv.y;
+      break;
+    case UvMistake::flip_both:
+      uv = 1.0 - uv;
+      break;
+    case UvMistake::quarter:
+    case UvMistake::half:
+    case UvMistake::three_quarters:
+      if (!flat) {
+        uv.x += mistake == UvMistake::quarter ? 0.25 : mistake == UvMistake::half ? 0.5 : 0.75;
+        uv.x -= std::floor(uv.x);
+      }
+      break;
+    case UvMistake::round_flip_u:
+      uv.x = flat ? uv.x : 1 - uv.x;
+      break;
+    case UvMistake::sphere_flip_v:
+      uv.y = shape == Shape::sphere ? 1 - uv.y : uv.y;
+      break;
+    case UvMistake::caps_flip_v:
+      uv.y = cap ? 1 - uv.y : uv.y;
+      break;
+    case UvMistake::flat_flip_u:
+      uv.x = flat ? 1 - uv.x : uv.x;
+      break;
+    case UvMistake::flat_flip_v:
+      uv.y = flat ? 1 - uv.y : uv.y;
+      break;
+    case UvMistake::none:
+    case UvMistake::sphere_linear_v:
+    case UvMistake::cube_same_faces:
+    case UvMistake::caps_as_side:
+    case UvMistake::sphere_missing:
+    case UvMistake::cube_missing:
+    case UvMistake::cylinder_missing:
+    case UvMistake::cone_missing:
+    case UvMistake::caps_missing:
+      break;
+  }
+  return uv;
+}
+
+bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
+  return (mistake == UvMistake::sphere_missing && shape == Shape::sphere) ||
+         (mistake == UvMistake::cube_missing && shape == Shape::cube) ||
+         (mistake == UvMistake::cylinder_missing && shape == Shape::cylinder) ||
+         (mistake == UvMistake::cone_missing && shape == Shape::cone) ||
+         (mistake == UvMistake::caps_missing && face != 0 &&
+          (shape == Shape::cylinder || shape == Shape::cone));
+}
+
+// As long as the gradient of what describes the shape.
+dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down) {
+  switch (shape) {
+    case Shape::cube: {
+      dvec3 n(0);
+      n[(face - 1) / 2] = (face - 1) % 2 == 1 ? -1 : 1;
+      return n;
+    }
+    case Shape::sphere:
+      return 2.0 * p;
+    case Shape::cylinder:
+    case Shape::cone:
+      break;
+    case Shape::mesh:
+      return {0, 1, 0};
+  }
+  if (face != 0) {
+    return {0, (face == 1) == !caps_down ? 1 : -1, 0};
+  }
+  if (shape == Shape::cylinder) {
+    return {2 * p.x, 0, 2 * p.z};
+  }
+  const double slope = 0.25 * (1 - 2 * p.y);
+  switch (cone) {
+    case ConeNormalMistake::level:
+      return {2 * p.x, 0, 2 * p.z};
+    case ConeNormalMistake::like_sphere:
+      return 2.0 * p;
+    case ConeNormalMistake::half_slope:
+      return {2 * p.x, slope / 2, 2 * p.z};
+    case ConeNormalMistake::double_slope:
+      return {2 * p.x, 4 * slope, 2 * p.z};
+    case ConeNormalMistake::slope_down:
+      return {2 * p.x, -slope, 2 * p.z};
+    case ConeNormalMistake::none:
+      break;
+  }
+  return {2 * p.x, slope, 2 * p.z};
+}
+
+dvec3 to_world(const ModelPart& part, const dvec3& raw, NormalMistake mistake) {
+  const dvec3 n = unit(raw);
+  const glm::dmat3& matrix = part.world_from_object.linear;
+  const glm::dmat3& inverse = part.object_from_world.linear;
+  switch (mistake) {
+    case NormalMistake::by_matrix:
+      return unit(matrix * n);
+    case NormalMistake::by_inverse:
+      return unit(inverse * n);
+    case NormalMistake::by_transpose:
+      return unit(glm::transpose(matrix) * n);
+    case NormalMistake::of_object:
+      return n;
+    case NormalMistake::not_normalized:
+      return glm::transpose(inverse) * n;
+    case NormalMistake::raw_not_normalized:
+      return glm::transpose(inverse) * (0.5 * raw);
+    case NormalMistake::matrix_not_normalized:
+      return matrix * n;
+    case NormalMistake::translated:
+      return unit(part.world_from_object.point(n));
+    case NormalMistake::inverted:
+      return -unit(glm::transpose(inverse) * n);
+    case NormalMistake::none:
+    case NormalMistake::toward_eye:
+      break;
+  }
+  return unit(glm::transpose(inverse) * n);
+}
+
+}  // namespace
+
+Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
+  Surface s;
+  s.hit = hit;
+  const ModelPart& part = *hit.part;
+  s.material = &scene_.materials[part.material];
+  s.position = ray.origin + hit.t * ray.direction;
+  s.direction = ray.direction;
+  s.eye = scene_.camera.position;
+  s.object_point = part.object_from_world.point(s.position);
+  if (part.shape == Shape::mesh) {
+    const bool smooth = options_.profile != Profile::course;
+    const auto at = surface_at(assets_.meshes[part.mesh], hit.triangle, hit.b1, hit.b2, smooth);
+    s.object_normal = unit(at.normal);
+    s.uv = at.uv;
+    s.normal = to_world(part, s.object_normal, m_.normals);
+    s.geometric = to_world(part, s.object_normal, NormalMistake::none);
+  } else {
+    s.object_normal =
+        shape_normal(part.shape, hit.face, s.object_point, m_.cone_normal, m_.cap_normals_down);
+    s.uv = shape_uv(part.shape, hit.face, s.object_point, m_.uv);
+    s.normal = to_world(part, s.object_normal, m_.normals);
+    s.geometric = to_world(
+        part, shape_normal(part.shape, hit.face, s.object_point, ConeNormalMistake::none, false),
+        NormalMistake::none);
+  }
+  if (m_.normals == NormalMistake::toward_eye && glm::dot(s.normal, ray.direction) > 0) {
+    s.normal = -s.normal;
+  }
+  return s;
+}
+
+namespace {
+
+dvec3 texel(const Texture& texture, double x, double y, bool wraps) {
+  const auto index = [&](double at, int size) {
+    const double whole = std::floor(at);
+    const double i = wraps ? whole - size * std::floor(whole / size) : whole;
+    return static_cast<int>(std::clamp(i, 0.0, size - 1.0));
+  };
+  const std::uint8_t* p = texture.texel(index(x, texture.width), index(y, texture.height));
+  return dvec3(p[0], p[1], p[2]) / 255.0;
+}
+
+dvec3 lookup(const Texture& texture, double x, double y, bool filtered, bool wraps) {
+  if (!filtered) {
+    return texel(texture, x, y, wraps);
+  }
+  const double fx = x - std::floor(x);
+  const double fy = y - std::floor(y);
+  const dvec3 top = glm::mix(texel(texture, x, y, wraps), texel(texture, x + 1, y, wraps), fx);
+  const dvec3 low =
+      glm::mix(texel(texture, x, y + 1, wraps), texel(texture, x + 1, y + 1, wraps), fx);
+  return glm::mix(top, low, fy);
+}
+
+}  // namespace
+
+dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
+  const RenderMaterial& material = *s.material;
+  dvec3 color(material.diffuse);
+  switch (m_.diffuse) {
+    case DiffuseMistake::no_color:
+      color = dvec3(1);
+      break;
+    case DiffuseMistake::color_of_ambient:
+      color = dvec3(material.ambient);
+      break;
+    case DiffuseMistake::color_of_specular:
+      color = dvec3(material.specular);
+      break;
+    default:
+      break;
+  }
+  const double kd = m_.diffuse == DiffuseMistake::no_coefficient ? 1 : scene_.global.diffuse;
+  const dvec3 plain = kd * color;
+  if (options_.mode != Mode::ray || !options_.features.texture || !material.texture.used() ||
+      material.blend == 0 || assets_.textures[material.texture.file].empty() ||
+      texture_missing_on(s.hit.part->shape, s.hit.face, m_.uv)) {
+    return plain;
+  }
+  const Texture& texture = assets_.textures[material.texture.file];
+  const bool divided = m_.texture == TextureMistake::divided_repeat;
+  double u = divided ? s.uv.x / material.texture.repeat_u : s.uv.x * material.texture.repeat_u;
+  double v = divided ? (1 - s.uv.y) / material.texture.repeat_v
+                     : (1 - s.uv.y) * material.texture.repeat_v;
+  if (m_.texture == TextureMistake::swapped_uv) {
+    u = s.uv.y * material.texture.repeat_u;
+    v = (1 - s.uv.x) * material.texture.repeat_v;
+  }
+  dvec3 t = lookup(texture, u * texture.width, v * texture.height, options_.features.texture_filter,
+                   m_.texture != TextureMistake::lookup_clamped);
+  const double blend = material.blend;
+  switch (m_.texture) {
+    case TextureMistake::blend_ignored:
+      return t;
+    case TextureMistake::times_coefficient:
+      return glm::mix(plain, kd * t, blend);
+    case TextureMistake::times_coefficient_no_blend:
+      return kd * t;
+    case TextureMistake::times_diffuse:
+      return glm::mix(plain, plain * t, blend);
+    case TextureMistake::times_diffuse_no_blend:
+      return plain * t;
+    case TextureMistake::blend_reversed:
+      return glm::mix(t, plain, blend);
+    case TextureMistake::added:
+      return plain + blend * t;
+    case TextureMistake::unlit:
+      unlit = true;
+      break;
+    case TextureMistake::blue_red:
+      std::swap(t.x, t.z);
+      break;
+    case TextureMistake::gray:
+      t = dvec3((t.x + t.y + t.z) / 3);
+      break;
+    case TextureMistake::blend_drops_color:
+      return blend * t;
+    case TextureMistake::decoded:
+      t = glm::pow(t, dvec3(2.2));
+      break;
+    case TextureMistake::no_coefficient_on_rest:
+      return glm::mix(color, t, blend);
+    case TextureMistake::none:
+    case TextureMistake::lookup_clamped:
+    case TextureMistake::divided_repeat:
+    case TextureMistake::swapped_uv:
+    case TextureMistake::ambient_too:
+      break;
+  }
+  return glm::mix(plain, t, blend);
+}
+
+bool Model::counts(const RenderLight& light) const {
+  const bool directional_alone = options_.mode == Mode::intersect &&
+                                 options_.profile == Profile::course && !m_.all_lights;
+  return !directional_alone || light.type == LightType::directional;
+}
+
+double Model::transparency() const {
+  return scene_.global.transparent.value_or(options_.profile == Profile::course ? 0.0f : 0.5f);
+}
+
+namespace {
+
+double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake) {
+  const glm::dvec3 c(coefficients);
+  const double right = c.x + d * (c.y + d * c.z);
+  const auto limited = [](double x) { return x > 1 ? 1 / x : 1.0; };
+  switch (mistake) {
+    case AttenuationMistake::absent:
+      return 1;
+    case AttenuationMistake::inverse_square:
+      return limited(d * d);
+    case AttenuationMistake::inverse:
+      return limited(d);
+    case AttenuationMistake::no_quadratic:
+      return limited(c.x + d * c.y);
+    case AttenuationMistake::no_linear:
+      return limited(c.x + d * d * c.z);
+    case AttenuationMistake::no_constant:
+      return limited(d * (c.y + d * c.z));
+    case AttenuationMistake::not_clamped:
+      return 1 / std::max(right, 1e-9);
+    case AttenuationMistake::squared:
+      return limited(right) * limited(right);
+    case AttenuationMistake::reversed_coefficients:
+      return limited(c.z + d * (c.y + d * c.x));
+    case AttenuationMistake::multiplied:
+      return right;
+    case AttenuationMistake::one_plus:
+      return limited(1 + right);
+    case AttenuationMistake::squared_distance:
+      return limited(c.x + d * d * (c.y + d * d * c.z));
+    case AttenuationMistake::clamped_below:
+      return std::max(1.0, 1 / std::max(right, 1e-9));
+    case AttenuationMistake::none:
+    case AttenuationMistake::diffuse_only:
+    case AttenuationMistake::specular_only:
+      break;
+  }
+  return limited(right);
+}
+
+double smooth(double t) {
+  return t * t * (3 - 2 * t);
+}
+
+double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) {
+  if (mistake == SpotMistake::reversed_axis) {
+    cosine = -cosine;
+  }
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+  const double inner = light.inner_angle;
+  const double outer = light.outer_angle;
+  double t = (angle - inner) / (outer - inner);
+  if (mistake == SpotMistake::in_cosine || mistake == SpotMistake::linear_in_cosine) {
+    t = (std::cos(inner) - cosine) / (std::cos(inner) - std::cos(outer));
+  }
+  double falling = 1 - smooth(t);
+  const bool outside = angle > outer;
+  const bool inside = angle <= inner;
+  switch (mistake) {
+    case SpotMistake::linear:
+    case SpotMistake::linear_in_cosine:
+      falling = 1 - t;
+      break;
+    case SpotMistake::inverted:
+      return inside ? 0 : outside ? 1 : smooth(t);
+    case SpotMistake::penumbra_inverted:
+      falling = smooth(t);
+      break;
+    case SpotMistake::no_limit:
+      return inside ? 1 : outside ? std::abs(falling) : falling;
+    case SpotMistake::squared:
+      falling *= falling;
+      break;
+    case SpotMistake::cosine_power:
+      return outside || cosine <= 0 ? 0 : cosine;
+    case SpotMistake::inner_only_penumbra:
+      return inside ? 1 : 0;
+    case SpotMistake::none:
+    case SpotMistake::in_cosine:
+    case SpotMistake::reversed_axis:
+      break;
+  }
+  return inside ? 1 : outside ? 0 : falling;
+}
+
+}  // namespace
+
+bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& on_light,
+                    Arrival& arriving) const {
+  const LightVectorMistake mistake = m_.light_vector;
+  if (light.type == LightType::directional) {
+    arriving.toward = -dvec3(light.direction);
+    if (mistake == LightVectorMistake::position_as_direction) {
+      arriving.toward = unit(-dvec3(light.position));
+    }
+    arriving.to_light = mistake == LightVectorMistake::reversed ||
+                                mistake == LightVectorMistake::reversed_directional
+                            ? -arriving.toward
+                            : arriving.toward;
+    arriving.distance = infinity;
+    return true;
+  }
+  dvec3 from(light.position);
+  if (light.type == LightType::area) {
+    from += (2 * on_light.x - 1) * dvec3(light.half_u) + (2 * on_light.y - 1) * dvec3(light.half_v);
+  }
+  const dvec3 way = from - point;
+  arriving.distance = glm::length(way);
+  if (!(arriving.distance > 0)) {
+    return false;
+  }
+  arriving.toward = way / arriving.distance;
+  const double cosine = -glm::dot(arriving.toward, dvec3(light.direction));
+  if (light.type == LightType::area && cosine <= 0) {
+    return false;
+  }
+  const double fading = faded(light.attenuation, arriving.distance, m_.attenuation);
+  const double spot = light.type == LightType::spot ? spot_share(light, cosine, m_.spot) : 1;
+  arriving.factor = fading * spot;
+  arriving.specular_factor = arriving.factor;
+  if (m_.attenuation == AttenuationMistake::diffuse_only) {
+    arriving.specular_factor = spot;
+  } else if (m_.attenuation == AttenuationMistake::specular_only) {
+    arriving.factor = spot;
+  }
+  arriving.to_light = arriving.toward;
+  switch (mistake) {
+    case LightVectorMistake::not_normalized:
+      arriving.to_light = way;
+      break;
+    case LightVectorMistake::reversed:
+    case LightVectorMistake::reversed_positional:
+      arriving.to_light = -arriving.toward;
+      break;
+    case LightVectorMistake::to_origin:
+      arriving.to_light = unit(from);
+      break;
+    case LightVectorMistake::none:
+    case LightVectorMistake::reversed_directional:
+    case LightVectorMistake::position_as_direction:
+      break;
+  }
+  return arriving.factor > 0 || arriving.specular_factor > 0;
+}
+
+bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
+                     int depth) const {
+  if (!options_.features.shadows || options_.mode != Mode::ray ||
+      (depth > 0 && (m_.shadow == ShadowMistake::only_camera_rays ||
+                     m_.mirror == MirrorMistake::no_shadows))) {
+    return false;
+  }
+  const bool directional = light.type == LightType::directional;
+  ModelRay ray{s.position, arriving.toward};
+  // What points the wrong way for shading does so for shadows.
+  if (m_.light_vector == LightVectorMistake::reversed ||
+      (m_.light_vector == LightVectorMistake::reversed_directional && directional) ||
+      (m_.light_vector == LightVectorMistake::reversed_positional && !directional)) {
+    ray.direction = -ray.direction;
+  }
+  double end = arriving.distance;
+  const ModelPart* without = nullptr;
+  switch (m_.shadow) {
+    case ShadowMistake::reversed:
+      ray.direction = -ray.direction;
+      break;
+    case ShadowMistake::beyond_light:
+      end = infinity;
+      break;
+    case ShadowMistake::spot_along_axis:
+      if (light.type == LightType::spot) {
+        ray.direction = -dvec3(light.direction);
+      }
+      break;
+    case ShadowMistake::spot_without:
+    case ShadowMistake::point_without:
+    case ShadowMistake::directional_without:
+      if ((m_.shadow == ShadowMistake::spot_without && light.type == LightType::spot) ||
+          (m_.shadow == ShadowMistake::point_without && light.type == LightType::point) ||
+          (m_.shadow == ShadowMistake::directional_without && directional)) {
+        return false;
+      }
+      break;
+    case ShadowMistake::not_own_object:
+      without = s.hit.part;
+      break;
+    case ShadowMistake::any_nearer_than_eye:
+      end = glm::length(s.position - s.eye);
+      break;
+    case ShadowMistake::unit_length:
+    case ShadowMistake::point_as_directional:
+      end = directional && m_.shadow == ShadowMistake::point_as_directional ? infinity : 1;
+      break;
+    case ShadowMistake::direction_unnormalized_far:
+      end = directional ? 1 : end;
+      break;
+    case ShadowMistake::from_eye:
+      ray.origin = s.eye;
+      break;
+    case ShadowMistake::from_origin:
+      ray.origin = dvec3(0);
+      break;
+    default:
+      break;
+  }
+  ModelHit hit;
+  if (m_.shadow != ShadowMistake::glass_lets_through) {
+    return search(ray, m_.shadow_bias, end, true, without, hit);
+  }
+  double start = m_.shadow_bias;
+  for (int i = 0; i < 16 && search(ray, start, end, false, without, hit); ++i) {
+    if (scene_.materials[hit.part->material].transparent == glm::vec3(0)) {
+      return true;
+    }
+    start = hit.t + 1e-4;
+  }
+  return false;
+}
+
+namespace {
+
+double raised(double x, double n) {
+  return n == std::floor(n) && n <= 4096 && n >= 0 ? std::pow(x, static_cast<int>(n))
+                                                   : std::pow(x, n);
+}
+
+}  // namespace
+
+dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
+                      std::vector<dvec3>* shares) const {
+  const RenderGlobal& global = scene_.global;
+  const RenderMaterial& material = *s.material;
+  bool unlit = false;
+  dvec3 base = texture_or_plain(s, unlit);
+  const double ka = global.ambient;
+  dvec3 ambient = ka * dvec3(material.ambient);
+  if (m_.ambient == AmbientMistake::times_diffuse) {
+    ambient *= dvec3(material.diffuse);
+  } else if (m_.texture == TextureMistake::ambient_too && options_.features.texture &&
+             options_.mode == Mode::ray && material.texture.used()) {
+    ambient = ka * base;
+  }
+  if (depth > 0 && (m_.ambient == AmbientMistake::no_in_reflections ||
+                    m_.mirror == MirrorMistake::no_ambient)) {
+    ambient = dvec3(0);
+  }
+  dvec3 eye = to_eye;
+  switch (m_.specular) {
+    case SpecularMistake::mirror_of_view_wrong:
+      eye = -eye;
+      break;
+    case SpecularMistake::eye_at_origin:
+      eye = unit(-s.position);
+      break;
+    case SpecularMistake::looks_along_camera:
+      eye = scene_.camera.w;
+      break;
+    default:
+      break;
+  }
+  if (m_.mirror == MirrorMistake::eye_at_camera && depth > 0) {
+    eye = unit(s.eye - s.position);
+  }
+  double ks = m_.specular == SpecularMistake::no_coefficient ? 1 : global.specular;
+  ks = m_.specular == SpecularMistake::squared_coefficient ? ks * ks : ks;
+  double exponent = material.shininess;
+  switch (m_.specular) {
+    case SpecularMistake::no_exponent:
+      exponent = 1;
+      break;
+    case SpecularMistake::blinn_four:
+    case SpecularMistake::exponent_four:
+      exponent *= 4;
+      break;
+    case SpecularMistake::exponent_quarter:
+      exponent /= 4;
+      break;
+    case SpecularMistake::exponent_double:
+      exponent *= 2;
+      break;
+    case SpecularMistake::exponent_half:
+      exponent /= 2;
+      break;
+    default:
+      break;
+  }
+  dvec3 specular_color = m_.specular == SpecularMistake::no_color        ? dvec3(1)
+                         : m_.specular == SpecularMistake::diffuse_color ? dvec3(material.diffuse)
+                                                                         : dvec3(material.specular);
+  if (m_.specular == SpecularMistake::times_shininess) {
+    specular_color *= material.shininess;
+  }
+  dvec3 sum = ambient;
+  bool any_lit = false;
+  bool any_shadow = false;
+  bool first = true;
+  bool first_shadow = false;
+  const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color) {
+    const dvec3& n = s.normal;
+    const dvec3& l = arriving.to_light;
+    const double cosine = glm::dot(n, l);
+    double weight = std::max(0.0, cosine);
+    switch (m_.diffuse) {
+      case DiffuseMistake::absolute:
+        weight = std::abs(cosine);
+        break;
+      case DiffuseMistake::not_clamped:
+        weight = cosine;
+        break;
+      case DiffuseMistake::no_cosine:
+        weight = 1;
+        break;
+      case DiffuseMistake::by_view:
+        weight = std::max(0.0, glm::dot(n, to_eye));
+        break;
+      case DiffuseMistake::half_lambert:
+        weight = 0.5 * cosine + 0.5;
+        break;
+      case DiffuseMistake::squared:
+        weight *= weight;
+        break;
+      default:
+        break;
+    }
+    weight = unlit && m_.texture == TextureMistake::unlit ? 1 : weight;
+    const dvec3 diffuse = m_.diffuse_factor * weight * base;
+    double shine = glm::dot(2 * cosine * n - l, eye);
+    switch (m_.specular) {
+      case SpecularMistake::blinn:
+      case SpecularMistake::blinn_four:
+        shine = glm::dot(n, unit(l + eye));
+        break;
+      case SpecularMistake::absolute:
+        shine = std::abs(shine);
+        break;
+      case SpecularMistake::by_light_view:
+        shine = glm::dot(l, eye);
+        break;
+      case SpecularMistake::reversed_mirror:
+        shine = -shine;
+        break;
+      case SpecularMistake::by_normal_view:
+        shine = glm::dot(n, eye);
+        break;
+      default:
+        break;
+    }
+    dvec3 shining(0);
+    if (shine > 0 && (exponent > 0 || m_.specular == SpecularMistake::zero_shines)) {
+      shining = ks * specular_color * raised(shine, exponent);
+    }
+    if (m_.specular == SpecularMistake::times_cosine) {
+      shining *= std::max(0.0, cosine);
+    } else if (m_.specular == SpecularMistake::lit_side_only && cosine <= 0) {
+      shining = dvec3(0);
+    }
+    const dvec3 diffuse_light =
+        m_.diffuse == DiffuseMistake::no_light_color ? dvec3(1) : dvec3(light.color);
+    const dvec3 specular_light =
+        m_.specular == SpecularMistake::no_light_color ? dvec3(1) : dvec3(light.color);
+    const dvec3 diffuse_part = arriving.factor * diffuse_light * diffuse;
+    const dvec3 specular_part = arriving.specular_factor * specular_light * shining;
+    color = diffuse_part + specular_part;
+    if (shares != nullptr) {
+      return true;
+    }
+    if (color == dvec3(0) && m_.shadow == ShadowMistake::none) {
+      return true;
+    }
+    bool dark = shadowed(light, s, arriving, depth);
+    if (m_.shadow == ShadowMistake::first_light_for_all) {
+      first_shadow = first ? dark : first_shadow;
+      dark = first_shadow;
+    }
+    first = false;
+    if (!dark) {
+      return true;
+    }
+    switch (m_.shadow) {
+      case ShadowMistake::keeps_specular:
+        color = specular_part;
+        break;
+      case ShadowMistake::keeps_diffuse:
+        color = diffuse_part;
+        break;
+      case ShadowMistake::half:
+        color *= 0.5;
+        break;
+      default:
+        color = dvec3(0);
+        break;
+    }
+    return false;
+  };
+  for (const RenderLight& light : scene_.lights) {
+    if (!counts(light)) {
+      continue;
+    }
+    const std::uint32_t side = light.type == LightType::area ? area_side : 1;
+    dvec3 of_light(0);
+    bool lit = false;
+    for (std::uint32_t i = 0; i < side * side; ++i) {
+      Arrival arriving;
+      const dvec2 on_light((i % side + 0.5) / side, (i / side + 0.5) / side);
+      dvec3 color(0);
+      if (arrival(light, s.position, on_light, arriving)) {
+        const bool open = lit_by(light, arriving, color);
+        lit = lit || open;
+        of_light += color;
+      } else {
+        lit = true;
+      }
+    }
+    of_light /= double(side * side);
+    if (shares != nullptr) {
+      shares->push_back(of_light);
+      continue;
+    }
+    sum += of_light;
+    any_lit = any_lit || lit;
+    any_shadow = any_shadow || !lit;
+    if (!lit && m_.shadow == ShadowMistake::ambient_only) {
+      return ambient;
+    }
+    if (!lit && m_.shadow == ShadowMistake::stops) {
+      break;
+    }
+    if (!lit && m_.shadow == ShadowMistake::black) {
+      return dvec3(0);
+    }
+  }
+  if (m_.shadow == ShadowMistake::no_ambient_if_all && any_shadow && !any_lit) {
+    return dvec3(0);
+  }
+  if (m_.ambient == AmbientMistake::lit_only && !any_lit) {
+    sum -= ambient;
+  } else if (m_.ambient == AmbientMistake::unlit_only && sum != ambient) {
+    sum -= ambient;
+  }
+  return sum;
+}
+
+std::vector<dvec3> Model::light_shares(const ModelRay& ray) const {
+  std::vector<dvec3> shares;
+  const ModelHit hit = first_hit(ray);
+  if (hit.part != nullptr) {
+    lighting(surface(ray, hit), -ray.direction, 0, &shares);
+  }
+  return shares;
+}
+
+dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
+                   const dvec3& chain) const {
+  ModelHit hit;
+  if (known != nullptr) {
+    hit = *known;
+  } else if (!search(ray, t_min, infinity, false, nullptr, hit)) {
+    hit.part = nullptr;
+  }
+  if (hit.part == nullptr) {
+    return depth > 0 && m_.mirror == MirrorMistake::white_background ? dvec3(1) : m_.background;
+  }
+  const Surface s = surface(ray, hit);
+  if (options_.mode == Mode::normals && m_.shown == ShownInstead::none) {
+    return 0.5 * (s.normal + 1.0);
+  }
+  switch (m_.shown) {
+    case ShownInstead::normals:
+      return 0.5 * (s.normal + 1.0);
+    case ShownInstead::absolute_normals:
+      return glm::abs(s.normal);
+    case ShownInstead::raw_normals:
+      return s.normal;
+    case ShownInstead::object_normals:
+      return 0.5 * (unit(s.object_normal) + 1.0);
+    case ShownInstead::flat_diffuse:
+      return dvec3(s.material->diffuse);
+    case ShownInstead::flat_ambient_diffuse:
+      return double(scene_.global.ambient) * dvec3(s.material->ambient) +
+             double(scene_.global.diffuse) * dvec3(s.material->diffuse);
+    case ShownInstead::white:
+      return dvec3(1);
+    case ShownInstead::none:
+      break;
+  }
+  dvec3 color = lighting(s, -ray.direction, depth, nullptr);
+  if (options_.mode == Mode::ray) {
+    const dvec3 local = color;
+    dvec3 kept = color;
+    const dvec3 reflected = mirrored(s, ray, depth, kept);
+    const dvec3 through = refracted(s, ray, depth, kept);
+    color = kept + reflected + through;
+    if (m_.mirror == MirrorMistake::last_weight_only) {
+      return clamped(chain * kept) + reflected + through;
+    }
+    if (depth > 0 && local != kept && m_.mirror == MirrorMistake::no_local) {
+      color = reflected + through;
+    }
+  }
+  if (depth == 0 || m_.mirror == MirrorMistake::clamped_never ||
+      options_.profile != Profile::course) {
+    return color;
+  }
+  return clamped(color);
+}
+
+dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& local) const {
+  const RenderMaterial& material = *s.material;
+  const double ks = scene_.global.specular;
+  dvec3 factor = ks * dvec3(material.reflective);
+  const bool reflects = material.reflective != glm::vec3(0);
+  if (!options_.features.reflect) {
+    return dvec3(0);
+  }
+  switch (m_.mirror) {
+    case MirrorMistake::no_coefficient:
+      factor = dvec3(material.reflective);
+      break;
+    case MirrorMistake::color_ignored:
+      factor = reflects ? dvec3(ks) : dvec3(0);
+      break;
+    case MirrorMistake::neither:
+      factor = reflects ? dvec3(1) : dvec3(0);
+      break;
+    case MirrorMistake::specular_color:
+      factor = reflects ? ks * dvec3(material.specular) : dvec3(0);
+      break;
+    case MirrorMistake::all_materials:
+      factor = ks * dvec3(material.specular);
+      break;
+    case MirrorMistake::doubled:
+      factor *= 2.0;
+      break;
+    case MirrorMistake::halved:
+      factor *= 0.5;
+      break;
+    case MirrorMistake::diffuse_coefficient:
+      factor = double(scene_.global.diffuse) * dvec3(material.reflective);
+      break;
+    case MirrorMistake::times_diffuse:
+      factor *= dvec3(material.diffuse);
+      break;
+    case MirrorMistake::times_cosine:
+      factor *= std::max(0.0, glm::dot(s.normal, -ray.direction));
+      break;
+    default:
+      break;
+  }
+  if (factor == dvec3(0) || depth + 1 > options_.max_depth) {
+    return dvec3(0);
+  }
+  dvec3 direction = ray.direction - 2 * glm::dot(ray.direction, s.normal) * s.normal;
+  switch (m_.mirror) {
+    case MirrorMistake::reversed:
+      direction = -direction;
+      break;
+    case MirrorMistake::along_normal:
+      direction = s.normal;
+      break;
+    case MirrorMistake::straight:
+      direction = ray.direction;
+      break;
+    default:
+      break;
+  }
+  if (m_.mirror == MirrorMistake::no_local) {
+    local = dvec3(0);
+  }
+  const dvec3 weights = factor;
+  const dvec3 seen =
+      trace({s.position, unit(direction)}, depth + 1, nullptr, m_.mirror_bias, weights);
+  switch (m_.mirror) {
+    case MirrorMistake::blended:
+      local *= 1.0 - dvec3(material.reflective);
+      factor = dvec3(material.reflective);
+      break;
+    case MirrorMistake::blended_coefficient:
+      local *= 1.0 - factor;
+      break;
+    case MirrorMistake::blended_all:
+      local *= 1 - ks;
+      break;
+    case MirrorMistake::replaces:
+      local = dvec3(0);
+      break;
+    case MirrorMistake::last_weight_only:
+      return seen;
+    case MirrorMistake::not_chained:
+      // Only the camera's ray weighs what comes back.
+      return depth == 0 ? factor * seen : seen;
+    default:
+      break;
+  }
+  return factor * seen;
+}
+
+dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& local) const {
+  const RenderMaterial& material = *s.material;
+  const double kt = transparency();
+  if (!options_.features.refract || material.transparent == glm::vec3(0) ||
+      depth + 1 > options_.max_depth) {
+    return dvec3(0);
+  }
+  dvec3 factor = kt * dvec3(material.transparent);
+  switch (m_.glass) {
+    case GlassMistake::no_coefficient:
+      factor = dvec3(material.transparent);
+      break;
+    case GlassMistake::color_ignored:
+      factor = dvec3(kt);
+      break;
+    case GlassMistake::times_diffuse:
+      factor *= dvec3(material.diffuse);
+      break;
+    case GlassMistake::half:
+      factor *= 0.5;
+      break;
+    default:
+      break;
+  }
+  if (factor == dvec3(0)) {
+    return dvec3(0);
+  }
+  const double ior = m_.glass == GlassMistake::ior_one_and_half ? 1.5 : material.ior;
+  const auto bent = [&](const dvec3& direction, dvec3 normal, bool entering, dvec3& out) {
+    double eta = (entering || m_.glass == GlassMistake::entering_always) ? 1 / ior : ior;
+    eta = m_.glass == GlassMistake::eta_inverted ? 1 / eta : eta;
+    if (glm::dot(direction, normal) > 0) {
+      normal = -normal;
+    }
+    if (m_.glass == GlassMistake::straight || (m_.glass == GlassMistake::one_side && !entering)) {
+      out = direction;
+      return true;
+    }
+    const double cosine = -glm::dot(direction, normal);
+    const double under = 1 - eta * eta * (1 - cosine * cosine);
+    if (under < 0) {
+      out = direction + 2 * cosine * normal;
+      return false;
+    }
+    out = unit(eta * direction + (eta * cosine - std::sqrt(under)) * normal);
+    return true;
+  };
+  if (m_.glass == GlassMistake::blended) {
+    local *= 1.0 - factor;
+  } else if (m_.glass == GlassMistake::no_local) {
+    local = dvec3(0);
+  }
+  const dvec3 weights = factor;
+  const bool entering = glm::dot(s.geometric, ray.direction) < 0;
+  ModelRay inside{s.position, ray.direction};
+  bool inside_glass = entering;
+  if (m_.glass == GlassMistake::mirrored) {
+    inside.direction = ray.direction - 2 * glm::dot(ray.direction, s.normal) * s.normal;
+    inside_glass = false;
+  } else if (!bent(ray.direction, s.geometric, entering, inside.direction)) {
+    if (m_.glass == GlassMistake::no_total_reflection) {
+      return dvec3(0);
+    }
+    inside_glass = !entering;
+  }
+  if (!inside_glass || m_.glass == GlassMistake::shaded_inside) {
+    return factor * trace(inside, depth + 1, nullptr, m_.mirror_bias, weights);
+  }
+  // Through the object: its walls have no light of their own from within.
+  int at = depth + 1;
+  for (int i = 0; i < 64; ++i) {
+    ModelHit hit;
+    if (!search(inside, m_.mirror_bias, infinity, false, nullptr, hit)) {
+      return dvec3(0);
+    }
+    if (hit.part != s.hit.part) {
+      return factor * trace(inside, at, &hit, m_.mirror_bias, weights);
+    }
+    if (m_.glass == GlassMistake::black_inside) {
+      return dvec3(0);
+    }
+    const Surface wall = surface(inside, hit);
+    dvec3 direction;
+    const bool out = bent(inside.direction, wall.geometric, false, direction);
+    inside = {wall.position, direction};
+    if (out) {
+      return factor * trace(inside, at, nullptr, m_.mirror_bias, weights);
+    }
+    if (m_.glass == GlassMistake::no_total_reflection || ++at > options_.max_depth) {
+      return dvec3(0);
+    }
+  }
+  return dvec3(0);
+}
+
+}  // namespace scenefile

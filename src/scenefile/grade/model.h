@@ -1,0 +1,118 @@
+#pragma once
+// The model of a student's ray tracer: one ray at a time, simple, and able to make every mistake
+// of mistakes.h. It says what a picture would be at single pixels; pictures for people come from
+// trace/render.h.
+
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/grade/mistakes.h"
+#include "scenefile/scene/render_scene.h"
+#include "scenefile/trace/render.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace scenefile {
+
+/// One shape in the world.
+struct ModelPart {
+  DAffine world_from_object;
+  DAffine object_from_world;
+  Shape shape = Shape::cube;
+  std::uint32_t mesh = no_index;
+  std::uint32_t material = 0;
+  std::uint32_t source = 0;
+};
+
+/// Boxes in a tree; leaves hold ranges of `order`.
+struct BoxTree {
+  struct Box {
+    glm::vec3 low{0}, high{0};
+    std::uint32_t first = 0;  ///< child, or start in `order`
+    std::uint32_t count = 0;  ///< 0: inner, children at first and first + 1
+  };
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> order;
+};
+
+/// The shapes of a scene without groups, and trees to find them.
+struct ModelShapes {
+  std::vector<ModelPart> parts;
+  BoxTree tree;
+  std::vector<BoxTree> mesh_trees;
+};
+
+/// More shapes than this are not looked at.
+inline constexpr double most_model_parts = 300000;
+
+/// Nothing where the scene has more shapes than most_model_parts.
+std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets);
+
+/// What a camera ray meets first.
+struct ModelHit {
+  double t = 0;
+  const ModelPart* part = nullptr;  ///< none: nothing
+  int face = 0;                     ///< 0 side, 1 top, 2 bottom; cubes: 1 + 2 * axis + (low ? 1 : 0)
+  std::uint32_t triangle = 0;
+  double b1 = 0, b2 = 0;
+};
+
+struct ModelRay {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0, 0, -1};
+};
+
+/// A scene as it is drawn with mistakes. What it points to must live longer.
+class Model {
+ public:
+  Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& assets,
+        const RenderOptions& options, const ModelMistakes& mistakes);
+
+  /// The ray through a place of the picture; u, v, w of the camera may have any length.
+  ModelRay camera_ray(const glm::dvec2& place, int width, int height) const;
+  ModelHit first_hit(const ModelRay& ray) const;
+  /// Not clamped. `known`: what the ray meets, where that is known.
+  glm::dvec3 color(const ModelRay& ray, const ModelHit* known = nullptr) const;
+  /// By how much each light brightens what the ray meets: diffuse and specular, shadows not
+  /// counted.
+  std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
+  /// The color of a pixel's middle, with the lens samples of the camera; not clamped.
+  glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
+  /// Rays so far; a measure of work.
+  std::uint64_t rays() const { return rays_; }
+
+ private:
+  struct Surface;
+  struct Arrival;
+  bool meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max, bool shadow,
+            ModelHit& hit) const;
+  bool search(const ModelRay& ray, double t_min, double t_max, bool shadow, const ModelPart* without,
+              ModelHit& hit) const;
+  Surface surface(const ModelRay& ray, const ModelHit& hit) const;
+  glm::dvec3 texture_or_plain(const Surface& s, bool& unlit) const;
+  bool arrival(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
+               Arrival& arriving) const;
+  bool shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
+                int depth) const;
+  glm::dvec3 lighting(const Surface& s, const glm::dvec3& to_eye, int depth,
+                      std::vector<glm::dvec3>* shares) const;
+  /// `chain`: the weight of this ray's mirror; of MirrorMistake::last_weight_only alone.
+  glm::dvec3 trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
+                   const glm::dvec3& chain) const;
+  glm::dvec3 mirrored(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
+  glm::dvec3 refracted(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
+  bool counts(const RenderLight& light) const;
+  double transparency() const;
+
+  const RenderScene& scene_;
+  const ModelShapes& shapes_;
+  const Assets& assets_;
+  const RenderOptions& options_;
+  const ModelMistakes& m_;
+  mutable std::uint64_t rays_ = 0;
+};
+
+}  // namespace scenefile

@@ -1,0 +1,455 @@
+#include "scenefile/grade/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t leaf_size = 4;
+
+struct TreeBuilder {
+  const std::vector<std::array<vec3, 2>>& bounds;
+  BoxTree& tree;
+
+  void fill(std::uint32_t box, std::uint32_t first, std::uint32_t count) {
+    vec3 low(std::numeric_limits<float>::infinity());
+    vec3 high = -low;
+    vec3 center_low = low;
+    vec3 center_high = high;
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const auto& b = bounds[tree.order[i]];
+      low = glm::min(low, b[0]);
+      high = glm::max(high, b[1]);
+      center_low = glm::min(center_low, b[0] + b[1]);
+      center_high = glm::max(center_high, b[0] + b[1]);
+    }
+    tree.boxes[box].low = low;
+    tree.boxes[box].high = high;
+    const vec3 size = center_high - center_low;
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    if (count <= leaf_size || !(size[axis] > 0)) {
+      tree.boxes[box].first = first;
+      tree.boxes[box].count = count;
+      return;
+    }
+    const auto begin = tree.order.begin() + first;
+    std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+      const float x = bounds[a][0][axis] + bounds[a][1][axis];
+      const float y = bounds[b][0][axis] + bounds[b][1][axis];
+      return x < y || (x == y && a < b);
+    });
+    const auto child = static_cast<std::uint32_t>(tree.boxes.size());
+    tree.boxes[box].first = child;
+    tree.boxes.resize(tree.boxes.size() + 2);
+    fill(child, first, count / 2);
+    fill(child + 1, first + count / 2, count - count / 2);
+  }
+};
+
+BoxTree tree_of(const std::vector<std::array<vec3, 2>>& bounds) {
+  BoxTree tree;
+  tree.order.resize(bounds.size());
+  for (std::uint32_t i = 0; i < bounds.size(); ++i) {
+    tree.order[i] = i;
+  }
+  tree.boxes.resize(1);
+  if (!bounds.empty()) {
+    TreeBuilder{bounds, tree}.fill(0, 0, static_cast<std::uint32_t>(bounds.size()));
+  }
+  return tree;
+}
+
+std::array<vec3, 2> wider(vec3 low, vec3 high) {
+  const vec3 room = 1e-5f * glm::max(glm::abs(low), glm::abs(high)) + vec3(1e-6f);
+  return {low - room, high + room};
+}
+
+std::array<vec3, 2> bounds_of(const ModelPart& part, const Assets& assets) {
+  vec3 low(std::numeric_limits<float>::infinity());
+  vec3 high = -low;
+  dvec3 object_low(-0.5);
+  dvec3 object_high(0.5);
+  if (part.shape == Shape::mesh) {
+    object_low = dvec3(infinity);
+    object_high = -object_low;
+    for (const vec3& p : assets.meshes[part.mesh].positions) {
+      object_low = glm::min(object_low, dvec3(p));
+      object_high = glm::max(object_high, dvec3(p));
+    }
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const vec3 p(part.world_from_object.point({corner & 1 ? object_high.x : object_low.x,
+                                               corner & 2 ? object_high.y : object_low.y,
+                                               corner & 4 ? object_high.z : object_low.z}));
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return wider(low, high);
+}
+
+void add_parts(const RenderScene& scene, const Assets& assets, std::uint32_t group,
+               const DAffine& world_from_group, std::vector<ModelPart>& parts) {
+  for (const RenderPrimitive& p : scene.groups[group].primitives) {
+    if (p.shape == Shape::mesh &&
+        (p.mesh >= assets.meshes.size() || assets.meshes[p.mesh].triangles.empty())) {
+      continue;
+    }
+    ModelPart part;
+    part.world_from_object = world_from_group * DAffine(p.group_from_object);
+    part.object_from_world = inverse(part.world_from_object);
+    part.shape = p.shape;
+    part.mesh = p.mesh;
+    part.material = p.material;
+    part.source = p.source;
+    parts.push_back(part);
+  }
+  for (const RenderInstance& i : scene.groups[group].instances) {
+    add_parts(scene, assets, i.group, world_from_group * DAffine(i.group_from_instance), parts);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets) {
+  if (!(count_virtual_primitives(scene) <= most_model_parts) || scene.groups.empty()) {
+    return nullptr;
+  }
+  auto shapes = std::make_shared<ModelShapes>();
+  add_parts(scene, assets, scene.root, DAffine(), shapes->parts);
+  std::vector<std::array<vec3, 2>> bounds;
+  bounds.reserve(shapes->parts.size());
+  for (const ModelPart& part : shapes->parts) {
+    bounds.push_back(bounds_of(part, assets));
+  }
+  shapes->tree = tree_of(bounds);
+  shapes->mesh_trees.resize(assets.meshes.size());
+  for (std::size_t i = 0; i < assets.meshes.size(); ++i) {
+    const Mesh& mesh = assets.meshes[i];
+    bounds.clear();
+    for (const auto& corners : mesh.triangles) {
+      const vec3& a = mesh.positions[corners[0]];
+      const vec3& b = mesh.positions[corners[1]];
+      const vec3& c = mesh.positions[corners[2]];
+      bounds.push_back(wider(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))));
+    }
+    shapes->mesh_trees[i] = tree_of(bounds);
+  }
+  return shapes;
+}
+
+namespace {
+
+struct Crossing {
+  double t = 0;
+  int face = 0;
+};
+
+struct Crossings {
+  std::array<Crossing, 6> at;
+  int count = 0;
+  void add(double t, int face) {
+    if (std::isfinite(t) && count < 6) {
+      at[count++] = {t, face};
+    }
+  }
+};
+
+void solve(double a, double h, double c, double roots[2], int& count) {
+  count = 0;
+  if (a == 0) {
+    if (h != 0) {
+      roots[count++] = -c / (2 * h);
+    }
+    return;
+  }
+  const double square = h * h - a * c;
+  if (square >= 0) {
+    const double root = std::sqrt(square);
+    const double q = -(h + (h < 0 ? -root : root));
+    roots[count++] = q / a;
+    if (q != 0) {
+      roots[count++] = c / q;
+    }
+  }
+}
+
+void sphere(const dvec3& o, const dvec3& d, Crossings& found) {
+  // From the point of the line nearest to the center, so that nothing cancels.
+  const double a = glm::dot(d, d);
+  const double middle = -glm::dot(o, d) / a;
+  const dvec3 p = o + middle * d;
+  const double square = (0.25 - glm::dot(p, p)) / a;
+  if (square >= 0) {
+    const double half = std::sqrt(square);
+    found.add(middle - half, 0);
+    found.add(middle + half, 0);
+  }
+}
+
+void cube(const dvec3& o, const dvec3& d, Crossings& found) {
+  double enter = -infinity;
+  double exit = infinity;
+  int enter_face = 0;
+  int exit_face = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (d[axis] == 0) {
+      if (std::abs(o[axis]) > 0.5) {
+        return;
+      }
+      continue;
+    }
+    const double low = (-0.5 - o[axis]) / d[axis];
+    const double high = (0.5 - o[axis]) / d[axis];
+    const int low_face = 2 + 2 * axis;
+    const int high_face = 1 + 2 * axis;
+    if (std::min(low, high) > enter) {
+      enter = std::min(low, high);
+      enter_face = low < high ? low_face : high_face;
+    }
+    if (std::max(low, high) < exit) {
+      exit = std::max(low, high);
+      exit_face = low < high ? high_face : low_face;
+    }
+  }
+  if (enter <= exit) {
+    found.add(enter, enter_face);
+    found.add(exit, exit_face);
+  }
+}
+
+void cap(const dvec3& o, const dvec3& d, double y, int face, Crossings& found) {
+  const double t = (y - o.y) / d.y;
+  const double x = o.x + t * d.x;
+  const double z = o.z + t * d.z;
+  if (x * x + z * z <= 0.25) {
+    found.add(t, face);
+  }
+}
+
+void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, Crossings& found) {
+  double roots[2];
+  int count = 0;
+  solve(a, h, c, roots, count);
+  for (int i = 0; i < count; ++i) {
+    if (std::abs(o.y + roots[i] * d.y) <= 0.5) {
+      found.add(roots[i], 0);
+    }
+  }
+}
+
+void cylinder(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
+  side_roots(o, d, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z, o.x * o.x + o.z * o.z - 0.25,
+             found);
+  if (caps && d.y != 0) {
+    cap(o, d, 0.5, 1, found);
+    cap(o, d, -0.5, 2, found);
+  }
+}
+
+void cone(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
+  const double y = o.y - 0.5;
+  side_roots(o, d, d.x * d.x + d.z * d.z - 0.25 * d.y * d.y,
+             o.x * d.x + o.z * d.z - 0.25 * y * d.y, o.x * o.x + o.z * o.z - 0.25 * y * y, found);
+  if (caps && d.y != 0) {
+    cap(o, d, -0.5, 2, found);
+  }
+}
+
+bool meets_box(const BoxTree::Box& box, const dvec3& origin, const dvec3& inverse, double t_min,
+               double t_max) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (double(box.low[axis]) - origin[axis]) * inverse[axis];
+    const double b = (double(box.high[axis]) - origin[axis]) * inverse[axis];
+    t_min = std::max(t_min, std::min(a, b));
+    t_max = std::min(t_max, std::max(a, b));
+  }
+  return t_min <= t_max;
+}
+
+dvec3 inverse_of(const dvec3& d) {
+  dvec3 result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result[axis] = std::abs(d[axis]) < 1e-300 ? 1e300 : 1 / d[axis];
+  }
+  return result;
+}
+
+// Calls leaf(index) for what may be met between t_min and the end that `t_max` says then; stops
+// when that returns true.
+template <typename End, typename Leaf>
+bool walk(const BoxTree& tree, const dvec3& origin, const dvec3& direction, double t_min,
+          const End& t_max, const Leaf& leaf) {
+  if (tree.order.empty()) {
+    return false;
+  }
+  const dvec3 inverse = inverse_of(direction);
+  std::array<std::uint32_t, 128> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const BoxTree::Box& box = tree.boxes[stack[--size]];
+    if (!meets_box(box, origin, inverse, t_min, t_max())) {
+      continue;
+    }
+    if (box.count > 0) {
+      for (std::uint32_t i = box.first; i < box.first + box.count; ++i) {
+        if (leaf(tree.order[i])) {
+          return true;
+        }
+      }
+    } else if (size + 2 <= stack.size()) {
+      stack[size++] = box.first;
+      stack[size++] = box.first + 1;
+    }
+  }
+  return false;
+}
+
+bool triangle(const Mesh& mesh, std::uint32_t index, const dvec3& o, const dvec3& d, double& t,
+              double& b1, double& b2) {
+  const auto& corners = mesh.triangles[index];
+  const dvec3 a(mesh.positions[corners[0]]);
+  const dvec3 e1 = dvec3(mesh.positions[corners[1]]) - a;
+  const dvec3 e2 = dvec3(mesh.positions[corners[2]]) - a;
+  const dvec3 p = glm::cross(d, e2);
+  const double det = glm::dot(p, e1);
+  if (det == 0) {
+    return false;
+  }
+  const dvec3 s = o - a;
+  b1 = glm::dot(s, p) / det;
+  const dvec3 q = glm::cross(s, e1);
+  b2 = glm::dot(d, q) / det;
+  t = glm::dot(e2, q) / det;
+  return b1 >= 0 && b2 >= 0 && b1 + b2 <= 1;
+}
+
+}  // namespace
+
+bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max,
+                 bool shadow, ModelHit& hit) const {
+  const dvec3 o = part.object_from_world.point(ray.origin);
+  const dvec3 d = part.object_from_world.vector(ray.direction);
+  bool found = false;
+  const bool far = m_.nearest == NearestMistake::farthest || m_.nearest == NearestMistake::far_root;
+  const auto offer = [&](double t, int face, std::uint32_t index, double b1, double b2) {
+    if (!(t > t_min && t < t_max) || (found && (far ? t < hit.t : t > hit.t))) {
+      return;
+    }
+    hit = {t, &part, face, index, b1, b2};
+    found = true;
+  };
+  Crossings crossings;
+  switch (part.shape) {
+    case Shape::cube:
+      cube(o, d, crossings);
+      break;
+    case Shape::sphere:
+      sphere(o, d, crossings);
+      break;
+    case Shape::cylinder:
+      cylinder(o, d, !m_.no_cylinder_caps, crossings);
+      break;
+    case Shape::cone:
+      cone(o, d, !m_.no_cone_cap, crossings);
+      break;
+    case Shape::mesh: {
+      const Mesh& mesh = assets_.meshes[part.mesh];
+      const double scale = options_.profile == Profile::course ? glm::length(d) : 1;
+      walk(
+          shapes_.mesh_trees[part.mesh], o, d, t_min / scale,
+          [&] { return (found && !far ? hit.t : t_max) / scale; },
+          [&](std::uint32_t index) {
+            double t = 0;
+            double b1 = 0;
+            double b2 = 0;
+            if (triangle(mesh, index, o, d, t, b1, b2)) {
+              offer(t * scale, 0, index, b1, b2);
+            }
+            return shadow && found;
+          });
+      return found;
+    }
+  }
+  if (m_.nearest == NearestMistake::near_root_only && crossings.count > 0) {
+    const Crossing* nearest =
+        std::min_element(crossings.at.begin(), crossings.at.begin() + crossings.count,
+                         [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+    offer(nearest->t, nearest->face, 0, 0, 0);
+    return found;
+  }
+  for (int i = 0; i < crossings.count; ++i) {
+    offer(crossings.at[i].t, crossings.at[i].face, 0, 0, 0);
+  }
+  return found;
+}
+
+bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
+                   const ModelPart* without, ModelHit& hit) const {
+  ++rays_;
+  const NearestMistake nearest = shadow ? NearestMistake::none : m_.nearest;
+  const bool pruned = nearest == NearestMistake::none || nearest == NearestMistake::far_root ||
+                      nearest == NearestMistake::near_root_only ||
+                      nearest == NearestMistake::behind;
+  if (nearest == NearestMistake::behind) {
+    t_min = -infinity;
+  }
+  bool found = false;
+  double best = 0;
+  const auto better = [&](const ModelHit& candidate, double key) {
+    switch (nearest) {
+      case NearestMistake::farthest:
+        return key > best;
+      case NearestMistake::last:
+        return candidate.part > hit.part;
+      case NearestMistake::first:
+        return candidate.part < hit.part;
+      case NearestMistake::behind:
+        return std::abs(key) < std::abs(best);
+      case NearestMistake::none:
+      case NearestMistake::object_distance:
+      case NearestMistake::far_root:
+      case NearestMistake::near_root_only:
+        break;
+    }
+    // Of equal ones the last in the file.
+    return key < best || (key == best && candidate.part > hit.part);
+  };
+  const bool along = nearest != NearestMistake::behind;
+  walk(
+      shapes_.tree, ray.origin, ray.direction, t_min,
+      [&] {
+        return pruned && found && along ? hit.t * (1 + 1e-12) : t_max;
+      },
+      [&](std::uint32_t index) {
+        const ModelPart& part = shapes_.parts[index];
+        ModelHit candidate;
+        if (&part == without || !meet(part, ray, t_min, t_max, shadow, candidate)) {
+          return false;
+        }
+        const double key =
+            nearest == NearestMistake::object_distance
+                ? candidate.t * glm::length(part.object_from_world.vector(ray.direction))
+                : candidate.t;
+        if (!found || better(candidate, key)) {
+          hit = candidate;
+          best = key;
+          found = true;
+        }
+        return shadow;
+      });
+  if (found && nearest == NearestMistake::object_distance) {
+    hit.t = best;
+  }
+  return found;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,60 @@
+// Draws a scene as the student does: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES [MISTAKE]...
+// FEATURES: "all", "intersect", or words of the course's configuration with commas.
+// Without arguments: the list of mistakes, their families and the causes that are right answers.
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/io/file.h"
+#include "student/student_tracer.h"
+#include "support/load_scene.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+int main(int count, char** words) {
+  using namespace scenefile;
+  if (count < 5) {
+    for (const student::KnownMistake& m : student::known_mistakes()) {
+      std::printf("%s\t%s\t%s\n", std::string(m.name).c_str(), std::string(m.family).c_str(),
+                  std::string(m.causes).c_str());
+    }
+    return count == 1 ? 0 : 2;
+  }
+  const testing_support::LoadedScene scene = testing_support::load_scene(words[1], true);
+  if (!scene.error.empty()) {
+    std::fprintf(stderr, "%s\n", scene.error.c_str());
+    return 1;
+  }
+  student::Job job;
+  if (std::sscanf(words[3], "%dx%d", &job.width, &job.height) != 2) {
+    return 2;
+  }
+  const std::string features = "," + std::string(words[4]) + ",";
+  if (features != ",all,") {
+    const auto on = [&](const char* word) {
+      return features.find("," + std::string(word) + ",") != std::string::npos;
+    };
+    job.shadows = on("shadows");
+    job.reflect = on("reflect");
+    job.refract = on("refract");
+    job.texture = on("texture");
+    job.directional_alone = on("intersect");
+  }
+  for (int i = 5; i < count; ++i) {
+    job.mistakes.insert(words[i]);
+  }
+  std::vector<std::string> names;
+  for (const FileReference& file : scene.ready.scene.texture_files) {
+    names.push_back(file.name);
+  }
+  const Texture picture = student::draw(scene.written, scene.assets, names, job);
+  std::string error;
+  const std::string bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
+  const IoError written = write_file(words[2], bytes);
+  if (!error.empty() || !written.empty()) {
+    std::fprintf(stderr, "%s%s\n", error.c_str(), written.text.c_str());
+    return 3;
+  }
+  return 0;
+}

@@ -1,0 +1,802 @@
+#include "student/student_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace scenefile::student {
+
+namespace {
+
+using glm::mat3;
+using glm::mat4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+constexpr float pi = 3.14159265f;
+constexpr float far_away = 1e30f;
+
+constexpr KnownMistake table[] = {
+    {"camera-aspect-ignored", "camera", "camera"},
+    {"camera-aspect-swapped", "camera", "camera"},
+    {"camera-height-for-width", "camera", "camera"},
+    {"camera-width-angle-times-aspect", "camera", "camera"},
+    {"camera-full-angle", "camera", "camera"},
+    {"camera-quarter-angle", "camera", "camera"},
+    {"camera-degrees", "camera", "camera"},
+    {"camera-backward", "camera", "camera"},
+    {"camera-up-not-perpendicular", "camera", "camera"},
+    {"camera-corners", "camera", "half-pixel-shift"},
+    {"camera-transposed", "camera", "camera"},
+    {"camera-look-as-point", "camera", "camera"},
+    {"transform-reversed", "transforms", "transforms"},
+    {"transform-rotation-sign", "transforms", "transforms"},
+    {"transform-radians", "transforms", "transforms"},
+    {"transform-transposed", "transforms", "transforms"},
+    {"transform-no-scale", "transforms", "transforms"},
+    {"transform-outer-lost", "transforms", "transforms"},
+    {"normal-by-matrix", "normals", "normals"},
+    {"normal-by-inverse", "normals", "normals"},
+    {"normal-of-object", "normals", "normals"},
+    {"normal-inverted", "normals", "normals"},
+    {"normal-not-normalized", "normals", "normals"},
+    {"normal-toward-eye", "normals", "normals"},
+    {"shape-no-cylinder-caps", "shapes", "shapes"},
+    {"shape-no-cone-cap", "shapes", "shapes"},
+    {"shape-cone-normal-level", "shapes", "shapes|normals"},
+    {"shape-no-spheres", "shapes", "shapes"},
+    {"shape-no-cubes", "shapes", "shapes"},
+    {"shape-no-cones", "shapes", "shapes"},
+    {"shape-no-cylinders", "shapes", "shapes"},
+    {"hit-last", "nearest-hit", "nearest-hit"},
+    {"hit-farthest", "nearest-hit", "nearest-hit"},
+    {"hit-object-distance", "nearest-hit", "nearest-hit"},
+    {"light-not-normalized", "lights", "lights"},
+    {"light-reversed", "lights", "lights"},
+    {"light-directional-reversed", "lights", "lights"},
+    {"light-position-as-direction", "lights", "lights"},
+    {"light-only-first", "lights", "lights"},
+    {"light-no-directional", "lights", "lights"},
+    {"light-no-point", "lights", "lights"},
+    {"light-no-spot", "lights", "lights"},
+    {"light-white", "lights", "lights"},
+    {"attenuation-none", "attenuation", "attenuation"},
+    {"attenuation-square", "attenuation", "attenuation"},
+    {"attenuation-no-quadratic", "attenuation", "attenuation"},
+    {"attenuation-not-clamped", "attenuation", "attenuation"},
+    {"spot-as-point", "spots", "spot-falloff"},
+    {"spot-no-penumbra", "spots", "spot-falloff"},
+    {"spot-linear", "spots", "spot-falloff"},
+    {"spot-outside", "spots", "spot-falloff"},
+    {"spot-penumbra-as-inner", "spots", "spot-falloff"},
+    {"spot-half-angle", "spots", "spot-falloff"},
+    {"shadow-none", "shadows", "shadows"},
+    {"shadow-ambient-only", "shadows", "shadows"},
+    {"shadow-stops", "shadows", "shadows"},
+    {"shadow-beyond-light", "shadows", "shadows"},
+    {"shadow-reversed", "shadows", "shadows"},
+    {"shadow-acne", "shadows", "acne"},
+    {"shadow-large-bias", "shadows", "shadows"},
+    {"shadow-spot-axis", "shadows", "shadows"},
+    {"shadow-keeps-specular", "shadows", "shadows"},
+    {"shadow-black", "shadows", "shadows"},
+    {"ambient-missing", "ambient", "ambient"},
+    {"ambient-per-light", "ambient", "ambient"},
+    {"ambient-no-coefficient", "ambient", "ambient"},
+    {"diffuse-missing", "diffuse", "diffuse"},
+    {"diffuse-twice", "diffuse", "diffuse"},
+    {"diffuse-no-coefficient", "diffuse", "diffuse"},
+    {"diffuse-absolute", "diffuse", "diffuse"},
+    {"diffuse-not-clamped", "diffuse", "diffuse"},
+    {"specular-missing", "specular", "specular"},
+    {"specular-twice", "specular", "specular"},
+    {"specular-no-coefficient", "specular", "specular"},
+    {"specular-blinn", "specular", "blinn"},
+    {"specular-light-view", "specular", "specular"},
+    {"specular-times-cosine", "specular", "specular"},
+    {"specular-absolute", "specular", "specular"},
+    {"specular-no-exponent", "specular", "specular"},
+    {"specular-eye-reversed", "specular", "specular"},
+    {"texture-flip-u", "textures", "texture"},
+    {"texture-flip-v", "textures", "texture"},
+    {"texture-swapped", "textures", "texture"},
+    {"texture-not-repeated", "textures", "texture"},
+    {"texture-blend-ignored", "textures", "texture"},
+    {"texture-times-coefficient", "textures", "texture"},
+    {"texture-times-coefficient-no-blend", "textures", "texture"},
+    {"texture-times-diffuse", "textures", "texture"},
+    {"texture-blue-red", "textures", "texture"},
+    {"texture-missing", "textures", "texture"},
+    {"texture-missing-on-cones", "textures", "texture"},
+    {"mirror-missing", "mirrors", "reflection|recursion-depth"},
+    {"mirror-no-coefficient", "mirrors", "reflection"},
+    {"mirror-color-ignored", "mirrors", "reflection"},
+    {"mirror-blended", "mirrors", "reflection"},
+    {"mirror-not-chained", "mirrors", "reflection"},
+    {"mirror-eye-at-camera", "mirrors", "reflection"},
+    {"mirror-reversed", "mirrors", "reflection"},
+    {"mirror-depth-one", "mirrors", "recursion-depth"},
+    {"mirror-depth-two", "mirrors", "recursion-depth"},
+    {"glass-missing", "refraction", "refraction"},
+    {"glass-eta-inverted", "refraction", "refraction"},
+    {"glass-straight", "refraction", "refraction"},
+    {"glass-shaded-inside", "refraction", "refraction"},
+    {"output-wraps", "output", "overflow"},
+    {"output-gamma", "output", "gamma"},
+    {"output-gamma-inverse", "output", "gamma"},
+    {"output-bgr", "output", "swapped-channels"},
+    {"output-upside-down", "output", "vertical-flip"},
+    {"output-mirrored", "output", "horizontal-flip"},
+    {"output-background", "output", "background"},
+    {"output-half", "output", "brightness"},
+    {"output-normals", "output", "features"},
+    {"output-black", "output", "black"},
+};
+
+struct Object {
+  mat4 matrix{1};
+  mat4 inverse{1};
+  const Primitive* primitive = nullptr;
+};
+
+struct Lamp {
+  Light light;
+  vec3 position{0};
+  vec3 direction{0};
+};
+
+struct Found {
+  float t = far_away;
+  float key = far_away;
+  const Object* object = nullptr;
+  vec3 point{0};   // in the object
+  vec3 normal{0};  // in the object
+  bool cap = false;
+};
+
+class Tracer {
+ public:
+  Tracer(const Scene& scene, const Assets& assets, std::span<const std::string> names,
+         const Job& job)
+      : scene_(scene), assets_(assets), names_(names), job_(job) {
+    visit(scene.root, mat4(1));
+    if (has("light-only-first") && lamps_.size() > 1) {
+      lamps_.resize(1);
+    }
+    const Camera camera = scene.camera.value_or(Camera());
+    eye_ = camera.position;
+    vec3 look = glm::normalize(camera.look);
+    if (has("camera-look-as-point")) {
+      look = glm::normalize(camera.look - camera.position);
+    }
+    w_ = -look;
+    const vec3 up = glm::normalize(camera.up);
+    v_ = has("camera-up-not-perpendicular") ? up : glm::normalize(up - glm::dot(up, w_) * w_);
+    u_ = glm::normalize(glm::cross(up, w_));
+    if (has("camera-transposed")) {
+      const mat3 axes = glm::transpose(mat3(u_, v_, w_));
+      u_ = axes[0];
+      v_ = axes[1];
+      w_ = axes[2];
+    }
+    if (has("camera-backward")) {
+      w_ = -w_;
+    }
+    const float degrees = camera.height_angle_deg;
+    const float angle = has("camera-degrees") ? degrees : degrees * pi / 180;
+    const float aspect = float(job.width) / float(job.height);
+    top_ = std::tan(has("camera-full-angle")      ? angle
+                    : has("camera-quarter-angle") ? angle / 4
+                                                  : angle / 2);
+    right_ = top_ * aspect;
+    if (has("camera-aspect-ignored")) {
+      right_ = top_;
+    } else if (has("camera-aspect-swapped")) {
+      right_ = top_ / aspect;
+    } else if (has("camera-height-for-width")) {
+      right_ = top_;
+      top_ = right_ / aspect;
+    } else if (has("camera-width-angle-times-aspect")) {
+      right_ = std::tan(aspect * angle / 2);
+    }
+  }
+
+  Texture picture() const {
+    Texture result;
+    result.width = job_.width;
+    result.height = job_.height;
+    result.rgb.resize(std::size_t{3} * job_.width * job_.height);
+    for (int row = 0; row < job_.height; ++row) {
+      for (int column = 0; column < job_.width; ++column) {
+        const int y = has("output-upside-down") ? job_.height - 1 - row : row;
+        const int x = has("output-mirrored") ? job_.width - 1 - column : column;
+        const float half = has("camera-corners") ? 0.0f : 0.5f;
+        const float a = 2 * (float(x) + half) / float(job_.width) - 1;
+        const float b = 1 - 2 * (float(y) + half) / float(job_.height);
+        const vec3 direction = glm::normalize(a * right_ * u_ + b * top_ * v_ - w_);
+        store(result.rgb.data() + 3 * (std::size_t(row) * job_.width + column),
+              has("output-black") ? vec3(0) : trace(eye_, direction, 0));
+      }
+    }
+    return result;
+  }
+
+ private:
+  bool has(std::string_view name) const { return job_.mistakes.contains(name); }
+
+  void store(std::uint8_t* to, vec3 color) const {
+    if (has("output-bgr")) {
+      std::swap(color.x, color.z);
+    }
+    for (int i = 0; i < 3; ++i) {
+      float c = color[i];
+      if (has("output-wraps")) {
+        to[i] = static_cast<std::uint8_t>(static_cast<int>(c * 255) & 255);
+        continue;
+      }
+      c = std::min(std::max(c, 0.0f), 1.0f);
+      if (has("output-gamma")) {
+        c = std::pow(c, 1 / 2.2f);
+      }
+      if (has("output-gamma-inverse")) {
+        c = std::pow(c, 2.2f);
+      }
+      if (has("output-half")) {
+        c = c / 2;
+      }
+      to[i] = static_cast<std::uint8_t>(c * 255);
+    }
+  }
+
+  mat4 matrix_of(const Transform& transform) const {
+    mat4 m(1);
+    if (const auto* move = std::get_if<Translate>(&transform.map)) {
+      m[3] = vec4(move->by, 1);
+    } else if (const auto* scale = std::get_if<Scale>(&transform.map)) {
+      if (!has("transform-no-scale")) {
+        m[0][0] = scale->by.x;
+        m[1][1] = scale->by.y;
+        m[2][2] = scale->by.z;
+      }
+    } else if (const auto* rotate = std::get_if<Rotate>(&transform.map)) {
+      float angle = rotate->angle_deg;
+      angle = has("transform-radians") ? angle : angle * pi / 180;
+      angle = has("transform-rotation-sign") ? -angle : angle;
+      const vec3 a = glm::normalize(rotate->axis);
+      const float c = std::cos(angle);
+      const float s = std::sin(angle);
+      for (int column = 0; column < 3; ++column) {
+        vec3 e(0);
+        e[column] = 1;
+        m[column] = vec4(c * e + s * glm::cross(a, e) + (1 - c) * glm::dot(a, e) * a, 0);
+      }
+    } else if (const auto* matrix = std::get_if<Matrix>(&transform.map)) {
+      m = has("transform-transposed") ? glm::transpose(matrix->m()) : matrix->m();
+    }
+    return m;
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
+  void visit(NodeId id, const mat4& parent) {
+    const Node& node = scene_.nodes[id];
+    mat4 here(1);
+    for (const Transform& t : node.transforms) {
+      here = has("transform-reversed") ? matrix_of(t) * here : here * matrix_of(t);
+    }
+    const bool lost = has("transform-outer-lost") && !node.children.empty();
+    const mat4 matrix = lost ? parent : parent * here;
+    for (const Light& light : node.lights) {
+      lamps_.push_back({light, vec3(matrix * vec4(light.position, 1)),
+                        vec3(matrix * vec4(light.direction, 0))});
+    }
+    for (const Primitive& primitive : node.primitives) {
+      if (primitive.shape != Shape::mesh) {
+        objects_.push_back({matrix, glm::inverse(matrix), &primitive});
+      }
+    }
+    for (const NodeId child : node.children) {
+      visit(child, matrix);
+    }
+    const std::string wanted(node.instance_of);
+    if (!wanted.empty()) {
+      for (const NodeId master : scene_.templates) {
+        if (std::string(scene_.nodes[master].name) == wanted) {
+          visit(master, matrix);
+        }
+      }
+    }
+  }
+
+  // ---- shapes ----
+
+  static void offer(std::vector<Found>& list, float t, const vec3& o, const vec3& d,
+                    const vec3& normal, bool cap) {
+    Found f;
+    f.t = t;
+    f.point = o + t * d;
+    f.normal = normal;
+    f.cap = cap;
+    list.push_back(f);
+  }
+
+  void crossings(Shape shape, const vec3& o, const vec3& d, std::vector<Found>& list) const {
+    switch (shape) {
+      case Shape::sphere: {
+        if (has("shape-no-spheres")) {
+          return;
+        }
+        const float a = glm::dot(d, d);
+        const float b = 2 * glm::dot(o, d);
+        const float c = glm::dot(o, o) - 0.25f;
+        const float root = b * b - 4 * a * c;
+        if (root < 0) {
+          return;
+        }
+        for (const float sign : {-1.0f, 1.0f}) {
+          const float t = (-b + sign * std::sqrt(root)) / (2 * a);
+          offer(list, t, o, d, 2.0f * (o + t * d), false);
+        }
+        return;
+      }
+      case Shape::cube:
+        if (has("shape-no-cubes")) {
+          return;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+          for (const float side : {-0.5f, 0.5f}) {
+            const float t = (side - o[axis]) / d[axis];
+            const vec3 p = o + t * d;
+            if (std::abs(p[(axis + 1) % 3]) <= 0.5f && std::abs(p[(axis + 2) % 3]) <= 0.5f) {
+              vec3 n(0);
+              n[axis] = side < 0 ? -1.0f : 1.0f;
+              offer(list, t, o, d, n, false);
+            }
+          }
+        }
+        return;
+      case Shape::cylinder: {
+        if (has("shape-no-cylinders")) {
+          return;
+        }
+        const float a = d.x * d.x + d.z * d.z;
+        const float b = 2 * (o.x * d.x + o.z * d.z);
+        const float c = o.x * o.x + o.z * o.z - 0.25f;
+        const float root = b * b - 4 * a * c;
+        for (const float sign : {-1.0f, 1.0f}) {
+          const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
+          const vec3 p = o + t * d;
+          if (root >= 0 && std::abs(p.y) <= 0.5f) {
+            offer(list, t, o, d, {2 * p.x, 0, 2 * p.z}, false);
+          }
+          cap(o, d, 0.5f * sign, has("shape-no-cylinder-caps"), list);
+        }
+        return;
+      }
+      case Shape::cone: {
+        if (has("shape-no-cones")) {
+          return;
+        }
+        // x^2 + z^2 = ((0.5 - y) / 2)^2
+        const float k = 0.5f - o.y;
+        const float a = d.x * d.x + d.z * d.z - d.y * d.y / 4;
+        const float b = 2 * (o.x * d.x + o.z * d.z) + k * d.y / 2;
+        const float c = o.x * o.x + o.z * o.z - k * k / 4;
+        const float root = b * b - 4 * a * c;
+        for (const float sign : {-1.0f, 1.0f}) {
+          const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
+          const vec3 p = o + t * d;
+          if (root >= 0 && std::abs(p.y) <= 0.5f) {
+            const float slope = has("shape-cone-normal-level") ? 0 : (0.5f - p.y) / 2;
+            offer(list, t, o, d, {2 * p.x, slope, 2 * p.z}, false);
+          }
+        }
+        cap(o, d, -0.5f, has("shape-no-cone-cap"), list);
+        return;
+      }
+      case Shape::mesh:
+        return;
+    }
+  }
+
+  static void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) {
+    const float t = (y - o.y) / d.y;
+    const vec3 p = o + t * d;
+    if (!missing && p.x * p.x + p.z * p.z <= 0.25f) {
+      offer(list, t, o, d, {0, y < 0 ? -1.0f : 1.0f, 0}, true);
+    }
+  }
+
+  Found closest(const vec3& from, const vec3& direction, float least, bool shadow) const {
+    Found best;
+    std::vector<Found> list;
+    for (const Object& object : objects_) {
+      const vec3 o = vec3(object.inverse * vec4(from, 1));
+      const vec3 d = vec3(object.inverse * vec4(direction, 0));
+      list.clear();
+      crossings(object.primitive->shape, o, d, list);
+      Found nearest;
+      for (const Found& f : list) {
+        const bool farther = has("hit-farthest") && !shadow && nearest.object != nullptr;
+        if (f.t > least && (farther ? f.t > nearest.t : f.t < nearest.t)) {
+          nearest = f;
+          nearest.object = &object;
+        }
+      }
+      if (nearest.object == nullptr) {
+        continue;
+      }
+      nearest.key = nearest.t;
+      if (!shadow) {
+        nearest.key = has("hit-object-distance") ? nearest.t * glm::length(d)
+                      : has("hit-last")          ? -1
+                      : has("hit-farthest")      ? -nearest.t
+                                                 : nearest.t;
+      }
+      if (best.object == nullptr || nearest.key <= best.key) {
+        best = nearest;
+      }
+    }
+    if (has("hit-object-distance") && !shadow && best.object != nullptr) {
+      best.t = best.key;
+    }
+    return best;
+  }
+
+  // ---- textures ----
+
+  vec2 uv_of(const Found& f) const {
+    const vec3& p = f.point;
+    const vec3& n = f.normal;
+    const Shape shape = f.object->primitive->shape;
+    if (shape == Shape::cube) {
+      if (n.x != 0) {
+        return {n.x > 0 ? 0.5f - p.z : p.z + 0.5f, p.y + 0.5f};
+      }
+      if (n.z != 0) {
+        return {n.z > 0 ? p.x + 0.5f : 0.5f - p.x, p.y + 0.5f};
+      }
+      return {p.x + 0.5f, n.y > 0 ? 0.5f - p.z : p.z + 0.5f};
+    }
+    if (f.cap) {
+      return {p.x + 0.5f, n.y > 0 ? 0.5f - p.z : p.z + 0.5f};
+    }
+    const float theta = std::atan2(p.z, p.x);
+    const float u = theta < 0 ? -theta / (2 * pi) : 1 - theta / (2 * pi);
+    return {u, shape == Shape::sphere
+                   ? std::asin(std::min(std::max(2 * p.y, -1.0f), 1.0f)) / pi + 0.5f
+                   : p.y + 0.5f};
+  }
+
+  const Texture* texture_of(const Material& m) const {
+    if (!m.texture || !job_.texture || m.blend == 0) {
+      return nullptr;
+    }
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i] == m.texture->file && !assets_.textures[i].empty()) {
+        return &assets_.textures[i];
+      }
+    }
+    return nullptr;
+  }
+
+  vec3 diffuse_of(const Found& f) const {
+    const Material& m = f.object->primitive->material;
+    const float kd = has("diffuse-no-coefficient") ? 1 : scene_.global.diffuse;
+    const vec3 plain = kd * m.diffuse;
+    const Texture* const texture = texture_of(m);
+    const bool cone = f.object->primitive->shape == Shape::cone;
+    if (texture == nullptr || has("texture-missing") || (cone && has("texture-missing-on-cones"))) {
+      return plain;
+    }
+    vec2 uv = uv_of(f);
+    uv.x = has("texture-flip-u") ? 1 - uv.x : uv.x;
+    uv.y = has("texture-flip-v") ? uv.y : 1 - uv.y;
+    if (has("texture-swapped")) {
+      uv = {1 - uv.y, 1 - uv.x};
+    }
+    const bool repeats = !has("texture-not-repeated");
+    const auto place = [](float x, int size) {
+      const int i = static_cast<int>(std::floor(x * float(size))) % size;
+      return i < 0 ? i + size : i;
+    };
+    const int column = place(uv.x * (repeats ? m.texture->repeat_u : 1), texture->width);
+    const int row = place(uv.y * (repeats ? m.texture->repeat_v : 1), texture->height);
+    const std::uint8_t* texel = texture->texel(column, row);
+    vec3 t = vec3(texel[0], texel[1], texel[2]) / 255.0f;
+    if (has("texture-blue-red")) {
+      std::swap(t.x, t.z);
+    }
+    if (has("texture-blend-ignored")) {
+      return t;
+    }
+    if (has("texture-times-coefficient")) {
+      t *= kd;
+    }
+    if (has("texture-times-coefficient-no-blend")) {
+      return kd * t;
+    }
+    if (has("texture-times-diffuse")) {
+      t *= plain;
+    }
+    return (1 - m.blend) * plain + m.blend * t;
+  }
+
+  // ---- light ----
+
+  float spot(const Light& light, const vec3& axis, const vec3& to_light) const {
+    if (has("spot-as-point")) {
+      return 1;
+    }
+    float outer = light.angle_deg.value_or(light.penumbra_deg) * pi / 180;
+    const float penumbra = light.penumbra_deg * pi / 180;
+    float inner = std::max(outer - penumbra, 0.0f);
+    if (has("spot-half-angle")) {
+      outer /= 2;
+      inner = std::max(outer - penumbra, 0.0f);
+    }
+    if (has("spot-outside")) {
+      inner = outer;
+      outer += penumbra;
+    }
+    if (has("spot-penumbra-as-inner")) {
+      inner = std::min(penumbra, outer);
+    }
+    if (has("spot-no-penumbra")) {
+      inner = outer;
+    }
+    const float angle = std::acos(std::min(std::max(glm::dot(-to_light, axis), -1.0f), 1.0f));
+    if (angle <= inner) {
+      return 1;
+    }
+    if (angle > outer) {
+      return 0;
+    }
+    const float x = (angle - inner) / (outer - inner);
+    return has("spot-linear") ? 1 - x : 1 - (3 * x * x - 2 * x * x * x);
+  }
+
+  bool skipped(LightType type) const {
+    return (job_.directional_alone && type != LightType::directional) ||
+           (has("light-no-directional") && type == LightType::directional) ||
+           (has("light-no-point") && type == LightType::point) ||
+           (has("light-no-spot") && type == LightType::spot) || type == LightType::area;
+  }
+
+  vec3 lighting(const Found& f, const vec3& point, const vec3& normal, const vec3& eye) const {
+    const Material& m = f.object->primitive->material;
+    const vec3 base = diffuse_of(f);
+    const vec3 ambient =
+        (has("ambient-no-coefficient") ? 1 : scene_.global.ambient) * m.ambient;
+    vec3 color = has("ambient-missing") ? vec3(0) : ambient;
+    if (has("ambient-per-light")) {
+      color *= float(lamps_.size());
+    }
+    const float ks = has("specular-no-coefficient") ? 1 : scene_.global.specular;
+    for (const Lamp& lamp : lamps_) {
+      const Light& light = lamp.light;
+      if (skipped(light.type)) {
+        continue;
+      }
+      const bool directional = light.type == LightType::directional;
+      const vec3 axis = glm::normalize(lamp.direction);
+      vec3 to_light = -axis;
+      float distance = far_away;
+      float strength = 1;
+      if (directional && has("light-position-as-direction")) {
+        to_light = glm::normalize(-lamp.position);
+      }
+      if (!directional) {
+        distance = glm::length(lamp.position - point);
+        to_light = (lamp.position - point) / distance;
+        const vec3& a = light.attenuation;
+        const float c = a.x + a.y * distance +
+                        (has("attenuation-no-quadratic") ? 0 : a.z * distance * distance);
+        strength = has("attenuation-not-clamped") ? 1 / c : std::min(1.0f, 1 / c);
+        if (has("attenuation-none")) {
+          strength = 1;
+        }
+        if (has("attenuation-square")) {
+          strength = std::min(1.0f, 1 / (distance * distance));
+        }
+        if (light.type == LightType::spot) {
+          strength *= spot(light, axis, to_light);
+        }
+      }
+      if (has("light-reversed") || (directional && has("light-directional-reversed"))) {
+        to_light = -to_light;
+      }
+      bool shadowed = false;
+      if (job_.shadows && !has("shadow-none")) {
+        const float bias = has("shadow-acne") ? 0.0f : has("shadow-large-bias") ? 0.25f : 1e-3f;
+        vec3 toward = has("shadow-reversed") ? -to_light : to_light;
+        if (has("shadow-spot-axis") && light.type == LightType::spot) {
+          toward = -axis;
+        }
+        const float end = has("shadow-beyond-light") ? far_away : distance;
+        shadowed = closest(point, toward, bias, true).t < end;
+      }
+      if (shadowed && has("shadow-ambient-only")) {
+        return ambient;
+      }
+      if (shadowed && has("shadow-stops")) {
+        break;
+      }
+      if (shadowed && has("shadow-black")) {
+        return vec3(0);
+      }
+      const vec3 l = has("light-not-normalized") && !directional ? lamp.position - point : to_light;
+      const float cosine = glm::dot(normal, l);
+      float weight = std::max(cosine, 0.0f);
+      weight = has("diffuse-absolute") ? std::abs(cosine) : weight;
+      weight = has("diffuse-not-clamped") ? cosine : weight;
+      weight *= has("diffuse-missing") ? 0 : has("diffuse-twice") ? 2 : 1;
+      const vec3 v = has("specular-eye-reversed") ? -eye : eye;
+      float shine = glm::dot(2 * cosine * normal - l, v);
+      if (has("specular-blinn")) {
+        shine = glm::dot(normal, glm::normalize(l + v));
+      }
+      if (has("specular-light-view")) {
+        shine = glm::dot(l, v);
+      }
+      if (has("specular-absolute")) {
+        shine = std::abs(shine);
+      }
+      vec3 highlight(0);
+      if (shine > 0 && m.shininess > 0) {
+        highlight = ks * m.specular * (has("specular-no-exponent") ? shine : std::pow(shine, m.shininess));
+      }
+      highlight *= has("specular-missing") ? 0 : has("specular-twice") ? 2 : 1;
+      if (has("specular-times-cosine")) {
+        highlight *= std::max(cosine, 0.0f);
+      }
+      const vec3 light_color = has("light-white") ? vec3(1) : light.color;
+      if (shadowed) {
+        if (has("shadow-keeps-specular")) {
+          color += strength * light_color * highlight;
+        }
+        continue;
+      }
+      color += strength * light_color * (weight * base + highlight);
+    }
+    return color;
+  }
+
+  vec3 world_normal(const Found& f) const {
+    const vec3 n = glm::normalize(f.normal);
+    const mat3 m(f.object->matrix);
+    const mat3 inverse(f.object->inverse);
+    if (has("normal-by-matrix")) {
+      return glm::normalize(m * n);
+    }
+    if (has("normal-by-inverse")) {
+      return glm::normalize(inverse * n);
+    }
+    if (has("normal-of-object")) {
+      return n;
+    }
+    const vec3 world = glm::transpose(inverse) * n;
+    if (has("normal-not-normalized")) {
+      return world;
+    }
+    return has("normal-inverted") ? -glm::normalize(world) : glm::normalize(world);
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as reflections go
+  vec3 trace(const vec3& from, const vec3& direction, int depth) const {
+    const Found f = closest(from, direction, depth == 0 ? 0 : 1e-3f, false);
+    if (f.object == nullptr) {
+      return has("output-background") && depth == 0 ? vec3(0.5f, 0.7f, 0.9f) : vec3(0);
+    }
+    return hit(f, from, direction, depth);
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion)
+  vec3 hit(const Found& f, const vec3& from, const vec3& direction, int depth) const {
+    const Material& m = f.object->primitive->material;
+    vec3 normal = world_normal(f);
+    if (has("normal-toward-eye") && glm::dot(normal, direction) > 0) {
+      normal = -normal;
+    }
+    if (has("output-normals")) {
+      return (normal + 1.0f) / 2.0f;
+    }
+    const vec3 point = from + f.t * direction;
+    const vec3 eye = has("mirror-eye-at-camera") ? glm::normalize(eye_ - point) : -direction;
+    vec3 color = lighting(f, point, normal, eye);
+    const int depths = has("mirror-depth-one") ? 1 : has("mirror-depth-two") ? 2 : 4;
+    if (job_.reflect && !has("mirror-missing") && m.reflective != vec3(0) && depth < depths) {
+      vec3 mirrored = direction - 2 * glm::dot(direction, normal) * normal;
+      mirrored = has("mirror-reversed") ? -mirrored : mirrored;
+      const vec3 seen = trace(point, glm::normalize(mirrored), depth + 1);
+      const float ks = scene_.global.specular;
+      vec3 weight = ks * m.reflective;
+      weight = has("mirror-no-coefficient") ? m.reflective : weight;
+      weight = has("mirror-color-ignored") ? vec3(ks) : weight;
+      if (has("mirror-not-chained") && depth > 0) {
+        weight = vec3(1);
+      }
+      color = has("mirror-blended") ? (1.0f - weight) * color + weight * seen : color + weight * seen;
+    }
+    if (job_.refract && !has("glass-missing") && m.transparent != vec3(0) && depth < depths) {
+      color += scene_.global.transparent.value_or(0) * m.transparent *
+               through(f, point, glm::normalize(direction), depth);
+    }
+    return depth > 0 ? glm::clamp(color, vec3(0), vec3(1)) : color;
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion)
+  vec3 through(const Found& f, const vec3& point, const vec3& direction, int depth) const {
+    const Material& m = f.object->primitive->material;
+    const float ior = m.ior > 0 ? m.ior : 1;
+    const vec3 outward = glm::normalize(glm::transpose(mat3(f.object->inverse)) * f.normal);
+    const bool entering = glm::dot(direction, outward) < 0;
+    vec3 inside;
+    const bool in = bend(direction, outward, entering, ior, inside);
+    if (!in || !entering || has("glass-shaded-inside")) {
+      return trace(point, inside, depth + 1);
+    }
+    vec3 origin = point;
+    for (int i = 0; i < 4 - depth; ++i) {
+      const Found wall = closest(origin, inside, 1e-3f, false);
+      if (wall.object == nullptr) {
+        return vec3(0);
+      }
+      if (wall.object != f.object) {
+        return hit(wall, origin, inside, depth + 1);
+      }
+      origin = origin + wall.t * inside;
+      const vec3 n = glm::normalize(glm::transpose(mat3(f.object->inverse)) * wall.normal);
+      vec3 out;
+      if (bend(inside, n, false, ior, out)) {
+        return trace(origin, out, depth + 1);
+      }
+      inside = out;
+    }
+    return vec3(0);
+  }
+
+  bool bend(const vec3& d, vec3 n, bool entering, float ior, vec3& out) const {
+    float eta = entering ? 1 / ior : ior;
+    if (has("glass-eta-inverted")) {
+      eta = 1 / eta;
+    }
+    if (has("glass-straight")) {
+      out = d;
+      return true;
+    }
+    n = glm::dot(d, n) > 0 ? -n : n;
+    const float c = -glm::dot(d, n);
+    const float k = 1 - eta * eta * (1 - c * c);
+    if (k < 0) {
+      out = d + 2 * c * n;
+      return false;
+    }
+    out = glm::normalize(eta * d + (eta * c - std::sqrt(k)) * n);
+    return true;
+  }
+
+  const Scene& scene_;
+  const Assets& assets_;
+  std::span<const std::string> names_;
+  const Job& job_;
+  std::vector<Object> objects_;
+  std::vector<Lamp> lamps_;
+  vec3 eye_{0}, u_{0}, v_{0}, w_{0};
+  float right_ = 1;
+  float top_ = 1;
+};
+
+}  // namespace
+
+std::span<const KnownMistake> known_mistakes() {
+  return table;
+}
+
+Texture draw(const Scene& scene, const Assets& assets, std::span<const std::string> texture_names,
+             const Job& job) {
+  return Tracer(scene, assets, texture_names, job).picture();
+}
+
+}  // namespace scenefile::student

@@ -1,0 +1,41 @@
+#pragma once
+// A ray tracer as a student writes it, for tests: one ray a pixel, single precision, every object
+// asked for every ray. Shares nothing with the project's geometry and tracer, so that agreement is
+// evidence; and makes well known mistakes when told to.
+
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/scene/scene.h"
+
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scenefile::student {
+
+/// A mistake that the tracer can make.
+struct KnownMistake {
+  std::string_view name;    ///< "lights-only-first"
+  std::string_view family;  ///< for tables
+  std::string_view causes;  ///< words of name_of(Cause) that are right answers, separated by '|'
+};
+
+std::span<const KnownMistake> known_mistakes();
+
+/// What the tracer is to draw, in the words of the course's configuration.
+struct Job {
+  int width = 320;
+  int height = 240;
+  bool shadows = true;
+  bool reflect = true;
+  bool refract = true;
+  bool texture = true;
+  bool directional_alone = false;  ///< and nothing of the above: the first of the course's projects
+  std::set<std::string, std::less<>> mistakes;
+};
+
+/// `textures`: by file name as written.
+Texture draw(const Scene& scene, const Assets& assets, std::span<const std::string> texture_names,
+             const Job& job);
+
+}  // namespace scenefile::student

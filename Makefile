@@ -87,6 +87,13 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
 
 .PHONY: driver
+mistakes: ## ask diff for the causes of pictures with planted mistakes; CORPUS=DIR: also of the course's scenes
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile)
+	$(call compile,scenefile_student)
+	@CORPUS="$(CORPUS)" python3 tests/student/mistakes.py --build $(BUILD)
+	@python3 tests/student/mistakes.py --build $(BUILD) --combinations 40
+
 driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests

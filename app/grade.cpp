@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/grade_files.h"
 #include "app/json.h"
 #include "app/judgement.h"
 #include "app/load_picture.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 
 namespace scenefile::app {
@@ -26,26 +26,9 @@ namespace fs = std::filesystem;
 // What holds where nobody says otherwise: float against double is at 40 dB and more.
 constexpr double default_min_psnr_db = 40;
 
-constexpr std::array<std::string_view, 6> picture_endings{".png", ".jpg", ".jpeg",
-                                                          ".gif", ".tga", ".bmp"};
-constexpr std::array<std::string_view, 2> scene_endings{".xml", ".json"};
-
-// Names without endings, and the files that bear them.
-using Files = std::map<std::string, std::string>;
-
-template <std::size_t n>
-Files files_in(const std::string& folder, const std::array<std::string_view, n>& endings) {
-  Files files;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const fs::path& path = entry->path();
-    if (std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end()) {
-      files.emplace(path.stem().string(), path.string());
-    }
-  }
-  return files;
-}
+const std::vector<std::string_view> picture_endings{".png", ".jpg", ".jpeg",
+                                                     ".gif", ".tga", ".bmp"};
+const std::vector<std::string_view> scene_endings{".xml", ".json"};
 
 // A folder for each student, or one folder with the pictures of one.
 std::vector<fs::path> student_folders(const std::string& folder) {
@@ -53,13 +36,17 @@ std::vector<fs::path> student_folders(const std::string& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (entry->is_directory(error) && !entry->path().filename().string().starts_with(".")) {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_directory(error) && !name.starts_with(".") && name != "__MACOSX") {
       students.push_back(entry->path());
     }
   }
   std::sort(students.begin(), students.end());
-  if (students.empty()) {
-    students.emplace_back(folder);
+  const bool layout = std::all_of(students.begin(), students.end(), [](const fs::path& path) {
+    return is_layout_folder(path.filename().string());
+  });
+  if (layout) {
+    students = {fs::path(folder)};
   }
   return students;
 }
@@ -72,20 +59,38 @@ struct Reference {
 
 class Grader {
  public:
-  Grader(const Options& options, Context& context) : options_(options), context_(context) {}
+  /// `by_causes`: a picture passes by what is wrong with it, not by a threshold alone.
+  Grader(const Options& options, bool by_causes, Context& context)
+      : options_(options), by_causes_(by_causes), context_(context) {}
+
+  std::size_t matched() const { return matched_; }
+
+  // What was looked for and what there is, for a class of which no picture has the right name.
+  std::string nothing_matches() const {
+    return fmt::format(
+        "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, {}_gen.png "
+        "and FOLDER_{}.png, and so on, in all folders",
+        seen_, quoted(options_.arguments.front(), 400), references_.size(),
+        quoted(options_.references, 400), escaped(references_.front().name),
+        escaped(references_.front().name), escaped(references_.front().name));
+  }
 
   // Says what went wrong.
   ExitCode load_references() {
-    const Files scenes =
-        files_in(options_.scenes.empty() ? options_.references : options_.scenes, scene_endings);
-    for (const auto& [name, path] : files_in(options_.references, picture_endings)) {
-      Reference reference{name, load_picture(path, context_), std::nullopt};
+    const std::vector<FoundFile> scenes =
+        files_below(options_.scenes.empty() ? options_.references : options_.scenes, scene_endings);
+    files_ = files_below(options_.references, picture_endings);
+    const std::vector<std::string> names = reference_names(files_);
+    const std::vector<int> scene_of = match_scenes(scenes);
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      Reference reference{names[i], load_picture(files_[i].path, context_), std::nullopt};
       if (!reference.picture.error.empty()) {
         say_error(reference.picture.error);
         return reference.picture.status;
       }
-      if (const auto scene = scenes.find(name); scene != scenes.end()) {
-        reference.scene = load_scene_of_pictures(scene->second, options_, context_);
+      if (scene_of[i] >= 0) {
+        reference.scene = load_scene_of_pictures(scenes[static_cast<std::size_t>(scene_of[i])].path,
+                                                 options_, context_);
       }
       references_.push_back(std::move(reference));
     }
@@ -103,11 +108,17 @@ class Grader {
     const double all = static_cast<double>(folders.size() * references_.size());
     double done = 0;
     for (const fs::path& folder : folders) {
-      const Files pictures = files_in(folder.string(), picture_endings);
+      const std::vector<FoundFile> pictures = files_below(folder.string(), picture_endings);
+      const std::vector<int> matches = match_pictures(files_, pictures);
+      seen_ += pictures.size();
       StudentResult& student = book.students.emplace_back();
-      student.name = fs::path(folder).lexically_normal().filename().string();
-      for (const Reference& reference : references_) {
-        student.pictures.push_back(grade(reference, pictures, [&](double part) {
+      const fs::path named = fs::path(folder).lexically_normal();
+      student.name = (named.has_filename() ? named : named.parent_path()).filename().string();
+      for (std::size_t i = 0; i < references_.size(); ++i) {
+        matched_ += matches[i] >= 0 ? 1 : 0;
+        const std::string path =
+            matches[i] < 0 ? std::string() : pictures[static_cast<std::size_t>(matches[i])].path;
+        student.pictures.push_back(grade(references_[i], path, [&](double part) {
           bar.update((done + part) / all);
           return true;
         }));
@@ -118,23 +129,32 @@ class Grader {
   }
 
  private:
-  PictureResult grade(const Reference& reference, const Files& pictures,
+  // One scene may be that of several references: intersect and illuminate.
+  std::vector<int> match_scenes(const std::vector<FoundFile>& scenes) const {
+    std::vector<int> result;
+    for (const FoundFile& file : files_) {
+      result.push_back(match_pictures({file}, scenes).front());
+    }
+    return result;
+  }
+
+  // `path` of the picture; empty: there is none.
+  PictureResult grade(const Reference& reference, const std::string& path,
                       const std::function<bool(double)>& progress) {
     PictureResult result;
     result.name = reference.name;
-    const auto found = pictures.find(reference.name);
-    if (found == pictures.end()) {
+    if (path.empty()) {
       result.verdict = Verdict::missing;
       result.reasons = {"there is no picture of that name"};
       return result;
     }
     // It would lead to the reference, or to the work of another student.
-    if (std::error_code error; fs::is_symlink(found->second, error)) {
+    if (std::error_code error; fs::is_symlink(path, error)) {
       result.verdict = Verdict::unreadable;
       result.reasons = {"a symbolic link is handed in, not a picture"};
       return result;
     }
-    const LoadedPicture picture = load_picture(found->second, context_);
+    const LoadedPicture picture = load_picture(path, context_);
     if (!picture.error.empty()) {
       result.verdict = Verdict::unreadable;
       result.reasons = {picture.error};
@@ -143,15 +163,38 @@ class Grader {
     context_.phase = "comparing the pictures";
     const Judgement judgement =
         judge(reference.picture.picture, picture.picture,
-              reference.scene ? &*reference.scene : nullptr, options_, progress);
+              reference.scene ? &*reference.scene : nullptr, options_, progress,
+              by_causes_ ? LookForCauses::always : LookForCauses::where_broken);
     result.measures = judgement.measures;
     result.reasons = judgement.broken;
     result.causes = judgement.causes.claims;
     result.verdict = judgement.broken.empty() ? Verdict::passed : Verdict::differs;
-    if (!judgement.broken.empty() && !options_.report.empty()) {
+    if (by_causes_ && judgement.measures.same_size) {
+      follow_causes(judgement, result);
+    }
+    if (result.verdict == Verdict::differs && !options_.report.empty()) {
       result.png = thumbnail(reference.picture.picture, picture.picture);
     }
     return result;
+  }
+
+  // Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges and
+  // rounding alone pass.
+  static void follow_causes(const Judgement& judgement, PictureResult& result) {
+    const CauseReport& report = judgement.causes;
+    const bool mistake =
+        std::any_of(report.claims.begin(), report.claims.end(),
+                    [](const Claim& c) { return c.cause != Cause::rounding; });
+    if (mistake) {
+      result.verdict = Verdict::differs;
+      if (result.reasons.empty()) {
+        result.reasons = {fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
+                                      judgement.measures.difference.psnr_db)};
+      }
+    } else if (report.partial.empty() && report.share_different < 0.001) {
+      result.verdict = Verdict::passed;
+      result.reasons.clear();
+    }
   }
 
   static std::string thumbnail(const Texture& reference, const Texture& picture) {
@@ -165,8 +208,12 @@ class Grader {
   }
 
   const Options& options_;
+  bool by_causes_;
   Context& context_;
+  std::vector<FoundFile> files_;  // of the references
   std::vector<Reference> references_;
+  std::size_t seen_ = 0;     // pictures that were handed in
+  std::size_t matched_ = 0;  // those of a reference's name
 };
 
 std::string json_text(const Gradebook& book) {
@@ -243,17 +290,22 @@ ExitCode check_places(const Options& options) {
 
 ExitCode run_grade(const Options& given, Context& context) {
   Options options = given;
-  if (options.thresholds == Thresholds{}) {
+  const bool by_causes = options.thresholds == Thresholds{};
+  if (by_causes) {
     options.thresholds.min_psnr_db = default_min_psnr_db;
   }
   if (const ExitCode status = check_places(options); status != ExitCode::fine) {
     return status;
   }
-  Grader grader(options, context);
+  Grader grader(options, by_causes, context);
   if (const ExitCode status = grader.load_references(); status != ExitCode::fine) {
     return status;
   }
   const Gradebook book = grader.run();
+  if (grader.matched() == 0) {
+    say_error(grader.nothing_matches());
+    return ExitCode::environment;
+  }
   ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
   // All is ready before something is written, so that nothing can fail afterwards.
   context.phase = "making the report";

@@ -9,10 +9,12 @@
 #include "app/output.h"
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
+#include "scenefile/grade/cause_help.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -114,6 +116,9 @@ std::string no_such_topic(const std::string& topic) {
   std::vector<std::string_view> known(command_names().begin(), command_names().end());
   known.insert(known.end(), code_names().begin(), code_names().end());
   known.insert(known.end(), code_families().begin(), code_families().end());
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    known.push_back(name_of(static_cast<Cause>(i)));
+  }
   known.push_back("limits");
   return fmt::format("there is no command and no code {}{}", quoted(topic),
                      did_you_mean(topic, known));
@@ -182,6 +187,24 @@ std::string command_text(const Command& command) {
   return text + "\nExamples:\n" + example_text(command.examples, width);
 }
 
+std::string cause_text(Cause cause) {
+  const CauseHelp& page = help_of(cause);
+  const std::size_t width = help_width();
+  return fmt::format("{}: {}\n\nWhat it looks like: {}\n\nWhy: {}\n\nWhere to look: {}\n",
+                     name_of(cause), page.title, wrapped(page.looks, 0, 0, width),
+                     wrapped(page.why, 0, 0, width), wrapped(page.where, 0, 0, width));
+}
+
+// All causes, a line each.
+std::string causes_list() {
+  std::string text = "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.\n\n";
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    const CauseHelp& page = help_of(static_cast<Cause>(i));
+    text += fmt::format("  {:<18}{}\n", name_of(page.cause), page.title);
+  }
+  return text;
+}
+
 std::string code_text(const Code& code) {
   const std::size_t width = help_width();
   return wrapped(fmt::format("{}: {} ({}{})", code.name, code.summary, severities_text(code),
@@ -191,6 +214,9 @@ std::string code_text(const Code& code) {
 }
 
 ExitCode run_help(const Options& options, Context& /*context*/) {
+  if (!options.arguments.empty() && options.arguments.front() == "causes") {
+    return answer(options.markdown ? causes_markdown() : causes_list());
+  }
   if (options.markdown) {
     return answer(codes_markdown());
   }
@@ -215,10 +241,17 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const auto families = code_families();
       std::find(families.begin(), families.end(), topic) != families.end()) {
-    return answer(options.json ? help_json() : codes_text(help_width(), topic));
+    // Some words name a family of findings and a cause of wrong pictures.
+    const std::optional<Cause> cause = find_cause(topic);
+    return answer(options.json ? help_json()
+                               : codes_text(help_width(), topic) +
+                                     (cause ? "\n" + cause_text(*cause) : ""));
   }
   if (topic == "codes") {
     return answer(options.json ? help_json() : codes_text(help_width()));
+  }
+  if (const std::optional<Cause> cause = find_cause(topic)) {
+    return answer(cause_text(*cause));
   }
   if (topic == "limits") {
     return answer(options.json ? help_json() : limits_text(help_width()));

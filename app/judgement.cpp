@@ -83,11 +83,14 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
 }
 
 Judgement judge(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                const Options& options, const std::function<bool(double)>& progress) {
+                const Options& options, const std::function<bool(double)>& progress,
+                LookForCauses look) {
   Judgement judgement;
   judgement.measures = measure(reference, test, options.pixel_threshold, &judgement.flip_errors);
   judgement.broken = broken_thresholds(options.thresholds, judgement.measures);
-  if (judgement.broken.empty() || !judgement.measures.same_size) {
+  const bool wanted = !judgement.broken.empty() ||
+                      (look == LookForCauses::always && judgement.measures.difference.max > 0);
+  if (!wanted || !judgement.measures.same_size) {
     return judgement;
   }
   if (scene == nullptr || status_of(*scene) != ExitCode::fine) {

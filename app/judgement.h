@@ -17,10 +17,13 @@ struct Judgement {
   bool scene_used = false;          ///< whether a scene was there to look for causes with
 };
 
+enum class LookForCauses { where_broken, always };
+
 /// Compares; looks for causes where a threshold is broken. `scene`: what the reference shows; may
 /// be null.
 Judgement judge(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                const Options& options, const std::function<bool(double)>& progress);
+                const Options& options, const std::function<bool(double)>& progress,
+                LookForCauses look = LookForCauses::where_broken);
 
 /// The scene of --scene, said and without assets where it cannot be used.
 LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,

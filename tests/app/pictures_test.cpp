@@ -202,6 +202,33 @@ TEST_F(Grade, OneStudentWhoPasses) {
   EXPECT_THAT(run.out, HasSubstr("mine  1 of 1 passed\n"));
 }
 
+TEST_F(Grade, FoldersAndNamesInUse) {
+  for (const char* name : {"right/LIGHT", "right/INTERSECT", "mine/illuminate/required",
+                           "mine/intersect/required", "mine/__MACOSX/illuminate"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/LIGHT/ball.png", folder.read("right.png"));
+  folder.write("right/INTERSECT/ball.png", folder.read("wrong.png"));
+  folder.write("mine/illuminate/required/ball_gen.png", folder.read("right.png"));
+  folder.write("mine/intersect/required/ball.png", folder.read("wrong.png"));
+  folder.write("mine/__MACOSX/illuminate/ball.png", "no picture");
+  const ProgramRun run = in_folder({"grade", "mine/", "--references", "right"});
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("mine  2 of 2 passed\n"));
+}
+
+TEST_F(Grade, NothingMatchesIsAnErrorAndNoZeros) {
+  for (const char* name : {"right", "class/anna"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("class/anna/cube.png", folder.read("right.png"));
+  const ProgramRun run = in_folder({"grade", "class", "--references", "right"});
+  EXPECT_EQ(run.status, 3);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("none of 1 pictures in \"class\" is one of the 1 references"));
+}
+
 TEST_F(Grade, WhatIsMissing) {
   EXPECT_EQ(in_folder({"grade", "."}).status, 2);
   EXPECT_EQ(in_folder({"grade", "nowhere", "--references", "."}).status, 3);

@@ -22,7 +22,7 @@ using Change = std::function<Texture(const Texture&)>;
 SceneView view_of(const GeneratedScene& scene) {
   RenderOptions options = default_options(Profile::course);
   options.features.texture_filter = false;
-  return {&scene.builder.scene, &scene.builder.assets, options};
+  return {&scene.builder.scene, &scene.builder.assets, options, nullptr, {}};
 }
 
 Texture reference_of(const GeneratedScene& scene, bool super_sample) {

@@ -631,7 +631,7 @@ class Tracer {
       float weight = std::max(cosine, 0.0f);
       weight = has("diffuse-absolute") ? std::abs(cosine) : weight;
       weight = has("diffuse-not-clamped") ? cosine : weight;
-      weight *= has("diffuse-missing") ? 0 : has("diffuse-twice") ? 2 : 1;
+      weight *= has("diffuse-missing") ? 0.0f : has("diffuse-twice") ? 2.0f : 1.0f;
       const vec3 v = has("specular-eye-reversed") ? -eye : eye;
       float shine = glm::dot(2 * cosine * normal - l, v);
       if (has("specular-blinn")) {
@@ -647,7 +647,7 @@ class Tracer {
       if (shine > 0 && m.shininess > 0) {
         highlight = ks * m.specular * (has("specular-no-exponent") ? shine : std::pow(shine, m.shininess));
       }
-      highlight *= has("specular-missing") ? 0 : has("specular-twice") ? 2 : 1;
+      highlight *= has("specular-missing") ? 0.0f : has("specular-twice") ? 2.0f : 1.0f;
       if (has("specular-times-cosine")) {
         highlight *= std::max(cosine, 0.0f);
       }

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <future>
 #include <limits>
 #include <map>
@@ -887,8 +886,7 @@ class Search {
     const auto share = [](std::size_t part_of, std::size_t whole) {
       return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
     };
-    std::fprintf(stderr,"ACNE %zu dull %zu between %.2f scattered %.2f lacking %.2f\n",looked_at,dull,share(between,looked_at),share(scattered,looked_at),share(lacking,dull));
-    if (looked_at < few_pixels || dull < few_pixels || share(scattered, looked_at) < 0.4 ||
+    if (looked_at < few_pixels || dull < few_pixels || share(scattered, looked_at) < (share(lacking, dull) < 0.97 ? 0.4 : 0.25) ||
         share(lacking, dull) < 0.85 ||
         share(between, looked_at) < (share(lacking, dull) < 0.95 ? 0.85 : 0.5)) {
       return false;

@@ -1,0 +1,36 @@
+#pragma once
+// Which files of a class are which pictures: names are matched through the folders in use, such as
+// student_outputs/illuminate/required/X.png against required_outputs/LIGHT/X.png.
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile::app {
+
+/// A file below a folder.
+struct FoundFile {
+  std::string path;                  ///< to open it
+  std::vector<std::string> folders;  ///< below the folder that was searched, the outermost first
+  std::string stem;                  ///< its name without the ending
+};
+
+/// The files below `folder` with one of the endings, in the order of their names. What systems and
+/// archives leave behind (`__MACOSX`, names that begin with a point) is passed over, links to
+/// folders are not followed; at most 8 folders deep.
+std::vector<FoundFile> files_below(const std::string& folder, const std::vector<std::string_view>& endings);
+
+/// For each reference the picture that is meant, by index into `pictures`; none: -1. Of the same
+/// name, with `_gen`, `_output` or `_out` behind it, or with its folder before it (FOLDER_X); where
+/// several references or pictures bear a name, their folders decide.
+std::vector<int> match_pictures(const std::vector<FoundFile>& references,
+                                const std::vector<FoundFile>& pictures);
+
+/// Names that tell the references apart: the stem, with its folder where a stem occurs twice.
+std::vector<std::string> reference_names(const std::vector<FoundFile>& references);
+
+/// Whether a folder of this name is part of a layout (illuminate, required, ...), not a student.
+bool is_layout_folder(std::string_view name);
+
+}  // namespace scenefile::app

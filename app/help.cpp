@@ -34,6 +34,7 @@ const std::vector<Heading>& headings() {
       {"Picture",
        {"--size", "--crop", "--pixel", "--sample", "--engine", "--profile", "--mode", "--features",
         "--fresnel", "--max-depth", "--segments"}},
+      {"Realtime", {"--milestone", "--parameters", "--near", "--far", "--filter"}},
       {"Quality", {"--samples", "--seed", "--denoise"}},
       {"Layers", {"--aov"}},
       {"Comparison",

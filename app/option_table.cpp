@@ -112,11 +112,13 @@ std::string set_pixel(Options& options, const std::string& value) {
   return wrong.empty() ? set_number(value.substr(comma + 1), 0, most, pixel.y) : wrong;
 }
 
+// Those of the tracer, and OpenGL's own.
+constexpr std::array<std::string_view, 3> profile_choices{profile_words[0], profile_words[1],
+                                                          "realtime"};
+
 std::string set_profile(Options& options, const std::string& value) {
-  static constexpr std::array<std::string_view, 3> words{profile_words[0], profile_words[1],
-                                                         "realtime"};
   std::size_t index = 0;
-  std::string wrong = set_choice("profile", value, words, index);
+  std::string wrong = set_choice("profile", value, profile_choices, index);
   options.realtime = index == profile_words.size();
   options.render = default_options(options.realtime ? Profile::fine : static_cast<Profile>(index));
   return wrong;
@@ -383,8 +385,7 @@ constexpr std::array table{
               "NAME",
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's ray tracer; implies --compat course. realtime: those of the "
-              "course's "
-              "assignment Realtime, by OpenGL; implies --compat course.",
+              "course's assignment Realtime, by OpenGL; implies --compat course.",
               for_tracing | for_pictures | for_realtime,
               set_profile,
               "profile",
@@ -604,10 +605,11 @@ std::span<const std::string_view> words_of(const OptionRow& row) {
     std::span<const std::string_view> words;
   };
   const std::array sets{
-      Words{set_profile, profile_words}, Words{set_engine, engine_words},
-      Words{set_mode, mode_words},       Words{set_features, feature_words()},
-      Words{set_layers, layer_words()},  Words{set_to, format_words},
-      Words{set_compat, compat_words},   Words{set_completion, shell_words},
+      Words{set_profile, profile_choices}, Words{set_engine, engine_words},
+      Words{set_filter, filter_names},     Words{set_milestone, milestone_names},
+      Words{set_mode, mode_words},         Words{set_features, feature_words()},
+      Words{set_layers, layer_words()},    Words{set_to, format_words},
+      Words{set_compat, compat_words},     Words{set_completion, shell_words},
   };
   const auto found =
       std::find_if(sets.begin(), sets.end(), [&](const Words& one) { return one.set == row.set; });

@@ -2,6 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/import/read_gltf.h"
+#include "scenefile/import/read_obj_scene.h"
 #include "scenefile/io/file.h"
 #include "scenefile/scene/check.h"
 
@@ -31,7 +32,7 @@ std::string file_stem(const std::string& output) {
 }
 
 bool is_model(const std::string& path) {
-  static constexpr std::array<std::string_view, 2> extensions{".glb", ".gltf"};
+  static constexpr std::array<std::string_view, 3> extensions{".glb", ".gltf", ".obj"};
   return std::find(extensions.begin(), extensions.end(), extension_of(path)) != extensions.end();
 }
 
@@ -55,7 +56,9 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
   contents.over_limit = error.over_limit;
   return contents;
 };
-ImportedScene imported = read_gltf(bytes, import, scene.diagnostics);
+ImportedScene imported = extension_of(path) == ".obj"
+                               ? read_obj_scene(bytes, import, scene.diagnostics)
+                               : read_gltf(bytes, import, scene.diagnostics);
 scene.written = std::move(imported.scene);
 files = std::move(imported.files);
 if (!scene.diagnostics.has_errors()) {

@@ -9,7 +9,7 @@
 
 namespace scenefile::app {
 
-/// Whether the name says that the file is a model: .glb or .gltf.
+/// Whether the name says that the file is a model: .glb, .gltf or .obj.
 bool is_model(const std::string& path);
 
 /// What the names of files beside `output` begin with.

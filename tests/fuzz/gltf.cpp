@@ -1,9 +1,11 @@
-// Bytes through read_gltf(), with ample and with narrow limits.
+// Bytes through read_gltf() and read_obj_scene(), with ample and with narrow limits. Files that they
+// name are the bytes again.
 
 #include "finding_laws.h"
 #include "law.h"
 #include "scenefile/asset/read_obj.h"
 #include "scenefile/import/read_gltf.h"
+#include "scenefile/import/read_obj_scene.h"
 #include "scenefile/scene/check.h"
 #include "target.h"
 
@@ -41,11 +43,16 @@ void require_files(const ImportedScene& imported) {
   }
 }
 
-void judge(std::string_view bytes, const Limits& limits) {
+using Read = ImportedScene (*)(std::string_view, const ImportOptions&, Diagnostics&);
+
+void judge(Read read, std::string_view bytes, const Limits& limits) {
   Diagnostics diagnostics(limits);
   ImportOptions options;
   options.limits = limits;
-  const ImportedScene imported = read_gltf(bytes, options, diagnostics);
+  options.fetch = [&](const std::string&) {
+    return FileContents{std::string(bytes), {}, false};
+  };
+  const ImportedScene imported = read(bytes, options, diagnostics);
   if (!diagnostics.has_errors()) {
     require_files(imported);
     check(imported.scene, limits, diagnostics);
@@ -56,10 +63,12 @@ void judge(std::string_view bytes, const Limits& limits) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  judge(bytes, {});
   Limits narrow = fuzz::narrow_limits();
   narrow.mesh_triangles = 6;
   narrow.mesh_bytes = 2000;
-  judge(bytes, narrow);
+  for (const Read read : {read_gltf, read_obj_scene}) {
+    judge(read, bytes, {});
+    judge(read, bytes, narrow);
+  }
   return 0;
 }

@@ -4,6 +4,7 @@
 #include "scenefile/base/components.h"
 #include "scenefile/export/phong_pbr.h"
 #include "scenefile/import/codes.h"
+#include "scenefile/import/picture_file.h"
 
 #include <fmt/format.h>
 
@@ -233,11 +234,8 @@ std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor)
   for (std::size_t i = 0; i < texture.rgb.size(); ++i) {
     texture.rgb[i] = value_of[i % 3][texture.rgb[i]];
   }
-  const std::string name = fmt::format("{}-{}.png", options_.stem, files_.size() + 1);
-  files_.push_back(
-      {name, encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest, error)});
-  entry->second = name;
-  return name;
+  entry->second = add_picture(texture, options_, files_);
+  return entry->second;
 }
 
 }  // namespace scenefile

@@ -1,0 +1,15 @@
+#pragma once
+// Private to the room.
+
+#include "scenefile/asset/image.h"
+#include "scenefile/import/imported_scene.h"
+
+#include <string>
+
+namespace scenefile {
+
+/// Adds the picture as a PNG file of the next number. Returns its name.
+std::string add_picture(const Texture& texture, const ImportOptions& options,
+                        std::vector<ImportedFile>& files);
+
+}  // namespace scenefile

@@ -1,0 +1,22 @@
+#pragma once
+// Materials of OBJ files. Private to the room.
+
+#include "scenefile/scene/scene.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// A material; `picture` is the file of map_Kd, which multiplies the diffuse color.
+struct MtlMaterial {
+  Material material;
+  std::string picture;
+};
+
+/// Adds the materials of a library by name; the first of a name counts. Statements that have no
+/// counterpart, and numbers that are none, are skipped.
+void read_mtl(std::string_view text, std::map<std::string, MtlMaterial, std::less<>>& materials);
+
+}  // namespace scenefile

@@ -1,0 +1,120 @@
+#include "scenefile/import/read_obj_scene.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/export/write_obj.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/import/codes.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/prepare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace scenefile {
+namespace {
+
+using testing::HasSubstr;
+
+ImportOptions with_files(std::map<std::string, std::string> files) {
+  ImportOptions options;
+  options.fetch = [files = std::move(files)](const std::string& name) {
+    const auto found = files.find(name);
+    return found == files.end() ? FileContents{{}, "it is not there", false}
+                                : FileContents{found->second, {}, false};
+  };
+  return options;
+}
+
+const std::string two_triangles =
+    "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 2 3\nusemtl glass\nf 1 2 "
+    "4\n";
+
+TEST(ReadObjScene, CutsTheMeshUpByMaterial) {
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(
+      two_triangles,
+      with_files({{"a.mtl",
+                   "newmtl red\nKd 1 0 0\nKs .5 .5 .5\nNs 8\nillum 2\nnewmtl glass\nd 0.25\nTf 1 "
+                   "0.5 1\nNi 1.4\nKs .5 .5 .5\nillum 6\n"}}),
+      diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_EQ(scene.files.size(), 2u);
+  EXPECT_THAT(scene.files[0].bytes, HasSubstr("v 0 1 0\nf 1 2 3"));
+  EXPECT_THAT(scene.files[1].bytes, HasSubstr("v 0 0 1\nf 1 2 3"));
+  ASSERT_EQ(scene.scene.nodes.size(), 3u);
+  const Material& red = scene.scene.nodes[1].primitives.at(0).material;
+  EXPECT_EQ(red.diffuse, glm::vec3(1, 0, 0));
+  EXPECT_EQ(red.specular, glm::vec3(.5f));
+  EXPECT_EQ(red.shininess, 8);
+  EXPECT_EQ(red.transparent, glm::vec3(0));
+  const Material& glass = scene.scene.nodes[2].primitives.at(0).material;
+  EXPECT_EQ(glass.transparent, glm::vec3(.75f, .375f, .75f));
+  EXPECT_EQ(glass.reflective, glm::vec3(.5f));
+  EXPECT_EQ(glass.ior, 1.4f);
+  EXPECT_TRUE(scene.scene.camera);
+}
+
+TEST(ReadObjScene, ReadsWithoutItsFiles) {
+  Diagnostics diagnostics;
+  const ImportedScene scene = read_obj_scene(two_triangles, {}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(scene.files.size(), 2u);
+  ASSERT_FALSE(diagnostics.list().empty());
+  EXPECT_EQ(diagnostics.list()[0].code, &import_missing_file);
+}
+
+TEST(ReadObjScene, RefusesWhatIsNoMesh) {
+  for (const char* const text : {"", "v 0 0 0\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"}) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read_obj_scene(text, {}, diagnostics).files.empty());
+    EXPECT_TRUE(diagnostics.has_errors()) << text;
+  }
+}
+
+TEST(ReadObjScene, HoldsTheLimitOfMeshes) {
+  Diagnostics diagnostics;
+  ImportOptions options;
+  options.limits.mesh_bytes = 500;
+  read_obj_scene(two_triangles, options, diagnostics);
+  ASSERT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(diagnostics.list().back().code, &import_limit);
+}
+
+TEST(ReadObjScene, ReadsWhatIsWritten) {
+  Diagnostics diagnostics;
+  const Scene scene = read_scene(
+      R"(<scenefile><globaldata><ambientcoeff v="1"/><diffusecoeff v="0.5"/><specularcoeff v="1"/><transparentcoeff v="1"/></globaldata><object type="tree" name="root"><transblock><object type="primitive" name="cube"><diffuse r="1" g="0" b="0.5"/><ambient r="0.1" g="0.2" b="0.3"/><specular r="1" g="0.5" b="1"/><shininess v="20"/></object></transblock><transblock><object type="primitive" name="sphere"><blend v="1"/><texture file="a.png" u="1" v="1"/></object></transblock></object></scenefile>)",
+      {}, diagnostics);
+  ASSERT_FALSE(diagnostics.has_errors());
+  const Prepared ready = prepare(scene, {});
+  Assets assets;
+  assets.textures.push_back({1, 1, {200, 100, 50}});
+  const ObjScene obj = write_obj(ready.scene, assets, {}, diagnostics);
+  diagnostics = Diagnostics();
+  const ImportedScene back = read_obj_scene(
+      obj.obj, with_files({{"scene.mtl", obj.mtl}, {"scene-1.png", obj.pictures.at(0)}}),
+      diagnostics);
+  check(back.scene, {}, diagnostics);
+  ASSERT_FALSE(diagnostics.has_errors());
+  ASSERT_EQ(back.scene.nodes.size(), 3u);
+  const Material& m = back.scene.nodes[1].primitives.at(0).material;
+  EXPECT_EQ(m.diffuse, glm::vec3(.5f, 0, .25f));
+  EXPECT_EQ(m.ambient, glm::vec3(.1f, .2f, .3f));
+  EXPECT_EQ(m.specular, glm::vec3(1, .5f, 1));
+  EXPECT_EQ(m.shininess, 20);
+  const Material& textured = back.scene.nodes[2].primitives.at(0).material;
+  ASSERT_TRUE(textured.texture);
+  for (const ImportedFile& file : back.files) {
+    if (file.name == textured.texture->file) {
+      std::uint64_t budget = 100;
+      std::string error;
+      EXPECT_THAT(decode_image(file.bytes, {}, budget, error).rgb,
+                  testing::ElementsAre(200, 100, 50));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scenefile

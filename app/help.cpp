@@ -191,14 +191,18 @@ std::string command_text(const Command& command) {
 std::string cause_text(Cause cause) {
   const CauseHelp& page = help_of(cause);
   const std::size_t width = help_width();
-  return fmt::format("{}: {}\n\nWhat it looks like: {}\n\nWhy: {}\n\nWhere to look: {}\n",
-                     name_of(cause), page.title, wrapped(page.looks, 0, 0, width),
-                     wrapped(page.why, 0, 0, width), wrapped(page.where, 0, 0, width));
+  const auto paragraph = [&](std::string_view label, std::string_view text) {
+    return wrapped(fmt::format("{}: {}", label, text), 0, 0, width);
+  };
+  return fmt::format("{}\n\n{}\n\n{}\n\n{}\n", paragraph(name_of(cause), page.title),
+                     paragraph("What it looks like", page.looks), paragraph("Why", page.why),
+                     paragraph("Where to look", page.where));
 }
 
 // All causes, a line each.
 std::string causes_list() {
-  std::string text = "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.\n\n";
+  std::string text =
+      "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.\n\n";
   for (std::size_t i = 0; i < cause_count; ++i) {
     const CauseHelp& page = help_of(static_cast<Cause>(i));
     text += fmt::format("  {:<18}{}\n", name_of(page.cause), page.title);
@@ -244,9 +248,9 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
       std::find(families.begin(), families.end(), topic) != families.end()) {
     // Some words name a family of findings and a cause of wrong pictures.
     const std::optional<Cause> cause = find_cause(topic);
-    return answer(options.json ? help_json()
-                               : codes_text(help_width(), topic) +
-                                     (cause ? "\n" + cause_text(*cause) : ""));
+    return answer(options.json
+                      ? help_json()
+                      : codes_text(help_width(), topic) + (cause ? "\n" + cause_text(*cause) : ""));
   }
   if (topic == "codes") {
     return answer(options.json ? help_json() : codes_text(help_width()));

@@ -2,6 +2,8 @@
 
 #include "app/findings.h"
 #include "app/output.h"
+#include "scenefile/base/report.h"
+#include "scenefile/base/text.h"
 
 #include <fmt/format.h>
 
@@ -78,6 +80,13 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
   LoadedScene scene = load_scene(path, options, LoadDepth::with_all_assets, true, context);
   if (!options.json) {
     say(findings_text(scene, Verbosity::errors, wants_color(Stream::chatter)));
+    // Without its textures the scene is not what the reference shows, and causes are guessed wrong.
+    for (const Diagnostic* const finding : by_place(scene.diagnostics)) {
+      if (finding->code->name.starts_with("texture.")) {
+        say(fmt::format("{}: warning: {} [{}]\n", escaped(path, 4096),
+                        escaped(finding->message, 4096), finding->code->name));
+      }
+    }
   }
   return scene;
 }

@@ -275,7 +275,7 @@ std::string set_layers(Options& options, const std::string& value) {
   }
   const bool known = std::any_of(options.render.layers.begin(), options.render.layers.end(),
                                  [&](const Layer& layer) { return layer_name(layer) == wrong; });
-  return known ? fmt::format("{} stands twice in the list", wrong)
+  return known ? fmt::format("{} is in the list twice", wrong)
                : unknown_word("layer", wrong, layer_words());
 }
 

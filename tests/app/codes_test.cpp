@@ -30,8 +30,8 @@ bool is_given_elsewhere(const std::string& code) {
 
 // Families of other commands, with tests that walk through them.
 bool is_of_check(const std::string& code) {
-  static const std::set<std::string> others{"config", "convert", "export", "gl",
-                                            "import", "pov",     "render", "write"};
+  static const std::set<std::string> others{"config", "convert",  "export", "gl",   "import",
+                                            "pov",    "realtime", "render", "write"};
   return !others.contains(code.substr(0, code.find('.')));
 }
 

@@ -81,7 +81,7 @@ TEST_F(RenderLayers, MistakesAreUsageErrors) {
     const char* says;
   } cases[] = {
       {{"--aov", "normals"}, "did you mean normal?"},
-      {{"--aov", "depth,depth"}, "stands in the list twice"},
+      {{"--aov", "depth,depth"}, "is in the list twice"},
       {{"--aov", "light-2"}, "the scene has no light-2, but 1 lights"},
       {{"--crop", "1,2,3"}, "is not a region such as"},
       {{"--crop", "1,2,3,4,5"}, "is not a whole number"},

@@ -90,7 +90,7 @@ TEST(Completion, ProposesInBash) {
   EXPECT_THAT(proposals("scenefile render --profile \"\""), HasSubstr("course fine"));
   EXPECT_EQ(proposals("scenefile convert --to js"), "json\n");
   EXPECT_EQ(proposals("scenefile help camera.up-z"), "camera.up-zero\n");
-  EXPECT_EQ(proposals("scenefile check --prof"), "\n");
+  EXPECT_EQ(proposals("scenefile check --heat"), "\n");
 }
 
 TEST(Completion, CompletesTheLastWordOfAList) {

@@ -1,5 +1,6 @@
 #include "scenefile/grade/gradebook.h"
 
+#include "scenefile/base/base64.h"
 #include "scenefile/grade/markup.h"
 
 #include <gmock/gmock.h>

@@ -1,12 +1,12 @@
 #include "scenefile/trace/accelerator.h"
 
 #include "scenefile/trace/build_parts.h"
+#include "scenefile/trace/once.h"
 #include "scenefile/trace/part_tree.h"
 #include "scenefile/trace/search.h"
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 namespace scenefile {
 
@@ -15,7 +15,7 @@ struct Accelerator::Structure {
   Parts parts;
   Instances instances = Instances::unnamed;
   AcceleratorStatus status = AcceleratorStatus::ready;
-  mutable std::once_flag tree_made;
+  mutable Once tree_made;
   mutable PartTree tree;
 };
 
@@ -168,7 +168,7 @@ const Parts& Accelerator::parts() const {
 
 const PartTree& Accelerator::part_tree() const {
   const Structure& structure = *structure_;
-  std::call_once(structure.tree_made, [&] {
+  structure.tree_made([&] {
     if (structure.parts.groups.empty()) {
       return;
     }

@@ -1,11 +1,11 @@
 #include "scenefile/trace/trace_scene.h"
 
 #include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/once.h"
 #include "scenefile/trace/texture_lookup.h"
 #include "scenefile/trace/tiles.h"
 
 #include <chrono>
-#include <mutex>
 #include <utility>
 
 namespace scenefile {
@@ -30,7 +30,7 @@ struct TraceScene::Shared {
   const Assets& assets;
   Accelerator accelerator;
   double build_seconds;
-  mutable std::once_flag pyramids_made;
+  mutable Once pyramids_made;
   mutable std::vector<Pyramid> pyramids;
 };
 
@@ -64,7 +64,7 @@ const Accelerator& TraceScene::accelerator() const {
 }
 
 const std::vector<Pyramid>& TraceScene::pyramids() const {
-  std::call_once(shared_->pyramids_made, [&] {
+  shared_->pyramids_made([&] {
     std::vector<Pyramid> made;
     made.reserve(shared_->assets.textures.size());
     for (const Texture& texture : shared_->assets.textures) {

@@ -63,8 +63,7 @@ void set_rectangle(RenderLight& ready, const Light& light, const glm::dvec3& dir
 class LitNodes {
  public:
   LitNodes(const Scene& scene, const TemplateNames& names)
-      : scene_(scene),
-        parent_(scene.nodes.size(), none),
+      : parent_(scene.nodes.size(), none),
         instances_(scene.templates.size()),
         template_of_(scene.nodes.size(), none),
         lit_(scene.nodes.size()) {
@@ -108,7 +107,6 @@ class LitNodes {
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  const Scene& scene_;
   std::vector<NodeId> parent_;
   std::vector<std::vector<NodeId>> instances_;  // of each template
   std::vector<std::uint32_t> template_of_;      // of each node that is the head of one

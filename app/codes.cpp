@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace scenefile::app {
@@ -32,9 +33,8 @@ std::vector<const Code*> collect() {
       &render_no_directional_light,
   };
   // clang-format on
-  for (const auto& room :
-       {format_codes(), scene_codes(), asset_codes(), view_codes(), export_codes(),
-                           import_codes()}) {
+  for (const auto& room : {format_codes(), scene_codes(), asset_codes(), view_codes(),
+                           export_codes(), import_codes()}) {
     codes.insert(codes.end(), room.begin(), room.end());
   }
   std::sort(codes.begin(), codes.end(),
@@ -61,9 +61,15 @@ std::span<const std::string_view> code_names() {
 }
 
 const Code* find_code(std::string_view name) {
+  // Codes with the word "misspelled" were spelled this way at first.
+  static constexpr std::string_view old_word = "misspelt";
+  std::string today(name);
+  if (const std::size_t at = today.find(old_word); at != std::string::npos) {
+    today.replace(at, old_word.size(), "misspelled");
+  }
   const auto codes = all_codes();
   const auto found =
-      std::find_if(codes.begin(), codes.end(), [&](const Code* c) { return c->name == name; });
+      std::find_if(codes.begin(), codes.end(), [&](const Code* c) { return c->name == today; });
   return found == codes.end() ? nullptr : *found;
 }
 

@@ -32,20 +32,20 @@ inline constexpr Code realtime_not_drawn{
 
 inline constexpr Code convert_comments{
     "convert.comments", Severity::note, "comments are not carried over",
-    "A scene is written from what it means, and comments have no meaning; JSON has none at all. "
-    "scenefile format lays out a file with its comments."};
+    "A scene is written from its meaning, and comments have none; JSON has no comments at all. "
+    "scenefile format lays out a file and keeps its comments."};
 
 inline constexpr Code convert_file_left_behind{
     "convert.file-left-behind", Severity::warning, "a texture or mesh stays in another folder",
-    "Files are looked for in the folder of the scene and in a few folders beside it. The converted "
-    "scene lies in another folder, from which this file is not found. Copy the file to the same "
-    "place there, write the output beside the input, or name the old folder with --asset-root "
-    "whenever the new scene is used."};
+    "Files are looked for in the folder of the scene and in a few folders next to it. The "
+    "converted scene is in another folder, from which this file is not found. Copy the file to the "
+    "corresponding place, write the output next to the input, or give the old folder with "
+    "--asset-root whenever you use the new scene."};
 
 inline constexpr Code convert_file_renamed{
     "convert.file-renamed", Severity::note, "a texture or mesh has another path in the output",
-    "File names are relative to the folder of the scene. The output lies in another folder, so the "
-    "path is written anew, to lead to the same file from there."};
+    "File names are relative to the folder of the scene. The output is in another folder, so the "
+    "path is changed to lead to the same file from there."};
 
 /// Sorted by name.
 std::span<const Code* const> all_codes();

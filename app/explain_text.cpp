@@ -317,7 +317,7 @@ class Explanation {
 
   Item shadow_item(const LightSample& l) const {
     if (l.blockers.empty()) {
-      return {"shadow   nothing is in the way", {}};
+      return {"shadow   no occluder", {}};
     }
     Item item{"shadow   leaves " + numbers(l.visibility), {}};
     for (const Blocker& blocker : l.blockers) {

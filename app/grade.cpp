@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr double default_min_psnr_db = 40;
 
 const std::vector<std::string_view> picture_endings{".png", ".jpg", ".jpeg",
-                                                     ".gif", ".tga", ".bmp"};
+                                                    ".gif", ".tga", ".bmp"};
 const std::vector<std::string_view> scene_endings{".xml", ".json"};
 
 // A folder for each student, or one folder with the pictures of one.
@@ -68,7 +68,8 @@ class Grader {
   // What was looked for and what there is, for a class of which no picture has the right name.
   std::string nothing_matches() const {
     return fmt::format(
-        "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, {}_gen.png "
+        "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
+        "{}_gen.png "
         "and FOLDER_{}.png, and so on, in all folders",
         seen_, quoted(options_.arguments.front(), 400), references_.size(),
         quoted(options_.references, 400), escaped(references_.front().name),
@@ -95,7 +96,7 @@ class Grader {
       references_.push_back(std::move(reference));
     }
     if (references_.empty()) {
-      say_error(fmt::format("{} holds no pictures", quoted(options_.references, 400)));
+      say_error(fmt::format("{} contains no pictures", quoted(options_.references, 400)));
       return ExitCode::environment;
     }
     return ExitCode::fine;
@@ -161,10 +162,9 @@ class Grader {
       return result;
     }
     context_.phase = "comparing the pictures";
-    const Judgement judgement =
-        judge(reference.picture.picture, picture.picture,
-              reference.scene ? &*reference.scene : nullptr, options_, progress,
-              by_causes_ ? LookForCauses::always : LookForCauses::where_broken);
+    const Judgement judgement = judge(
+        reference.picture.picture, picture.picture, reference.scene ? &*reference.scene : nullptr,
+        options_, progress, by_causes_ ? LookForCauses::always : LookForCauses::where_broken);
     result.measures = judgement.measures;
     result.reasons = judgement.broken;
     result.causes = judgement.causes.claims;
@@ -178,18 +178,18 @@ class Grader {
     return result;
   }
 
-  // Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges and
-  // rounding alone pass.
+  // Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges
+  // and rounding alone pass.
   static void follow_causes(const Judgement& judgement, PictureResult& result) {
     const CauseReport& report = judgement.causes;
-    const bool mistake =
-        std::any_of(report.claims.begin(), report.claims.end(),
-                    [](const Claim& c) { return c.cause != Cause::rounding; });
+    const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),
+                                     [](const Claim& c) { return c.cause != Cause::rounding; });
     if (mistake) {
       result.verdict = Verdict::differs;
       if (result.reasons.empty()) {
-        result.reasons = {fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
-                                      judgement.measures.difference.psnr_db)};
+        result.reasons = {
+            fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
+                        judgement.measures.difference.psnr_db)};
       }
     } else if (report.partial.empty() && report.share_different < 0.001) {
       result.verdict = Verdict::passed;
@@ -268,9 +268,8 @@ ExitCode write_text(const std::string& path, const std::string& text) {
 }
 
 ExitCode check_places(const Options& options) {
-  for (const std::string& folder :
-       {options.arguments.front(), options.references,
-        options.scenes.empty() ? options.references : options.scenes}) {
+  for (const std::string& folder : {options.arguments.front(), options.references,
+                                    options.scenes.empty() ? options.references : options.scenes}) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
       say_error(fmt::format("{} is not a folder that can be read", quoted(folder, 400)));

@@ -34,9 +34,9 @@ constexpr std::array table{
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},
     Command{"check", for_check, "SCENE...", "report every mistake, with its place",
-            "Reads each scene with its textures and meshes and reports everything that is wrong "
-            "or doubtful. A folder stands for the scenes in it and in the folders below. The exit "
-            "status is 0 when there are no errors.",
+            "Reads each scene with its textures and meshes and reports everything that is wrong or "
+            "doubtful. A folder means the scenes in it and in the folders below. The exit status "
+            "is 0 when there are no errors.",
             "scenefile check *.xml\n"
             "scenefile check handed-in/\n"
             "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"
@@ -45,18 +45,18 @@ constexpr std::array table{
             "scenefile check --sarif *.xml > findings.sarif",
             run_check, one_or_more},
     Command{"info", for_info, "SCENE", "say what is in a scene",
-            "Counts what the scene holds, before and after templates are copied, and says where "
-            "its textures and meshes were found.",
+            "Counts what the scene contains, before and after templates are expanded, and says "
+            "where its textures and meshes were found.",
             "scenefile info chess.xml\n"
             "scenefile info --files --tree chess.xml\n"
             "scenefile info --json chess.xml",
             run_info},
     Command{"convert", for_convert, "IN OUT", "write a scene in the other format, or cleanly",
             "Reads a scene in any dialect and writes it as clean XML or JSON that means the same, "
-            "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF models, too, and writes their "
-            "meshes and textures beside the scene. "
-            "What the format cannot say as it stands is listed. Comments are not carried over. "
-            "Texture and mesh names are written anew when OUT lies in another folder.",
+            "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF models, too, "
+            "and writes their meshes and textures beside the scene. Whatever the target format "
+            "cannot express is listed. Comments are not carried over. Texture and mesh names are "
+            "adjusted if OUT is in another folder.",
             "scenefile convert chess.xml chess.json\n"
             "scenefile convert old.xml new.xml\n"
             "scenefile convert --compat course old.xml new.xml\n"
@@ -87,9 +87,9 @@ constexpr std::array table{
     Command{"format", for_format, "FILE...", "lay out scene files, in place",
             "Writes each file again with one element or member a line. Comments, values, their "
             "order and spelling, and the encoding stay as they are; broken files are reported and "
-            "left alone. A file is replaced whole or not at all. A folder stands for the scenes in "
-            "it and in the folders below; other XML and JSON files are not touched. With -, "
-            "standard input is written to standard output.",
+            "left alone. A file is replaced whole or not at all. A folder means the scenes in it "
+            "and in the folders below; other XML and JSON files are not touched. With -, standard "
+            "input is written to standard output.",
             "scenefile format chess.xml\n"
             "scenefile format scenes/\n"
             "scenefile format --check *.xml *.json\n"
@@ -97,14 +97,14 @@ constexpr std::array table{
             run_format, one_or_more},
     Command{"explain", for_explain, "SCENE --pixel X,Y", "say how a pixel came to its color",
             "Traces the samples of one pixel as render does with the same options, and shows "
-            "everything that one of them came to: the ray, the object, each light's terms, what "
-            "is in the way, mirrors and glass. The numbers add up to the pixel.",
+            "everything that one of them came to: the ray, the object, each light's terms, "
+            "shadows, reflections and refractions. The numbers add up to the pixel.",
             "scenefile explain chess.xml --pixel 320,240 --size 640x480\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
     Command{"view", for_view, "SCENE [REFERENCE]", "look at a scene in a window",
-            "Shows the scene, or the scenes of a folder, in a window: fly through it, change the "
+            "Shows the scene, or the scenes of a folder, in a window: move through it, edit the "
             "file and see the change, select objects, trace rays, compare with a picture. F1 in "
             "the window lists all keys.",
             "scenefile view chess.xml\n"
@@ -114,9 +114,7 @@ constexpr std::array table{
             "xvfb-run -a scenefile view chess.xml --screenshot window.png",
             run_view, one_or_two},
     Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
-            "Explains a command, or the code that stands in brackets behind a finding; codes lists "
-            "all of "
-            "them.",
+            "Explains a command, or the code in brackets after a finding; codes lists all of them.",
             "scenefile help render\n"
             "scenefile help codes\n"
             "scenefile help camera.up-parallel-to-look",

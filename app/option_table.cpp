@@ -185,7 +185,7 @@ std::string set_features(Options& options, const std::string& value) {
     return {};
   }
   if (unknown == "all" || unknown == "none") {
-    return fmt::format("{} stands alone, without other words", unknown);
+    return fmt::format("{} cannot be combined with other words", unknown);
   }
   std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
   words.insert(words.end(), {"all", "none"});
@@ -217,8 +217,8 @@ std::string set_completion(Options& options, const std::string& value) {
 std::string set_deny(Options& options, const std::string& value) {
   if (value == "warnings") {
     options.deny_warnings = true;
-  } else if (find_code(value) != nullptr) {
-    options.denied_codes.push_back(value);
+  } else if (const Code* const code = find_code(value); code != nullptr) {
+    options.denied_codes.emplace_back(code->name);
   } else {
     return fmt::format("{} is neither warnings nor a code{}", quoted(value),
                        did_you_mean(value, code_names()));
@@ -234,7 +234,7 @@ std::string set_allow(Options& options, const std::string& value) {
   if (code->severity == Severity::error) {
     return fmt::format("{} is an error: a scene that has it cannot be used", value);
   }
-  options.allowed_codes.push_back(value);
+  options.allowed_codes.emplace_back(code->name);
   return {};
 }
 
@@ -298,7 +298,7 @@ std::string set_crop(Options& options, const std::string& value) {
   }
   return crop.width() > 0 && crop.height() > 0
              ? std::string()
-             : fmt::format("{} holds no pixel: x1 and y1 must be larger than x0 and y0",
+             : fmt::format("{} contains no pixels: x1 and y1 must be larger than x0 and y0",
                            quoted(value));
 }
 
@@ -377,8 +377,8 @@ constexpr std::array table{
         for_explain,
         [](Options& o, const std::string& v) { return set_number(v, 0U, 0x7fffffffU, o.sample); }},
     OptionRow{"--engine", "", "NAME",
-              "trace (default): the ray tracer. gl: OpenGL, without a window and in a moment, but "
-              "without mirrors, bent light and lens.",
+              "trace (default): the ray tracer. gl: OpenGL, fast and without a window, but without "
+              "reflections, refraction and depth of field.",
               for_render, set_engine},
     OptionRow{"--profile",
               "",
@@ -418,24 +418,24 @@ constexpr std::array table{
               for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
-        "Most samples a pixel, for the profile fine (default 16; with --engine gl 1, 4, 16 or 64, "
-        "by default 4, or 16 where most objects are a few pixels wide).",
+        "Largest number of samples per pixel, for the profile fine (default 16; with --engine gl "
+        "1, 4, 16 or 64, by default 4, or 16 where most objects are a few pixels wide).",
         for_tracing,
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
         "samples"},
     OptionRow{
         "--fresnel", "", "",
-        "Glass mirrors the share of light that Fresnel's equations say, for the profile fine.",
+        "Glass reflects the share of light that Fresnel's equations give, for the profile fine.",
         for_tracing, set_render_flag<&RenderOptions::fresnel>, "fresnel"},
     OptionRow{
         "--max-depth", "", "N",
-        "Most reflections and refractions behind each other (default: fine 16, course 4).",
+        "Largest number of reflections and refractions in a row (default: fine 16, course 4).",
         for_tracing | for_convert | for_pictures | for_view,
         [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.render.max_depth); },
         "max_depth"},
     OptionRow{
         "--threads", "", "N",
-        "Threads (default: one a processor). The picture does not depend on it.",
+        "Number of threads (default: one per processor). The picture does not depend on it.",
         for_tracing | for_pictures | for_view,
         [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.render.threads); },
         "threads"},
@@ -451,8 +451,8 @@ constexpr std::array table{
     OptionRow{"--heatmap", "", "OUT", "Write a picture of the differences: a .png.", for_diff,
               set_png<&Options::heatmap>},
     OptionRow{"--sheet", "", "OUT",
-              "Write both pictures, their differences and FLIP beside each other: a .png.",
-              for_diff, set_png<&Options::sheet>},
+              "Write both pictures, their differences and FLIP side by side: a .png.", for_diff,
+              set_png<&Options::sheet>},
     OptionRow{"--references", "", "DIR", "The folder of the right pictures. Needed.", for_grade,
               set_name<&Options::references>},
     OptionRow{"--scenes", "", "DIR",
@@ -493,22 +493,22 @@ constexpr std::array table{
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
     OptionRow{"--checkpoint", "", "FILE",
-              "Keep the state of the work in this file, at most 10 seconds old, and go on from it "
-              "where it exists. It is removed when the picture is written.",
+              "Save the state of the render in this file, at least every 10 seconds, and continue "
+              "from it if it exists. It is removed when the picture is written.",
               for_render, set_checkpoint, "", known_to_tracer},
     OptionRow{"--crop", "", "X0,Y0,X1,Y1",
               "Only the pixels from column X0 and row Y0 up to, but without, X1 and Y1 (row 0 on "
               "top), exactly as they are in the whole picture; the file has the size of the part.",
               for_render, set_crop, "crop"},
     OptionRow{"--aov", "", "LIST",
-              "Layers beside the picture, separated by commas: depth, normal, uv, albedo, "
+              "Layers in addition to the picture, separated by commas: depth, normal, uv, albedo, "
               "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
               "for x.png into x.depth.png and so on.",
               for_render, set_layers, "layers"},
-    OptionRow{"--denoise", "", "",
-              "Take away the noise that few samples of area lights and lenses leave, for the "
-              "profile fine.",
-              for_render, set_render_flag<&RenderOptions::denoise>, "denoise"},
+    OptionRow{
+        "--denoise", "", "",
+        "Remove the noise that few samples of area lights and lenses leave, for the profile fine.",
+        for_render, set_render_flag<&RenderOptions::denoise>, "denoise"},
     OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
               set_window},
     OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
@@ -524,28 +524,27 @@ constexpr std::array table{
               "the steps.",
               for_view, set_name<&Options::script>},
     OptionRow{"--preview", "", "FILE",
-              "Write the picture as far as it is to this file, whole, every two seconds.",
-              for_render, set_preview, "", known_to_tracer},
-    OptionRow{"--compat", "", "NAME",
-              "course: read as the course's programs did where the format says otherwise: every "
-              "object of a transblock, transforms behind it, the numeric start of a malformed "
-              "number.",
-              for_all_readers | for_pictures | for_view, set_compat},
+              "Write the unfinished picture to this file every two seconds.", for_render,
+              set_preview, "", known_to_tracer},
+    OptionRow{
+        "--compat", "", "NAME",
+        "course: read as the course's programs did where the format says otherwise: every object "
+        "of a transblock, transforms after it, the numeric prefix of a malformed number.",
+        for_all_readers | for_pictures | for_view, set_compat},
     OptionRow{"--asset-root", "", "DIR",
               "Look for textures and meshes in this folder too. May be given several times; "
               "docs/assets.md has the rules.",
               for_all_readers | for_pictures | for_view, add_asset_root},
-    OptionRow{
-        "--allow-outside", "", "",
-        "Open textures and meshes wherever the scene says, not only in its folder, the folders "
-        "for images and meshes beside that, and the asset roots.",
-        for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
-    OptionRow{"--allow-missing", "", "", "Draw without the meshes that cannot be used.",
+    OptionRow{"--allow-outside", "", "",
+              "Open textures and meshes wherever the scene says, not only in its folder, the "
+              "folders for images and meshes next to it, and the asset roots.",
+              for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
+    OptionRow{"--allow-missing", "", "", "Draw the scene without meshes that cannot be used.",
               for_tracing | for_check | for_view, set_flag<&Options::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
               set_flag<&Options::assets, false>},
-    OptionRow{"--strict", "", "", "Spellings that only some programs read are errors.", for_check,
-              set_flag<&Options::strict>},
+    OptionRow{"--strict", "", "", "Treat spellings that only some programs accept as errors.",
+              for_check, set_flag<&Options::strict>},
     OptionRow{
         "--deny", "", "WHAT",
         "warnings: every warning is an error. A code: findings of this code are errors. May be "
@@ -558,14 +557,15 @@ constexpr std::array table{
               "Change nothing; name the files that would be changed. The exit status is then 1.",
               for_format, set_flag<&Options::check>},
     OptionRow{"--limit", "", "NAME=VALUE",
-              "Set a limit on what a file may hold; \"scenefile help limits\" lists them. May be "
-              "given several times.",
+              "Set a limit on what a file may contain; \"scenefile help limits\" lists them. May "
+              "be given several times.",
               for_all_readers | for_pictures | for_format | for_view, set_limit_option},
     OptionRow{"--max-memory", "", "BYTES",
-              "Use no more memory, such as 800M or 4G (default: 80 % of what the system allows).",
+              "Use at most this much memory, such as 800M or 4G (default: 80 % of what the system "
+              "allows).",
               for_all_readers | for_pictures | for_format | for_view, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
-              "Give up with status 4 after so much time, without an output.",
+              "Stop with exit status 4 after this time, without an output.",
               for_all_readers | for_pictures | for_format | for_view, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",

@@ -148,7 +148,8 @@ std::string choose_format(Options& options) {
                      [&](std::string_view word) { return extension == fmt::format(".{}", word); });
     if (found == format_words.end()) {
       return fmt::format(
-          "the name {} does not say the format; end it in .xml, .json, .glb, .gltf, .obj or .pov, or "
+          "the name {} does not say the format; end it in .xml, .json, .glb, .gltf, .obj or .pov, "
+          "or "
           "give --to",
           quoted(output, 400));
     }
@@ -156,7 +157,7 @@ std::string choose_format(Options& options) {
   }
   if (options.to != ConvertTo::pov &&
       (was_given(options, "--features") || was_given(options, "--max-depth"))) {
-    return "--features and --max-depth are for POV-Ray files; scene files do not hold them";
+    return "--features and --max-depth are for POV-Ray files; scene files do not contain them";
   }
   return {};
 }

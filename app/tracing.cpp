@@ -69,8 +69,7 @@ Outcome judge(RenderStatus status, const Context& context) {
     case RenderStatus::not_resumed:
       return {ExitCode::findings, "the checkpoint is of another picture"};
     case RenderStatus::limit_reached:
-      return {ExitCode::limit,
-              "copies of templates lie deeper inside each other than can be traced"};
+      return {ExitCode::limit, "templates are nested deeper than can be traced"};
     case RenderStatus::failed:
       if (context.max_memory != 0) {
         return {ExitCode::limit,

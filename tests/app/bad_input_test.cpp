@@ -36,7 +36,7 @@ TEST(BadInput, AMatrixWithARowTwiceIsCalledThat) {
       check(with_transform("<matrix>" + row + row + third + last + "</matrix>"));
   EXPECT_EQ(twice.status, 0);
   EXPECT_THAT(twice.out, HasSubstr("warning: matrix with its rows 1 and 2 the same leaves no "
-                                   "volume; what stands in it is not drawn [transform.flat]"));
+                                   "volume; objects inside it are not drawn [transform.flat]"));
   const ProgramRun no_last =
       check(with_transform("<matrix>" + row + last + third + third + "</matrix>"));
   EXPECT_THAT(no_last.out, HasSubstr("the last row of the matrix is 0 0 1 0; the third row stands "

@@ -235,7 +235,7 @@ TEST_F(Grade, WhatIsMissing) {
   std::filesystem::create_directory(folder.path("empty"));
   const ProgramRun run = in_folder({"grade", ".", "--references", "empty"});
   EXPECT_EQ(run.status, 3);
-  EXPECT_THAT(run.err, HasSubstr("\"empty\" holds no pictures"));
+  EXPECT_THAT(run.err, HasSubstr("\"empty\" contains no pictures"));
   const ProgramRun no_scenes =
       in_folder({"grade", ".", "--references", ".", "--scenes", "nowhere"});
   EXPECT_EQ(no_scenes.status, 3);

@@ -34,6 +34,20 @@ TEST(Usage, SuggestsTheCommandThatWasMeant) {
   is_misuse({}, "scenefile render SCENE");
 }
 
+TEST(Usage, TakesTheOldSpellingOfCodes) {
+  const ProgramRun today = run_program({"help", "xml.misspelled-element"});
+  EXPECT_THAT(today.out, HasSubstr("xml.misspelled-element: "));
+  EXPECT_EQ(run_program({"help", "xml.misspelt-element"}).out, today.out);
+  const std::string folder = SCENEFILE_SOURCE "/tests/fixtures/format/";
+  const std::string scene = folder + "xml.misspelled-transblock.xml";
+  EXPECT_THAT(run_program({"check", scene}).err + run_program({"check", scene}).out,
+              HasSubstr("xml.misspelled-transblock"));
+  const ProgramRun allowed = run_program({"check", scene, "--allow", "xml.misspelt-transblock"});
+  EXPECT_EQ(allowed.status, 0);
+  EXPECT_THAT(allowed.out + allowed.err, ::testing::Not(HasSubstr("[xml.misspelled-transblock]")));
+  EXPECT_EQ(run_program({"check", scene, "--deny", "xml.misspelt-transblock"}).status, 1);
+}
+
 TEST(Usage, SuggestsTheOptionThatWasMeant) {
   is_misuse({"render", "a.xml", "-o", "b.png", "--sise=3x4"},
             "render has no option --sise; did you mean --size?");
@@ -64,12 +78,13 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--size", "4x4x4"), R"("4x4" is not a whole number)");
   is_misuse(render("--profile", "curse"),
             R"(--profile: unknown profile "curse"; did you mean course?)");
-  is_misuse(render("--profile", "nice"), R"(unknown profile "nice"; known: course, fine, realtime)");
+  is_misuse(render("--profile", "nice"),
+            R"(unknown profile "nice"; known: course, fine, realtime)");
   is_misuse(render("--engine", "embree"), R"(unknown engine "embree"; known: trace, gl)");
   is_misuse(render("--mode", "rays"), "did you mean ray?");
   is_misuse(render("--features", "shadows,reflection"), R"(unknown feature "reflection"; )");
   is_misuse(render("--features", "shadow"), "did you mean shadows?");
-  is_misuse(render("--features", "shadows,none"), "--features: none stands alone");
+  is_misuse(render("--features", "shadows,none"), "--features: none cannot be combined");
   is_misuse(render("--samples", "0"), R"(--samples: "0" is not a whole number from 1)");
   is_misuse(render("--max-depth", "65"), "from 0 to 64");
   is_misuse(render("--threads", "-1"), "--threads");

@@ -64,8 +64,8 @@ TEST(HostileImage, PngThatLiesAboutItsSize) {
     const char* error;
     bool over_limit;
   } cases[] = {
-      {0, 4, "PNG of 0 x 4 pixels: that is no pixel at all", false},
-      {4, 0, "PNG of 4 x 0 pixels: that is no pixel at all", false},
+      {0, 4, "PNG of 0 x 4 pixels: an image needs at least one pixel", false},
+      {4, 0, "PNG of 4 x 0 pixels: an image needs at least one pixel", false},
       {0x7fffffff, 0x7fffffff, "the limit is 16384 pixels on a side", true},
       {0xffffffff, 0xffffffff, "the limit is 16384 pixels on a side", true},
       {16385, 1, "the limit is 16384 pixels on a side", true},
@@ -228,22 +228,22 @@ TEST(HostileImage, GifByHand) {
 TEST(HostileImage, GifThatMakesNoSense) {
   const std::string pixels("\x02\x03\x0c\x12\x05\x00", 6);
   const std::pair<std::string, const char*> cases[] = {
-      {gif(2, 2, ";"), "it holds no image"},
-      {gif(2, 2, ""), "it holds no image"},
+      {gif(2, 2, ";"), "it contains no image"},
+      {gif(2, 2, ""), "it contains no image"},
       {gif(2, 2,
            std::string("!\xfe\x03"
                        "abc\0",
                        7)),
-       "it holds no image"},
+       "it contains no image"},
       {gif(2, 2, frame(1, 0, 2, 2, pixels)), "reaches beyond the image"},
       {gif(2, 2, frame(0, 0, 0, 2, pixels)), "empty or reaches"},
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x0c") + pixels.substr(1))),
        "impossible number of bits"},
-      {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\xfc\x00", 4))), "impossible code"},
+      {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\xfc\x00", 4))), "invalid code"},
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\x1c\x00", 4))), "palette"},
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\x0c\x00", 4))), "ends early"},
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\x2c\x00", 4))), "ends early"},
-      {gif(0, 2, frame(0, 0, 2, 2, pixels)), "no pixel at all"},
+      {gif(0, 2, frame(0, 0, 2, 2, pixels)), "at least one pixel"},
       {gif(16000, 16000, frame(0, 0, 2, 2, pixels)), "so many cannot be in"},
       {gif(65535, 65535, ";"), "16384 pixels on a side"},
   };
@@ -271,7 +271,7 @@ TEST(HostileImage, BmpThatMakesNoSense) {
       {bmp(58, 40, 2, 2, 8, 0, 1), "beyond the end of the palette"},
       {bmp(4000000000u, 40, 2, 2, 24, 0, 0), "so many cannot be in"},
       {bmp(54, 40, 2, 30, 24, 0, 0), "so many cannot be in"},
-      {bmp(54, 40, 0x80000000u, 2, 24, 0, 0), "no pixel at all"},
+      {bmp(54, 40, 0x80000000u, 2, 24, 0, 0), "at least one pixel"},
       {bmp(54, 40, 2, 0x80000000u, 24, 0, 0), "pixels on a side"},
       {bmp(54, 40, 0x7fffffff, 0x7fffffff, 32, 0, 0), "pixels on a side"},
   };

@@ -90,7 +90,7 @@ TEST(ReadObj, ErrorsNameTheirPlace) {
       {triangle + "f 1 2 2147483648\n", "4:7 mesh.index there is no vertex 2147483648"},
       {triangle + "f 1 2 4294967299\n", "4:7 mesh.index there is no vertex 4294967299"},
       {triangle + "f / 2 3\n", "4:3 mesh.index in the corner \"/\": it names no vertex"},
-      {triangle + "f 1///1 2 3\n", "4:3 mesh.index \"1///1\" is no corner"},
+      {triangle + "f 1///1 2 3\n", "4:3 mesh.index \"1///1\" is not a corner"},
       {triangle + "f 1/2 2 3\n", "4:3 mesh.index in the corner \"1/2\": there is no uv 2: "},
       {triangle + "f 1//1 2 3\n", "4:3 mesh.index in the corner \"1//1\": there is no normal 1"},
       {triangle + "f 1 \\\n 2 \\\n x\n", "6:2 mesh.index \"x\" is not"},

@@ -128,7 +128,8 @@ TEST(EditCamera, RefusesWhatItCannotSay) {
   EXPECT_THAT(edit_camera(wide, camera, {}).refused, HasSubstr("UTF-16"));
   const std::string repaired = replaced(json, "4.5e1", "45.");
   const ReadOptions compat{.compat_course = true, .limits = {}};
-  EXPECT_THAT(edit_camera(repaired, camera_at({4, 2, 3}), compat).refused, HasSubstr("no JSON"));
+  EXPECT_THAT(edit_camera(repaired, camera_at({4, 2, 3}), compat).refused,
+              HasSubstr("not valid JSON"));
 }
 
 TEST(EditCamera, LatinLettersStay) {

@@ -259,7 +259,7 @@ TEST(JsonReader, ExtensionsAreNamedAndSkipped) {
   EXPECT_EQ(r.child(0).primitives.size(), 1u);
 }
 
-TEST(JsonReader, MisspeltTypesAreErrors) {
+TEST(JsonReader, MisspelledTypesAreErrors) {
   for (const char* type : {"Cube", "sphre", "cub", "two words", "a\\nb", ""}) {
     const Reading r = read_primitive(fmt::format("{{\"type\": \"{}\"}}", type));
     EXPECT_TRUE(r.diagnostics.has_errors()) << type;
@@ -268,13 +268,13 @@ TEST(JsonReader, MisspeltTypesAreErrors) {
             std::string::npos);
 }
 
-TEST(JsonReader, MisspeltKeysAreSuggested) {
+TEST(JsonReader, MisspelledKeysAreSuggested) {
   const Reading r = read_primitive(R"({"type": "cube", "Diffuse": [1, 0, 0]})");
   EXPECT_NE(r.all_messages().find("6:18 unknown key \"Diffuse\" in a primitive; did you mean "
                                   "\"diffuse\"?"),
             std::string::npos)
       << r.all_messages();
-  EXPECT_EQ(r.count(json_misspelt_key), 1u);
+  EXPECT_EQ(r.count(json_misspelled_key), 1u);
   EXPECT_TRUE(r.diagnostics.has_errors());
 }
 
@@ -290,12 +290,12 @@ TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
       {read_primitive(R"({"type": "cube", "color": [1, 0, 0]})"), "did you mean \"diffuse\"?"},
       {read_primitive(R"({"type": "cube", "scale": [1, 2, 1]})"), "transforms belong to the group"},
       {read_primitive(R"({"type": "box"})"), "did you mean \"cube\"?"},
-      {read_primitive(R"({"type": "spot"})"), "lights stand in the list \"lights\""},
+      {read_primitive(R"({"type": "spot"})"), "lights belong in the list \"lights\""},
       {read_light(R"({"type": "point", "color": [1, 1, 1], "attenuationCoeff": [1, 0, 0],
                       "position": [0, 1, 0]})"),
        "give the group a \"translate\""},
       {read_with_head(R"("groups": [], "lights": [])"), "put it into a group of \"groups\""},
-      {read_group(R"({"templateGroups": []})"), "beside \"groups\""}};
+      {read_group(R"({"templateGroups": []})"), "next to \"groups\""}};
   for (const auto& [r, hint] : cases) {
     EXPECT_EQ(r.diagnostics.list().size(), 1u) << r.all_messages();
     EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
@@ -386,7 +386,7 @@ TEST(JsonReader, CompatCourseReadsNumbersWithoutADigit) {
   const Reading r = read(text, options);
   EXPECT_EQ(r.count(json_number), 6u) << r.all_messages();
   EXPECT_EQ(r.diagnostics.count(Severity::warning), 6u);
-  EXPECT_NE(r.all_messages().find("4:46 a number with \".5\" is no JSON"), std::string::npos)
+  EXPECT_NE(r.all_messages().find("4:46 a number with \".5\" is not JSON"), std::string::npos)
       << r.all_messages();
   EXPECT_NE(r.all_messages().find("5:52 \"lights\" must be an array of lights, found the number 7"),
             std::string::npos)

@@ -44,13 +44,13 @@ TEST(JsonSyntax, NumbersSayHowToWriteThem) {
       {"{\"a\": 007.5}", json_number, {1, 7}, "write 7.5"},
       {"[01]", json_number, {1, 2}, "write 1.0"},
       {"{\"a\": 1e}", json_number, {1, 7}, "write 1.0"},
-      {"{\"a\": 0x1F}", json_number, {1, 7}, "\"0x1F\" is no JSON number; write 31"},
-      {"{\"a\": 45deg}", json_number, {1, 7}, "\"45deg\" is no JSON number; write 45"},
+      {"{\"a\": 0x1F}", json_number, {1, 7}, "\"0x1F\" is not a JSON number; write 31"},
+      {"{\"a\": 45deg}", json_number, {1, 7}, "\"45deg\" is not a JSON number; write 45"},
       {"{\"a\": [0, 1_000]}", json_number, {1, 11}, "write 1000"},
       {"{\"a\": --5}", json_number, {1, 7}, "write -5"},
-      {"{\"a\": 1.2.3}", json_number, {1, 7}, "\"1.2.3\" is no JSON number"},
-      {"{\"a\": -1,5}", json_number, {1, 7}, "\"-1,5\" is no JSON number; write -1.5"},
-      {"{\"a\": -}", json_number, {1, 7}, "\"-\" is no JSON number"},
+      {"{\"a\": 1.2.3}", json_number, {1, 7}, "\"1.2.3\" is not a JSON number"},
+      {"{\"a\": -1,5}", json_number, {1, 7}, "\"-1,5\" is not a JSON number; write -1.5"},
+      {"{\"a\": -}", json_number, {1, 7}, "\"-\" is not a JSON number"},
       {"{\"a\": NaN}", json_number, {1, 7}, "JSON has no \"NaN\""},
       {"{\"a\": -Infinity}", json_number, {1, 7}, "JSON has no \"-Infinity\""},
       {"{\"a\": 1e400}", json_number_range, {1, 7}, "too large"},
@@ -66,7 +66,7 @@ TEST(JsonSyntax, OnlyNumbersAreProposedAndOnlyShortOnes) {
     const Diagnostics diagnostics = diagnostics_of("{\"a\": " + word + "}");
     ASSERT_FALSE(diagnostics.list().empty());
     const std::string& message = diagnostics.list().front().message;
-    EXPECT_TRUE(message.ends_with("is no JSON number")) << message;
+    EXPECT_TRUE(message.ends_with("is not a JSON number")) << message;
     EXPECT_LT(message.size(), 100u);
   }
 }
@@ -77,19 +77,19 @@ TEST(JsonSyntax, CommasAndBrackets) {
       {"{\"a\": 1,\n}", json_trailing_comma, {1, 8}, "before the closing }"},
       {"{\"a\": 1,, \"b\": 2}", json_syntax, {1, 9}, "two commas"},
       {"[, 1]", json_syntax, {1, 2}, "a comma before the first"},
-      {"{\"a\": 1 \"b\": 2}", json_syntax, {1, 7}, "a comma is missing"},
-      {"[1 2]", json_syntax, {1, 2}, "a comma is missing"},
+      {"{\"a\": 1 \"b\": 2}", json_syntax, {1, 7}, "expected a comma after this"},
+      {"[1 2]", json_syntax, {1, 2}, "expected a comma after this"},
       {"{\"a\": [1, 2}}", json_syntax, {1, 12}, "the array that begins at line 1, column 7"},
       {"{\"a\": 1]", json_syntax, {1, 8}, "the object that begins at line 1, column 1"},
       {"{\"groups\": [\n\"name\": 1]}", json_syntax, {2, 7}, "the { in front of it is missing"},
       {"{\"a\": 0.5; \"b\": 1}", json_syntax, {1, 10}, "not by semicolons"},
       {"{\"a\" = 1}", json_syntax, {1, 6}, "not by ="},
       {"{\"a\" 1}", json_syntax, {1, 6}, "expected a colon"},
-      {"{\"a\": (1, 2)}", json_syntax, {1, 7}, "an array stands in square brackets"},
-      {"{\"a\": {{}}}", json_syntax, {1, 8}, "a list of objects stands in [ ]"},
+      {"{\"a\": (1, 2)}", json_syntax, {1, 7}, "an array is written in square brackets"},
+      {"{\"a\": {{}}}", json_syntax, {1, 8}, "a list of objects is written in [ ]"},
       {"{\"a\": 1/2}", json_syntax, {1, 8}, "does not calculate"},
-      {"{}}", json_after_end, {1, 3}, "behind the end"},
-      {"{} {}", json_after_end, {1, 4}, "behind the end"},
+      {"{}}", json_after_end, {1, 3}, "follows the end"},
+      {"{} {}", json_after_end, {1, 4}, "follows the end"},
   };
   for (const Case& c : cases) {
     expect_finding(c);
@@ -98,15 +98,15 @@ TEST(JsonSyntax, CommasAndBrackets) {
 
 TEST(JsonSyntax, WordsAndQuotes) {
   const Case cases[] = {
-      {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must stand in double quotes"},
+      {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must be in double quotes"},
       {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
       {"{\"a\": \"b, \"c\": 1}", json_syntax, {1, 12}, "an earlier string lacks its closing one"},
       {"{\u201Ca\u201D: 1}", json_syntax, {1, 2}, "a typographic quotation mark"},
       {"{\u00A0\"a\": 1}", json_syntax, {1, 2}, "a special blank, U+00A0"},
       {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},
       {"{\"a\": None}", json_syntax, {1, 7}, "None is written null"},
-      {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is no value"},
-      {"{\"a\": cube}", json_syntax, {1, 7}, "\"cube\" is no value"},
+      {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is not a value"},
+      {"{\"a\": cube}", json_syntax, {1, 7}, "\"cube\" is not a value"},
       {"{ // note\n}", json_comment, {1, 3}, "no comments"},
       {"{\"a\": 1 /* b */}", json_comment, {1, 9}, "no comments"},
       {"{\"a\": 1\n# b\n}", json_comment, {2, 1}, "no comments"},

@@ -226,9 +226,9 @@ TEST(Recovery, BothKindsOfMistakesAreFoundInXml) {
       ::testing::UnorderedElementsAre(
           "2:19 error xml.number", "2:64 error camera.up-zero", "3:3 error camera.height-angle",
           "4:24 error xml.light-type", "5:3 error light.direction-zero",
-          "7:37 error tree.unknown-template", "8:40 error xml.misspelt-shape",
-          "8:52 warning material.specular-without-shininess", "9:3 warning xml.misspelt-transblock",
-          "9:14 warning transform.flat"));
+          "7:37 error tree.unknown-template", "8:40 error xml.misspelled-shape",
+          "8:52 warning material.specular-without-shininess",
+          "9:3 warning xml.misspelled-transblock", "9:14 warning transform.flat"));
 }
 
 TEST(Recovery, BothKindsOfMistakesAreFoundInJson) {

@@ -83,7 +83,7 @@ const Codes positional{"warning xml.positional-attributes"};
 const Codes lacking{"error xml.missing-attribute"};
 const Codes unknown{"warning xml.unknown-attribute"};
 const Codes lacking_beside_unknown{"warning xml.unknown-attribute", "error xml.missing-attribute"};
-const Codes misspelt{"error xml.misspelt-attribute"};
+const Codes misspelled{"error xml.misspelled-attribute"};
 
 const std::vector<Rule> rules = {
     {"scene_in_other_case",
@@ -136,7 +136,7 @@ const std::vector<Rule> rules = {
      "<heightangle v=\"30\"/>",
      {"warning xml.alias-element"},
      "<hieghtangle v=\"30\"/>",
-     {"error xml.misspelt-element"}},
+     {"error xml.misspelled-element"}},
     {"heightangle_any_name", camera_with, "<heightangle deg=\"30\"/>", "<heightangle v=\"30\"/>",
      alias, "<heightangle v=\"30\" deg=\"30\"/>", unknown},
     {"aspectratio_is_left_out",
@@ -216,7 +216,7 @@ const std::vector<Rule> rules = {
      "",
      {"warning xml.ignored-element"},
      "<raduis v=\"1\"/>",
-     {"error xml.misspelt-element", "warning xml.ignored-element"}},
+     {"error xml.misspelled-element", "warning xml.ignored-element"}},
     {"type_and_id_of_a_light_as_attributes",
      with_top,
      "<lightdata id=\"1\" type=\"point\"><color r=\"1\" g=\"1\" b=\"1\"/>"
@@ -250,7 +250,7 @@ const std::vector<Rule> rules = {
      "<object type=\"primitive\" name=\"cube\"/>",
      {"warning xml.name-case"},
      "<object type=\"primitive\" name=\"qube\"/>",
-     {"error xml.misspelt-shape"}},
+     {"error xml.misspelled-shape"}},
     {"object_type_in_other_case",
      in_block,
      "<object type=\"Primitive\" name=\"cube\"/>",
@@ -265,11 +265,11 @@ const std::vector<Rule> rules = {
      {"warning xml.object-without-transblock"},
      "<diffuse r=\"1\" g=\"1\" b=\"1\"/>",
      {"warning xml.misplaced-element"}},
-    {"misspelt_transblock",
+    {"misspelled_transblock",
      in_root,
      "<tranblock><object type=\"primitive\" name=\"cube\"/></tranblock>",
      "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>",
-     {"warning xml.misspelt-transblock"},
+     {"warning xml.misspelled-transblock"},
      "<block><object type=\"primitive\" name=\"cube\"/></block>",
      {"warning xml.unknown-element"}},
     {"name_of_a_transblock", in_root,
@@ -284,7 +284,7 @@ const std::vector<Rule> rules = {
      "<scale x=\"1\" y=\"2\" z=\"3\"/>",
      positional,
      "<scale x=\"1\" sy=\"2\" sz=\"3\"/>",
-     {"error xml.misspelt-attribute", "error xml.misspelt-attribute"}},
+     {"error xml.misspelled-attribute", "error xml.misspelled-attribute"}},
     {"attribute_beside_a_vector", with_transforms, "<translate id=\"7\" x=\"1\" y=\"2\" z=\"3\"/>",
      "<translate x=\"1\" y=\"2\" z=\"3\"/>", unknown, "<translate x=\"1\" y=\"2\" z=\"3\"/>",
      nothing},
@@ -293,7 +293,7 @@ const std::vector<Rule> rules = {
      "<rotate x=\"0\" y=\"1\" z=\"0\" a=\"60\" angle=\"30\"/>", unknown},
     {"rotate_angle_any_name", with_transforms, "<rotate x=\"0\" y=\"1\" z=\"0\" theta=\"60\"/>",
      "<rotate x=\"0\" y=\"1\" z=\"0\" angle=\"60\"/>", alias,
-     "<rotate x=\"0\" y=\"1\" z=\"0\" anle=\"60\"/>", misspelt},
+     "<rotate x=\"0\" y=\"1\" z=\"0\" anle=\"60\"/>", misspelled},
     {"rotate_axis_any_names",
      with_transforms,
      "<rotate angle=\"60\" u=\"0\" v=\"1\" w=\"0\"/>",
@@ -352,14 +352,14 @@ const std::vector<Rule> rules = {
      "<reflective r=\"1\" g=\"1\" b=\"1\"/>",
      {"warning xml.alias-element"},
      "<reflectiv r=\"1\" g=\"1\" b=\"1\"/>",
-     {"error xml.misspelt-element"}},
+     {"error xml.misspelled-element"}},
     {"shine",
      with_material,
      "<shine v=\"5\"/>",
      "<shininess v=\"5\"/>",
      {"warning xml.alias-element"},
      "<shininesss v=\"5\"/>",
-     {"error xml.misspelt-element"}},
+     {"error xml.misspelled-element"}},
     {"shininess_value", with_material, "<shininess value=\"5\"/>", "<shininess v=\"5\"/>", alias,
      "<shininess value=\"5\" v=\"6\"/>", unknown},
     {"blend_value",
@@ -439,9 +439,10 @@ INSTANTIATE_TEST_SUITE_P(All, UnionGrammar, ::testing::ValuesIn(rules),
 // What only some programs read, --strict refuses.
 TEST(UnionGrammar, SpellingsOfSomeProgramsAreMarkedAsDialect) {
   const std::vector<std::string> dialects = {
-      "xml.alias-attribute",     "xml.alias-element",  "xml.positional-attributes",
-      "xml.name-case",           "xml.texture-blend",  "xml.object-without-transblock",
-      "xml.misspelt-transblock", "xml.attribute-order"};
+      "xml.alias-attribute",       "xml.alias-element",
+      "xml.positional-attributes", "xml.name-case",
+      "xml.texture-blend",         "xml.object-without-transblock",
+      "xml.misspelled-transblock", "xml.attribute-order"};
   std::size_t marked = 0;
   for (const Rule& rule : rules) {
     const Reading spelled = read(rule.frame(rule.spelled));

@@ -160,7 +160,7 @@ TEST(XmlDialect, ValuesInAWrongPlaceSayWhereTheyBelong) {
   EXPECT_EQ(of(with_top("<globaldata ka=\"0.5\"/>")),
             "2:13 unknown attribute ka of <globaldata> has no effect");
   EXPECT_THAT(of(in_root("<scale x=\"1\" y=\"1\" z=\"1\"/>")),
-              HasSubstr("it was ignored; transforms stand in a transblock"));
+              HasSubstr("it was ignored; transforms belong in a transblock"));
   EXPECT_THAT(of(with_transforms("<globaldata/>")), HasSubstr("in <scenefile>"));
   EXPECT_THAT(of(in_root("scale x=\"1\"/>")), HasSubstr("is the < of an element missing?"));
 }
@@ -276,7 +276,7 @@ TEST(XmlDialect, ARotationInOtherWords) {
   EXPECT_EQ(std::get<Rotate>(degrees.scene.nodes.at(1).transforms.at(0).map),
             (Rotate{{0, 1, 0}, 60}));
   EXPECT_THAT(findings(rotation("<rotate x=\"0\" y=\"1\" z=\"0\" anlge=\"60\"/>").diagnostics),
-              ElementsAre("4:27 error xml.misspelt-attribute"));
+              ElementsAre("4:27 error xml.misspelled-attribute"));
   EXPECT_TRUE(rotation("<rotate angle=\"60\"/>").scene.nodes.at(1).transforms.empty());
   EXPECT_THAT(messages(rotation("<rotate x=\"1\" angle=\"60\"/>").diagnostics),
               ElementsAre("4:1 <rotate> lacks attributes y, z"));
@@ -310,7 +310,7 @@ TEST(XmlDialect, MeshFilesInOtherWords) {
   EXPECT_EQ(reading.scene.nodes.at(1).primitives.at(0).mesh_file, "a.obj");
 }
 
-TEST(XmlDialect, MisspeltAttributesOfObjects) {
+TEST(XmlDialect, MisspelledAttributesOfObjects) {
   const auto of = [](std::string_view object) {
     return messages(read(in_root(fmt::format("<transblock>{}</transblock>", object))).diagnostics);
   };
@@ -371,10 +371,10 @@ TEST(XmlDialect, FalseCommentsAreForCompatCourse) {
                                      "<transblock><object type=\"primitive\" "
                                      "name=\"cubo\"/></transblock>");
     EXPECT_THAT(findings(read(text).diagnostics),
-                ElementsAre("3:1 error xml.comment", HasSubstr("error xml.misspelt-shape")))
+                ElementsAre("3:1 error xml.comment", HasSubstr("error xml.misspelled-shape")))
         << comment;
     EXPECT_THAT(findings(read_compat(text).diagnostics),
-                ElementsAre("3:1 warning xml.comment", HasSubstr("error xml.misspelt-shape")))
+                ElementsAre("3:1 warning xml.comment", HasSubstr("error xml.misspelled-shape")))
         << comment;
   }
 }

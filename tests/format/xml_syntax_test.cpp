@@ -59,7 +59,7 @@ TEST(XmlSyntax, AFileThatEndsInAComment) {
 TEST(XmlSyntax, OtherFaultsAreNamed) {
   const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
   EXPECT_EQ(one("<scale x=\"1\" x=\"2\"/>"), "4:14 attribute \"x\" is given twice");
-  EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" must stand in quotation marks");
+  EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" must be in quotation marks");
   EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
             "4:10 a typographic quotation mark, as word processors put it; use \" or '");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
@@ -80,7 +80,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));
   EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");
   EXPECT_EQ(one("<a\u00A0b=\"1\"/>"), "4:3 a special blank, U+00A0; use an ordinary one");
-  EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right behind a quotation mark"));
+  EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right after a quotation mark"));
 }
 
 TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
@@ -129,9 +129,10 @@ TEST(XmlSyntax, TheEndOfACommentHasNoGap) {
 }
 
 TEST(XmlSyntax, ADeclarationMustComeFirst) {
-  EXPECT_THAT(said("\n<?xml version=\"1.0\"?><scenefile/>"),
-              ElementsAre("2:1 <?xml ...?> must be the very first thing in the file; "
-                          "remove what stands before it"));
+  EXPECT_THAT(
+      said("\n<?xml version=\"1.0\"?><scenefile/>"),
+      ElementsAre(
+          "2:1 <?xml ...?> must be the very first thing in the file; remove everything before it"));
 }
 
 TEST(XmlSyntax, NothingFollowsTheScene) {

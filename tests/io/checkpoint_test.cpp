@@ -49,7 +49,7 @@ TEST(Checkpoint, SaysWhatItIsOf) {
   EXPECT_THAT(complaint(good, {1, 9, 3, 4}), HasSubstr("another scene"));
   EXPECT_THAT(complaint(good, {1, 2, 9, 4}), HasSubstr("other textures or meshes"));
   EXPECT_THAT(complaint(good, {1, 2, 3, 9}), HasSubstr("other options"));
-  EXPECT_THAT(complaint("<scenefile/>"), HasSubstr("no checkpoint"));
+  EXPECT_THAT(complaint("<scenefile/>"), HasSubstr("not a checkpoint"));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ inline constexpr Code texture_missing{
 inline constexpr Code texture_undecodable{
     "texture.undecodable", Severity::warning, "a texture file is not an image, or is damaged",
     "The object is shaded with its diffuse color instead. PNG, JPEG, GIF, TGA and uncompressed BMP "
-    "are read, whatever the name ends in. A file that is cut or fails its checksums is not used in "
-    "part: open it in an image editor and save it again as PNG."};
+    "are read, whatever the extension. A file that is truncated or fails its checksums is not "
+    "used: open it in an image editor and save it again as PNG."};
 
 inline constexpr Code texture_limit{
     "texture.limit", Severity::warning, "a texture is larger than the limits allow",
@@ -50,7 +50,7 @@ inline constexpr Code mesh_not_obj{
     Severity::error,
     "a file is not a Wavefront OBJ file",
     "Meshes are read from the text format of Wavefront: lines that begin with v, vt, vn and f. "
-    "Other formats (PLY, STL, FBX, glTF, binary .obj object code) have to be converted. A warning "
+    "Other formats (PLY, STL, FBX, glTF, binary .obj object code) must be converted. A warning "
     "with --allow-missing.",
     CodeKind::plain,
     Severity::warning};

@@ -46,7 +46,7 @@ std::string over_limits(const ImageHeader& header, const Limits& limits, std::ui
 // Why it is refused because no such file can exist, or nothing.
 std::string implausible(const ImageHeader& header, std::size_t bytes) {
   if (header.width == 0 || header.height == 0) {
-    return "that is no pixel at all";
+    return "an image needs at least one pixel";
   }
   if (bytes < header.least_bytes) {
     return fmt::format("so many cannot be in {} bytes: the file is cut or damaged", bytes);

@@ -210,7 +210,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
     const bool first = last == table.clear_code();
     const bool newest = code == table.size() && !first;
     if (code >= table.size() && !newest) {
-      return "it holds an impossible code";
+      return "it contains an invalid code";
     }
     // The string that is just being made begins and ends with the first color of the last one.
     std::uint8_t* begin = table.expand(newest ? last : code, newest ? end - 1 : end);
@@ -248,7 +248,7 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
   in.skip(1);
   const Palette shared = read_palette(in, flags);
   if (!find_image(in)) {
-    error = "it holds no image";
+    error = "it contains no image";
     return false;
   }
   Frame frame{in.u16(), in.u16(), in.u16(), in.u16(), false};

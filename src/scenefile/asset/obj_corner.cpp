@@ -68,7 +68,8 @@ std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lis
     }
     rest.remove_prefix(end + 1);
   }
-  why = fmt::format("{} is no corner: it has at most three parts, v/vt/vn", quoted(word));
+  why = fmt::format("{} is not a corner of a face: it has at most three parts, v/vt/vn",
+                    quoted(word));
   return std::nullopt;
 }
 

@@ -61,7 +61,7 @@ extern "C" void png_fetch(png_structp png, png_bytep to, png_size_t count) {
   }
   if (source->ending && png_get_io_chunk_type(png) == idat) {
     if (count > source->ample) {
-      png_error(png, "it holds far more data than pixels");
+      png_error(png, "it contains far more data than pixels");
     }
     source->ample -= count;
   }

@@ -74,7 +74,7 @@ class Remarks {
     if (facing < 0) {
       add(RemarkKind::seen_from_behind,
           fmt::format("the normal points away from the viewer (N.V = {:.4g}): the surface is seen "
-                      "from inside or behind; normals are never turned",
+                      "from inside or behind; normals are never flipped",
                       facing));
     }
     if (facing * shading < 0) {
@@ -97,7 +97,7 @@ class Remarks {
       add(RemarkKind::texture_hidden, "the material has a texture, but blend is 0: it is not seen");
     } else if (!s.texture.has_value()) {
       add(RemarkKind::texture_missing,
-          "the texture could not be loaded: the diffuse color stands in");
+          "the texture could not be loaded: the diffuse color is used instead");
     }
   }
 

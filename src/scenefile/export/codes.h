@@ -22,14 +22,15 @@ inline constexpr Code export_size_limit{
     "the scene.",
     CodeKind::limit};
 inline constexpr Code pov_approximate{
-    "pov.approximate", Severity::note, "POV-Ray says this in another way",
+    "pov.approximate", Severity::note, "POV-Ray expresses this differently",
     "The lighting equations differ: POV-Ray has one highlight strength for all colors, lets the "
-    "ambient light of a textured object take the texture's color, fades lights by one power of the "
-    "distance, and dims the surface of glass. The picture comes near, not equal."};
+    "ambient light of a textured object take the color of the texture, attenuates lights by a "
+    "single power of the distance, and dims the surface of glass. The pictures are similar, not "
+    "equal."};
 inline constexpr Code pov_lost{
-    "pov.lost", Severity::warning, "POV-Ray has no word for this",
-    "The scene is written without it. Textures of POV-Ray are files that it opens itself, so one "
-    "that cannot be found now is replaced by the diffuse color."};
+    "pov.lost", Severity::warning, "POV-Ray cannot express this",
+    "The scene is written without it. POV-Ray opens texture files itself, so a texture that cannot "
+    "be found now is replaced by the diffuse color."};
 
 /// All of the above, by name.
 std::span<const Code* const> export_codes();

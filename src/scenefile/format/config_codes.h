@@ -8,7 +8,7 @@ namespace scenefile {
 inline constexpr Code config_syntax{
     "config.syntax", Severity::error, "a line of the configuration cannot be read",
     "A line is a [section], a key = value, or a comment that starts with a semicolon. Values may "
-    "stand in double quotes, which end on their line."};
+    "be in double quotes, which must end on the same line."};
 inline constexpr Code config_backslash{
     "config.backslash", Severity::error, "a backslash that is no escape",
     "The course's reader (QSettings) takes a backslash for the start of an escape and loses what "
@@ -21,9 +21,9 @@ inline constexpr Code config_unknown_key{
     "texture-filter, super-sample, depthoffield; parallel and acceleration too, on which no pixel "
     "depends. Others have no effect."};
 inline constexpr Code config_key_case{
-    "config.key-case", Severity::warning, "a key of the configuration in other case",
-    "Names of sections and keys were read without regard to case. The course's program does so on "
-    "Windows only; elsewhere it does not see the key."};
+    "config.key-case", Severity::warning, "a key of the configuration in another case",
+    "Names of sections and keys were matched ignoring case. The course's program does so only on "
+    "Windows; elsewhere it does not find the key."};
 inline constexpr Code config_duplicate_key{"config.duplicate-key", Severity::warning,
                                            "a key of the configuration is given twice",
                                            "The last one counts. Delete the others."};
@@ -33,11 +33,10 @@ inline constexpr Code config_missing_key{
     "width and height in [Canvas]."};
 inline constexpr Code config_picture_format{
     "config.picture-format", Severity::warning, "the picture is written as PNG",
-    "The ending of output decides: .png, .exr or .pfm. Anything else becomes a PNG, whatever the "
-    "name says."};
+    "The extension of output decides: .png, .exr or .pfm. Any other extension gives a PNG."};
 inline constexpr Code config_value{
     "config.value", Severity::error, "a value of the configuration cannot be used",
     "Features are true or false (1 or 0); sizes are whole numbers of pixels. The course's program "
-    "takes every other word for true and every other number for 0."};
+    "reads every other word as true and every other number as 0."};
 
 }  // namespace scenefile

@@ -151,7 +151,8 @@ CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadO
   const bool json = syntax_of(text, found) == SceneFormat::json;
   const CameraSlots slots = json ? json_camera_slots(text) : xml_camera_slots(text);
   if (json && !slots.position) {
-    return refuse("the file has numbers that are no JSON, such as .5 or 1.; correct them first");
+    return refuse(
+        "the file has numbers that are not valid JSON, such as .5 or 1.; correct them first");
   }
   CameraWriter writer(text, slots);
   if (slots.missing) {
@@ -161,9 +162,10 @@ CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadO
   }
   std::string edited;
   if (!writer.apply(edited)) {
-    return refuse(slots.missing ? "the file has no <cameradata>, and no <globaldata> behind which "
-                                  "one could be put"
-                                : "the camera of the file lacks what the view needs");
+    return refuse(
+        slots.missing
+            ? "the file has no <cameradata>, and no <globaldata> after which one could be put"
+            : "the camera of the file lacks what the view needs");
   }
   edited.insert(0, bytes.substr(0, bytes.size() - text.size()));
   if (!is_as_wanted(edited, before, camera, options)) {

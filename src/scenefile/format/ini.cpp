@@ -119,14 +119,14 @@ void read_section(const Line& line, std::size_t start, std::string& section,
       trimmed(line.text.substr(start + 1, end == std::string_view::npos ? end : end - start - 1));
   if (end == std::string_view::npos) {
     diagnostics.report(config_syntax, line.at(start),
-                       fmt::format("the section {} needs a ] behind its name", quoted(section)));
+                       fmt::format("the section {} needs a ] after its name", quoted(section)));
     return;
   }
   const std::string_view rest = trimmed(line.text.substr(end + 1));
   if (!rest.empty() && rest.front() != ';') {
     diagnostics.report(
         config_syntax, line.at(end + 1),
-        fmt::format("found {} behind the section, expected the end of the line", quoted(rest)));
+        fmt::format("found {} after the section, expected the end of the line", quoted(rest)));
   }
 }
 

@@ -6,37 +6,35 @@
 namespace scenefile {
 
 inline constexpr Code json_syntax{
-    "json.syntax", Severity::error, "not JSON",
+    "json.syntax", Severity::error, "the file is not valid JSON",
     "The text breaks the rules of JSON at this place: a comma, colon, quote or bracket is missing "
-    "or "
-    "too many. Nothing behind it was read. Keys and strings stand in double quotes, members and "
+    "or extra. Nothing after it was read. Keys and strings are in double quotes; members and "
     "elements are separated by single commas."};
 inline constexpr Code json_truncated{
     "json.truncated", Severity::error, "the file ends too early",
-    "The file ends inside an object, an array or a string: it was cut off while it was copied or "
+    "The file ends inside an object, an array or a string: it was truncated when it was copied or "
     "saved, or a closing bracket is missing further up."};
 inline constexpr Code json_trailing_comma{
-    "json.trailing-comma", Severity::error, "a comma behind the last one",
-    "JSON allows commas between members and elements only. Remove the comma before the closing "
-    "bracket, or write what should follow it."};
+    "json.trailing-comma", Severity::error, "a comma after the last element",
+    "JSON allows commas only between members and elements. Remove the comma before the closing "
+    "bracket, or add the missing element."};
 inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
                                    "JSON has no comments. Remove it, or say it in a \"name\"."};
 inline constexpr Code json_number{
     "json.number",
     Severity::error,
-    "a number that JSON cannot say",
+    "a number that JSON does not allow",
     "JSON numbers have digits on both sides of the point and no leading zero or plus: 0.6 instead "
     "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal. "
-    "With --compat "
-    "course, a digit that is missing beside the point counts as 0, with a warning.",
+    "With --compat course, a missing digit next to the point counts as 0, with a warning.",
     CodeKind::plain,
     Severity::warning};
-inline constexpr Code json_number_range{
-    "json.number-range", Severity::error, "a number that is too large",
-    "Values are kept in single precision, which ends at about 3.4e38."};
+inline constexpr Code json_number_range{"json.number-range", Severity::error,
+                                        "a number that is too large",
+                                        "Values are kept in single precision, up to about 3.4e38."};
 inline constexpr Code json_number_underflow{
-    "json.number-underflow", Severity::warning, "a number that is too small to be kept",
-    "It is nearer to 0 than the least single precision number, about 1.4e-45, and counts as 0."};
+    "json.number-underflow", Severity::warning, "a number that is too small to be represented",
+    "It is closer to 0 than the smallest single-precision number, about 1.4e-45, and counts as 0."};
 inline constexpr Code json_conflict_marker{
     "json.conflict-marker", Severity::error, "an unresolved git conflict",
     "git left both versions of a part in the file, between lines of <<<<<<<, ======= and >>>>>>>. "
@@ -48,12 +46,12 @@ inline constexpr Code json_string{
     "beyond "
     "\\uffff need both halves of a surrogate pair."};
 inline constexpr Code json_after_end{
-    "json.after-end", Severity::error, "something behind the end",
-    "The first value is complete and more follows: two files in one, or a bracket too many."};
+    "json.after-end", Severity::error, "something after the end",
+    "The first value is complete and more follows: two files in one, or an extra bracket."};
 inline constexpr Code json_limit{
     "json.limit", Severity::error, "a limit is reached",
-    "Limits keep a mistaken or hostile file from taking all memory and time. They hold every scene "
-    "of the course with room to spare, and can be raised.",
+    "Limits keep a faulty or hostile file from taking all memory and time. They leave ample room "
+    "for every scene of the course, and can be raised.",
     CodeKind::limit};
 
 inline constexpr Code json_wrong_type{
@@ -66,23 +64,23 @@ inline constexpr Code json_wrong_length{
     "numbers."};
 inline constexpr Code json_four_dimensional{
     "json.four-dimensional", Severity::error, "a vector of a 4-D scene",
-    "A fork of the format describes scenes in four dimensions: vectors have 4 numbers there and "
+    "A variant of the format describes scenes in four dimensions: vectors have 4 numbers there and "
     "rotate has 7. Such scenes cannot be read."};
 inline constexpr Code json_missing_key{
     "json.missing-key", Severity::error, "a required key is missing",
-    "The schema requires this key, and other readers refuse the file without it."};
+    "The format requires this key, and other readers reject the file without it."};
 inline constexpr Code json_unknown_key{
     "json.unknown-key", Severity::warning, "an unknown key",
-    "The key is none of the format but an extension of somebody's own reader. It is ignored with "
-    "all that it holds. The course's reader refuses the file."};
-inline constexpr Code json_misspelt_key{
-    "json.misspelt-key", Severity::error, "a key that is probably misspelt",
-    "The key is nearly that of another one, which the object lacks. Ignoring it would give a "
-    "picture that its author did not mean. The course's reader refuses the file."};
-inline constexpr Code json_duplicate_key{
-    "json.duplicate-key", Severity::warning, "a key that occurs twice",
-    "In one object each key may stand once. The last one counts, as in most programs; what the "
-    "earlier ones hold is ignored."};
+    "The key is not part of the format but an extension of another reader. It is ignored with "
+    "everything in it. The course's reader rejects the file."};
+inline constexpr Code json_misspelled_key{
+    "json.misspelled-key", Severity::error, "a key that is probably misspelled",
+    "The key is close to another one, which the object lacks. Ignoring it would give a picture "
+    "that its author did not intend. The course's reader rejects the file."};
+inline constexpr Code json_duplicate_key{"json.duplicate-key", Severity::warning,
+                                         "a key that occurs twice",
+                                         "Each key may occur once in an object. The last one "
+                                         "counts, as in most programs; earlier ones are ignored."};
 inline constexpr Code json_unused_key{
     "json.unused-key", Severity::note, "a key without effect",
     "The key belongs to the format, but not to this kind of light or primitive, or not without "
@@ -95,8 +93,8 @@ inline constexpr Code json_unknown_light_type{"json.unknown-light-type", Severit
                                               "Lights are point, directional, spot or area."};
 inline constexpr Code json_light_default{
     "json.light-default", Severity::warning, "a light lacks a key",
-    "The schema requires the key for this type of light, and the course's reader refuses the file. "
-    "The default that the message names is used."};
+    "The format requires the key for this type of light, and the course's reader rejects the file. "
+    "The default given in the message is used."};
 inline constexpr Code json_no_light{
     "json.no-light", Severity::warning, "something else among the lights",
     "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
@@ -105,22 +103,22 @@ inline constexpr Code json_unknown_primitive_type{
     "json.unknown-primitive-type",
     Severity::warning,
     "a primitive of unknown type",
-    "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of somebody's "
-    "own reader. The primitive is left out. The course's reader refuses the file. An error where "
-    "the type cannot be the name of one.",
+    "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of other "
+    "readers. The primitive is ignored. The course's reader rejects the file. An error if the type "
+    "cannot be the name of a shape.",
     CodeKind::plain,
     Severity::error};
 inline constexpr Code json_area_light{
     "json.area-light", Severity::note, "an area light",
-    "Area lights belong to the format, but the course's JSON reader does not know them and refuses "
-    "the file. width and height are read here."};
+    "Area lights belong to the format, but the course's JSON reader does not support them and "
+    "rejects the file. width and height are read here."};
 inline constexpr Code json_matrix_with_others{
     "json.matrix-with-others", Severity::warning, "a matrix beside other transforms",
     "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
-    "acts "
-    "first. Some programs refuse a matrix beside others; nested groups make the order visible."};
+    "acts first. Some programs reject a matrix beside others; nested groups make the order "
+    "visible."};
 inline constexpr Code json_no_groups{"json.no-groups", Severity::warning, "a scene without groups",
-                                     "All that is to be seen, and all lights, stand in groups."};
+                                     "Everything visible, and all lights, are in groups."};
 inline constexpr Code json_instance_keys{
     "json.instance-keys", Severity::warning, "an instance with keys that are ignored",
     "A group whose name is that of a template group declared before stands for that template, and "
@@ -130,8 +128,8 @@ inline constexpr Code json_instance_keys{
     "the group another name."};
 inline constexpr Code json_template_order{
     "json.template-order", Severity::warning, "a group with the name of a later template",
-    "Template groups can use those before them only; here the name is declared later, and other "
-    "readers see an ordinary group. Declare the template first, or rename the group."};
+    "A template can use only templates declared before it; here the name is declared later, and "
+    "other readers see an ordinary group. Declare the template first, or rename the group."};
 inline constexpr Code json_unknown_template{
     "json.unknown-template", Severity::warning, "a group with a name and nothing else",
     "This is how an instance of a template group is written, but no template group has the name, "

@@ -157,7 +157,7 @@ void JsonFields::settle_unknown(JsonIndex key) {
   const std::string_view usual = lacked(in_our_words(word, vocabulary_.keys));
   const std::string_view advice = json_key_advice(vocabulary_.what, word);
   const std::string_view meant = near.empty() ? usual : near;
-  context_.report(near.empty() ? json_unknown_key : json_misspelt_key, key,
+  context_.report(near.empty() ? json_unknown_key : json_misspelled_key, key,
                   fmt::format("unknown key {} in {}{}{}", quoted(name), vocabulary_.what,
                               near.empty() ? " is ignored" : "",
                               !meant.empty()    ? fmt::format("; did you mean \"{}\"?", meant)

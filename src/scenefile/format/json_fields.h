@@ -93,8 +93,8 @@ class JsonFields {
  public:
   static constexpr std::size_t max_keys = 16;
 
-  /// Reports keys that are unknown or occur twice. A misspelt key, after an error, is the one that
-  /// was probably meant. `object` is an object.
+  /// Reports keys that are unknown or occur twice. A misspelled key, after an error, is the one
+  /// that was probably meant. `object` is an object.
   JsonFields(JsonContext& context, JsonIndex object, const JsonVocabulary& vocabulary);
 
   bool has(std::size_t key) const { return keys_[key] != 0; }

@@ -105,7 +105,7 @@ std::string type_hint(std::string_view word, std::span<const std::string_view> n
   }
   const bool is_light =
       std::find(light_words.begin(), light_words.end(), word) != light_words.end();
-  return is_light ? "; lights stand in the list \"lights\" of a group"
+  return is_light ? "; lights belong in the list \"lights\" of a group"
                   : fmt::format("; known are {}", fmt::join(names, ", "));
 }
 
@@ -128,15 +128,15 @@ std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fie
     return static_cast<std::size_t>(found - names.begin());
   }
   const std::string_view near = nearest_name(std::string_view(*name).substr(0, 64), names);
-  const bool misspelt = !near.empty();
-  context.diagnostics.report(unknown,
-                             misspelt || !is_identifier(*name) ? Severity::error : unknown.severity,
-                             context.place(key + 1),
-                             fmt::format("unknown {} type {}{}", what, quoted(*name),
-                                         misspelt ? fmt::format("; did you mean \"{}\"?", near)
-                                                  : type_hint(*name, names)));
+  const bool misspelled = !near.empty();
+  context.diagnostics.report(
+      unknown, misspelled || !is_identifier(*name) ? Severity::error : unknown.severity,
+      context.place(key + 1),
+      fmt::format(
+          "unknown {} type {}{}", what, quoted(*name),
+          misspelled ? fmt::format("; did you mean \"{}\"?", near) : type_hint(*name, names)));
   const auto meant = std::find(names.begin(), names.end(), near);
-  return misspelt ? std::optional<std::size_t>(meant - names.begin()) : std::nullopt;
+  return misspelled ? std::optional<std::size_t>(meant - names.begin()) : std::nullopt;
 }
 
 namespace global {
@@ -204,7 +204,7 @@ std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fie
     return static_cast<std::size_t>(LightType::point);
   }
   context.report(json_no_light, item,
-                 "this is no light, it has neither \"type\" nor \"color\", and is left out");
+                 "this is not a light: it has neither \"type\" nor \"color\", and is left out");
   return std::nullopt;
 }
 
@@ -350,7 +350,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   light.location = context.place(item);
   if (light.type == LightType::area) {
     context.report(json_area_light, fields.key(light::type),
-                   "the course's JSON reader knows no area lights and refuses the file");
+                   "the course's JSON reader does not support area lights and rejects the file");
   }
   light::require_keys(context, fields, item, light.type);
   light::report_unused_keys(context, fields, light.type);

@@ -204,7 +204,7 @@ class SceneReader {
     if (found->second >= known_templates_ && has_contents(fields)) {
       context_.report(json_template_order, fields.key(group::name),
                       fmt::format("group {} has the name of a template that is declared later; it "
-                                  "is read as a group of its own",
+                                  "is read as a separate group",
                                   quoted(name)));
       return false;
     }

@@ -54,9 +54,9 @@ class Repair {
     if (before != after) {
       const std::string_view part = text_.substr(before ? at - 1 : at, 2);
       diagnostics_.report(json_number, Severity::warning, places_.at(at),
-                          fmt::format("a number with {} is no JSON; it is read with a zero {} the "
+                          fmt::format("a number with {} is not JSON; it is read with a zero {} the "
                                       "point, as by the course's programs",
-                                      quoted(part), before ? "behind" : "before"));
+                                      quoted(part), before ? "after" : "before"));
     }
   }
 

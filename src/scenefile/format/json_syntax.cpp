@@ -195,7 +195,7 @@ class Explainer {
         return true;
       case JsonFault::surrogate:
         f.message =
-            "a string holds half of a surrogate pair (\\ud800 to \\udfff), which is no "
+            "a string holds half of a surrogate pair (\\ud800 to \\udfff), which is not a "
             "character; write both halves, or the character itself";
         return true;
       case JsonFault::encoding:
@@ -257,9 +257,9 @@ class Explainer {
     }
     f.code = &json_number;
     f.offset = static_cast<std::size_t>(word.data() - text_.data());
-    f.message = is_special(word)
-                    ? fmt::format("JSON has no {}; write a number", quoted(word))
-                    : fmt::format("{} is no JSON number{}", quoted(word), corrected_number(word));
+    f.message = is_special(word) ? fmt::format("JSON has no {}; write a number", quoted(word))
+                                 : fmt::format("{} is not a JSON number{}", quoted(word),
+                                               corrected_number(word));
     f.mend = {f.offset, fmt::format("{:<{}}", 0, word.size()), true};
     return true;
   }
@@ -299,7 +299,7 @@ class Explainer {
     const std::string_view number = text_.substr(before, at_ + word.size() - before);
     f.code = &json_number;
     f.offset = before;
-    f.message = fmt::format("{} is no JSON number{}", quoted(number), corrected_number(number));
+    f.message = fmt::format("{} is not a JSON number{}", quoted(number), corrected_number(number));
     f.mend = {before, fmt::format("{:<{}}", 0, number.size()), true};
     return true;
   }
@@ -307,14 +307,14 @@ class Explainer {
   bool by_quotes(Finding& f) {
     const std::string_view word = word_around();
     if (found() == '\'') {
-      f.message = "strings and keys stand in double quotes, not in single ones";
+      f.message = "strings and keys must be in double quotes, not in single quotes";
       f.mend = {at_, in_double_quotes()};
     } else if (!word.empty() && error_.fault == JsonFault::key) {
       const std::size_t before = text_.find_last_not_of(" \t\r\n", at_ == 0 ? 0 : at_ - 1);
       const bool is_list = before != std::string_view::npos && text_[before] == '{' &&
                            parse_number(word).error == NumberError::none;
-      f.message = is_list ? std::string("numbers in { }; a list of numbers stands in [ ]")
-                          : fmt::format("the key {} must stand in double quotes", quoted(word));
+      f.message = is_list ? std::string("numbers in { }; a list of numbers is written in [ ]")
+                          : fmt::format("the key {} must be in double quotes", quoted(word));
     } else if (!word.empty() && error_.fault == JsonFault::value) {
       f.offset = static_cast<std::size_t>(word.data() - text_.data());
       f.message = literal(word);
@@ -342,7 +342,7 @@ class Explainer {
         return fmt::format("{} is written {} in JSON", wrong, right);
       }
     }
-    return fmt::format("{} is no value; strings stand in double quotes", quoted(word));
+    return fmt::format("{} is not a value; strings must be in double quotes", quoted(word));
   }
 
   bool by_bracket(Finding& f) {
@@ -375,7 +375,7 @@ class Explainer {
       f.message = "a NUL byte; the file is damaged";
     } else if (error_.fault == JsonFault::after_end) {
       f.code = &json_after_end;
-      f.message = fmt::format("{} follows behind the end of the scene", found_text());
+      f.message = fmt::format("{} follows the end of the scene", found_text());
     } else if (error_.fault == JsonFault::colon && found() == '=') {
       f.message = "a key is followed by a colon, not by =";
       f.mend = {at_, ":"};
@@ -388,7 +388,7 @@ class Explainer {
       f.message = hint;
     } else if (lacks_comma()) {
       f.offset = before();
-      f.message = "a comma is missing behind this";
+      f.message = "expected a comma after this";
       f.mend = {at_ - 1, ","};
     }
     return true;
@@ -398,15 +398,14 @@ class Explainer {
     const std::size_t previous = before();
     const bool behind_quote = previous != std::string_view::npos && text_[previous] == '"';
     if (found() == '(') {
-      return "an array stands in square brackets, [ ]";
+      return "an array is written in square brackets, [ ]";
     }
     if (found() == '{' && error_.fault == JsonFault::key) {
-      return "an object inside an object needs a key; a list of objects stands in [ ]";
+      return "an object inside an object needs a key; a list of objects is written in [ ]";
     }
     if (behind_quote && is_word(found()) && error_.fault == JsonFault::object_comma) {
-      return fmt::format(
-          "{} right behind a quotation mark: an earlier string lacks its closing one",
-          found_text());
+      return fmt::format("{} right after a quotation mark: an earlier string lacks its closing one",
+                         found_text());
     }
     const CodePoint c = first_code_point(text_.substr(at_));
     if (is_odd_blank(c.value)) {
@@ -434,11 +433,11 @@ class Explainer {
       case JsonFault::key:
         return "a key in double quotes";
       case JsonFault::colon:
-        return "a colon behind the key";
+        return "a colon after the key";
       case JsonFault::object_comma:
-        return "a comma or } behind the member";
+        return "a comma or } after the member";
       case JsonFault::array_comma:
-        return "a comma or ] behind the element";
+        return "a comma or ] after the element";
       default:
         return "a value";
     }

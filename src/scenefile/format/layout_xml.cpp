@@ -21,7 +21,7 @@ class RootCheck : public XmlHandler {
   bool start(const XmlTag& tag) override {
     if (!seen_ && !equal_ignoring_case(tag.name, "scenefile")) {
       diagnostics_.report(xml_root_element, tag.location,
-                          fmt::format("the file is no scene: expected <scenefile>, found {}",
+                          fmt::format("the file is not a scene: expected <scenefile>, found {}",
                                       element_text(tag.name)));
       return false;
     }

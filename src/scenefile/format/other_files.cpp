@@ -26,30 +26,30 @@ constexpr std::string_view configuration =
     "under [IO]";
 constexpr std::string_view picture = "a picture, not a scene";
 
-constexpr Signature signatures[] = {
-    {"version https://git-lfs"sv,
-     "a Git LFS pointer, which stands for the scene; fetch the scene itself with \"git lfs pull\""},
-    {"<!doctype html"sv, html},
-    {"<html"sv, html},
-    {"\x1f\x8b"sv, "compressed with gzip; unpack it first"},
-    {"pk\x03\x04"sv, "a ZIP archive; unpack it first"},
-    {"bzh"sv, "compressed with bzip2; unpack it first"},
-    {"\xfd"
-     "7zxz"sv,
-     "compressed with xz; unpack it first"},
-    {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
-    {"rar!"sv, "a RAR archive; unpack it first"},
-    {"\x89png"sv, picture},
-    {"\xff\xd8\xff"sv, picture},
-    {"gif8"sv, picture},
-    {"%pdf"sv, "a PDF document, not a scene"},
-    {"mtllib "sv, mesh},
-    {"usemtl "sv, mesh},
-    {"newmtl "sv, "a material library of an OBJ mesh, not a scene"},
-    {"[io]"sv, configuration},
-    {"[canvas]"sv, configuration},
-    {"[feature]"sv, configuration},
-    {"[settings]"sv, configuration}};
+constexpr Signature signatures[] = {{"version https://git-lfs"sv,
+                                     "a Git LFS pointer, which is a placeholder for the scene; "
+                                     "fetch the scene itself with \"git lfs pull\""},
+                                    {"<!doctype html"sv, html},
+                                    {"<html"sv, html},
+                                    {"\x1f\x8b"sv, "compressed with gzip; unpack it first"},
+                                    {"pk\x03\x04"sv, "a ZIP archive; unpack it first"},
+                                    {"bzh"sv, "compressed with bzip2; unpack it first"},
+                                    {"\xfd"
+                                     "7zxz"sv,
+                                     "compressed with xz; unpack it first"},
+                                    {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
+                                    {"rar!"sv, "a RAR archive; unpack it first"},
+                                    {"\x89png"sv, picture},
+                                    {"\xff\xd8\xff"sv, picture},
+                                    {"gif8"sv, picture},
+                                    {"%pdf"sv, "a PDF document, not a scene"},
+                                    {"mtllib "sv, mesh},
+                                    {"usemtl "sv, mesh},
+                                    {"newmtl "sv, "a material library of an OBJ mesh, not a scene"},
+                                    {"[io]"sv, configuration},
+                                    {"[canvas]"sv, configuration},
+                                    {"[feature]"sv, configuration},
+                                    {"[settings]"sv, configuration}};
 
 bool is_number_start(char c) {
   return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';

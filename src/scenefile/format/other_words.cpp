@@ -79,11 +79,12 @@ struct Advice {
 constexpr std::string_view to_the_group =
     "transforms belong to the group that holds this in its list";
 constexpr std::string_view into_a_group = "put it into a group of \"groups\"";
-constexpr std::string_view to_the_scene = "it belongs into the scene, beside \"groups\"";
+constexpr std::string_view to_the_scene =
+    "it belongs at the top level of the scene, next to \"groups\"";
 
 constexpr Advice advices[] = {
     {"a light", "position",
-     "a light stands at the origin of its group: give the group a \"translate\""},
+     "a light is at the origin of its group: give the group a \"translate\""},
     {"a light", "translate", to_the_group},
     {"a light", "rotate", to_the_group},
     {"a light", "matrix", to_the_group},
@@ -96,7 +97,7 @@ constexpr Advice advices[] = {
     {"the scene", "primitives", into_a_group},
     {"a group", "templateGroups", to_the_scene},
     {"a template group", "templateGroups", to_the_scene},
-    {"a group", "type", "what has a type stands in the lists \"primitives\" and \"lights\""},
+    {"a group", "type", "anything with a type belongs in the lists \"primitives\" and \"lights\""},
 };
 
 }  // namespace

@@ -71,11 +71,10 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
                        "missing in front of it");
     return std::nullopt;
   }
-  diagnostics.report(
-      format_unknown, after_blanks(text, first),
-      fmt::format("the file starts with {}, so it is no scene file: an XML scene starts with <, a "
-                  "JSON scene is an object and starts with {{",
-                  quoted(content.substr(0, 40), 10)));
+  diagnostics.report(format_unknown, after_blanks(text, first),
+                     fmt::format("the file starts with {}, so it is not a scene file: an XML scene "
+                                 "starts with <, a JSON scene is an object and starts with {{",
+                                 quoted(content.substr(0, 40), 10)));
   return std::nullopt;
 }
 

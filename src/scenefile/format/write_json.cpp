@@ -60,7 +60,7 @@ class JsonPrinter {
     begin(key);
     if (!append_json(out_, value)) {
       diagnostics_.report(write_character, place,
-                          fmt::format("{} holds bytes that are not UTF-8", quoted(value)));
+                          fmt::format("{} contains bytes that are not UTF-8", quoted(value)));
     }
   }
   template <typename Owner>

@@ -46,8 +46,9 @@ class XmlPrinter {
   XmlPrinter& attribute(std::string_view name, std::string_view value, Location place) {
     out_ += fmt::format(" {}=\"", name);
     if (!append_xml(out_, value)) {
-      diagnostics_.report(write_character, place,
-                          fmt::format("{} holds a character that XML cannot hold", quoted(value)));
+      diagnostics_.report(
+          write_character, place,
+          fmt::format("{} contains a character that XML cannot represent", quoted(value)));
     }
     out_ += '"';
     return *this;

@@ -32,17 +32,17 @@ bool is_known(std::string_view name) {
 // vary.
 std::string_view home_of(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> homes[] = {
-      {"translate", "; transforms stand in a transblock, in front of its object"},
-      {"rotate", "; transforms stand in a transblock, in front of its object"},
-      {"scale", "; transforms stand in a transblock, in front of its object"},
-      {"matrix", "; transforms stand in a transblock, in front of its object"},
-      {"transblock", "; transblocks stand in trees"},
-      {"object", "; an object stands in a transblock of a tree"},
-      {"globaldata", "; it stands beside the trees, in <scenefile>"},
-      {"cameradata", "; it stands beside the trees, in <scenefile>"},
-      {"lightdata", "; it stands beside the trees, in <scenefile>"},
-      {"diffuse", "; it stands in the primitive that it colors"},
-      {"texture", "; it stands in the primitive that it covers"}};
+      {"translate", "; transforms belong in a transblock, before its object"},
+      {"rotate", "; transforms belong in a transblock, before its object"},
+      {"scale", "; transforms belong in a transblock, before its object"},
+      {"matrix", "; transforms belong in a transblock, before its object"},
+      {"transblock", "; transblocks belong in trees"},
+      {"object", "; an object belongs in a transblock of a tree"},
+      {"globaldata", "; it belongs at the top level, in <scenefile>"},
+      {"cameradata", "; it belongs at the top level, in <scenefile>"},
+      {"lightdata", "; it belongs at the top level, in <scenefile>"},
+      {"diffuse", "; it belongs in the primitive that it colors"},
+      {"texture", "; it belongs in the primitive that it covers"}};
   const auto* const found = std::find_if(std::begin(homes), std::end(homes),
                                          [&](const auto& home) { return home.first == name; });
   return found == std::end(homes) ? std::string_view() : found->second;
@@ -117,7 +117,7 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
                                where, did_you_mean(translated(tag.name, names), "<>")));
     return;
   }
-  context.report(xml_misspelt_element, tag,
+  context.report(xml_misspelled_element, tag,
                  fmt::format("unknown element {} in {}{}", element_text(tag.name), where,
                              did_you_mean(near, "<>")));
 }

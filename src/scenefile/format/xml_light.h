@@ -10,7 +10,7 @@ namespace scenefile {
 struct LightDraft {
   Light light;
   SeenFields seen;
-  bool type_known = true;  ///< false: it is misspelt, so what the light lacks cannot be told
+  bool type_known = true;  ///< false: it is misspelled, so what the light lacks cannot be told
 };
 
 /// At <lightdata>; `type` and `id` may be attributes.

@@ -117,7 +117,7 @@ std::vector<std::string_view> missing_names(const Found& found) {
   return missing;
 }
 
-// Reports attributes of other names; one that is a missing name, misspelt, becomes that.
+// Reports attributes of other names; one that is a missing name, misspelled, becomes that.
 void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
   for (const XmlAttribute* attribute : found.others) {
     const std::string_view near = nearest_name(attribute->name, missing_names(found));
@@ -125,7 +125,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
       report_unknown_attribute(context, tag, *attribute, {});
       continue;
     }
-    context.report(xml_misspelt_attribute, *attribute,
+    context.report(xml_misspelled_attribute, *attribute,
                    fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
                                did_you_mean(near)));
     (near == "type" ? found.type : near == "name" ? found.name : found.filename) = attribute;
@@ -217,7 +217,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                       did_you_mean(in_our_words(object.name, shape_words))));
       return std::nullopt;
     }
-    context.diagnostics.report(xml_misspelt_shape, object.name_place,
+    context.diagnostics.report(xml_misspelled_shape, object.name_place,
                                fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
     i = index_of(shape_words, near);
   } else if (object.name != shape_words[i]) {
@@ -236,7 +236,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
   if (shape != Shape::mesh && !object.filename.empty()) {
     context.diagnostics.report(
         xml_unknown_attribute, object.filename_place,
-        fmt::format("the file name has no effect: a {} is no mesh", shape_words[i]));
+        fmt::format("the file name has no effect: a {} is not a mesh", shape_words[i]));
   }
   return shape;
 }

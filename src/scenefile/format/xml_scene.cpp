@@ -246,7 +246,7 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
     constexpr std::string_view scenefile = "scenefile";
     const std::string_view near = nearest_name(tag.name, {&scenefile, 1});
     context_.report(xml_root_element, tag,
-                    fmt::format("the file is no scene: expected <scenefile>, found {}{}",
+                    fmt::format("the file is not a scene: expected <scenefile>, found {}{}",
                                 element_text(tag.name), did_you_mean(near, "<>")));
     if (near.empty()) {
       stopped_ = true;
@@ -260,7 +260,7 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
     if (attribute.name == "xmlns") {
       context_.report(xml_unknown_attribute, attribute,
                       "attribute xmlns of <scenefile> has no effect: the format has no namespace, "
-                      "and validators refuse one; remove it");
+                      "and validators reject one; remove it");
     }
     // xsi:noNamespaceSchemaLocation is how editors are told of the schema.
     if (!attribute.name.starts_with("xml") && !attribute.name.starts_with("xsi:")) {
@@ -379,7 +379,7 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
     return open_transblock(tag);
   }
   if (!nearest_name(tag.name, {&transblock, 1}).empty()) {
-    context_.report(xml_misspelt_transblock, tag,
+    context_.report(xml_misspelled_transblock, tag,
                     fmt::format("{} was read as <transblock>", element_text(tag.name)));
     return open_transblock(tag);
   }
@@ -387,10 +387,9 @@ bool SceneBuilder::open_in_tree(const XmlTag& tag) {
     report_unknown_element(context_, tag, top().element);
     return false;
   }
-  context_.report(
-      xml_object_without_transblock, tag,
-      "the object stands in a tree without a transblock around it; it was read as if one "
-      "without transforms were there: put <transblock> and </transblock> around it");
+  context_.report(xml_object_without_transblock, tag,
+                  "the object is in a tree without a transblock around it; it was read as if one "
+                  "without transforms were there: put <transblock> and </transblock> around it");
   top().has_content = true;
   const std::size_t depth = frames_.size();
   push(Block::transblock, add_child_node(top().node, tag.location), tag.name);
@@ -419,7 +418,7 @@ bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
   }
   if (tag.name == "transblock") {
     return ignore(xml_misplaced_element, tag,
-                  "a transblock cannot stand right inside a transblock, so it was ignored; put it "
+                  "a transblock cannot be directly inside a transblock, so it was ignored; put it "
                   "into <object type=\"tree\">");
   }
   const std::optional<std::size_t> field = find_field(context_, tag, block_names, top().element);

@@ -283,8 +283,8 @@ std::string hint_before(std::string_view text, std::size_t at) {
   }
   if (before == '"' || before == '\'') {
     return fmt::format(
-        "{} right behind a quotation mark: a blank is missing, or an earlier value "
-        "lacks its closing quotation mark",
+        "{} right after a quotation mark: a blank is missing, or an earlier value lacks its "
+        "closing quotation mark",
         found);
   }
   if (text[at] == '"' || text[at] == '\'') {
@@ -294,7 +294,7 @@ std::string hint_before(std::string_view text, std::size_t at) {
   while (sign > 0 && is_blank(text[sign - 1])) {
     --sign;
   }
-  return sign > 0 && text[sign - 1] == '=' ? fmt::format("{} must stand in quotation marks", found)
+  return sign > 0 && text[sign - 1] == '=' ? fmt::format("{} must be in quotation marks", found)
                                            : std::string();
 }
 
@@ -358,7 +358,7 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
       return fmt::format("nothing may follow the closing tag of the scene; found {}",
                          quoted(rest.substr(0, rest.find_first_of("\r\n")), 20));
     case SyntaxFault::late_declaration:
-      return "<?xml ...?> must be the very first thing in the file; remove what stands before it";
+      return "<?xml ...?> must be the very first thing in the file; remove everything before it";
     case SyntaxFault::invalid_token:
       return token_message(text, at);
     case SyntaxFault::other:

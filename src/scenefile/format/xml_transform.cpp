@@ -48,8 +48,8 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
            "the third row stands there twice. It must be 0 0 0 1, so it has no effect");
   } else if (no_translation && last.w == 1) {
     report(Severity::warning,
-           "it has no effect. The matrix seems to be transposed: a translation belongs into the "
-           "last column");
+           "it has no effect. The matrix seems to be transposed: a translation belongs in the last "
+           "column");
   } else {
     report(Severity::warning, "projective maps are not supported, so it has no effect");
   }

@@ -119,7 +119,7 @@ bool is_alpha(const Signature& signature, const XmlAttribute& attribute) {
                      });
 }
 
-// Reports the attributes that hold no part; one that is a missing part, misspelt, becomes it.
+// Reports the attributes that hold no part; one that is a missing part, misspelled, becomes it.
 void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                    Parts& parts) {
   for (const XmlAttribute& attribute : tag.attributes) {
@@ -132,7 +132,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, const Signature
                      fmt::format("attribute {} of {} has no effect: a color has three parts",
                                  attribute.name, element_text(tag.name)));
     } else if (!near.empty()) {
-      context.report(xml_misspelt_attribute, attribute,
+      context.report(xml_misspelled_attribute, attribute,
                      fmt::format("unknown attribute {} of {}{}", escaped(attribute.name, 40),
                                  element_text(tag.name), did_you_mean(near)));
       parts[index_of_part(signature, near)] = &attribute;

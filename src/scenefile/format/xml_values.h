@@ -36,7 +36,7 @@ using Parts = std::array<const XmlAttribute*, 4>;
 
 /// Finds the parts by their names, else by another form, else by their order, and reports what is
 /// assumed, unknown or missing. Nothing, after an error, when a part that must be there is missing.
-/// After an error about a misspelt name the part is the one that was probably meant.
+/// After an error about a misspelled name the part is the one that was probably meant.
 std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
                                 const Signature& signature);
 /// The error for parts that are missing.

@@ -52,7 +52,7 @@ std::string_view reject_name(std::string_view written) {
     return "the file name is longer than any path can be";
   }
   if (written.find('\0') != std::string_view::npos) {
-    return "the file name holds a zero byte";
+    return "the file name contains a zero byte";
   }
   const std::size_t scheme = scheme_length(written);
   if (scheme != 0 && lower_case(written.substr(0, scheme)) != "file") {

@@ -57,7 +57,7 @@ std::string decode_checkpoint(std::string_view bytes, const CheckpointKey& key,
                               std::string& state) {
   state.clear();
   if (!bytes.starts_with(first_line.substr(0, bytes.size())) || bytes.empty()) {
-    return bytes.empty() ? "the file is empty" : "the file is no checkpoint of this version";
+    return bytes.empty() ? "the file is empty" : "the file is not a checkpoint of this version";
   }
   if (bytes.size() < head_bytes) {
     return "the checkpoint is cut off";

@@ -38,11 +38,11 @@ void check_directions(const Camera& camera, const Subject& subject, Reporter& re
   const bool up_zero = camera.up == glm::vec3(0);
   if (look_zero) {
     reporter.report(camera_look_zero, subject, Field::look,
-                    "look of the camera is 0 0 0, which is no direction");
+                    "look of the camera is 0 0 0, which is not a direction");
   }
   if (up_zero) {
     reporter.report(camera_up_zero, subject, Field::up,
-                    "up of the camera is 0 0 0, which is no direction");
+                    "up of the camera is 0 0 0, which is not a direction");
   }
   if (!look_finite || !up_finite || look_zero || up_zero) {
     return;

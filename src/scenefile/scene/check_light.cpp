@@ -33,7 +33,7 @@ void check_color(const Light& light, const Subject& subject, Reporter& reporter)
     reporter.report(
         light_color_huge, subject, Field::color,
         fmt::format("color {} of the {} is far above 1{}", vector_text(light.color), subject.what,
-                    largest(light.color) <= 255 ? "; is it meant to be of 255?" : ""));
+                    largest(light.color) <= 255 ? "; did you mean a value out of 255?" : ""));
   }
 }
 

@@ -41,7 +41,7 @@ void check_color(const Color& color, const Subject& subject, Reporter& reporter)
   if (largest(color.value) > huge_color) {
     report(material_color_huge, "far above 1");
   } else if (largest(color.value) > byte_habit) {
-    report(material_color_255, "far above 1; is it meant to be of 255?");
+    report(material_color_255, "far above 1; did you mean a value out of 255?");
   }
 }
 

@@ -90,14 +90,14 @@ class TransformCheck {
       return true;
     }
     if (const std::string_view extent = extent_text(map.linear); !extent.empty()) {
-      reporter_.report(transform_degenerate, subject_,
-                       fmt::format("{} is too {} for the numbers of a renderer; what stands in it "
-                                   "is not drawn",
-                                   what(), extent));
+      reporter_.report(
+          transform_degenerate, subject_,
+          fmt::format("{} is too {} for the numbers of a renderer; objects inside it are not drawn",
+                      what(), extent));
       return false;
     }
     reporter_.report(transform_flat, subject_,
-                     fmt::format("{} leaves no volume; what stands in it is not drawn", what()));
+                     fmt::format("{} leaves no volume; objects inside it are not drawn", what()));
     return false;
   }
 

@@ -58,7 +58,7 @@ std::vector<std::string_view> some_names(const Scene& scene) {
 
 std::string unknown_text(std::string_view name, const std::vector<std::string_view>& known) {
   if (name == "root") {
-    return "\"root\" is the scene itself, which cannot stand inside itself";
+    return "\"root\" is the scene itself, which cannot be inside itself";
   }
   const std::string_view near = nearest_name(name, known);
   return fmt::format("there is no template named {}{}", quoted(name),
@@ -85,7 +85,7 @@ bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& r
       if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
         reporter.report(
             tree_instance_with_contents, subject_of(scene, id),
-            fmt::format("contents beside an instance of {} are ignored", quoted(node.instance_of)));
+            fmt::format("contents inside an instance of {} are ignored", quoted(node.instance_of)));
       }
       return 0;
     });

@@ -8,7 +8,7 @@ namespace {
 
 std::string device_error(GlDevice::State& state) {
   const std::string& refusal = state.programs.error();
-  return refusal.empty() ? refusal : fmt::format("the OpenGL driver refuses a shader: {}", refusal);
+  return refusal.empty() ? refusal : fmt::format("the OpenGL driver rejects a shader: {}", refusal);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ constexpr std::array gesture_table{
     GestureRow{"Ctrl + drag", "look around"},
     GestureRow{"wheel, right drag", "go nearer or away"},
     GestureRow{"W A S D Q E", "fly; with Shift faster"},
-    GestureRow{"click", "select; its line stands in the outline"},
+    GestureRow{"click", "select; its line is shown in the outline"},
     GestureRow{"drop a scene or folder", "open it"},
     GestureRow{"drop a picture", "compare with it"},
 };

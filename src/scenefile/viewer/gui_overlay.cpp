@@ -351,8 +351,8 @@ void paint_legend(const Session& session, const GuiFrame& frame) {
   if (session.shown != nullptr && session.mode == DrawMode::bounding_boxes &&
       session.compare <= CompareView::split) {
     paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale,
-                "bounding boxes: the brighter, the more lie behind each other", {0, 0}, frame.scale,
-                color_dim, session.picture.size.x);
+                "bounding boxes: brighter where more overlap", {0, 0}, frame.scale, color_dim,
+                session.picture.size.x);
   }
 }
 

@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
 std::string failure_of(RenderStatus status) {
   switch (status) {
     case RenderStatus::limit_reached:
-      return "copies of templates lie deeper inside each other than can be traced";
+      return "templates are nested deeper than can be traced";
     case RenderStatus::failed:
       return "out of memory while building the acceleration structure";
     case RenderStatus::complete:

@@ -8,6 +8,7 @@
 // within one pixel of a triangle's edge; realtime.tsv has the exceptions.
 
 #include "manifest.h"
+#include "read_picture.h"
 #include "scenefile/asset/compare_images.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
@@ -62,18 +63,6 @@ bool parse_row(const std::string& line, RealtimeRow& row) {
       o.tessellation.parameter2 >> o.near >> o.far >> filter;
   return bool(cells) && choose(milestone, milestones, o.milestone) &&
          choose(filter, filters, o.filter);
-}
-
-std::string read_picture(const std::string& path, Texture& picture) {
-  std::string bytes;
-  const Limits limits;
-  if (IoError error = read_file(path, limits.file_bytes, bytes); !error.empty()) {
-    return error.text;
-  }
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  picture = decode_image(bytes, limits, budget, error);
-  return error;
 }
 
 void save(const std::string& folder, const std::string& reference, std::string_view who,

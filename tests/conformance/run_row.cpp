@@ -1,7 +1,6 @@
 #include "run_row.h"
 
-#include "scenefile/asset/image_file.h"
-#include "scenefile/io/file.h"
+#include "read_picture.h"
 #include "support/load_scene.h"
 
 #include <ctime>
@@ -9,18 +8,6 @@
 namespace scenefile::conformance {
 
 namespace {
-
-std::string load_reference(const std::string& path, Texture& picture) {
-  std::string bytes;
-  const Limits limits;
-  if (IoError error = read_file(path, limits.file_bytes, bytes); !error.empty()) {
-    return error.text;
-  }
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  picture = decode_image(bytes, limits, budget, error);
-  return error.empty() ? "" : path + ": " + error;
-}
 
 double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -31,7 +18,7 @@ double cpu_seconds() {
 Result run_row(const std::string& corpus, const Row& row) {
   Result result;
   result.row = row;
-  result.error = load_reference(corpus + "/" + row.reference, result.theirs);
+  result.error = read_picture(corpus + "/" + row.reference, result.theirs);
   if (!result.error.empty()) {
     return result;
   }

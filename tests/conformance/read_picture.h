@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scenefile/asset/image.h"
+
+#include <string>
+
+namespace scenefile::conformance {
+
+/// Reads and decodes a picture. Returns why that failed, or an empty text.
+std::string read_picture(const std::string& path, Texture& picture);
+
+}  // namespace scenefile::conformance

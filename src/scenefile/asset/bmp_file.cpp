@@ -14,7 +14,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t file_header_bytes = 14;
-constexpr std::uint32_t core_header = 12;  // of OS/2: sizes in 16 bits, colors in 3 bytes
+constexpr std::uint32_t core_header = 12;  // from OS/2: 16-bit sizes, 3-byte colors
 enum Compression : std::uint32_t { none = 0, masks = 3, masks_and_alpha = 6 };
 
 struct Header {
@@ -32,7 +32,7 @@ bool recognizes(std::string_view bytes) {
   return bytes.size() >= file_header_bytes + core_header && bytes.substr(0, 2) == "BM";
 }
 
-// Sizes are signed; a negative height means that the rows run downwards.
+// Sizes are signed; a negative height means that rows are stored top-down.
 void read_sizes(ByteReader& in, Header& h) {
   if (h.header_bytes == core_header) {
     h.width = in.u16();
@@ -103,7 +103,7 @@ bool read_header(std::string_view bytes, ImageHeader& header, std::string& error
   error = unusable(h);
   header.width = h.width;
   header.height = h.height;
-  // Sizes beyond 32 bits have been refused by the limits before this product could overflow.
+  // The limits have already rejected sizes for which this product could overflow.
   header.least_bytes = h.pixels_at + h.row_bytes() * h.height;
   return error.empty();
 }
@@ -123,7 +123,7 @@ std::vector<Color> read_palette(std::string_view bytes, const Header& h) {
   return palette;
 }
 
-// The bits under a mask, stretched to 8.
+// The bits under a mask, scaled to 8 bits.
 std::uint8_t masked_value(std::uint32_t pixel, std::uint32_t mask) {
   if (mask == 0) {
     return 0;

@@ -7,7 +7,7 @@
 
 namespace scenefile {
 
-/// Reads forward; past the end it gives zeros and remembers that it did.
+/// Reads forward; past the end it returns zeros and records the overrun.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes, std::size_t at = 0) : bytes_(bytes) { skip(at); }
@@ -34,7 +34,7 @@ class ByteReader {
 
   std::size_t at() const { return at_; }
   std::size_t left() const { return bytes_.size() - at_; }
-  /// Whether more was asked for than there is.
+  /// Whether a read went past the end.
   bool ended() const { return ended_; }
 
  private:

@@ -9,23 +9,23 @@
 
 namespace scenefile {
 
-/// What the header of an image file promises, before anything of that size is allocated.
+/// What the header of an image file declares, read before anything of that size is allocated.
 struct ImageHeader {
   std::uint64_t width = 0;
   std::uint64_t height = 0;
   std::uint64_t working_bytes =
-      0;                          ///< needed to decode, beside the 3 * width * height of the result
-  std::uint64_t least_bytes = 0;  ///< no file with fewer bytes can hold that many pixels
+      0;  ///< needed for decoding, in addition to the 3 * width * height of the result
+  std::uint64_t least_bytes = 0;  ///< a smaller file cannot hold that many pixels
 };
 
-/// One image format over bytes in memory. Each function returns false with `error` set when the
-/// bytes are not as they must be.
+/// One image format over bytes in memory. Each function returns false and sets `error` if the
+/// bytes are invalid.
 struct Codec {
   std::string_view name;
   bool (*recognizes)(std::string_view bytes);
   bool (*read_header)(std::string_view bytes, ImageHeader& header, std::string& error);
-  /// Fills texture.rgb. The size is set, and rgb has the capacity for it: memory that is never
-  /// touched by a file that ends early.
+  /// Fills texture.rgb. The size is set and rgb has the capacity reserved, so that a
+  /// truncated file never touches most of that memory.
   bool (*decode)(std::string_view bytes, Texture& texture, std::string& error);
 };
 

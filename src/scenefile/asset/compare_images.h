@@ -8,12 +8,12 @@ namespace scenefile {
 struct ImageDifference {
   double psnr_db = 99;    ///< 20 log10(255 / rms); 99 at most, 99 for equal pictures
   double mean = 0;        ///< mean absolute difference, in 1/255
-  int max = 0;            ///< greatest absolute difference, in 1/255
+  int max = 0;            ///< largest absolute difference, in 1/255
   double share_over = 0;  ///< share of pixels with a channel off by more than the threshold
 };
 
-/// Compares pictures of the same size; those of different sizes differ in everything (0 dB).
-/// `threshold` in 1/255.
+/// Compares pictures of the same size; pictures of different sizes count as entirely different (0
+/// dB). `threshold` in 1/255.
 ImageDifference compare_images(const Texture& a, const Texture& b, int threshold = 8);
 
 }  // namespace scenefile

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// TGA last: it has no signature, so it is known only by a header that makes sense.
+// TGA last: it has no signature and is recognized only by a plausible header.
 constexpr const Codec* codecs[] = {&png_codec, &jpeg_codec, &gif_codec, &bmp_codec, &tga_codec};
 
 const Codec* codec_of(std::string_view bytes) {
@@ -25,7 +25,7 @@ std::uint64_t megabytes(std::uint64_t bytes) {
   return (bytes + 999'999) / 1'000'000;
 }
 
-// Why a file with this header is refused because of its size, or nothing.
+// Why a file with this header exceeds the limits, or nothing.
 std::string over_limits(const ImageHeader& header, const Limits& limits, std::uint64_t budget) {
   const std::uint32_t side = std::min(limits.texture_side, 1u << 24);  // no product overflows
   if (header.width > side || header.height > side) {
@@ -43,7 +43,7 @@ std::string over_limits(const ImageHeader& header, const Limits& limits, std::ui
   return {};
 }
 
-// Why it is refused because no such file can exist, or nothing.
+// Why no valid file can have this header, or nothing.
 std::string implausible(const ImageHeader& header, std::size_t bytes) {
   if (header.width == 0 || header.height == 0) {
     return "an image needs at least one pixel";

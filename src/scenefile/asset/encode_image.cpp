@@ -17,8 +17,8 @@ void append_float(std::string& bytes, float value) {
   }
 }
 
-// Portable float map: a text header, then rows from the bottom up. A negative scale means that the
-// numbers are little-endian. Source: Debevec, "PFM Portable FloatMap Image Format".
+// Portable float map: a text header, then rows from the bottom up. A negative scale means
+// little-endian numbers. Source: Debevec, "PFM Portable FloatMap Image Format".
 std::string encode_pfm(const Image& image) {
   std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
   bytes.reserve(bytes.size() + 4 * image.rgb.size());

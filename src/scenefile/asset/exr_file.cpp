@@ -1,4 +1,4 @@
-// OpenEXR by hand, with zlib: a header, and blocks of 16 rows of all channels, deflated. Source:
+// An OpenEXR writer, with zlib: a header, and blocks of 16 rows of all channels, deflated. Source:
 // "OpenEXR File Layout" and ImfZip.cpp of OpenEXR.
 
 #include "scenefile/asset/image_file.h"
@@ -20,7 +20,7 @@ constexpr std::size_t short_name = 31;
 constexpr std::size_t longest_name = 255;
 constexpr char zip_of_16_rows = 3;
 constexpr int rows_of_a_block = 16;
-// As OpenEXR's own: higher ones take twice the time for a hundredth of the size.
+// OpenEXR's own default; higher levels take twice the time to save one percent of the size.
 constexpr int level = 4;
 
 struct Channel {
@@ -29,7 +29,7 @@ struct Channel {
   std::size_t index = 0;  // of the layer's channels
 };
 
-// In the order in which the file has them: by name.
+// In file order: by name.
 std::vector<Channel> channels_of(std::span<const ImageLayer> layers) {
   std::vector<Channel> channels;
   for (const ImageLayer& layer : layers) {
@@ -118,8 +118,8 @@ void append_row(std::string& bytes, const Channel& channel, std::size_t width, s
   }
 }
 
-// First the even bytes, then the odd ones, each as the difference to the one before: exponents
-// stand together and repeat.
+// First the even bytes, then the odd ones, each as the difference to the previous byte: this groups
+// exponents, which repeat.
 std::string made_compressible(std::string_view raw) {
   std::string sorted;
   sorted.reserve(raw.size());
@@ -134,7 +134,7 @@ std::string made_compressible(std::string_view raw) {
   return sorted;
 }
 
-// What would not become shorter stays as it is; readers know that by its length.
+// Data that would not become shorter is stored uncompressed; readers recognize that by its length.
 std::string deflated(std::string raw) {
   const std::string sorted = made_compressible(raw);
   uLongf size = compressBound(static_cast<uLong>(sorted.size()));
@@ -143,7 +143,7 @@ std::string deflated(std::string raw) {
                                reinterpret_cast<const Bytef*>(sorted.data()),
                                static_cast<uLong>(sorted.size()), level);
   if (status != Z_OK) {
-    throw std::bad_alloc();  // the only reason left: the room is what zlib asks for
+    throw std::bad_alloc();  // the only possible reason: the buffer has the size that zlib requires
   }
   packed.resize(size);
   return packed.size() < raw.size() ? packed : raw;

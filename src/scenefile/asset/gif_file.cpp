@@ -46,14 +46,14 @@ Palette read_palette(ByteReader& in, std::uint32_t flags) {
   return palette;
 }
 
-// Data comes in blocks of up to 255 bytes; an empty one ends it.
+// Data comes in blocks of up to 255 bytes; an empty block ends it.
 void skip_blocks(ByteReader& in) {
   while (const std::uint32_t size = in.u8()) {
     in.skip(size);
   }
 }
 
-// Goes to the first image, past extensions. False when there is none.
+// Skips extensions up to the first image. False if there is none.
 bool find_image(ByteReader& in) {
   while (!in.ended()) {
     const std::uint32_t tag = in.u8();
@@ -69,7 +69,7 @@ bool find_image(ByteReader& in) {
   return false;
 }
 
-// Codes of changing length out of the blocks.
+// Reads variable-length codes from the blocks.
 class CodeReader {
  public:
   explicit CodeReader(ByteReader& in) : in_(in) {}
@@ -100,7 +100,7 @@ class CodeReader {
   std::uint32_t block_left_ = 0;
 };
 
-// The strings of Lempel, Ziv and Welch: each is an earlier one and a color after it.
+// The LZW dictionary: each string is an earlier one plus a color.
 class StringTable {
  public:
   explicit StringTable(std::uint32_t code_bits) : colors_(1u << code_bits) { clear(); }
@@ -136,7 +136,7 @@ class StringTable {
   std::uint32_t size_ = 0;
 };
 
-// Puts the colors of a frame at their places.
+// Writes the colors of a frame to their positions.
 class Canvas {
  public:
   Canvas(Texture& texture, const Frame& frame, const Palette& palette)
@@ -212,7 +212,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
     if (code >= table.size() && !newest) {
       return "it contains an invalid code";
     }
-    // The string that is just being made begins and ends with the first color of the last one.
+    // A code for the string under construction: the previous string plus its own first color.
     std::uint8_t* begin = table.expand(newest ? last : code, newest ? end - 1 : end);
     if (newest) {
       end[-1] = *begin;

@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-// More than a vector can ever hold is no mistake of another kind than more than there is.
+// An allocation larger than max_size() is reported as out of memory, too.
 std::size_t value_count(int width, int height) {
   const std::size_t count =
       std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -27,7 +27,7 @@ std::uint8_t quantize(float value, Rounding rounding) {
   return quantized;
 }
 
-// Without branches: the compiler takes several at a time.
+// Branch-free, so that the compiler vectorizes it.
 void quantize(const float* values, std::size_t count, Rounding rounding, std::uint8_t* to) {
   const float up = rounding == Rounding::nearest ? 0.5f : 0.0f;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
-// JPEG by libjpeg (libjpeg-turbo on Debian). It reports errors by longjmp, so the functions between
-// setjmp and the library hold nothing with a destructor: all that lives in the callers.
+// JPEG decoding with libjpeg (libjpeg-turbo on Debian). It reports errors by longjmp, so functions
+// between setjmp and the library hold no objects with destructors; those live in the callers.
 
 #include "scenefile/asset/codec.h"
 
@@ -36,8 +36,8 @@ extern "C" void jpeg_failed(j_common_ptr jpeg) {
   std::longjmp(decoder->failed, 1);
 }
 
-// The library goes on after damage and fills what is missing with gray. Warnings that mean this
-// are errors here.
+// The library continues after damage and fills the missing part with gray. Warnings that mean
+// this are errors here.
 extern "C" void jpeg_warned(j_common_ptr jpeg, int level) {
   const int code = jpeg->err->msg_code;
   if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER ||
@@ -66,7 +66,7 @@ void start(Decoder& decoder, std::string_view bytes) {
   jpeg_mem_src(&decoder.jpeg, reinterpret_cast<const unsigned char*>(bytes.data()),
                static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&decoder.jpeg, TRUE);
-  if (decoder.jpeg.arith_code) {  // no program writes it, and damage in it goes unnoticed
+  if (decoder.jpeg.arith_code) {  // rarely written, and damage in it goes undetected
     refuse(decoder, "arithmetic coding is not supported");
   }
 }
@@ -79,7 +79,7 @@ bool read_sizes(Decoder& decoder, std::string_view bytes, ImageHeader& header) {
   const jpeg_decompress_struct& jpeg = decoder.jpeg;
   header.width = jpeg.image_width;
   header.height = jpeg.image_height;
-  // A few rows, and all coefficients, 16 bits each, if they come in several passes.
+  // A few rows; for progressive files all coefficients, 16 bits each.
   header.working_bytes = header.width * 64 * static_cast<std::uint64_t>(jpeg.num_components);
   const bool passes = jpeg_has_multiple_scans(&decoder.jpeg) != 0;
   for (int i = 0; passes && i < jpeg.num_components; ++i) {
@@ -90,7 +90,7 @@ bool read_sizes(Decoder& decoder, std::string_view bytes, ImageHeader& header) {
   return true;
 }
 
-// CMYK as Adobe's programs write it is inverted.
+// Adobe programs write inverted CMYK.
 void cmyk_to_rgb(const std::uint8_t* cmyk, int width, bool inverted, std::uint8_t* rgb) {
   for (int x = 0; x < width; ++x) {
     for (int channel = 0; channel < 3; ++channel) {

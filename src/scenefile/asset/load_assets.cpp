@@ -50,8 +50,8 @@ class TextureLoader {
     bool over_limit;
   };
 
-  // What is decoded together fits into the budget, so that it is refused or not as one after the
-  // other would be; and its files take little memory.
+  // A batch that is decoded in parallel fits the budget, so that the same textures are rejected as
+  // in sequence, and its files take little memory.
   bool fits(std::size_t encoded, std::uint64_t decoded) const {
     constexpr std::size_t most_files = 64;
     constexpr std::size_t most_bytes = 64'000'000;

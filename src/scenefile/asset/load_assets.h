@@ -16,43 +16,44 @@
 
 namespace scenefile {
 
-/// What a scene's files hold, at the same indices as RenderScene::texture_files and mesh_files.
+/// The contents of a scene's files, at the same indices as RenderScene::texture_files and
+/// mesh_files.
 struct Assets {
-  std::vector<Texture> textures;  ///< empty() where the file could not be used
-  std::vector<Mesh> meshes;       ///< without triangles where the file could not be used
+  std::vector<Texture> textures;  ///< empty() if the file could not be used
+  std::vector<Mesh> meshes;       ///< without triangles if the file could not be used
 };
 
-/// The bytes of a file, or why there are none.
+/// The bytes of a file, or why it could not be read.
 struct FileContents {
   std::string bytes;
-  std::string error;        ///< empty: the bytes are the file
+  std::string error;        ///< empty on success
   bool over_limit = false;  ///< the error is that the file is larger than allowed
 };
 
-/// Fetches a file by its name as written in the scene. How names are resolved, and what may be
-/// opened, is the caller's business (io/asset_roots.h has the rules of the format). An empty
-/// function opens nothing: every file counts as missing.
+/// Fetches a file by its name as written in the scene. The caller decides how names are resolved
+/// and what may be opened (io/asset_roots.h has the rules of the format). With an empty function
+/// every file counts as missing.
 using FetchFile = std::function<FileContents(const std::string& name)>;
 
 enum class AssetKind : std::uint8_t { texture, mesh };
 
-/// Calls work(0) to work(count - 1), each once, in any order and several at once where it likes;
+/// Calls work(0) to work(count - 1), each once, in any order, possibly in parallel;
 /// returns when all are done.
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& work)>;
 
 struct LoadOptions {
-  bool textures = true;        ///< false: leave all of them empty, without a word
+  bool textures = true;        ///< false: leave them all empty, without a diagnostic
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
   Limits limits;
-  ForEach for_each = {};  ///< decodes textures; empty: one after the other
+  ForEach for_each = {};  ///< for decoding textures; empty: sequentially
 };
 
 /// Loads every file of the lists once, in their order. A texture that cannot be used is a warning
 /// (it shades with the diffuse color), a mesh an error; their place is that of the reference.
-/// Findings inside a mesh file bear its name and line. The limits on textures and meshes hold for
-/// all of them together. Files are fetched one after the other; result and findings are the same
-/// however textures are decoded. Codes: asset/codes.h.
+/// Findings inside a mesh file carry its name and line. The limits on textures and meshes apply to
+/// all of them together. Files are fetched sequentially; `for_each` does not change results
+/// or findings. Codes: asset/codes.h.
 Assets load_assets(std::span<const FileReference> texture_files,
                    std::span<const FileReference> mesh_files, const FetchFile& fetch,
                    const LoadOptions& options, Diagnostics& diagnostics);

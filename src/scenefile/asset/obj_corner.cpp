@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// Why a number that is well formed points to nothing.
+// Why a well-formed number does not refer to an element.
 std::string out_of_range(std::string_view word, const IndexList& list) {
   if (word.find_first_of("123456789") == std::string_view::npos) {
     return fmt::format("there is no {} 0: they count from 1, or from -1 backwards", list.name);

@@ -8,11 +8,11 @@
 
 namespace scenefile {
 
-/// One of the lists that a corner points into.
+/// One of the lists that a face corner refers to.
 struct IndexList {
   std::string_view name;  ///< of one element, for messages
   std::uint64_t in_file = 0;
-  std::uint64_t so_far = 0;  ///< before the face: what negative numbers count back from
+  std::uint64_t so_far = 0;  ///< before the face; negative numbers count back from here
 };
 
 struct CornerLists {
@@ -24,7 +24,7 @@ struct Corner {
   std::uint32_t position, uv, normal;
 };
 
-/// Reads v, v/vt, v//vn or v/vt/vn, or says why it is none of them.
+/// Reads v, v/vt, v//vn or v/vt/vn, or says why it is not valid.
 std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lists,
                                    std::string& why);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-// Lines of many megabytes exist; counting their characters for each finding would be quadratic.
+// Lines can be many megabytes long; counting their characters for each finding would be quadratic.
 constexpr std::size_t max_counted = 65536;
 
 bool is_blank(char c) {
@@ -27,7 +27,7 @@ ObjWords::ObjWords(std::string_view text) : text_(text) {
   }
 }
 
-// How many bytes of line end stand here: 0, 1, or 2 for CR LF.
+// Length of the line end at this position: 0, 1, or 2 for CR LF.
 std::size_t ObjWords::line_end_bytes(std::size_t at) const {
   if (at >= text_.size() || !is_line_end(text_[at])) {
     return 0;
@@ -41,7 +41,7 @@ void ObjWords::pass_line_end(std::size_t bytes) {
   line_start_ = at_;
 }
 
-// Also passes a backslash at the end of a line, which makes one statement of two lines.
+// Also skips a backslash at the end of a line, which continues the statement on the next line.
 void ObjWords::skip_blanks() {
   while (at_ < text_.size()) {
     if (is_blank(text_[at_])) {

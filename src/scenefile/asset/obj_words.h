@@ -8,21 +8,21 @@
 
 namespace scenefile {
 
-/// Goes through a text statement by statement, word by word, without a copy. A statement is a line,
-/// or several where a backslash ends all but the last. Lines end with LF, CR or both; blanks,
-/// tabs, vertical tabs and form feeds part words; # begins a comment that ends with its line.
+/// Iterates over a text statement by statement, word by word, without copying. A statement is a
+/// line, or several where a backslash ends all but the last. Lines end with LF, CR or both; blanks,
+/// tabs, vertical tabs and form feeds separate words; # begins a comment that ends with its line.
 class ObjWords {
  public:
   /// A byte order mark is skipped.
   explicit ObjWords(std::string_view text);
 
-  /// Goes to the next statement that has a word. False at the end of the text.
+  /// Advances to the next statement that has a word. False at the end of the text.
   bool next_statement();
   /// The next word of the statement; empty when there is none.
   std::string_view next_word();
 
-  /// The place of a word that was given (columns beyond 65,536 count bytes); of one on an earlier
-  /// line of the statement, the start of the present line.
+  /// The place of a word returned by next() (columns beyond 65,536 count bytes); for a word on an
+  /// earlier line of the statement, the start of the current line.
   Location location(std::string_view word) const;
 
  private:
@@ -36,7 +36,7 @@ class ObjWords {
   std::size_t at_ = 0;
   std::size_t line_start_ = 0;
   std::uint32_t line_ = 1;
-  bool inside_ = false;  // a statement
+  bool inside_ = false;  // inside a statement
 };
 
 }  // namespace scenefile

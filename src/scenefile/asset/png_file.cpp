@@ -1,5 +1,5 @@
-// PNG read by libpng, which reports errors by longjmp, so the functions between setjmp and
-// the library hold nothing with a destructor: all that lives in the callers.
+// PNG decoding with libpng, which reports errors by longjmp, so functions between setjmp and
+// the library hold no objects with destructors; those live in the callers.
 
 #include "scenefile/asset/codec.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
 
-// What went wrong in the library, kept where longjmp cannot lose it.
+// The error from the library, stored where longjmp cannot lose it.
 struct Message {
   std::array<char, 160> text{};
   bool out_of_memory = false;
@@ -49,9 +49,10 @@ constexpr png_uint_32 idat = 0x49444154;
 struct Source {
   const char* at;
   std::size_t left;
-  // The library unpacks what follows the last pixel, a thousand times its size, to throw it away.
+  // The library decompresses data after the last pixel, up to a thousand times its size, only to
+  // discard it.
   bool ending = false;    // the last rows are being read
-  std::size_t ample = 0;  // bytes of IDAT for them, and more
+  std::size_t ample = 0;  // more bytes of IDAT than those rows can need
 };
 
 extern "C" void png_fetch(png_structp png, png_bytep to, png_size_t count) {
@@ -106,8 +107,8 @@ bool read_header(std::string_view bytes, ImageHeader& header, std::string& error
   return true;
 }
 
-// Chunks that change nothing here are not even parsed: 8 kB of compressed text would unpack to 8
-// MB, a thousand times in a file of 8 MB, and gamma is not part of the format.
+// Irrelevant chunks are not parsed: 8 kB of compressed text expand to 8 MB, and a file of 8 MB can
+// hold a thousand such chunks. Gamma is not part of the scene format.
 void skip_ancillary_chunks(png_structp png) {
   static const png_byte names[] =
       "bKGD\0cHRM\0eXIf\0gAMA\0hIST\0iCCP\0iTXt\0oFFs\0pCAL\0pHYs\0sBIT\0sCAL\0sPLT\0sRGB\0sTER\0"
@@ -117,7 +118,7 @@ void skip_ancillary_chunks(png_structp png) {
                               static_cast<int>(sizeof names / 5));
 }
 
-// What the library hands over: rows of RGB, or of palette indices, which it would not check.
+// The rows from the library are RGB, or palette indices, whose range it does not check.
 struct Pixels {
   std::vector<std::uint8_t> bytes;
   bool indexed = false;
@@ -125,7 +126,7 @@ struct Pixels {
   int colors = 0;
 };
 
-// One byte for an index, three for a color; returns the number of passes over the image.
+// One byte per index, three per color; returns the number of passes over the image.
 int convert_samples(png_structp png, png_infop info, bool indexed) {
   const int passes = png_set_interlace_handling(png);
   png_set_packing(png);
@@ -139,7 +140,7 @@ int convert_samples(png_structp png, png_infop info, bool indexed) {
   return passes;
 }
 
-// Rows are added as they come, unless they come several times. The memory has been reserved.
+// Rows are appended as they arrive, unless there are several passes. The memory is reserved.
 void read_rows(png_structp png, int passes, std::size_t row, int height,
                std::vector<std::uint8_t>& bytes) {
   auto* source = static_cast<Source*>(png_get_io_ptr(png));
@@ -149,7 +150,8 @@ void read_rows(png_structp png, int passes, std::size_t row, int height,
   }
   for (int pass = 0; pass < passes; ++pass) {
     for (int y = 0; y < height; ++y) {
-      // The last pass over an odd number of rows has none of the last; one over few may be empty.
+      // With an odd number of rows the last pass does not contain the last row; with few rows a
+      // pass may be empty.
       source->ending = (pass == passes - 1 || height <= 4) && y >= height - 2;
       if (passes == 1) {
         bytes.resize(row * static_cast<std::size_t>(y + 1));

@@ -1,4 +1,4 @@
-// PNG is written by hand around the deflate and the CRC of ISA-L (decision 18). Source of the
+// A PNG writer with the deflate and CRC of ISA-L (decision 18). Source of the
 // format: W3C, "Portable Network Graphics (PNG) Specification (Second Edition)".
 
 #include "scenefile/asset/codec.h"
@@ -24,7 +24,7 @@ std::uint32_t crc_of(const char* bytes, std::size_t count) {
   return crc32_gzip_refl(0, reinterpret_cast<const unsigned char*>(bytes), count);
 }
 
-// Appends to the file a chunk whose data `append` appends to it; none where that appends nothing.
+// Appends a chunk whose data is appended by `append`; no chunk if there is no data.
 template <typename Append>
 void add_chunk(std::string& file, const char* name, const Append& append) {
   const std::size_t start = file.size();
@@ -42,19 +42,19 @@ void add_chunk(std::string& file, const char* name, const Append& append) {
   append_big_endian(file, crc_of(file.data() + start + 4, file.size() - start - 4));
 }
 
-// A zlib stream that is made piece by piece.
+// A zlib stream, compressed piece by piece.
 class Deflater {
  public:
   Deflater() : state_(std::make_unique<isal_zstream>()), buffer_(ISAL_DEF_LVL3_DEFAULT) {
     isal_deflate_init(state_.get());
-    // Levels 1 and 2 give other bytes where the stream lies elsewhere in memory (decision 18).
+    // Levels 1 and 2 give bytes that depend on memory addresses (decision 18).
     state_->level = 3;
     state_->level_buf = buffer_.data();
     state_->level_buf_size = static_cast<std::uint32_t>(buffer_.size());
     state_->gzip_flag = IGZIP_ZLIB;
   }
 
-  // Appends what is ready of the stream to `out`.
+  // Appends the finished part of the stream to `out`.
   void put(std::vector<std::uint8_t>& bytes, bool last, std::string& out) {
     state_->next_in = bytes.data();
     state_->avail_in = static_cast<std::uint32_t>(bytes.size());
@@ -83,7 +83,7 @@ void quantize_16_bit(const float* from, std::size_t count, Rounding rounding, st
   }
 }
 
-// Rows of samples as the filter "Sub" leaves them: each the difference to the pixel at its left.
+// Applies the filter "Sub": each sample becomes the difference to the pixel on its left.
 class Rows {
  public:
   Rows(const Image& image, int bits, Rounding rounding)

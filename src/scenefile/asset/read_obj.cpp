@@ -21,8 +21,8 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 constexpr Corners no_corners = {mesh_no_index, mesh_no_index, mesh_no_index};
 
-// How many of each the file holds, from a first pass: so that the limits are checked and the memory
-// is taken before any of it is read, and faces may stand before their vertices.
+// Counts from a first pass over the file: limits are checked and memory is reserved before anything
+// is read, and faces may come before their vertices.
 struct Counts {
   std::uint64_t positions = 0;
   std::uint64_t uvs = 0;
@@ -62,7 +62,7 @@ Counts counts_of(const Mesh& mesh) {
   return {mesh.positions.size(), mesh.uvs.size(), mesh.normals.size(), mesh.triangles.size()};
 }
 
-// Statements that change nothing that is drawn.
+// Statements that do not affect the picture.
 bool is_skipped(std::string_view keyword) {
   constexpr std::string_view names[] = {
       "g",      "o",      "s",     "usemtl", "mtllib",     "l",         "p",        "mg",
@@ -77,7 +77,7 @@ bool is_free_form(std::string_view keyword) {
   return std::find(std::begin(names), std::end(names), keyword) != std::end(names);
 }
 
-// A word that no text format has.
+// Whether a word cannot come from a text format.
 bool is_binary(std::string_view word) {
   while (!word.empty()) {
     const CodePoint c = first_code_point(word);
@@ -89,7 +89,7 @@ bool is_binary(std::string_view word) {
   return false;
 }
 
-// Keeps the triangles of which `keep` is true.
+// Keeps only the triangles for which `keep` is true.
 template <typename Keep>
 void keep_triangles(Mesh& mesh, Keep keep) {
   std::size_t kept = 0;
@@ -116,7 +116,7 @@ bool has_area(const Mesh& mesh, const Corners& triangle) {
   return glm::cross(b - a, c - a) != glm::dvec3(0);
 }
 
-// An index list that no triangle uses is none.
+// Drops an index list that no triangle uses.
 void drop_unused(std::vector<Corners>& list) {
   const bool used =
       std::any_of(list.begin(), list.end(), [](const Corners& c) { return c[0] != mesh_no_index; });
@@ -169,7 +169,7 @@ class ObjReader {
     mesh_.triangle_normals.reserve(counts_.normals > 0 ? counts_.triangles : 0);
   }
 
-  // False when the text cannot be OBJ.
+  // False if the text cannot be OBJ.
   bool read_statement(std::string_view keyword) {
     ++known_;
     if (keyword == "v") {
@@ -187,7 +187,7 @@ class ObjReader {
     return true;
   }
 
-  // Reads all numbers of the statement; `least` must be there, `most` are returned.
+  // Reads all numbers of the statement; `least` are required, at most `most` are returned.
   glm::vec3 read_numbers(std::string_view keyword, int least, int most) {
     glm::vec3 result(0);
     int count = 0;
@@ -282,7 +282,7 @@ class ObjReader {
     }
   }
 
-  // Reported at the end, when it is known that the file is OBJ at all.
+  // Reported at the end, once it is certain that the file is OBJ.
   bool note_unknown(std::string_view keyword) {
     if (is_binary(keyword)) {
       return false;
@@ -358,7 +358,7 @@ class ObjReader {
   Location first_zero_normal_;
 };
 
-// Why a mesh of this size is refused, or nothing.
+// Why a mesh of this size is rejected, or nothing.
 std::string over_limits(const Counts& counts, std::uint64_t triangles, std::uint64_t bytes) {
   if (counts.triangles > triangles) {
     return fmt::format("{} triangles, and {} are left of the limit for all meshes",

@@ -47,7 +47,7 @@ bool is_color_depth(std::uint32_t bits) {
   return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-// Without a signature, every field has to make sense.
+// There is no signature, so every field must be plausible.
 bool recognizes(std::string_view bytes) {
   if (bytes.size() < header_bytes) {
     return false;
@@ -100,7 +100,7 @@ class Pixels {
     }
   }
 
-  // The next pixel in the order of the file.
+  // The next pixel in file order.
   Color next() {
     if (!header_.packed()) {
       return read();
@@ -144,7 +144,7 @@ class Pixels {
   ByteReader in_;
   std::vector<Color> palette_;
   Color color_{};
-  std::uint32_t left_ = 0;  // of the packet
+  std::uint32_t left_ = 0;  // in the packet
   bool repeats_ = false;
   bool bad_index_ = false;
 };

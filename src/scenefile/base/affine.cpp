@@ -6,7 +6,7 @@ namespace scenefile {
 
 namespace {
 
-// Below this share of the box spanned by its columns, a float map has lost an axis to rounding.
+// Below this ratio of determinant to product of column lengths, rounding has flattened a float map.
 constexpr double min_relative_volume = 1e-12;
 
 bool finite(const glm::dvec3& v) {
@@ -19,11 +19,11 @@ bool invertible(const DAffine& a) {
   if (!finite(a.offset)) {
     return false;
   }
-  // Squares of lengths and volumes: a large scene asks often, and roots cost time.
+  // Compares squares, to avoid square roots: large scenes call this often.
   double box = 1;
   for (int i = 0; i < 3; ++i) {
     const double square = glm::dot(a.linear[i], a.linear[i]);
-    // Outside this range the inverse does not fit the floats that it is stored in.
+    // Outside this range the inverse overflows or underflows the floats that store it.
     if (!(square > 1e-60) || !(square < 1e60)) {
       return false;
     }

@@ -1,13 +1,13 @@
 #pragma once
-// Affine maps as twelve numbers. A map is named to-from: `world_from_object` takes a point of the
-// object to the world, and products read correctly: world_from_group * group_from_object.
+// Affine maps as twelve numbers. A map is named to-from: `world_from_object` takes a point from
+// object space to world space, and products read naturally: world_from_group * group_from_object.
 
 #include <glm/glm.hpp>
 
 namespace scenefile {
 
-/// x -> linear * x + offset, column vectors. T is float where it is stored, double where it is
-/// composed.
+/// x -> linear * x + offset, column vectors. T is float for storage, double for
+/// composition.
 template <typename T>
 struct BasicAffine {
   glm::mat<3, 3, T> linear{1};  ///< columns are the images of the x, y and z axes
@@ -31,7 +31,7 @@ struct BasicAffine {
 using Affine = BasicAffine<float>;
 using DAffine = BasicAffine<double>;
 
-/// The inverse map. The caller has excluded maps that are not invertible(); for those the result
+/// The inverse map. The map must be invertible(); otherwise the result
 /// is not finite.
 inline DAffine inverse(const DAffine& a) {
   const glm::dmat3 linear = glm::inverse(a.linear);
@@ -44,7 +44,7 @@ inline glm::dvec3 transform_normal(const DAffine& object_from_world, const glm::
   return glm::transpose(object_from_world.linear) * normal;
 }
 
-/// Whether the map is finite and far enough from singular to be inverted: no axis lost, by the
+/// Whether the map is finite and far enough from singular to be inverted: tests the
 /// determinant relative to the lengths of the columns.
 bool invertible(const DAffine& a);
 

@@ -23,7 +23,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
   const auto severity = static_cast<std::size_t>(diagnostic.severity);
   ++counts_[severity];
   const std::size_t bytes = diagnostic.message.size() + diagnostic.file.size();
-  // The first of a kind is always kept: a finding must never vanish without a trace.
+  // The first of each code is always kept, so that no code goes unmentioned.
   const bool fits = tally.kept < max_per_code_ && bytes_ + bytes <= max_bytes_;
   if (tally.kept != 0 && !fits) {
     ++tally.dropped[severity];

@@ -1,7 +1,7 @@
 #pragma once
 // Findings about a file. Reading functions never throw, print or exit: they append to a
-// Diagnostics and return what they could. An error means that the result must not be used; a
-// warning means that it was used with the stated default.
+// Diagnostics and return as much as they could read. After an error the result must not be used;
+// after a warning it can be used, with the default that the warning states.
 
 #include "scenefile/base/limits.h"
 #include "scenefile/base/location.h"
@@ -19,23 +19,24 @@ namespace scenefile {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-/// What is special about a kind of finding.
+/// How a kind of finding is treated specially.
 enum class CodeKind : std::uint8_t {
   plain,
   dialect,  ///< a spelling of a dialect: an error under `--strict`
-  limit,    ///< a limit was reached; as an error it has an exit status of its own
-  absence   ///< something is missing in the whole scene: not said where parts could not be read
+  limit,    ///< a limit was reached; as an error it has a separate exit status
+  absence   ///< something is missing from the scene; not reported when parts of the scene could not
+            ///< be read
 };
 
 /// A kind of finding. Each is one constant in the `codes.h` of the room that reports it; its
 /// address is its identity, its name is stable across versions.
 struct Code {
   std::string_view name;     ///< such as "camera.up-parallel-to-look"
-  Severity severity;         ///< unless a report says otherwise
+  Severity severity;         ///< the default; a report may override it
   std::string_view summary;  ///< one line: what is wrong
   std::string_view help;     ///< why it matters and what to do
   CodeKind kind = CodeKind::plain;
-  /// The other severity that some reports give it; `help` says when.
+  /// The other severity that some reports use; `help` says when.
   std::optional<Severity> otherwise = std::nullopt;
 };
 
@@ -48,17 +49,17 @@ struct Diagnostic {
   std::string message;  ///< one line of UTF-8; may hold input text, so escape it before a terminal
 };
 
-/// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of a
-/// kind and `limits.message_bytes` in all are kept, all are counted.
+/// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of each
+/// code and `limits.message_bytes` in total are kept; all are counted.
 class Diagnostics {
  public:
   explicit Diagnostics(const Limits& limits = {});
 
   /// Adds a finding with the severity of its code.
   void report(const Code& code, Location location, std::string message);
-  /// Adds a finding with a severity of its own.
+  /// Adds a finding with another severity.
   void report(const Code& code, Severity severity, Location location, std::string message);
-  /// Adds a finding as it is, for those about other files.
+  /// Adds a complete finding, for example one about another file.
   void add(Diagnostic diagnostic);
 
   const std::vector<Diagnostic>& list() const { return list_; }
@@ -69,9 +70,9 @@ class Diagnostics {
   /// How many of any kind were counted but not kept.
   std::size_t dropped() const;
 
-  /// Rewrites severities and removes findings, for `--strict`, `--deny warnings` and `--allow`:
-  /// `decide` says the new severity of each kind with each severity it was reported with, or
-  /// nothing to remove the finding. Findings that were counted but not kept follow their kind.
+  /// Changes severities and removes findings, for `--strict`, `--deny warnings` and `--allow`:
+  /// for each code and reported severity, `decide` returns the new severity, or
+  /// nothing to remove the findings. Findings that were counted but not kept are treated alike.
   void rewrite(const std::function<std::optional<Severity>(const Code&, Severity)>& decide);
 
  private:

@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-// A bijection, so two states that differ never meet again over equal words.
+// A bijection, so that different states stay different when the same words follow.
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;

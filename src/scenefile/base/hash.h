@@ -1,13 +1,13 @@
 #pragma once
-// A fingerprint of bytes: for telling files apart and finding damage, not against forgery.
+// A non-cryptographic hash of bytes: tells files apart and detects damage, not forgery.
 
 #include <cstdint>
 #include <string_view>
 
 namespace scenefile {
 
-/// 64 bits that depend on every byte of all texts added, on their order and on where each ends.
-/// Texts that differ in one byte alone never have the same value. The mixing step
+/// A 64-bit hash of all texts added, in order, and of where each ends.
+/// Texts that differ in a single byte never have the same value. The mixing step
 /// is the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 class Hash {
  public:

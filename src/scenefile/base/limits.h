@@ -1,21 +1,21 @@
 #pragma once
-// What a hostile or mistaken file may cost. One struct, passed to every function that reads.
+// Bounds on what a hostile or faulty file may cost. Passed to every function that reads.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace scenefile {
 
-/// Upper bounds; each is checked before the memory is taken, each has a diagnostic of its own.
-/// The defaults hold every scene of the course and of public projects with room to spare.
+/// Upper bounds; each is checked before memory is allocated and has its own diagnostic.
+/// The defaults leave ample room for every scene of the course and of public projects.
 struct Limits {
   std::uint64_t file_bytes = std::uint64_t{1} << 30;     ///< of a scene or asset file
-  std::uint32_t nesting = 1024;                          ///< elements or values inside each other
+  std::uint32_t nesting = 1024;                          ///< depth of nested elements or values
   std::uint32_t attributes = 256;                        ///< of one element
   std::uint32_t name_bytes = 4096;                       ///< names of elements, objects and files
   std::uint32_t value_bytes = 65536;                     ///< any other attribute or string
-  std::uint32_t messages_per_code = 100;                 ///< kept; the rest is counted
-  std::uint32_t message_bytes = 1 << 20;                 ///< kept, in all
+  std::uint32_t messages_per_code = 100;                 ///< kept; the rest are only counted
+  std::uint32_t message_bytes = 1 << 20;                 ///< kept, in total
   std::uint32_t lights = 1024;                           ///< in world space, after instancing
   std::uint32_t texture_side = 16384;                    ///< pixels
   std::uint64_t texture_bytes = std::uint64_t{1} << 30;  ///< decoded, all textures together

@@ -7,7 +7,7 @@
 namespace scenefile {
 
 /// A place in a text file. Lines and columns count from 1; columns count characters (Unicode code
-/// points), a tab as one. {0, 0} means "no place", for scenes that were built in memory.
+/// points), a tab as one. {0, 0} means "no place", as in scenes built in memory.
 struct Location {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
@@ -16,7 +16,7 @@ struct Location {
   friend bool operator==(const Location&, const Location&) = default;
 };
 
-/// A file that another file names, and the place where it does so first.
+/// A file named by another file, and the place of its first mention.
 struct FileReference {
   std::string name;   ///< as written by the author, not resolved
   Location location;  ///< for messages

@@ -30,7 +30,7 @@ std::size_t skip_digits(std::string_view text, std::size_t at) {
 }
 
 // End of the longest number that starts at 0 (after a sign), or 0. Checked by hand because the
-// standard's parsers also take "inf", "nan" and hexadecimal.
+// standard parsers also accept "inf", "nan" and hexadecimal.
 std::size_t number_end(std::string_view text) {
   std::size_t at = !text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0;
   const std::size_t whole = at;
@@ -57,8 +57,8 @@ std::size_t number_end(std::string_view text) {
   return at;
 }
 
-// Whether a number that no double can hold is too large for one, rather than too small: by the
-// power of ten of its first digit that is not zero.
+// Whether a number outside the range of double is too large rather than too small: decided by the
+// power of ten of its first nonzero digit.
 bool is_huge(std::string_view text) {
   const std::size_t e = std::min(text.find_first_of("eE"), text.size());
   const std::string_view mantissa = text.substr(0, e);
@@ -76,7 +76,7 @@ bool is_huge(std::string_view text) {
   return power + (negative ? -exponent : exponent) > 0;
 }
 
-// `text` is a valid number without a leading plus. Beyond the range of double: infinity or 0.
+// `text` is a valid number without a leading plus. Outside the range of double: infinity or 0.
 double convert(std::string_view text) {
 #if defined(__cpp_lib_to_chars)
   double value = 0;
@@ -97,9 +97,9 @@ double convert(std::string_view text) {
   return is_huge(text) ? (text[0] == '-' ? -huge : huge) : 0;
 }
 
-// Most numbers of scene files: up to 15 digits with or without a point, and nothing else. The
-// digits and the power of ten are exact doubles then, so their quotient is the nearest double, as
-// it is from the long way.
+// Fast path for most numbers in scene files: up to 15 digits with or without a point, and nothing
+// else. The digits and the power of ten are then exact doubles, so their quotient is the nearest
+// double, the same as the general path gives.
 bool parse_short(std::string_view text, double& value) {
   constexpr double powers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

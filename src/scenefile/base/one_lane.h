@@ -1,7 +1,7 @@
 #pragma once
-// Numbers for code that is written once for any number of lanes (files named *-inl.h): here one
-// lane, a plain double. Other widths: trace/wide-inl.h. All of them round alike, so that what is
-// computed in lanes is equal to the last bit to what is computed alone.
+// The one-lane number type for code that is written once for any number of SIMD lanes (files named
+// *-inl.h): a plain double. Wider types: trace/wide-inl.h. All widths round alike, so that vector
+// and scalar results are equal to the last bit.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace scenefile::one {
 
 using F = double;                ///< a number in each lane
-using M = bool;                  ///< yes or no in each lane
-inline constexpr int lanes = 1;  ///< how many
+using M = bool;                  ///< a boolean in each lane
+inline constexpr int lanes = 1;  ///< number of lanes
 
 /// The same number in all lanes.
 inline F splat(double x) {

@@ -1,5 +1,5 @@
 #pragma once
-// Members that most objects do without.
+// Storage for members that few objects have.
 
 #include <cstddef>
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace scenefile {
 
-/// As std::optional, but the value lies apart: where there is none this is one pointer long, for
-/// members that are large and rare in things of which there are a million.
+/// Like std::optional, but the value is stored on the heap, so that an empty one takes a single
+/// pointer. For large, rarely used members of types that exist a million times.
 template <typename T>
 class Rare {
  public:
@@ -35,7 +35,7 @@ class Rare {
   T* operator->() { return at_.get(); }
   const T* operator->() const { return at_.get(); }
 
-  /// Of the values; none equals none alone.
+  /// Compares the values; empty equals only empty.
   friend bool operator==(const Rare& a, const Rare& b) {
     return a && b ? *a == *b : a.has_value() == b.has_value();
   }
@@ -44,7 +44,7 @@ class Rare {
   std::unique_ptr<T> at_;
 };
 
-/// A text that is mostly empty: where it is, this is one pointer long.
+/// A text that is usually empty; an empty one takes a single pointer.
 class RareText {
  public:
   RareText() = default;

@@ -42,13 +42,12 @@ std::string_view color_of(Severity severity) {
   return {};
 }
 
-// Offsets of the line starts, for as many lines as are asked for: one pass over the text however
-// many findings there are.
+// Offsets of line starts, found in a single pass over the text for any number of findings.
 class LineFinder {
  public:
   explicit LineFinder(std::string_view text) : text_(text) {}
 
-  // Lines are asked for in ascending order.
+  // Must be called with ascending lines.
   std::string_view line(std::uint32_t number) {
     while (current_ < number && at_ < text_.size()) {
       at_ = next_start(at_);
@@ -80,8 +79,8 @@ std::size_t character_length(std::string_view text) {
   return std::max<std::size_t>(first_code_point(text).bytes, 1);
 }
 
-// The shown part of a line: up to excerpt_width characters around the column, and where the caret
-// stands in it. Tabs become spaces so that the caret stays under its character.
+// The shown part of a line: up to excerpt_width characters around the column, and the position of
+// the caret in it. Tabs become spaces so that the caret stays under its character.
 struct Excerpt {
   std::string text;
   std::size_t caret = 0;

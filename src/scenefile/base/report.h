@@ -11,12 +11,12 @@ namespace scenefile {
 
 struct ReportStyle {
   bool color = false;   ///< ANSI colors
-  bool excerpt = true;  ///< the line of the file and a caret under the place
+  bool excerpt = true;  ///< show the line of the file, with a caret under the place
   bool notes = true;    ///< show notes too
 };
 
-/// All findings in the order of their places: those about the scene itself by line and column, then
-/// those about other files and those without a place, as they were reported.
+/// All findings in order: those about the scene itself by line and column, then
+/// those about other files and those without a place, in the order they were reported.
 std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics);
 
 /// All findings by_place(), each as
@@ -27,8 +27,8 @@ std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics);
 ///           |         ^
 ///
 /// `file` is the name of the scene, `text` its bytes for the excerpts (at most 80 characters of a
-/// line, escaped). Findings about other files get no excerpt. Says how many of a kind were not
-/// shown.
+/// line, escaped). Findings about other files have no excerpt. Ends with how many of each code were
+/// not shown.
 std::string report_text(const Diagnostics& diagnostics, std::string_view file,
                         std::string_view text, const ReportStyle& style);
 

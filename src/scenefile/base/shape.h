@@ -7,14 +7,14 @@
 
 namespace scenefile {
 
-/// The shapes of the format. A closed set: switches over it have no default, so that a new shape
-/// is a list of compile errors to fix.
+/// The shapes of the format. A closed set: switches over it have no default, so that adding a shape
+/// gives a list of compile errors to fix.
 enum class Shape : std::uint8_t { cube, cone, cylinder, sphere, mesh };
 
 /// The lights of the format.
 enum class LightType : std::uint8_t { point, directional, spot, area };
 
-/// The words of the format for them, in the order of their enumerators.
+/// The format's words for them, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 5> shape_words{"cube", "cone", "cylinder", "sphere",
                                                              "mesh"};
 inline constexpr std::array<std::string_view, 4> light_words{"point", "directional", "spot",

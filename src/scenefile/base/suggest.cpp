@@ -8,9 +8,9 @@ namespace scenefile {
 
 namespace {
 
-// Longer words are never typing mistakes of the format's names.
+// Longer words are never misspellings of the format's names.
 constexpr std::size_t max_length = 40;
-// "camera" for "cameradata"; shorter ones say too little.
+// "camera" for "cameradata"; shorter prefixes are ambiguous.
 constexpr std::size_t shortest_start = 5;
 
 char lower(char c) {

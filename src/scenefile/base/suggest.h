@@ -6,15 +6,14 @@
 
 namespace scenefile {
 
-/// The known word that `word` was probably meant to be: another case of it, or the fewest edits
-/// (insert, delete, replace, swap neighbours) away, at most a third of its length; the first five
-/// or more letters of a name count as one edit. Empty when nothing is near. For "did you mean".
+/// The known word that `word` was probably meant to be, for "did you mean": the same ignoring case,
+/// or the one with the fewest edits (insert, delete, replace, swap neighbors), at most a third of
+/// its length; a prefix of five or more letters counts as one edit. Empty if nothing is close.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known);
 
-/// The number that `text`, which parse_number() does not take, was probably meant to be, as JSON
-/// and XML write it: a decimal comma, separated digits, other minus signs, quotes, hexadecimal,
-/// fractions, percentages, the exponents of Fortran, and units behind a number. Empty when that is
-/// a guess.
+/// The number that `text`, which parse_number() rejects, was probably meant to be, in the notation
+/// of JSON and XML. Knows decimal commas, digit separators, other minus signs, quotes, hexadecimal,
+/// fractions, percentages, Fortran exponents, and units after a number. Empty if ambiguous.
 std::string nearest_number(std::string_view text);
 
 }  // namespace scenefile

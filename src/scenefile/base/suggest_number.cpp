@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// Longer texts are no numbers with a slip in them.
+// Longer texts are not mistyped numbers.
 constexpr std::size_t max_length = 40;
 constexpr std::string_view blanks = " \t\r\n";
 
@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text, std::string_view away = blanks) 
              : text.substr(first, text.find_last_not_of(away) - first + 1);
 }
 
-// Characters that look like those of numbers become them.
+// Replaces characters that look like those of numbers.
 std::string in_ascii(std::string_view text) {
   constexpr std::pair<std::string_view, char> looks[] = {
       {"\u2212", '-'}, {"\u2010", '-'}, {"\u2011", '-'}, {"\u2012", '-'},
@@ -48,7 +48,7 @@ std::string in_ascii(std::string_view text) {
   return result;
 }
 
-// 1_000, 1'000: not blanks, which rather part two numbers.
+// 1_000, 1'000. Not blanks, which more likely separate two numbers.
 void join_digits(std::string& text) {
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
     if ((text[i] == '_' || text[i] == '\'') && is_digit(text[i - 1]) && is_digit(text[i + 1])) {
@@ -57,7 +57,7 @@ void join_digits(std::string& text) {
   }
 }
 
-// One comma is a decimal point; in front of a point, commas part thousands.
+// A single comma is a decimal point; before a point, commas separate thousands.
 void place_point(std::string& text) {
   const auto commas = std::count(text.begin(), text.end(), ',');
   if (text.find('.') != std::string::npos) {
@@ -116,7 +116,7 @@ std::optional<double> fortran_value(std::string text) {
   return plain_value(text);
 }
 
-// A number with something behind it that changes nothing, or a per cent sign.
+// A number followed by a redundant suffix, or by a percent sign.
 std::optional<double> value_before_unit(std::string_view text) {
   const ParsedNumber number = parse_number(text);
   if (number.used == 0 || number.error != NumberError::malformed) {
@@ -131,7 +131,7 @@ std::optional<double> value_before_unit(std::string_view text) {
       rest == "\u00B0" || std::all_of(rest.begin(), rest.end(), [](char c) {
         return is_letter(c) || std::string_view("'`\";:.,)]}+-").find(c) != std::string_view::npos;
       });
-  // Angles are degrees here, so the number alone would be wrong.
+  // The format's angles are degrees, so dropping the unit would be wrong.
   const bool radians = lower_case(rest).starts_with("rad");
   return unit && !hexadecimal && !radians ? std::optional(number.value) : std::nullopt;
 }

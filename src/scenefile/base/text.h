@@ -1,5 +1,5 @@
 #pragma once
-// Text that came from a file, made fit for a message.
+// Makes text from a file safe to show in a message.
 
 #include <cstddef>
 #include <string>
@@ -27,17 +27,17 @@ CodePoint first_code_point(std::string_view text);
 /// ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 
-/// Whether the texts are equal but for the case of ASCII letters.
+/// Whether the texts are equal, ignoring the case of ASCII letters.
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 
-/// How many characters the text has; a byte that is not UTF-8 counts as one.
+/// The number of characters; a byte that is not UTF-8 counts as one.
 std::size_t count_code_points(std::string_view text);
 
-/// Whether a character looks like a blank, or like nothing, and is no blank of XML or JSON: as web
-/// pages and word processors leave behind.
+/// Whether a character looks blank or is invisible, but is not white space in XML or JSON: such
+/// characters come from web pages and word processors.
 bool is_odd_blank(char32_t c);
 
-/// Whether a character is not shown as itself: controls, format and bidirectional characters.
+/// Whether a character must be escaped: control, format and bidirectional characters.
 bool is_invisible(char32_t c);
 
 }  // namespace scenefile

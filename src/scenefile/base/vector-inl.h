@@ -1,5 +1,5 @@
-// Vectors whose coordinates are numbers in lanes. Sums are taken in the order x, y, z, as glm does.
-// No guard: included once for each number of lanes, after what defines F and M.
+// Vectors of lane numbers. Sums add in the order x, y, z, as glm does.
+// No include guard: included once for each number of lanes, after the definitions of F and M.
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -40,7 +40,7 @@ inline V3 normalize(const V3& a) {
 inline V3 select(M m, const V3& yes, const V3& no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
-/// Of any type with x, y and z: the same in all lanes.
+/// Broadcasts any type with x, y and z to all lanes.
 template <typename Vector>
 V3 splat3(const Vector& v) {
   return {splat(double(v.x)), splat(double(v.y)), splat(double(v.z))};

@@ -1,5 +1,5 @@
 #pragma once
-// The decoders behind decode_image(). Private to the room.
+// The decoders used by decode_image(). Private to the room.
 
 #include "scenefile/asset/image.h"
 
@@ -35,7 +35,7 @@ extern const Codec gif_codec;
 extern const Codec bmp_codec;
 extern const Codec tga_codec;
 
-/// The encoder of PNG behind encode_image(); the image is not empty.
+/// Encodes PNG for encode_image(). The image must not be empty.
 std::string encode_png(const Image& image, int bits, Rounding rounding);
 
 inline constexpr std::string_view ends_early = "the file ends early";

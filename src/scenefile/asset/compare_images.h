@@ -4,9 +4,9 @@
 
 namespace scenefile {
 
-/// How two 8-bit pictures of one size differ. All over the three channels of all pixels.
+/// How two 8-bit pictures of the same size differ, over all three channels of all pixels.
 struct ImageDifference {
-  double psnr_db = 99;    ///< 20 log10(255 / rms); 99 at most, 99 for equal pictures
+  double psnr_db = 99;    ///< 20 log10(255 / rms), capped at 99; 99 for equal pictures
   double mean = 0;        ///< mean absolute difference, in 1/255
   int max = 0;            ///< largest absolute difference, in 1/255
   double share_over = 0;  ///< share of pixels with a channel off by more than the threshold

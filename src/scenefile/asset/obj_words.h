@@ -9,8 +9,8 @@
 namespace scenefile {
 
 /// Iterates over a text statement by statement, word by word, without copying. A statement is a
-/// line, or several where a backslash ends all but the last. Lines end with LF, CR or both; blanks,
-/// tabs, vertical tabs and form feeds separate words; # begins a comment that ends with its line.
+/// line, or several lines joined by a backslash at the end. Lines end with LF, CR or both; blanks,
+/// tabs, vertical tabs and form feeds separate words; # begins a comment up to the end of the line.
 class ObjWords {
  public:
   /// A byte order mark is skipped.

@@ -47,7 +47,7 @@ bool is_color_depth(std::uint32_t bits) {
   return bits == 15 || bits == 16 || bits == 24 || bits == 32;
 }
 
-// There is no signature, so every field must be plausible.
+// TGA has no signature, so every field must be plausible.
 bool recognizes(std::string_view bytes) {
   if (bytes.size() < header_bytes) {
     return false;

@@ -31,8 +31,7 @@ struct BasicAffine {
 using Affine = BasicAffine<float>;
 using DAffine = BasicAffine<double>;
 
-/// The inverse map. The map must be invertible(); otherwise the result
-/// is not finite.
+/// The inverse map. Requires invertible(a); otherwise the result is not finite.
 inline DAffine inverse(const DAffine& a) {
   const glm::dmat3 linear = glm::inverse(a.linear);
   return {linear, -(linear * a.offset)};

@@ -6,9 +6,9 @@
 
 namespace scenefile {
 
-/// A 64-bit hash of all texts added, in order, and of where each ends.
-/// Texts that differ in a single byte never have the same value. The mixing step
-/// is the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+/// A 64-bit hash of all texts added, in order, and of where each ends. Texts that differ in a
+/// single byte never have the same value. The mixing step is the finalizer of SplitMix64 (Steele,
+/// Lea, Flood 2014).
 class Hash {
  public:
   void add(std::string_view bytes);

@@ -21,7 +21,7 @@ class Rare {
   Rare& operator=(const Rare& other) { return *this = Rare(other); }
   Rare& operator=(Rare&&) noexcept = default;
 
-  /// The new value.
+  /// Replaces the value.
   template <typename... Arguments>
   T& emplace(Arguments&&... arguments) {
     at_ = std::make_unique<T>(T{std::forward<Arguments>(arguments)...});
@@ -69,7 +69,7 @@ class RareText {
   friend bool operator==(const RareText& a, const char* b) { return a.str() == b; }
 
  private:
-  Rare<std::string> at_;  // never an empty one
+  Rare<std::string> at_;  // never holds an empty string
 };
 
 }  // namespace scenefile

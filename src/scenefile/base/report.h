@@ -15,8 +15,8 @@ struct ReportStyle {
   bool notes = true;    ///< show notes too
 };
 
-/// All findings in order: those about the scene itself by line and column, then
-/// those about other files and those without a place, in the order they were reported.
+/// All findings in order: first those about the scene file by line and column, then those about
+/// other files and those without a place, in the order in which they were reported.
 std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics);
 
 /// All findings by_place(), each as

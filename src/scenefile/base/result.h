@@ -1,6 +1,7 @@
 #pragma once
-// The one way to fail outside of scenes: a value, or why there is none. What is wrong with a scene
-// is said by Diagnostics (diagnostics.h); this is for what keeps a scene from being looked at.
+// How everything outside of scenes reports failure: a value, or the reason why there is none.
+// Defects of a scene are reported through Diagnostics (diagnostics.h); Result is for what keeps a
+// scene from being read at all.
 //
 //     const Result<std::string> text = read_file(path, limits.file_bytes);
 //     if (!text) {
@@ -16,19 +17,19 @@
 
 namespace scenefile {
 
-/// What kind of thing went wrong. Each is an exit status of the program.
+/// The kind of failure. Each maps to an exit status of the program, given in parentheses.
 enum class ErrorKind : std::uint8_t {
-  environment,  ///< something cannot be read or written (3)
+  environment,  ///< cannot read or write something (3)
   limit,        ///< the input is larger than the limits allow (4)
-  input,        ///< the bytes are not what they should be (1)
+  input,        ///< the bytes are invalid (1)
 };
 
 struct Error {
-  std::string text;  ///< one line for a person, without a name of the program
+  std::string text;  ///< one line for people, without the name of the program
   ErrorKind kind = ErrorKind::environment;
 };
 
-/// A value or an error. True where there is a value; only then it may be looked at.
+/// A value or an error. Converts to true if it holds a value; only then may it be dereferenced.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -43,7 +44,7 @@ class [[nodiscard]] Result {
   const T* operator->() const { return std::get_if<0>(&state_); }
   T* operator->() { return std::get_if<0>(&state_); }
 
-  /// Only where there is no value.
+  /// Only valid if there is no value.
   const Error& error() const {
     assert(state_.index() == 1);
     return *std::get_if<1>(&state_);
@@ -53,7 +54,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// Whether something could be done, where there is no value to return.
+/// Success or an error, for operations that return no value.
 template <>
 class [[nodiscard]] Result<void> {
  public:
@@ -62,7 +63,7 @@ class [[nodiscard]] Result<void> {
 
   explicit operator bool() const { return !failed_; }
 
-  /// Only where it failed.
+  /// Only valid after a failure.
   const Error& error() const {
     assert(failed_);
     return error_;

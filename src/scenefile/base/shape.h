@@ -14,7 +14,7 @@ enum class Shape : std::uint8_t { cube, cone, cylinder, sphere, mesh };
 /// The lights of the format.
 enum class LightType : std::uint8_t { point, directional, spot, area };
 
-/// The format's words for them, in the order of the enumerators.
+/// The format's words for them, indexed by enumerator.
 inline constexpr std::array<std::string_view, 5> shape_words{"cube", "cone", "cylinder", "sphere",
                                                              "mesh"};
 inline constexpr std::array<std::string_view, 4> light_words{"point", "directional", "spot",

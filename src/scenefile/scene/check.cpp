@@ -15,8 +15,8 @@ namespace scenefile {
 
 namespace {
 
-// The ids of lights, which should differ and be 0 to 7; of more lights, which is another finding,
-// higher ones must be.
+// Light ids, which should be distinct and in 0 to 7. If there are more than 8 lights (a separate
+// finding), higher ids are unavoidable.
 class LightIds {
  public:
   explicit LightIds(const Scene& scene) {
@@ -81,7 +81,7 @@ void Reporter::report_at(const Code& code, Location location, NodeId node, std::
   if (scene_.incomplete && (code.kind == CodeKind::absence || &code == &scene_not_finite)) {
     return;
   }
-  // Nobody reads the paths of findings that are not kept, and there may be very many.
+  // Skip the path for findings that are not kept; there can be very many.
   if (!location.known() && node != no_node && diagnostics_.dropped(code) == 0) {
     if (!paths_) {
       paths_.emplace(scene_);

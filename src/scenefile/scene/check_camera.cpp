@@ -11,9 +11,10 @@ namespace scenefile {
 namespace {
 
 constexpr float huge_coefficient = 100;
-// Beyond this neighbouring floats are a unit apart.
+// Beyond this, adjacent floats are 1 apart.
 constexpr float far_away = 1e7f;
-// Sine of the angle between look and up: below the first, rounding of the file's numbers decides.
+// Sine of the angle between look and up. Below `parallel`, the rounding of the file's numbers
+// decides.
 constexpr double parallel = 1e-6;
 constexpr double nearly_parallel = 1e-3;
 
@@ -105,7 +106,7 @@ void check_camera(const Camera& camera, Reporter& reporter) {
                                 vector_text(camera.position)));
   }
   check_directions(camera, subject, reporter);
-  // The negation catches not-a-number too.
+  // Negated to catch NaN too.
   if (reporter.knows(camera.height_angle_deg) &&
       !(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
     reporter.report(camera_height_angle, subject, Field::height_angle_deg,

@@ -11,7 +11,7 @@ namespace scenefile {
 
 namespace {
 
-// Bright lights that fade are common (up to 200 in files of the course's students).
+// Bright lights with attenuation are common (colors up to 200 in files by students of the course).
 constexpr float huge_color = 1e4f;
 constexpr float byte_habit = 16;
 

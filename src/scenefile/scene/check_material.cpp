@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr float byte_habit = 16;  // no file of the course's students has a larger meant one
+constexpr float byte_habit = 16;  // no student's file uses a larger color on purpose
 constexpr float huge_color = 255;
 constexpr float huge_shininess = 1e4f;
 constexpr float least_ior = 0.25f;
@@ -101,7 +101,7 @@ void check_energy(const Material& material, const Global& global, const Subject&
   }
 }
 
-// `name` is the element of the files, "texture" or "bumpmap".
+// `name` is the element in files, "texture" or "bumpmap".
 void check_texture(const TextureUse& texture, std::string_view name, const Subject& subject,
                    Reporter& reporter) {
   const Subject place{subject.what, texture.location.known() ? texture.location : subject.location,

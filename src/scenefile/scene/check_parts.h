@@ -1,5 +1,5 @@
 #pragma once
-// The parts that check() is made of. Internal to the room.
+// The pieces of check(). Internal to the room.
 
 #include "scenefile/base/components.h"
 #include "scenefile/base/diagnostics.h"
@@ -26,26 +26,26 @@ struct Subject {
   NodeId node = no_node;
 };
 
-/// Gives findings their place.
+/// Adds findings with the place of their subject or field.
 class Reporter {
  public:
   Reporter(const Scene& scene, Diagnostics& diagnostics)
       : scene_(scene), diagnostics_(diagnostics), places_(scene.field_places) {}
 
-  /// A finding about the whole of the subject. Where it has no place in a file, the message says
-  /// which node it is in.
+  /// A finding about the subject as a whole. If the subject has no place in a file, the message
+  /// names its node.
   void report(const Code& code, const Subject& subject, std::string message);
-  /// A finding about one value of the subject.
+  /// A finding about one field of the subject.
   void report(const Code& code, const Subject& subject, Field field, std::string message);
 
-  /// Whether the file gives the value, rather than leaving it to its default.
+  /// Whether the file sets the field, rather than leaving it at its default.
   bool gives(const Subject& subject, Field field) {
     return places_.find(subject.location, field) != subject.location;
   }
 
-  /// False: the value could not be read.
+  /// False if the value could not be read.
   bool knows(float value) const { return !scene_.incomplete || !std::isnan(value); }
-  /// Whether the value is finite; reports if not.
+  /// Returns whether the value is finite; reports it otherwise.
   bool finite(const Subject& subject, Field field, std::string_view name, float value);
   bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);
 
@@ -74,11 +74,11 @@ void check_light(const Light& light, NodeId node, Reporter& reporter);
 void check_primitive(const Primitive& primitive, NodeId node, const Global& global,
                      Reporter& reporter);
 
-/// Indices of nodes, which nothing else in the room trusts.
+/// Validates node indices, which the rest of the room does not trust.
 void check_structure(const Scene& scene, Reporter& reporter);
 /// Templates, what they hold, and what it adds up to.
 void check_templates(const Scene& scene, const Limits& limits, Reporter& reporter);
-/// Transforms, and that their products can be drawn.
+/// Checks each transform, and that their products can be drawn.
 void check_transforms(const Scene& scene, Reporter& reporter);
 
 }  // namespace scenefile

@@ -20,7 +20,7 @@ class TransformCheck {
   TransformCheck(const Transform& transform, const Subject& subject, Reporter& reporter)
       : transform_(transform), subject_(subject), reporter_(reporter) {}
 
-  /// Whether the transform by itself leaves something to draw.
+  /// Whether the transform alone leaves something to draw.
   bool run() {
     return std::visit([this](const auto& map) { return check(map); }, transform_.map);
   }
@@ -82,7 +82,7 @@ class TransformCheck {
     return {};
   }
 
-  // `what` says it in words, which few scenes need.
+  // `what` describes the transform; a function because few scenes need the text.
   template <typename What>
   bool has_inverse(What what) {
     const DAffine map = composed(DAffine(), transform_);
@@ -101,7 +101,7 @@ class TransformCheck {
     return false;
   }
 
-  // "large" or "small" where the lengths alone are why there is no inverse.
+  // "large" or "small" if the lengths of the columns are the only reason that there is no inverse.
   static std::string_view extent_text(const glm::dmat3& linear) {
     constexpr double most = 1e30;
     std::string_view text;
@@ -129,7 +129,7 @@ class TransformCheck {
   Reporter& reporter_;
 };
 
-// The way to a node: its map, and whether a finding about its flatness was made already.
+// The state of a walk: the map of the node, and whether a finding already reported it as flat.
 struct Way {
   DAffine map;
   bool flat = false;

@@ -15,7 +15,7 @@ namespace scenefile {
 namespace {
 
 constexpr double lights_of_the_format = 8;
-// Suggestions compare with every name; this keeps a file of many wrong names linear.
+// Each suggestion compares with every name; this keeps a file with many wrong names linear.
 constexpr std::size_t most_suggestions = 100;
 constexpr std::size_t most_names = 1000;
 constexpr std::size_t most_loop_names = 8;
@@ -65,7 +65,7 @@ std::string unknown_text(std::string_view name, const std::vector<std::string_vi
                      near.empty() ? "" : fmt::format("; did you mean {}?", quoted(near)));
 }
 
-// Says whether every instance has its template.
+// Returns whether every instance has its template.
 bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& reporter) {
   const std::vector<std::string_view> known = some_names(scene);
   std::size_t unknown = 0;
@@ -93,7 +93,7 @@ bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& r
   return unknown == 0;
 }
 
-// "a -> b -> a", with the middle left out where it is long.
+// "a -> b -> a", shortened in the middle if it is long.
 std::string loop_text(const Scene& scene, const TemplateGraph& graph,
                       std::span<const std::uint32_t> loop) {
   std::string text;
@@ -107,7 +107,7 @@ std::string loop_text(const Scene& scene, const TemplateGraph& graph,
   return text + escaped(scene.nodes[graph.heads[loop[0]]].name, 40);
 }
 
-// Says whether there are loops; marks the trees that the root holds.
+// Returns whether there are loops; marks the trees that the root uses.
 bool check_loops(const Scene& scene, const TemplateGraph& graph, Reporter& reporter,
                  std::vector<bool>& used) {
   bool found = false;
@@ -131,7 +131,7 @@ bool check_loops(const Scene& scene, const TemplateGraph& graph, Reporter& repor
   return found;
 }
 
-// The root uses templates wherever it stands in the file: it is last in the list.
+// The root may use templates that are declared after it: it is last in the list.
 void check_order(const Scene& scene, const TemplateGraph& graph, Reporter& reporter) {
   for (std::uint32_t tree = 0; tree < graph.root(); ++tree) {
     for (std::uint32_t edge = graph.uses.first[tree]; edge < graph.uses.first[tree + 1]; ++edge) {
@@ -148,12 +148,12 @@ void check_order(const Scene& scene, const TemplateGraph& graph, Reporter& repor
   }
 }
 
-// What the trees hold themselves, without what instances add.
+// The contents of each tree itself, without those of its instances.
 struct Contents {
   std::vector<double> primitives;
   std::vector<double> lights;
   std::vector<double> shining;
-  Subject last_light;  // of the format's limit, or the last one
+  Subject last_light;  // the one that exceeds the format's limit, or the last one
   const Primitive* transparent = nullptr;
   NodeId transparent_node = no_node;
 };
@@ -290,7 +290,7 @@ void check_templates(const Scene& scene, const Limits& limits, Reporter& reporte
   if (!loops) {
     check_order(scene, graph, reporter);
   }
-  // What is lost may hold anything.
+  // Parts that could not be read may contain anything.
   const bool complete = all_known && !loops;
   check_totals(scene, graph, contents_of(scene, graph, used), complete, limits, reporter);
   check_unused(scene, graph, used, reporter);

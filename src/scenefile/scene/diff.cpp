@@ -18,7 +18,7 @@ namespace scenefile {
 
 namespace {
 
-// The heads of trees and all nodes below them, parents first; each once.
+// The heads of trees and all their descendants, parents first, each once.
 std::vector<NodeId> parents_first(const Scene& scene) {
   std::vector<NodeId> order;
   std::vector<bool> seen(scene.nodes.size());
@@ -40,7 +40,7 @@ std::vector<NodeId> parents_first(const Scene& scene) {
   return order;
 }
 
-// Whether the nodes differ in nothing but what lies below them.
+// Whether the nodes are equal except for their children.
 bool alike(const Node& a, const Node& b) {
   return hash_of(values_of(a)) == hash_of(values_of(b)) && a.lights == b.lights &&
          a.primitives == b.primitives;
@@ -155,7 +155,7 @@ class Comparison {
   void compare(NodeId in_a, NodeId in_b) {
     const Node& a = a_.scene.nodes[in_a];
     const Node& b = b_.scene.nodes[in_b];
-    // A path is as long as the way to its node, on which most nodes are alike.
+    // Most nodes on a path are equal, and building a path takes time proportional to its depth.
     if (!alike(a, b)) {
       const std::string where = a_.path(in_a) + ": ";
       list_.compare_values(where, values_of(a), values_of(b), a.location, b.location);
@@ -183,7 +183,7 @@ class Comparison {
                   a_.location(a[*pair.a]), b_.location(b[*pair.b]));
       }
     }
-    // The first child is to be compared first.
+    // Reversed, so that the first child is compared first.
     std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(behind), pending_.end());
   }
 
@@ -207,8 +207,8 @@ SceneDiff diff_meaning(const Scene& a, const Scene& b, std::size_t most) {
   result.equal = a == b;
   result.same_meaning = result.equal || same_meaning(a, b);
   if (!result.same_meaning) {
-    // Of two ways to say it the shorter one: scenes that are grouped alike differ in few places,
-    // others (in another format, say) only in what they draw.
+    // Use the shorter of the two descriptions: scenes with the same grouping differ in few nodes;
+    // others (for example in another dialect) only in what they draw.
     result.differences = diff(a, b, most);
     std::vector<SceneDifference> drawn = diff_drawn(a, b, most);
     if (!drawn.empty() && drawn.size() < result.differences.size()) {

@@ -8,11 +8,11 @@ namespace scenefile {
 
 namespace {
 
-using Match = std::pair<std::size_t, std::size_t>;  // place in a, place in b
+using Match = std::pair<std::size_t, std::size_t>;  // index in a, index in b
 using Places = std::vector<std::size_t>;
 
-// Pairs items of equal keys, the k-th of a key in `a` with the k-th in `b`, in the order of `a`.
-// Both lists hold places in ascending order.
+// Pairs items with equal keys, the k-th with a key in `a` with the k-th in `b`, in the order of
+// `a`. Both lists contain indices in ascending order.
 template <typename KeyA, typename KeyB>
 std::vector<Match> pair_by(Places a, Places b, KeyA key_a, KeyB key_b) {
   std::stable_sort(a.begin(), a.end(),
@@ -33,10 +33,10 @@ std::vector<Match> pair_by(Places a, Places b, KeyA key_a, KeyB key_b) {
   return matches;
 }
 
-// The longest part of the matches that ascends in b too: what stayed in its place.
+// The longest increasing subsequence of the matches in b: the items that did not move.
 std::vector<Match> longest_ascent(const std::vector<Match>& matches) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> last;  // of the best ascent of each length, into matches
+  std::vector<std::size_t> last;  // last match of the best subsequence of each length
   std::vector<std::size_t> previous(matches.size(), none);
   for (std::size_t m = 0; m < matches.size(); ++m) {
     const auto at = std::lower_bound(

@@ -1,5 +1,5 @@
 #pragma once
-// Pairs the items of two lists. Internal to the room.
+// Aligns the items of two lists. Internal to the room.
 
 #include <cstdint>
 #include <optional>
@@ -8,22 +8,22 @@
 
 namespace scenefile {
 
-/// An item of a list that is to be compared with another list.
+/// An item of a list to be aligned with another list.
 struct AlignItem {
-  std::uint64_t hash = 0;  ///< of all that the item holds
-  std::string label;       ///< items of one label are versions of each other rather than new ones
+  std::uint64_t hash = 0;  ///< of the complete item
+  std::string label;       ///< items with the same label can be versions of each other
 };
 
-/// Two items that belong together, as indices into their lists; without one, the other is new.
+/// Two matching items, as indices into their lists; an item without a partner was added or removed.
 struct AlignedPair {
   std::optional<std::size_t> a;
   std::optional<std::size_t> b;
-  bool equal = false;  ///< by hash
-  bool moved = false;  ///< equal, but in another place among the others
+  bool equal = false;  ///< the hashes are equal
+  bool moved = false;  ///< equal, but in a different order relative to the others
 };
 
-/// Every item of both lists once, in the order of `a`, the new items of `b` behind. In time n log
-/// n.
+/// Every item of both lists once: in the order of `a`, then the unmatched items of `b`. Takes O(n
+/// log n) time.
 std::vector<AlignedPair> align(const std::vector<AlignItem>& a, const std::vector<AlignItem>& b);
 
 }  // namespace scenefile

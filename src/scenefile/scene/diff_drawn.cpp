@@ -22,17 +22,17 @@ namespace {
 
 // A primitive or an instance in the space of its tree.
 struct Drawn {
-  const Primitive* primitive = nullptr;  // nothing: an instance
+  const Primitive* primitive = nullptr;  // null: an instance
   std::string label;
   NodeId node = 0;
   Location location;
   Affine map;
 };
 
-// A light in world space, without what has no effect.
+// A light in world space, without values that have no effect.
 struct ShownLight {
   Light light;
-  std::string turned;  // how an area light lies otherwise than its direction says; "no"
+  std::string turned;  // area light: its rotation, if different from what its direction implies
   Location location;
 };
 
@@ -53,7 +53,7 @@ std::string axis_text(const glm::vec3& side) {
   return fmt::format("{:.3g} {:.3g} {:.3g}", axis.x + 0.0f, axis.y + 0.0f, axis.z + 0.0f);
 }
 
-// Gives the light the size that it has in the world.
+// Sets the size that the light has in world space.
 void size_rectangle(ShownLight& world, const RenderLight& ready) {
   world.light.width = 2 * glm::length(ready.half_u);
   world.light.height = 2 * glm::length(ready.half_v);
@@ -64,7 +64,7 @@ void size_rectangle(ShownLight& world, const RenderLight& ready) {
                                    axis_text(ready.half_v));
 }
 
-// What differs by roundings alone shall not be told.
+// Makes values equal that differ only by rounding.
 void forget_roundings(const std::vector<ShownLight>& of, std::vector<ShownLight>& in) {
   for (std::size_t i = 0; i < std::min(of.size(), in.size()); ++i) {
     const Light& wanted = of[i].light;
@@ -84,7 +84,7 @@ void forget_roundings(const std::vector<ShownLight>& of, std::vector<ShownLight>
 std::uint64_t hash_of(const Affine& map) {
   std::uint64_t hash = 0;
   for (int i = 0; i < 12; ++i) {
-    // Both zeros are one value.
+    // Adding 0.0f makes -0 and 0 equal.
     const float value = (i < 9 ? map.linear[i / 3][i % 3] : map.offset[i - 9]) + 0.0f;
     std::uint32_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
@@ -114,7 +114,7 @@ class Side {
     return found == templates_.end() ? std::nullopt : std::optional(found->second);
   }
 
-  // All that the tree draws, in the order of the file.
+  // Everything that the tree draws, in the order of the file.
   std::vector<Drawn> objects(std::optional<NodeId> head) {
     std::vector<Drawn> result;
     if (!head) {
@@ -144,7 +144,7 @@ class Side {
     return result;
   }
 
-  // The transforms from the head of the tree down to the object.
+  // The transforms from the head of the tree to the object.
   Values transforms_of(const Drawn& drawn) const {
     std::vector<NodeId> way{drawn.node};
     while (parent_[way.back()] != way.back()) {
@@ -158,7 +158,7 @@ class Side {
     return values_of(all);
   }
 
-  // Names of templates that objects() came upon.
+  // The names of templates that objects() found in use.
   std::vector<std::string> take_used() { return std::exchange(used_, {}); }
 
   std::vector<ShownLight> lights() const {

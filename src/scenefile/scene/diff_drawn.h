@@ -1,5 +1,5 @@
 #pragma once
-// Compares what two scenes draw, however they group it. Internal to the room.
+// Compares what two scenes draw, regardless of grouping. Internal to the room.
 
 #include "scenefile/scene/diff.h"
 
@@ -8,10 +8,10 @@
 
 namespace scenefile {
 
-/// The differences between the objects of the root and of each template that is used (groups inside
-/// them do not count, transforms do as their product), between the lights in world space, the
-/// cameras and the globals. Objects and lights are numbered by kind in the order of the first
-/// scene. For scenes in which check() finds no error. At most `most` differences.
+/// The differences between the objects of the root and of each template in use (nested groups are
+/// ignored, their transforms are multiplied), between the lights in world space, the cameras and
+/// the global data. Objects and lights are numbered by kind in the order of the first scene.
+/// Requires scenes in which check() finds no error. Returns at most `most` differences.
 std::vector<SceneDifference> diff_drawn(const Scene& a, const Scene& b, std::size_t most);
 
 }  // namespace scenefile

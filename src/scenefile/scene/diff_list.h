@@ -1,5 +1,5 @@
 #pragma once
-// Differences between values and between lists of items, in words. Internal to the room.
+// Differences between values and between lists of items, as text. Internal to the room.
 
 #include "scenefile/scene/diff.h"
 #include "scenefile/scene/diff_align.h"
@@ -14,9 +14,9 @@
 
 namespace scenefile {
 
-/// Of equal values, equal numbers.
+/// A hash; equal values have equal hashes.
 std::uint64_t hash_of(const Values& values);
-/// Goes on with a number from hash_of().
+/// Combines a hash_of() value with another number.
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t value);
 
 std::string_view label_of(const Light& light);
@@ -26,10 +26,10 @@ std::string_view label_of(const Primitive& primitive);
 std::string described(std::string_view label, const Values& values);
 /// "place 2" for the second one.
 std::string place_text(std::size_t index);
-/// "sphere 2" for each of the labels: numbered by label, from 1, as a reader would count them.
+/// "sphere 2" for each label: counted from 1 separately for each label.
 std::vector<std::string> numbered(const std::vector<std::string_view>& labels);
 
-/// A list of at most so many differences.
+/// A bounded list of differences.
 class DifferenceList {
  public:
   explicit DifferenceList(std::size_t most) : most_(most) {}
@@ -39,11 +39,11 @@ class DifferenceList {
 
   void add(std::string where, std::string a, std::string b, Location in_a, Location in_b);
 
-  /// Values that differ; `where` stands before the name of each, such as "root: sphere 1: ".
+  /// Adds the values that differ; `where` is a prefix for each name, such as "root: sphere 1: ".
   void compare_values(const std::string& where, const Values& a, const Values& b, Location in_a,
                       Location in_b);
 
-  /// Lights or primitives of one place.
+  /// Compares two lists of lights or primitives of the same node.
   template <typename Item>
   void compare_items(const std::string& where, const std::vector<Item>& a,
                      const std::vector<Item>& b) {

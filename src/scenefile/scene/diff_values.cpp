@@ -15,7 +15,7 @@ namespace scenefile {
 
 namespace {
 
-// Both zeros are equal, so they must read alike.
+// Adding 0.0f gives -0 and 0 the same text, because they are equal.
 std::string text_of(float value) {
   return number_text(value + 0.0f);
 }
@@ -70,7 +70,7 @@ std::string text_of(const std::vector<Transform>& transforms) {
 
 enum class Listing { others, all };
 
-// Collects the values that are not the default, or all.
+// Collects the values that differ from the default, or all values.
 struct Lister {
   Listing listing = Listing::others;
   Values values = {};

@@ -1,5 +1,5 @@
 #pragma once
-// The values of a scene as text, for comparing and hashing. Internal to the room.
+// The values of a scene as text, for comparison and hashing. Internal to the room.
 
 #include "scenefile/scene/scene.h"
 
@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// A value that is not the default, named as in the files. Equal texts mean equal values.
+/// A value that differs from the default, named as in the files. Equal texts mean equal values.
 struct Value {
   std::string_view name;
   std::string text;
@@ -18,14 +18,14 @@ struct Value {
 };
 using Values = std::vector<Value>;
 
-/// The text of the value that counts where none is written; "none" where there is none.
+/// The text of a value's default; "none" if it has no default.
 std::string default_text(std::string_view name);
 
 Values values_of(const Global& global);
 Values values_of(const Camera& camera);
 Values values_of(const Light& light);
 Values values_of(const Primitive& primitive);
-/// Of the node itself: not of what it contains.
+/// Only of the node itself, not of its contents.
 Values values_of(const Node& node);
 
 }  // namespace scenefile

@@ -19,7 +19,7 @@ Location FieldPlaces::find(Location owner, Field field) {
   }
   if (sorted_.size() != places_.size()) {
     sorted_ = places_;
-    // Of several the last counts, as with the values themselves.
+    // Of several places for a value the last one counts, as for the value itself.
     std::stable_sort(sorted_.begin(), sorted_.end(),
                      [](const FieldPlace& a, const FieldPlace& b) { return key(a) < key(b); });
   }

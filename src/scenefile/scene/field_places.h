@@ -1,5 +1,5 @@
 #pragma once
-// Looks up where values stand in the file. Internal to the room.
+// Looks up the place of a value in the file. Internal to the room.
 
 #include "scenefile/scene/scene.h"
 
@@ -7,12 +7,12 @@
 
 namespace scenefile {
 
-/// Sorted on the first question, so that scenes without findings do not pay for it.
+/// Sorted at the first lookup, so that scenes without findings do not pay for it.
 class FieldPlaces {
  public:
   explicit FieldPlaces(const std::vector<FieldPlace>& places) : places_(places) {}
 
-  /// The place of the value, else that of its owner.
+  /// The place of the value if known, otherwise that of its owner.
   Location find(Location owner, Field field);
 
  private:

@@ -24,7 +24,7 @@ NodePaths::NodePaths(const Scene& scene)
 
 std::string NodePaths::path(NodeId node) const {
   std::vector<NodeId> way;
-  // A loop of children would otherwise have no end.
+  // The bound on the length ends loops of children.
   while (node < scene_.nodes.size() && way.size() <= scene_.nodes.size()) {
     way.push_back(node);
     if (parent_[node] == node) {

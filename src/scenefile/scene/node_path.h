@@ -1,5 +1,5 @@
 #pragma once
-// Names of nodes for messages. For one name there is node_path() of prepare.h.
+// Paths of nodes for messages. For a single path, use node_path() of prepare.h.
 
 #include "scenefile/scene/scene.h"
 
@@ -9,17 +9,17 @@
 
 namespace scenefile {
 
-/// The way up from each node, found once for many paths.
+/// The parents of all nodes, computed once for many paths.
 class NodePaths {
  public:
   explicit NodePaths(const Scene& scene);
 
-  /// As node_path().
+  /// Same as node_path().
   std::string path(NodeId node) const;
 
  private:
   const Scene& scene_;
-  std::vector<NodeId> parent_;        // of itself for a head of a tree
+  std::vector<NodeId> parent_;        // the head of a tree is its own parent
   std::vector<std::uint32_t> place_;  // among its siblings, from 1
 };
 

@@ -34,7 +34,7 @@ class PartBuilder {
   std::vector<Part> build() {
     add_part(scene_.root);
     std::size_t next = 0;
-    // Grows as parts are filled.
+    // Both lists grow while parts are filled.
     for (std::size_t w = 0; w < waiting_.size() || next < parts_.size();) {
       if (next < parts_.size()) {
         fill(static_cast<std::uint32_t>(next++));
@@ -143,8 +143,8 @@ Graph graph_of(const std::vector<Part>& parts) {
   return graph;
 }
 
-// Turns parts into groups, contained before holders. A part that draws nothing becomes no group,
-// and an instance of it, or one that closes a loop, nothing either.
+// Turns parts into groups, contained groups first. A part that draws nothing becomes no group;
+// instances of it, and instances that close a loop, are dropped.
 void add_groups(std::vector<Part>& parts, RenderScene& scene) {
   constexpr std::uint32_t root_part = 0;
   std::vector<std::uint32_t> group_of(parts.size(), no_index);
@@ -170,7 +170,7 @@ void add_groups(std::vector<Part>& parts, RenderScene& scene) {
 
 void add_lights(const Scene& scene, const Limits& limits, Prepared& prepared) {
   std::vector<RenderLight>& lights = prepared.scene.lights;
-  std::map<std::pair<NodeId, std::uint32_t>, std::uint32_t> sources;  // one for all copies
+  std::map<std::pair<NodeId, std::uint32_t>, std::uint32_t> sources;  // one for all instances
   world_lights(scene, [&](const WorldLight& at) {
     if (lights.size() == limits.lights) {
       return false;

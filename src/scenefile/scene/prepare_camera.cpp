@@ -12,7 +12,7 @@ bool usable(const glm::dvec3& v) {
   return length > 0 && std::isfinite(length);
 }
 
-// Any unit vector across w, for cameras whose `up` does not say one.
+// A unit vector perpendicular to w, for cameras whose `up` does not define one.
 glm::dvec3 across(const glm::dvec3& w) {
   const glm::dvec3 axis = std::abs(w.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
   return glm::normalize(axis - glm::dot(axis, w) * w);

@@ -8,7 +8,7 @@ namespace scenefile {
 
 namespace {
 
-// Texel numbers of repeats beyond this do not fit an int.
+// Larger repeats would overflow the int that holds a texel number.
 constexpr float max_repeat = 1e4f;
 
 float safe_repeat(float repeat) {
@@ -21,7 +21,7 @@ class Mixer {
     state_ = (state_ ^ word) * 0x9e3779b97f4a7c15u;
     state_ ^= state_ >> 32;
   }
-  // Both zeros are equal, so they must mix alike.
+  // Adding 0.0f makes -0 and 0 hash alike, because they are equal.
   void add(float value) { add(std::bit_cast<std::uint32_t>(value + 0.0f)); }
   void add(const glm::vec3& v) {
     add(v.x);

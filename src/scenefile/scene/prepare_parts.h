@@ -1,5 +1,5 @@
 #pragma once
-// The parts that prepare() is made of. Internal to the room.
+// The pieces of prepare(). Internal to the room.
 
 #include "scenefile/base/affine.h"
 #include "scenefile/base/limits.h"
@@ -14,7 +14,7 @@
 
 namespace scenefile {
 
-/// Numbers materials, textures and meshes, each once.
+/// Assigns indices to distinct materials, textures and meshes.
 class MaterialTable {
  public:
   explicit MaterialTable(RenderScene& scene);
@@ -34,19 +34,19 @@ class MaterialTable {
   void grow();
 
   RenderScene& scene_;
-  std::vector<Slot> slots_;  // a hash table with open addressing; a power of two of them
+  std::vector<Slot> slots_;  // a hash table with open addressing; its size is a power of two
   FileNumbers texture_numbers_;
   FileNumbers mesh_numbers_;
 };
 
-/// A copy of another part.
+/// An instance of another part.
 struct PartInstance {
   Affine part_from_instance;
   std::uint32_t part;
   std::uint32_t source;
 };
 
-/// One tree of the scene, the root or a template, with all nodes folded into it.
+/// A tree of the scene (the root or a template) with all its nodes folded into it.
 struct Part {
   NodeId head = 0;
   std::vector<RenderPrimitive> primitives;

@@ -5,7 +5,7 @@
 
 namespace scenefile {
 
-// The tracer holds millions of them.
+// Scenes have millions of primitives, so their size matters.
 static_assert(sizeof(RenderPrimitive) == 64);
 
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
-// The ready state of a scene: what is to be drawn. World space, radians, indices; no names, no
-// nodes, no file places. Made once by prepare() (prepare.h), never edited.
+// The scene to draw: world space, radians, indices; no names, nodes or file places. Made once by
+// prepare() (prepare.h), never edited.
 //
-// Its size is proportional to the file, never to the number of virtual objects: a template is one
-// group however often it is instantiated.
+// Its size is proportional to the file, not to the number of instances: a template is one group,
+// however often it is instantiated.
 
 #include "scenefile/base/affine.h"
 #include "scenefile/base/location.h"
@@ -30,8 +30,8 @@ struct RenderTexture {
   friend bool operator==(const RenderTexture&, const RenderTexture&) = default;
 };
 
-/// Phong material; same meaning as Material in scene.h, with the index of refraction at least
-/// greater than 0 (1 where the file gave none).
+/// Phong material; same meaning as Material in scene.h, except that the index of refraction is
+/// always greater than 0 (1 if the file gives none).
 struct RenderMaterial {
   glm::vec3 ambient{0};
   glm::vec3 diffuse{1};
@@ -47,23 +47,23 @@ struct RenderMaterial {
   friend bool operator==(const RenderMaterial&, const RenderMaterial&) = default;
 };
 
-/// One shape in its group. `group_from_object` is invertible; parts that are not are left out by
-/// prepare() with a warning.
+/// One shape in its group. `group_from_object` is invertible; prepare() leaves out primitives whose
+/// transform is not, with a warning.
 struct RenderPrimitive {
   Affine group_from_object;
   Shape shape = Shape::cube;
   std::uint32_t mesh = no_index;  ///< into RenderScene::mesh_files, for Shape::mesh
   std::uint32_t material = 0;     ///< into RenderScene::materials
-  std::uint32_t source = 0;       ///< into the table beside the scene (prepare.h)
+  std::uint32_t source = 0;       ///< into Prepared::sources (prepare.h)
 
   friend bool operator==(const RenderPrimitive& a, const RenderPrimitive& b);
 };
 
-/// A copy of another group. `group_from_instance` takes the instance's space to that of the group
-/// which holds it; invertible.
+/// An instance of another group. `group_from_instance` maps the instance's space to that of the
+/// group that contains it; it is invertible.
 struct RenderInstance {
   Affine group_from_instance;
-  std::uint32_t group = 0;  ///< into RenderScene::groups; smaller than that of the holder
+  std::uint32_t group = 0;  ///< into RenderScene::groups; smaller than that of the containing group
   std::uint32_t source = 0;
 
   friend bool operator==(const RenderInstance& a, const RenderInstance& b);
@@ -76,7 +76,7 @@ struct RenderGroup {
   friend bool operator==(const RenderGroup&, const RenderGroup&) = default;
 };
 
-/// A light in world space. What its type does not use is as here.
+/// A light in world space. Members that its type does not use have their default values.
 struct RenderLight {
   LightType type = LightType::point;
   glm::vec3 color{1};
@@ -85,8 +85,8 @@ struct RenderLight {
   glm::vec3 attenuation{1, 0, 0};  ///< constant, linear, quadratic; point, spot, area
   float inner_angle = 0;           ///< spot: half-angle of full light, radians
   float outer_angle = 0;           ///< spot: half-angle where light ends, radians; >= inner_angle
-  glm::vec3 half_u{0};             ///< area: from the center to the middle of a side, world units
-  glm::vec3 half_v{0};             ///< area: the same for the next side; both across `direction`
+  glm::vec3 half_u{0};             ///< area: from the center to the middle of one edge, world units
+  glm::vec3 half_v{0};  ///< area: the same for an adjacent edge; both perpendicular to `direction`
   std::uint32_t source = 0;
 
   friend bool operator==(const RenderLight& a, const RenderLight& b);
@@ -98,10 +98,10 @@ struct RenderCamera {
   glm::dvec3 position{0};
   glm::dvec3 u{1, 0, 0};              ///< to the right of the picture, unit length
   glm::dvec3 v{0, 1, 0};              ///< up in the picture, unit length
-  glm::dvec3 w{0, 0, 1};              ///< against the view direction, unit length
+  glm::dvec3 w{0, 0, 1};              ///< opposite to the view direction, unit length
   double fov_y = 0.7853981633974483;  ///< full vertical angle of view, radians, in (0, pi)
-  double aperture = 0;                ///< lens offsets reach this far along u and v; 0: pinhole
-  double focal_length = 0;            ///< distance along -w of the plane in focus; 0: pinhole
+  double aperture = 0;      ///< lens offsets are at most this long along u and v; 0: pinhole
+  double focal_length = 0;  ///< distance of the plane in focus along -w; 0: pinhole
 
   friend bool operator==(const RenderCamera&, const RenderCamera&) = default;
 };
@@ -111,7 +111,7 @@ struct RenderGlobal {
   float ambient = 0.5f;
   float diffuse = 0.5f;
   float specular = 0.5f;
-  std::optional<float> transparent;  ///< not given: for the renderer's profile to say
+  std::optional<float> transparent;  ///< not given: the renderer's profile decides
 
   friend bool operator==(const RenderGlobal&, const RenderGlobal&) = default;
 };
@@ -120,21 +120,21 @@ struct RenderScene {
   RenderGlobal global;
   RenderCamera camera;
   std::vector<RenderLight> lights;
-  std::vector<RenderMaterial> materials;     ///< each once
-  std::vector<RenderGroup> groups;           ///< a group stands behind all groups that it contains
+  std::vector<RenderMaterial> materials;     ///< without duplicates
+  std::vector<RenderGroup> groups;           ///< each group comes after all groups that it contains
   std::uint32_t root = 0;                    ///< the group that is the world
-  std::vector<FileReference> texture_files;  ///< each once
-  std::vector<FileReference> mesh_files;     ///< each once
+  std::vector<FileReference> texture_files;  ///< without duplicates
+  std::vector<FileReference> mesh_files;     ///< without duplicates
 
-  /// Equal pictures by construction; sources and locations do not count.
+  /// Equal render scenes give equal pictures; sources and locations are ignored.
   friend bool operator==(const RenderScene& a, const RenderScene& b);
 };
 
-/// Primitives after instancing, as a double because template bombs exceed any integer; saturates
-/// at infinity.
+/// The number of primitives after instancing. A double, because deeply nested templates exceed any
+/// integer type; saturates at infinity.
 double count_virtual_primitives(const RenderScene& scene);
 
-/// How many instances lie inside each other at most; 0 for a scene without instances.
+/// The maximum nesting depth of instances; 0 for a scene without instances.
 std::uint32_t instance_nesting(const RenderScene& scene);
 
 }  // namespace scenefile

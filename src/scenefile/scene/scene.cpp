@@ -9,8 +9,8 @@ namespace {
 
 constexpr NodeId no_node = 0xffffffffu;
 
-// Compares trees of nodes pair by pair, on a stack of its own. A node is compared once, so that it
-// ends on scenes with shared children or loops too.
+// Compares trees of nodes pair by pair, without recursion. Each node is compared only once, so that
+// this ends for scenes with shared children or loops too.
 class TreeComparison {
  public:
   TreeComparison(const Scene& a, const Scene& b)

@@ -1,10 +1,10 @@
 #pragma once
-// The written state of a scene: what the author said. Names, degrees, file names and places in the
-// file; read, checked, compared, converted and written back, never rendered (see
-// render_scene.h for that).
+// The scene as written by its author: names, degrees, file names and places in the file. It is
+// read, checked, compared, converted and written back, but never rendered; for that see
+// render_scene.h.
 //
-// Conventions: right-handed, y up, column vectors, angles in degrees (`_deg`), colors red green
-// blue, 1 is full.
+// Conventions: right-handed, y up, column vectors; angles in degrees (`_deg`); colors are red,
+// green, blue, with 1 as full intensity.
 
 #include "scenefile/base/location.h"
 #include "scenefile/base/rare.h"
@@ -27,17 +27,17 @@ struct Global {
   float ambient = 0.5f;
   float diffuse = 0.5f;
   float specular = 0.5f;
-  /// Not given in nearly all files; what that means is for the renderer's profile to say.
+  /// Not given in nearly all files; the renderer's profile then decides its value.
   std::optional<float> transparent;
   Location location;
 
   friend bool operator==(const Global& a, const Global& b);
 };
 
-/// The camera. `focus` of the files is a look direction here.
+/// The camera. The readers convert `focus`, a point in files, to a look direction.
 struct Camera {
   glm::vec3 position{5, 5, 5};
-  glm::vec3 look{-1, -1, -1};   ///< direction, any length but zero
+  glm::vec3 look{-1, -1, -1};   ///< direction; any length except zero
   glm::vec3 up{0, 1, 0};        ///< any length, not parallel to look
   float height_angle_deg = 45;  ///< full vertical angle of view, in (0, 180)
   float aperture = 0;           ///< lens size in world units; 0 is a pinhole
@@ -52,7 +52,7 @@ struct Translate {
   friend bool operator==(const Translate&, const Translate&) = default;
 };
 struct Rotate {
-  glm::vec3 axis{0, 1, 0};  ///< any length but zero
+  glm::vec3 axis{0, 1, 0};  ///< any length except zero
   float angle_deg = 0;      ///< right-handed about the axis
   friend bool operator==(const Rotate&, const Rotate&) = default;
 };
@@ -61,7 +61,7 @@ struct Scale {
   friend bool operator==(const Scale&, const Scale&) = default;
 };
 /// A 4x4 matrix as glm stores it: m()[column][row]; files list rows. Matrices are rare and large,
-/// so each lies apart, never to change, and the other transforms stay small.
+/// so each is immutable and shared on the heap, which keeps other transforms small.
 class Matrix {
  public:
   explicit Matrix(const glm::mat4& m = glm::mat4(1)) : m_(std::make_shared<const glm::mat4>(m)) {}
@@ -107,7 +107,7 @@ struct Material {
 
 struct Primitive {
   Shape shape = Shape::cube;
-  RareText mesh_file;  ///< as written; for Shape::mesh alone
+  RareText mesh_file;  ///< as written; only for Shape::mesh
   Material material;
   Location location;
 
@@ -118,11 +118,11 @@ struct Light {
   LightType type = LightType::point;
   glm::vec3 color{1};
   glm::vec3 position{0};           ///< in the space of its node; unused by directional lights
-  glm::vec3 direction{0};          ///< of the light's travel, in the space of its node
-  glm::vec3 attenuation{1, 0, 0};  ///< constant, linear and quadratic coefficient of the distance
+  glm::vec3 direction{0};          ///< in which the light travels, in the space of its node
+  glm::vec3 attenuation{1, 0, 0};  ///< constant, linear and quadratic coefficients of the distance
   std::optional<float> angle_deg;  ///< spot: half-angle of the outer cone
-  float penumbra_deg = 0;          ///< spot: from full light to none, inside `angle_deg`
-  float width = 0;                 ///< area: world units
+  float penumbra_deg = 0;          ///< spot: degrees from full light to none, inside `angle_deg`
+  float width = 0;                 ///< area: both in world units
   float height = 0;
   std::optional<int> id;  ///< has no effect
   std::string name;       ///< has no effect
@@ -134,8 +134,8 @@ struct Light {
 /// Index into Scene::nodes.
 using NodeId = std::uint32_t;
 
-/// A group: what it contains is placed by its transforms. A node with `instance_of` stands for a
-/// copy of that template (its transforms included) and has no contents of its own.
+/// A group; its transforms place its contents. A node with `instance_of` is an instance of that
+/// template (including the template's transforms) and has no contents.
 struct Node {
   RareText name;                      ///< may be empty; templates need one
   std::vector<Transform> transforms;  ///< product in listed order: the last listed acts first
@@ -146,8 +146,8 @@ struct Node {
   Location location;
 };
 
-/// A value of the globals, the camera, a light, a primitive or a node; named as the member that
-/// holds it.
+/// A value of the global data, the camera, a light, a primitive or a node; named like the member
+/// that holds it.
 enum class Field : std::uint8_t {
   ambient,
   diffuse,
@@ -175,20 +175,20 @@ enum class Field : std::uint8_t {
   instance_of
 };
 
-/// Where one value stands in the file.
+/// The place of one value in the file.
 struct FieldPlace {
   Location owner;  ///< the `location` of the Global, Camera, Light, Primitive or Node
   Field field = Field::ambient;
   Location location;
 };
 
-/// In a scene of a file with errors: a number that could not be read.
+/// Marks a number that could not be read, in the scene of a file with errors.
 inline constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
 
-/// A scene as written. The nodes form a forest: the root and the templates are its trees, every
-/// other node is the child of exactly one node, or of none and then not part of the scene. They lie
-/// in one array so that no depth of nesting can exhaust the stack when a scene is copied or
-/// destroyed.
+/// A scene as written. The nodes form a forest whose trees are the root and the templates. Every
+/// other node is the child of exactly one node; a node without a parent is not part of the scene.
+/// All nodes are in one array, so that no depth of nesting can overflow the stack when a scene is
+/// copied or destroyed.
 struct Scene {
   std::string name;
   Global global;
@@ -196,14 +196,13 @@ struct Scene {
   std::vector<Node> nodes = std::vector<Node>(1);
   std::vector<NodeId> templates;  ///< named nodes to instantiate, in the order of declaration
   NodeId root = 0;
-  /// For messages alone, in any order. A value that is not listed is taken to stand where its owner
-  /// stands.
+  /// Only for messages; in any order. The place of a value that is not listed is that of its owner.
   std::vector<FieldPlace> field_places;
   /// The file had errors or no root: parts may be missing, and numbers may be `not_known`. check()
-  /// then leaves out what it would find for these reasons alone.
+  /// then does not report problems that may follow from that.
   bool incomplete = false;
 
-  /// Same structure and values; neither places in the file nor the order of `nodes` count.
+  /// Equal structure and values; places in the file and the order of `nodes` are ignored.
   friend bool operator==(const Scene& a, const Scene& b);
 };
 

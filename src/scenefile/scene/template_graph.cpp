@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// Calls `add(holder, held)` for each use outside loops, when `held` is complete.
+// Calls `add(source, target)` for each edge that is not a back edge, once `target` is complete.
 template <typename Add>
 void accumulate(const Graph& graph, Add add) {
   const ContainmentOrder order = containment_order(graph);

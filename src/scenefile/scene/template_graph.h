@@ -1,5 +1,5 @@
 #pragma once
-// Which template holds copies of which. Internal to the room.
+// The graph of which template instantiates which. Internal to the room.
 
 #include "scenefile/scene/scene.h"
 
@@ -11,14 +11,14 @@
 
 namespace scenefile {
 
-/// Templates by name, as indices into Scene::templates; of several with one name the first. The
-/// names live in the scene.
+/// Templates by name, as indices into Scene::templates; the first one if several share a name. The
+/// keys refer to strings in the scene.
 using TemplateNames = std::unordered_map<std::string_view, std::uint32_t>;
 TemplateNames template_names(const Scene& scene);
 
-/// The edges of a directed graph, sorted by where they start.
+/// The edges of a directed graph, sorted by source vertex.
 struct Graph {
-  std::vector<std::uint32_t> first;  ///< of each vertex, into `target`; one more at the end
+  std::vector<std::uint32_t> first;  ///< of each vertex: index into `target`; one extra at the end
   std::vector<std::uint32_t> target;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(first.size() - 1); }
@@ -36,9 +36,11 @@ void visit_depth_first(const Graph& graph, std::span<const std::uint32_t> starts
                        Loop loop) {
   constexpr std::uint32_t unseen = 0xffffffffu;
   constexpr std::uint32_t done = 0xfffffffeu;
-  std::vector<std::uint32_t> depth(graph.size(), unseen);  // on the way, else one of the above
+  std::vector<std::uint32_t> depth(graph.size(),
+                                   unseen);  // on the current path, or one of the above
   std::vector<std::uint32_t> way;
-  std::vector<std::uint32_t> next;  // of each vertex on the way, into `target`
+  std::vector<std::uint32_t>
+      next;  // of each vertex on the path: the next edge, an index into `target`
   const auto enter = [&](std::uint32_t vertex) {
     depth[vertex] = static_cast<std::uint32_t>(way.size());
     way.push_back(vertex);
@@ -67,30 +69,30 @@ void visit_depth_first(const Graph& graph, std::span<const std::uint32_t> starts
   }
 }
 
-/// The trees of a scene (in the order of tree_heads(), so the root is the last) and the instances
-/// in them.
+/// The trees of a scene (in the order of tree_heads(), so the root is last) and the instances in
+/// them.
 struct TemplateGraph {
   std::vector<NodeId> heads;
-  Graph uses;                    ///< tree -> tree of each instance that names a template
-  std::vector<NodeId> use_node;  ///< the instance, for each edge of `uses`
+  Graph uses;                    ///< an edge from a tree to the template of each of its instances
+  std::vector<NodeId> use_node;  ///< the node of the instance, for each edge of `uses`
 
   std::uint32_t root() const { return uses.size() - 1; }
 };
 TemplateGraph template_graph(const Scene& scene);
 
-/// Vertices behind all that they lead to, and the rank of each in that order. An edge that closes a
-/// loop leads to the same or a higher rank.
+/// Vertices in topological order: each after all its targets, with its rank in that order. A back
+/// edge leads to the same or a higher rank.
 struct ContainmentOrder {
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> rank;
 };
 ContainmentOrder containment_order(const Graph& graph);
 
-/// What a value of each vertex adds up to with all copies inside: its own plus the total of each
-/// target. Saturates at infinity; edges that close loops count nothing.
+/// Sums a value over each vertex with all instances: its own plus the total of each target.
+/// Saturates at infinity; back edges are ignored.
 std::vector<double> totals(const Graph& graph, std::vector<double> own);
 
-/// The most edges in a row from each vertex; edges that close loops count nothing.
+/// The length of the longest path from each vertex; back edges are ignored.
 std::vector<std::uint32_t> heights(const Graph& graph);
 
 }  // namespace scenefile

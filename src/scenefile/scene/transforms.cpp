@@ -31,7 +31,7 @@ SinCos sin_cos_degrees(double degrees) {
   return {std::sin(turn * std::numbers::pi / 180), std::cos(turn * std::numbers::pi / 180)};
 }
 
-// Rodrigues' formula.
+// Rodrigues' rotation formula.
 glm::dmat3 rotation(const Rotate& rotate) {
   const glm::dvec3 axis(rotate.axis);
   const double length = glm::length(axis);
@@ -44,7 +44,7 @@ glm::dmat3 rotation(const Rotate& rotate) {
   return c * glm::dmat3(1) + s * cross + (1 - c) * glm::outerProduct(k, k);
 }
 
-// The products leave out what is multiplied by 0 and 1.
+// Skips multiplications by 0 and 1.
 DAffine product(const DAffine& outer, const Translate& t) {
   return {outer.linear, outer.point(glm::dvec3(t.by))};
 }
@@ -80,7 +80,7 @@ std::optional<Affine> storable(const DAffine& map) {
   if (!(reach < 1e30)) {
     return std::nullopt;
   }
-  // Rounding to float can flatten what was not quite flat.
+  // Rounding to float can make a nearly flat map singular.
   const Affine stored(map);
   if (!invertible(map) || !invertible(DAffine(stored))) {
     return std::nullopt;

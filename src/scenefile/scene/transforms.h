@@ -1,5 +1,5 @@
 #pragma once
-// Transforms as written, turned into maps.
+// Converts written transforms to affine maps.
 
 #include "scenefile/base/affine.h"
 #include "scenefile/scene/scene.h"
@@ -9,15 +9,15 @@
 
 namespace scenefile {
 
-/// `outer` * the map of `transform`. Angles that are multiples of 90 degrees are exact; a rotation
-/// about a zero axis is no rotation; the last row of a matrix is taken as 0 0 0 1.
+/// `outer` * the map of `transform`. Rotations by multiples of 90 degrees are exact; a rotation
+/// about a zero axis is the identity; the last row of a matrix is taken as 0 0 0 1.
 DAffine composed(const DAffine& outer, const Transform& transform);
 
-/// The same for a list, factor by factor from the left. So a list that is cut in two, the rear part
-/// in a node inside, gives the same bits.
+/// The same for a list, multiplied from the left one by one. Moving the end of the list into a
+/// child node therefore gives the same bits.
 DAffine composed(const DAffine& outer, const std::vector<Transform>& transforms);
 
-/// The map as a ready scene stores it; nothing when it is not invertible there, or too large.
+/// The map in the precision of a render scene; nullopt if it is not invertible there, or too large.
 std::optional<Affine> storable(const DAffine& map);
 
 }  // namespace scenefile

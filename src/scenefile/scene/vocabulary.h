@@ -1,7 +1,7 @@
 #pragma once
-// The values of a scene file, one row each: what both dialects call a value, what kind it is, which
-// member holds it and which lights use it. The readers, the writers, check and diff go by these
-// tables. Internal to the rooms scene and format.
+// The values of a scene file, one row each: its names in both dialects, its kind, the member that
+// holds it, and which lights use it. Readers, writers, check and diff use these tables. Internal to
+// the rooms scene and format.
 
 #include "scenefile/base/rare.h"
 #include "scenefile/base/shape.h"
@@ -32,14 +32,13 @@ enum class ValueKind : std::uint8_t {
   texture
 };
 
-/// The member that holds a value. None: the readers turn the value into something else, or it has
-/// no effect.
+/// The member that holds a value. None if the readers convert the value, or if it has no effect.
 template <typename Owner>
 using Member =
     std::variant<std::monostate, float Owner::*, glm::vec3 Owner::*, std::optional<float> Owner::*,
                  std::optional<int> Owner::*, std::string Owner::*, Rare<TextureUse> Owner::*>;
 
-/// A set of types of lights.
+/// A set of light types.
 using LightTypes = std::uint8_t;
 constexpr LightTypes only(LightType type) {
   return static_cast<LightTypes>(1u << static_cast<unsigned>(type));
@@ -52,19 +51,19 @@ constexpr LightTypes all_but(LightType type) {
 template <typename Owner>
 struct ValueRow {
   ValueKind kind = ValueKind::number;
-  std::string_view xml{};   ///< name of the element; empty: XML cannot say it
-  std::string_view json{};  ///< key; empty: JSON cannot say it
+  std::string_view xml{};   ///< name of the element; empty: not available in XML
+  std::string_view json{};  ///< key; empty: not available in JSON
   Member<Owner> member{};
-  std::optional<Field> field{};  ///< which findings can be about; nothing: none is
+  std::optional<Field> field{};  ///< for findings about the value; nullopt: there are none
   LightTypes used_by = every_light;
-  std::string_view xml_alias{};  ///< another name of the element, worth a warning
-  /// XML files give it to lights of all types: where it is not used, nothing is said and it stays.
+  std::string_view xml_alias{};  ///< another name of the element; accepted with a warning
+  /// XML files give this value to lights of all types; it is kept without a warning where unused.
   bool idle_in_xml = false;
-  std::array<std::string_view, 2> json_repeat{};  ///< texture: keys of the repeats along u and v
-  std::uint8_t written = 0;  ///< writers go by this, then by the order of the rows
+  std::array<std::string_view, 2> json_repeat{};  ///< texture: keys of repeat_u and repeat_v
+  std::uint8_t written = 0;  ///< sort key of the writers; ties keep the order of the rows
 
   constexpr bool used_by_type(LightType type) const { return (used_by & only(type)) != 0; }
-  /// What messages and differences call it.
+  /// The name in messages and differences.
   constexpr std::string_view name() const { return xml.empty() ? json : xml; }
   constexpr bool has_member() const { return !std::holds_alternative<std::monostate>(member); }
 };
@@ -77,7 +76,7 @@ inline constexpr ValueRow<Global> global_rows[] = {
      Field::transparent},
 };
 
-/// `focus` is a point to look at; readers make a direction of it.
+/// `focus` is a point to look at; readers convert it to a direction.
 inline constexpr ValueRow<Camera> camera_rows[] = {
     {ValueKind::vector, "pos", "position", &Camera::position, Field::position},
     {ValueKind::vector, "look", "look", &Camera::look, Field::look},
@@ -185,7 +184,7 @@ inline constexpr ValueRow<Material> material_rows[] = {
      .written = 9},
 };
 
-/// Where the row of a field stands in its table. Of a field with two rows, the first.
+/// The index of a field's row in its table; the first if the field has two rows.
 template <typename Owner, std::size_t N>
 constexpr std::size_t index_of(const ValueRow<Owner> (&rows)[N], Field field) {
   std::size_t i = 0;
@@ -200,12 +199,12 @@ constexpr const ValueRow<Owner>& row_of(const ValueRow<Owner> (&rows)[N], Field 
   return rows[index_of(rows, field)];
 }
 
-/// Whether the value has an effect on lights of the type.
+/// Whether the value affects lights of that type.
 constexpr bool light_uses(LightType type, Field field) {
   return row_of(light_rows, field).used_by_type(type);
 }
 
-/// The rows in the order in which both writers write them.
+/// The rows in the order of both writers.
 template <typename Owner, std::size_t N>
 constexpr std::array<const ValueRow<Owner>*, N> as_written(const ValueRow<Owner> (&rows)[N]) {
   std::array<const ValueRow<Owner>*, N> order{};

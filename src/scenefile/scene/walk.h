@@ -1,6 +1,6 @@
 #pragma once
-// Walks over the nodes of a scene that need no call stack and end on any scene, broken ones
-// included. Internal to the room.
+// Walks over the nodes of a scene without recursion, which end for any scene, including broken
+// ones. Internal to the room.
 
 #include "scenefile/scene/scene.h"
 
@@ -10,11 +10,11 @@
 
 namespace scenefile {
 
-/// Visits `start` and all nodes below it, parents first and children in order. For each,
-/// `enter(node, state of its parent)` gives the state for its children; `initial` is the state
-/// above `start`. What lies below an instance does not count and is not visited. Indices out of
-/// range and nodes already marked in `seen` (one flag a node) are skipped, so all walks that share
-/// `seen` together take linear time.
+/// Visits `start` and its descendants, parents first and children in order. For each node,
+/// `enter(node, state of its parent)` returns the state for its children; `initial` is the state
+/// above `start`. Children of an instance are ignored. Skips indices that are out of range and
+/// nodes already marked in `seen` (one flag per node), so that all walks that share `seen` together
+/// take linear time.
 template <typename State, typename Enter>
 void walk_nodes(const Scene& scene, NodeId start, const State& initial, std::vector<bool>& seen,
                 Enter enter) {

@@ -27,7 +27,7 @@ std::optional<glm::dvec3> unit(const glm::dvec3& v) {
   return v / length;
 }
 
-// All zero would divide by zero, where the formula's limit is no falloff at all.
+// All zeros would divide by zero; the limit of the formula is no attenuation.
 glm::vec3 safe_attenuation(const glm::vec3& written) {
   const glm::vec3 coefficients = glm::max(written, glm::vec3(0));
   return coefficients == glm::vec3(0) ? glm::vec3(1, 0, 0) : coefficients;
@@ -40,8 +40,8 @@ void set_cone(RenderLight& ready, const Light& light) {
   ready.inner_angle = static_cast<float>(std::max(0.0, outer - penumbra) * std::numbers::pi / 180);
 }
 
-// The format leaves the orientation of the rectangle about its direction open: `width` lies level,
-// `height` upright, as a picture hangs on a wall.
+// The format does not define how the rectangle is rotated about its direction: `width` is level and
+// `height` upright, like a picture on a wall.
 void set_rectangle(RenderLight& ready, const Light& light, const glm::dvec3& direction,
                    const DAffine& space_from_node) {
   const glm::dvec3 up(0, 1, 0);
@@ -52,14 +52,14 @@ void set_rectangle(RenderLight& ready, const Light& light, const glm::dvec3& dir
   const glm::dvec3 half_v = space_from_node.vector(v * (std::max(0.0f, light.height) / 2.0));
   ready.half_u = glm::vec3(half_u);
   ready.half_v = glm::vec3(half_v);
-  // Under a shear the normal of the rectangle is not where its old normal goes.
+  // Under a shear, the normal of the rectangle is not the image of the old normal.
   if (const std::optional<glm::dvec3> normal = unit(glm::cross(half_u, half_v))) {
     const bool front = glm::dot(*normal, glm::dvec3(ready.direction)) >= 0;
     ready.direction = glm::vec3(front ? *normal : -*normal);
   }
 }
 
-// Marks the nodes that hold lights, those above them, and the instances of templates with lights.
+// Marks the nodes that contain lights, their ancestors, and the instances of templates with lights.
 class LitNodes {
  public:
   LitNodes(const Scene& scene, const TemplateNames& names)
@@ -109,12 +109,12 @@ class LitNodes {
 
   std::vector<NodeId> parent_;
   std::vector<std::vector<NodeId>> instances_;  // of each template
-  std::vector<std::uint32_t> template_of_;      // of each node that is the head of one
+  std::vector<std::uint32_t> template_of_;      // of each node that is the head of a template
   std::vector<bool> lit_;
   std::vector<NodeId> pending_;
 };
 
-// The root or a template, its nodes folded: what leads to lights.
+// The root or a template with its nodes folded, keeping only what leads to lights.
 struct LitTree {
   struct Use {
     std::uint32_t tree;
@@ -124,7 +124,7 @@ struct LitTree {
   std::vector<Use> uses;
 };
 
-// One for each template, then the root.
+// One for each template, then one for the root.
 std::vector<LitTree> lit_trees(const Scene& scene) {
   const TemplateNames names = template_names(scene);
   std::vector<bool> seen = LitNodes(scene, names).take();
@@ -219,7 +219,7 @@ void world_lights(const Scene& scene, const std::function<bool(const WorldLight&
     DAffine world_from_tree;
   };
   std::vector<Frame> frames;
-  // False: the visitor wants no more.
+  // Returns false if the visitor wants no more lights.
   const auto enter = [&](std::uint32_t tree, const DAffine& world_from_tree) {
     for (const WorldLight& light : trees[tree].lights) {
       if (!visit({light.node, light.index, world_from_tree * light.world_from_node})) {
@@ -239,7 +239,7 @@ void world_lights(const Scene& scene, const std::function<bool(const WorldLight&
     }
     const LitTree::Use& use = tree.uses[top.next++];
     if (rank[use.tree] < rank[top.tree]) {
-      // A ready scene stores the maps of instances in single precision.
+      // Rounded like the maps of instances in a render scene, which are single precision.
       wanted = enter(use.tree, top.world_from_tree * DAffine(Affine(use.tree_from_use)));
     }
   }

@@ -45,7 +45,7 @@ double linear_from_srgb(double value) {
   return value > 0.04045 ? std::pow((value + 0.055) / 1.055, 2.4) : value / 12.92;
 }
 
-// The opponent space in which the eye's sensitivity to contrast is known.
+// An opponent color space for which the eye's contrast sensitivity is known.
 glm::dvec3 ycxcz_from_rgb(const glm::dvec3& rgb) {
   const glm::dvec3 n = xyz_from_rgb * rgb / white;
   return {116 * n.y - 16, 500 * (n.x - n.y), 200 * (n.y - n.z)};
@@ -96,14 +96,14 @@ Opponent opponent(const Texture& picture) {
   return result;
 }
 
-// A gaussian of the contrast sensitivity functions: a sqrt(pi / b) exp(-(pi x)^2 / b), x in
+// A Gaussian of the contrast sensitivity functions: a sqrt(pi / b) exp(-(pi x)^2 / b), with x in
 // degrees.
 struct Sensitivity {
   double a = 1;
   double b = 1;
 };
 
-// What the eye sees of one channel from this far: a normalized sum of gaussians.
+// A channel as seen from this distance: filtered with a normalized sum of Gaussians.
 Plane seen(const Plane& channel, const std::vector<Sensitivity>& sum, double pixels_per_degree) {
   constexpr double widest = 0.04;
   const double reach = 3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree;
@@ -138,7 +138,7 @@ glm::dvec3 lab_at(const Opponent& picture, std::size_t i) {
   return hunt_lab(glm::clamp(rgb_from_ycxcz(color), glm::dvec3(0), glm::dvec3(1)));
 }
 
-// The color error, spread over [0, 1].
+// The color error, mapped to [0, 1].
 double color_error(const glm::dvec3& a, const glm::dvec3& b) {
   static const double largest =
       std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), color_exponent);
@@ -148,7 +148,7 @@ double color_error(const glm::dvec3& a, const glm::dvec3& b) {
                       : knee_value + (error - bend) / (largest - bend) * (1 - knee_value);
 }
 
-// Positive weights sum to 1 and negative ones to -1.
+// Scales the weights so that positive ones sum to 1 and negative ones to -1.
 Taps balanced(Taps taps) {
   double positive = 0;
   double negative = 0;
@@ -161,7 +161,7 @@ Taps balanced(Taps taps) {
   return taps;
 }
 
-// Lengths of the two derivatives of a picture by the same filter.
+// The length of the gradient at each pixel, by the same filter in both directions.
 Plane detected(const Plane& light, const Taps& derivative, const Taps& smooth) {
   Plane result = filtered(light, derivative, smooth);
   const Plane down = filtered(light, smooth, derivative);

@@ -1,5 +1,5 @@
 #pragma once
-// All measures of how two pictures differ, and what a grader asks of them.
+// All measures of the difference between two pictures, and thresholds for them.
 
 #include "scenefile/asset/compare_images.h"
 
@@ -11,24 +11,24 @@
 
 namespace scenefile {
 
-/// Smaller is alike for mean, max, share_over, flip_mean and flip_max; greater is alike for
-/// psnr_db and ssim.
+/// For mean, max, share_over, flip_mean and flip_max, smaller is more alike; for psnr_db and ssim,
+/// larger is more alike.
 struct PictureMeasures {
-  bool same_size = true;       ///< false: all others are those of pictures that differ everywhere
-  glm::ivec2 size{0};          ///< of the picture that was tested
+  bool same_size = true;       ///< false: all measures have their worst value
+  glm::ivec2 size{0};          ///< of the picture under test
   glm::ivec2 right_size{0};    ///< of the reference
   ImageDifference difference;  ///< PSNR, mean, maximum, share of pixels over the threshold
-  double ssim = 1;             ///< ssim.h
-  double flip_mean = 0;        ///< flip.h
+  double ssim = 1;             ///< see ssim.h
+  double flip_mean = 0;        ///< see flip.h
   double flip_max = 0;
 };
 
-/// `threshold`: a pixel counts in share_over when a channel is off by more, in 1/255. `flip_errors`
-/// takes over the errors of the pixels, where given.
+/// Computes all measures. `threshold`, in 1/255: a pixel counts in share_over if a channel differs
+/// by more. `flip_errors`, if not null, receives the error of each pixel.
 PictureMeasures measure(const Texture& reference, const Texture& test, int threshold = 8,
                         std::vector<float>* flip_errors = nullptr);
 
-/// What a picture must keep to. With nothing set it must be equal to the reference.
+/// Limits that a picture must meet. If none is set, it must equal the reference.
 struct Thresholds {
   std::optional<double> min_psnr_db{};
   std::optional<double> max_mean{};     ///< in 1/255
@@ -40,8 +40,8 @@ struct Thresholds {
   friend bool operator==(const Thresholds&, const Thresholds&) = default;
 };
 
-/// What is not kept to, each as a clause such as "PSNR is 31.20 dB, less than 40". None: the
-/// pictures are the same as far as anyone asked.
+/// The thresholds that are not met, each as a clause such as "PSNR is 31.20 dB, less than 40".
+/// Empty if all are met.
 std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
                                            const PictureMeasures& measures);
 

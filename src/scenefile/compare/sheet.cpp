@@ -41,7 +41,7 @@ int worst_channel(const std::uint8_t* a, const std::uint8_t* b) {
 }  // namespace
 
 void magma(double value, std::uint8_t* rgb) {
-  // A fit of degree 6 to the published table, good to 2/255.
+  // A polynomial fit of degree 6 to the published table, accurate to 2/255.
   static const std::array<glm::dvec3, 7> fit{
       {{-0.002136485053939582, -0.000749655052795221, -0.005386127855323933},
        {0.2516605407371642, 0.6775232436837668, 2.494026599312351},

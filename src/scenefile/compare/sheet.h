@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of differences.
+// Pictures of differences, and contact sheets.
 
 #include "scenefile/asset/image.h"
 
@@ -8,21 +8,22 @@
 
 namespace scenefile {
 
-/// The magma color map (S. van der Walt, N. Smith, 2015): black over violet and orange to pale
-/// yellow. `value` in [0, 1].
+/// The magma color map (S. van der Walt, N. Smith, 2015): from black over violet and orange to pale
+/// yellow. `value` is in [0, 1].
 void magma(double value, std::uint8_t* rgb);
 
-/// The greatest difference of a channel at each pixel, as magma of its square root, so that one
-/// step of 255 can still be seen. Where one picture ends before the other, all is different.
+/// The maximum channel difference at each pixel, as magma of its square root, so that a difference
+/// of 1/255 is still visible. Pixels that only one picture has count as entirely different.
 Texture heat_map(const Texture& a, const Texture& b);
 
-/// The errors of a FlipMap as magma; empty where their number is not that of the pixels.
+/// The errors of a FlipMap as magma; empty if their number is not width * height.
 Texture flip_picture(const std::vector<float>& errors, int width, int height);
 
-/// At most `width` pixels wide, by averages over what each new pixel covers; smaller pictures stay.
+/// The picture scaled down to at most `width` pixels wide, by area averages; smaller pictures are
+/// unchanged.
 Texture reduced(const Texture& picture, int width);
 
-/// Pictures beside each other, aligned at their tops, on gray with a gap of 8 pixels.
+/// Pictures side by side, aligned at the top, on gray with gaps of 8 pixels.
 Texture side_by_side(std::span<const Texture* const> pictures);
 
 }  // namespace scenefile

@@ -10,7 +10,7 @@ constexpr int radius = 5;
 constexpr double c1 = (0.01 * 255) * (0.01 * 255);
 constexpr double c2 = (0.03 * 255) * (0.03 * 255);
 
-// Around 0, so that squares in single precision stay exact enough.
+// Centered on 0, so that squares keep enough precision in floats.
 constexpr double middle = 128;
 
 Plane luma(const Texture& picture) {

@@ -8,7 +8,7 @@ namespace scenefile {
 
 namespace {
 
-// Where along an axis of `size` pixels each tap of each pixel reads.
+// The index that each tap reads for each pixel along an axis of `size` pixels.
 std::vector<int> clamped_places(int size, int radius) {
   std::vector<int> places(static_cast<std::size_t>(size) + 2 * radius);
   for (int i = 0; i < static_cast<int>(places.size()); ++i) {
@@ -32,7 +32,7 @@ Plane filtered_rows(const Plane& plane, const Taps& taps) {
   return result;
 }
 
-// Row by row, so that memory is read in order.
+// Row by row, to read memory in order.
 Plane filtered_columns(const Plane& plane, const Taps& taps) {
   const std::vector<int> from = clamped_places(plane.height, static_cast<int>(taps.size()) / 2);
   Plane result(plane.width, plane.height);

@@ -1,11 +1,11 @@
 #pragma once
-// Planes of numbers and what filters do to them.
+// Planes of numbers, and filters for them.
 
 #include <vector>
 
 namespace scenefile {
 
-/// One number a pixel, row after row.
+/// One number per pixel, row by row.
 struct Plane {
   int width = 0;
   int height = 0;
@@ -17,14 +17,14 @@ struct Plane {
   float at(int x, int y) const { return values[static_cast<std::size_t>(width) * y + x]; }
 };
 
-/// A filter along one axis: an odd number of weights around the pixel.
+/// A filter along one axis: an odd number of weights, centered on the pixel.
 using Taps = std::vector<double>;
 
 /// exp(-x^2 / (2 sigma^2)) for x from -radius to radius, not normalized.
 Taps gaussian_taps(int radius, double sigma);
 double sum_of(const Taps& taps);
 
-/// Correlates rows with `across`, then columns with `down`. Pixels beyond the edge are those at it.
+/// Correlates rows with `across`, then columns with `down`. Pixels beyond the edge repeat the edge.
 Plane filtered(const Plane& plane, const Taps& across, const Taps& down);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// From what the tracer met to what the author wrote.
+// Names for the objects that the tracer hit, as in the scene file.
 
 #include "scenefile/scene/node_path.h"
 #include "scenefile/scene/prepare.h"
@@ -10,25 +10,25 @@
 
 namespace scenefile {
 
-/// A place on the way from the root to an object: a node that is a copy of a template, or the node
-/// of the object itself.
+/// A step on the path from the root to an object: an instance of a template, or the node of the
+/// object itself.
 struct WayPoint {
-  std::string path;   ///< node_path(), of the template inside a copy
-  Location location;  ///< of the copy; of the object at the end of the way
+  std::string path;   ///< node_path(); inside an instance, the path in its template
+  Location location;  ///< of the instance; of the object for the last step
 };
 
 class ObjectNames {
  public:
-  /// Scene and sources must outlive it.
+  /// `scene` and `sources` must outlive the result.
   ObjectNames(const Scene& scene, const std::vector<Source>& sources);
 
-  /// The outermost copy first, the object last; never empty.
+  /// The outermost instance first, the object last; never empty.
   std::vector<WayPoint> way(const ObjectRef& object) const;
 
-  /// The way in one line: "root/board > board/#3/pawn > pawn/head".
+  /// The path in one line: "root/board > board/#3/pawn > pawn/head".
   std::string text(const ObjectRef& object) const;
 
-  /// Of a `source` in the table; an empty place for any other.
+  /// For a `source` in the table; an empty place for any other value.
   WayPoint at(std::uint32_t source) const;
 
  private:

@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// A shadow ray that meets its own mesh so near has not left the surface.
+// A shadow ray that hits its own mesh within this distance has not left the surface.
 constexpr double acne_distance = 1e-2;
 
 constexpr double half_step = 0.5 / 255;
@@ -145,7 +145,7 @@ class Remarks {
     if (record.samples.empty()) {
       return;
     }
-    // One word for all samples of an area light, by the first.
+    // One remark for all samples of an area light, judged by the first.
     const LightSample& sample = record.samples.front();
     if (sample.n_dot_l <= 0) {
       const bool highlight = largest(sample.specular * sample.color) >= half_step;
@@ -190,7 +190,7 @@ class Remarks {
       if (self == sample.blockers.end()) {
         continue;
       }
-      // Solids cannot stand in their own light on the lit side; meshes can, but not at once.
+      // Solids cannot occlude themselves on the lit side; meshes can, but not at a short distance.
       const bool lit_side = glm::dot(s.geometric, sample.to_light) > 0;
       const bool acne = lit_side && (s.shape != Shape::mesh || self->t < acne_distance);
       if (acne) {

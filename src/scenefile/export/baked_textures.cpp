@@ -29,7 +29,7 @@ std::uint32_t BakedTextures::bake(const RenderMaterial& material, const glm::vec
     return entry->second;
   }
   const Texture& texture = textures_[material.texture.file];
-  // Three channels of 256 values are all that can come out.
+  // A table of all possible results: three channels with 256 values each.
   float value_of[3][256];
   for (int channel = 0; channel < 3; ++channel) {
     for (int byte = 0; byte < 256; ++byte) {

@@ -1,5 +1,5 @@
 #pragma once
-// Textures with what the format mixes into them. Private to the room.
+// Textures with the material's blend and colors baked in. Private to the room.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/export/phong_pbr.h"
@@ -13,26 +13,26 @@
 
 namespace scenefile {
 
-/// How the values of the pictures are encoded.
+/// The encoding of pixel values.
 enum class PictureEncoding : std::uint8_t {
-  linear,  ///< as the format has them
-  srgb     ///< IEC 61966-2-1, as glTF wants colors
+  linear,  ///< unchanged
+  srgb     ///< IEC 61966-2-1, as glTF requires for colors
 };
 
-/// A PNG file of each mixture that materials use, each once.
+/// PNG files of the distinct mixtures that materials use.
 class BakedTextures {
  public:
   BakedTextures(std::span<const Texture> textures, PictureEncoding encoding)
       : textures_(textures), encoding_(encoding) {}
 
-  /// Whether the material shows a picture.
+  /// Whether the material has a visible texture.
   bool shows(const RenderMaterial& material) const;
-  /// The index of (1 - blend) diffuse + blend * texture + `more`, cut to 0..1.
+  /// The index of a picture of (1 - blend) diffuse + blend * texture + `more`, clamped to 0..1.
   std::uint32_t bake(const RenderMaterial& material, const glm::vec3& diffuse,
                      const glm::vec3& more);
 
   const std::vector<std::string>& files() const { return files_; }
-  /// A value was over 1.
+  /// Whether a value above 1 was clamped.
   bool clipped() const { return clipped_; }
 
  private:

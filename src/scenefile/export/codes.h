@@ -1,5 +1,5 @@
 #pragma once
-// What writing a scene for another program has to say.
+// Findings about scenes exported for other programs.
 
 #include "scenefile/base/diagnostics.h"
 

@@ -8,7 +8,7 @@ namespace scenefile {
 
 namespace {
 
-// All bits of a vertex.
+// A vertex by its indices, for finding duplicates.
 struct Key {
   std::uint32_t position, normal, uv;
   std::uint32_t flat;  ///< the triangle whose own normal it has, or mesh_no_index

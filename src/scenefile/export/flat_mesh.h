@@ -1,6 +1,6 @@
 #pragma once
-// Meshes as graphics hardware and glTF want them: one index for all values of a corner. Private to
-// the room.
+// Meshes as graphics hardware and glTF expect them: one index for all attributes of a vertex.
+// Private to the room.
 
 #include "scenefile/geometry/mesh.h"
 
@@ -13,12 +13,12 @@ namespace scenefile {
 
 struct FlatMesh {
   std::vector<glm::vec3> positions;
-  std::vector<glm::vec3> normals;  ///< unit length, or empty: shaded flat
-  std::vector<glm::vec2> uvs;      ///< v up; empty, or one each
+  std::vector<glm::vec3> normals;  ///< unit length; empty: flat shading
+  std::vector<glm::vec2> uvs;      ///< v up; empty, or one per vertex
   std::vector<std::uint32_t> indices;
 };
 
-/// Triangles without normals take the geometric one where others have some.
+/// Triangles without normals get the geometric normal if others in the mesh have normals.
 FlatMesh flatten(const Mesh& mesh);
 
 }  // namespace scenefile

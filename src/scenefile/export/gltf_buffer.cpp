@@ -59,7 +59,7 @@ GltfGeometry GltfBuffer::add(const FlatMesh& mesh, const glm::vec2& repeat) {
                      float_type, "VEC3", "");
   }
   if (!mesh.uvs.empty()) {
-    // v of glTF counts from the top of the picture.
+    // In glTF, v increases downward.
     std::vector<glm::vec2> uvs;
     for (const glm::vec2& uv : mesh.uvs) {
       uvs.push_back(repeat * glm::vec2(uv.x, 1 - uv.y));

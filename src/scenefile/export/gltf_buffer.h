@@ -1,5 +1,5 @@
 #pragma once
-// The binary part of a glTF file and the JSON that describes it. Private to the room.
+// The binary part of a glTF file, and the JSON that describes it. Private to the room.
 
 #include "scenefile/export/flat_mesh.h"
 
@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// Accessors of a mesh.
+/// The accessors of a mesh.
 struct GltfGeometry {
   std::uint32_t positions = 0;
   std::uint32_t normals = mesh_no_index;
@@ -19,13 +19,13 @@ struct GltfGeometry {
 
 class GltfBuffer {
  public:
-  /// `repeat` multiplies the uvs. The mesh has triangles.
+  /// Adds a mesh; `repeat` multiplies its uvs. The mesh must have triangles.
   GltfGeometry add(const FlatMesh& mesh, const glm::vec2& repeat);
-  /// A file, as a buffer view of which the index is returned.
+  /// Adds a file as a buffer view, and returns the index of the view.
   std::uint32_t add(std::string_view file);
 
   const std::string& bytes() const { return bytes_; }
-  /// What stands in the arrays of that name.
+  /// The contents of the JSON arrays bufferViews and accessors.
   const std::string& views() const { return views_; }
   const std::string& accessors() const { return accessors_; }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// Candela for a color of 1. glTF's light falls off by the square of the distance alone.
+// Candela for a color of 1. Lights in glTF always have inverse-square falloff.
 double candela(const RenderLight& light, const Bounds& box) {
   double distance = 1;
   if (!box.empty()) {

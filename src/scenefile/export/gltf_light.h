@@ -9,8 +9,8 @@
 
 namespace scenefile {
 
-/// A light of KHR_lights_punctual as JSON. Where a light that fades, or does not, has to have a
-/// strength of its own, it is right in the middle of `box`, what the scene draws.
+/// A light of KHR_lights_punctual as JSON. If its attenuation differs from glTF's, the intensity is
+/// chosen to match in the middle of `box`, the bounding box of the scene.
 std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics& diagnostics);
 
 }  // namespace scenefile

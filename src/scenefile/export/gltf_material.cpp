@@ -45,7 +45,7 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
   }
 }
 
-// The format's own values, which glTF has no place for.
+// The format's own values, which glTF cannot represent.
 std::string extras(const PhongColors& phong) {
   return fmt::format(R"({{"scenefile":{{"ambient":{},"diffuse":{},"specular":{},"reflective":{},)"
                      R"("transparent":{},"shininess":{},"ior":{}}}}})",

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// Rougher surfaces that are no metal show highlights, but no mirror images.
+// Rougher nonmetals show highlights, but no mirror images.
 constexpr float mirror_roughness = 0.05f;
 constexpr float largest_shininess = 1000;
 
@@ -25,7 +25,7 @@ float power4(float x) {
   return x * x * x * x;
 }
 
-// Scaled to a largest component of at most 1.
+// The color, scaled so that its largest component is at most 1.
 glm::vec3 at_most_one(const glm::vec3& color) {
   return color / std::max(1.0f, largest(color));
 }

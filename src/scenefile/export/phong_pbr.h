@@ -1,20 +1,20 @@
 #pragma once
-// Between the format's Phong materials and the metallic-roughness materials of glTF 2.0, both ways.
-// One file, so that what one direction says the other undoes.
+// Converts between the format's Phong materials and the metallic-roughness materials of glTF 2.0.
+// Both directions are in one file, so that each inverts the other.
 //
-// The convention: a light of color c shines with pi * c lux (candela per square distance), so that
-// a matte surface of base color D lit at a right angle has the radiance c * D, as in the format.
+// Convention: a light of color c has pi * c lux (or candela per square distance), so that a matte
+// surface with base color D, lit perpendicularly, has the radiance c * D, as in the format.
 //
 // diffuse      -> base color
-// ambient      -> emission: what a surface gives back whatever the lights do
-// specular     -> reflectance at normal incidence F0 and roughness r, so that the highlight has the
-//                 same height and width: (R.V)^n is nearly (N.H)^(4n), GGX of alpha = r * r is
-//                 nearly (N.H)^(2 / alpha^2 - 2), hence r^4 = 1 / (2n + 1) and
-//                 F0 = 4 r^4 ks Cs. (B. Walter et al., Microfacet Models for Refraction through
-//                 Rough Surfaces, 2007, equation 33.)
-// reflective   -> F0 of a surface of roughness 0; the highlight, which needs another roughness, is
-//                 lost
-// transparent  -> transmission: the share of diffuse + transparent that goes through
+// ambient      -> emission: light that does not depend on the lights
+// specular     -> reflectance at normal incidence F0 and roughness r, matching the height and width
+//                 of the highlight: (R.V)^n is nearly (N.H)^(4n), GGX with alpha = r * r is nearly
+//                 (N.H)^(2 / alpha^2 - 2), hence r^4 = 1 / (2n + 1) and F0 = 4 r^4 ks Cs.
+//                 (B. Walter et al., Microfacet Models for Refraction through Rough Surfaces, 2007,
+//                 equation 33.)
+// reflective   -> F0 of a surface with roughness 0; the highlight, which needs another roughness,
+//                 is lost
+// transparent  -> transmission: the share of transparent in diffuse + transparent
 
 #include "scenefile/scene/render_scene.h"
 
@@ -22,7 +22,7 @@
 
 namespace scenefile {
 
-/// A Phong material with the coefficients of the scene multiplied in. Linear colors.
+/// A Phong material multiplied by the scene's coefficients. Linear colors.
 struct PhongColors {
   glm::vec3 ambient{0};
   glm::vec3 diffuse{1};
@@ -35,25 +35,25 @@ struct PhongColors {
   friend bool operator==(const PhongColors&, const PhongColors&) = default;
 };
 
-/// What glTF says of a surface, its extensions for specular, transmission and ior included.
+/// A glTF material, including the extensions for specular, transmission and ior.
 struct PbrMaterial {
-  glm::vec3 base{1};    ///< 0 to 1
-  float metallic = 0;   ///< 0 to 1
-  float roughness = 1;  ///< 0 to 1
-  glm::vec3 f0{0.04f};  ///< reflectance of the part that is not metal, at normal incidence; 0 to 1
+  glm::vec3 base{1};       ///< 0 to 1
+  float metallic = 0;      ///< 0 to 1
+  float roughness = 1;     ///< 0 to 1
+  glm::vec3 f0{0.04f};     ///< reflectance of the non-metallic part at normal incidence; 0 to 1
   float transmission = 0;  ///< 0 to 1
   float ior = 1.5f;        ///< >= 1
   glm::vec3 emissive{0};   ///< any strength
 };
 
-/// `transparent`: the scene's coefficient where it gives none.
+/// `transparent`: the coefficient to use if the scene gives none.
 PhongColors phong_colors(const RenderMaterial& material, const RenderGlobal& global,
                          float transparent);
 
 PbrMaterial pbr_of(const PhongColors& phong);
 PhongColors phong_of(const PbrMaterial& pbr);
 
-/// Reflectance at normal incidence of a smooth surface between air and a body.
+/// Reflectance at normal incidence of a smooth surface between air and a medium with this ior.
 float f0_of(float ior);
 
 }  // namespace scenefile

@@ -18,8 +18,8 @@ float mean(const glm::vec3& c) {
   return (c.x + c.y + c.z) / 3;
 }
 
-// POV-Ray takes light away from the surface of glass; what the format adds without taking must
-// leave some of the surface.
+// POV-Ray subtracts transmitted light from the surface color of glass, but the format adds it, so
+// the surface must not vanish completely.
 constexpr float most_transmit = 0.95f;
 
 float transmit(const PovMaterial& m) {
@@ -30,7 +30,7 @@ float transmit(const PovMaterial& m) {
   return std::min(most_transmit, kt * mean(m.material->transparent));
 }
 
-// The pigment multiplies the ambient term too, so that a black one would lose it.
+// The pigment also multiplies the ambient term, which would vanish with a black pigment.
 glm::vec3 pigment_color(const PovMaterial& m) {
   constexpr float darkest = 1.0f / 1024;
   const glm::vec3 diffuse = m.global.diffuse * m.material->diffuse / (1 - transmit(m));

@@ -11,12 +11,12 @@
 
 namespace scenefile {
 
-/// A material, and what of the scene and the wishes it depends on.
+/// A material, with the settings of the scene and the options that it depends on.
 struct PovMaterial {
   const RenderMaterial* material = nullptr;
   RenderGlobal global;
   PovOptions options;
-  std::string texture_path;  ///< empty: no texture shows
+  std::string texture_path;  ///< empty: no visible texture
 
   bool textured() const { return !texture_path.empty(); }
   bool transparent() const;
@@ -25,14 +25,14 @@ struct PovMaterial {
 PovMaterial pov_material(const RenderScene& scene, std::uint32_t index,
                          std::span<const std::string> texture_paths, const PovOptions& options);
 
-/// Reports what of the material POV-Ray says otherwise, each thing once for a scene.
+/// Reports how POV-Ray renders the material differently, each difference once per scene.
 void report_differences(const PovMaterial& m, Diagnostics& diagnostics);
 
-/// `texture { ... }`. `mapping` takes the unit square of the image, u along x and v along y, to the
-/// surface of the object: modifiers of a pigment.
+/// `texture { ... }`. `mapping` maps the unit square of the image (u along x, v along y) to the
+/// surface of the object; it is a list of pigment modifiers.
 std::string pov_texture(const PovMaterial& m, std::string_view mapping);
 
-/// `interior { ... }` where the material is transparent.
+/// `interior { ... }` if the material is transparent; otherwise empty.
 std::string pov_interior(const PovMaterial& m);
 
 }  // namespace scenefile

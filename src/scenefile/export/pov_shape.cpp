@@ -11,8 +11,8 @@ namespace scenefile {
 
 namespace {
 
-// A flat side: how it is written, and the matrix that takes the image (u along x, v along y) to
-// it, by the texture coordinates of docs/rendering.md.
+// A flat side: its POV-Ray text, and the matrix that maps the image (u along x, v along y) to it,
+// by the texture coordinates of docs/rendering.md.
 struct FlatSide {
   std::string_view surface;
   std::string_view mapping;
@@ -34,7 +34,7 @@ constexpr std::array<FlatSide, 6> cube_sides{{
     {"polygon { 5, <-.5,-.5,-.5> <.5,-.5,-.5> <.5,-.5,.5> <-.5,-.5,.5> <-.5,-.5,-.5>", below},
 }};
 
-// POV-Ray's warps count the angle the other way and from the other side.
+// POV-Ray's warps measure the angle in the opposite direction, from the opposite side.
 constexpr std::string_view around_sphere = "warp { spherical } scale <1, 1, -1>";
 constexpr std::string_view around_axis = "warp { cylindrical } translate -.5*y scale <1, 1, -1>";
 
@@ -50,7 +50,7 @@ std::string sides(const PovMaterial& m) {
   return text;
 }
 
-// With an image, each side of a shape has a mapping of its own.
+// With a texture, each side of a shape needs a separate mapping.
 std::string textured(Shape shape, const PovMaterial& m) {
   switch (shape) {
     case Shape::cube:

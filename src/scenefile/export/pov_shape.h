@@ -9,12 +9,12 @@
 
 namespace scenefile {
 
-/// One primitive in the space of its object, then moved by `placing`. `mesh_name` is the
-/// `#declare`d mesh of a mesh.
+/// One primitive in object space, then transformed by `placing`. `mesh_name` is the `#declare`d
+/// name of a mesh.
 std::string pov_primitive(Shape shape, const PovMaterial& m, std::string_view mesh_name,
                           std::string_view placing);
 
-/// `mesh2 { ... }` with the uvs and normals that the mesh has.
+/// `mesh2 { ... }`, with uvs and normals if the mesh has them.
 std::string pov_mesh(const Mesh& mesh);
 
 }  // namespace scenefile

@@ -16,7 +16,7 @@ std::string pov_color(const glm::vec3& color) {
   return fmt::format("rgb {}", pov_vector(color));
 }
 
-// POV-Ray multiplies rows from the left: each row is the image of an axis, which is a column here.
+// POV-Ray multiplies row vectors from the left: each of its rows is a column here.
 std::string pov_matrix(const Affine& map) {
   if (map == Affine{}) {
     return {};

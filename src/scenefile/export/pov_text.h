@@ -10,17 +10,17 @@
 
 namespace scenefile {
 
-/// `<x, y, z>`, each the shortest text of its value.
+/// `<x, y, z>`, each with the fewest digits that give the same value.
 std::string pov_vector(const glm::dvec3& v);
 std::string pov_vector(const glm::vec3& v);
 
 /// `rgb <r, g, b>`.
 std::string pov_color(const glm::vec3& color);
 
-/// `matrix <...>`, or nothing for the identity.
+/// `matrix <...>`; empty for the identity.
 std::string pov_matrix(const Affine& map);
 
-/// In quotes, with what the language would read otherwise escaped.
+/// A quoted string, escaped for POV-Ray.
 std::string pov_string(std::string_view text);
 
 }  // namespace scenefile

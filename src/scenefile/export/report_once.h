@@ -8,7 +8,7 @@
 
 namespace scenefile {
 
-/// Reports unless the same was said before.
+/// Reports unless the same message was reported before.
 void report_once(const Code& code, std::string_view message, Diagnostics& diagnostics);
 
 }  // namespace scenefile

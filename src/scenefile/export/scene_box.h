@@ -8,7 +8,7 @@
 
 namespace scenefile {
 
-/// The box around all that is drawn, in world space; of a box in a box where templates are used.
+/// A bounding box of everything drawn, in world space; not tight where templates are used.
 Bounds scene_box(const RenderScene& scene, std::span<const Mesh> meshes);
 
 }  // namespace scenefile

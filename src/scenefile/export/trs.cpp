@@ -13,8 +13,8 @@ bool orthogonal(const glm::dvec3& a, const glm::dvec3& b, double cosine) {
   return std::abs(glm::dot(a, b)) <= cosine * glm::length(a) * glm::length(b);
 }
 
-// One-sided Jacobi: rotates columns p and q of `b` until they are at a right angle, and `v` with
-// them. (G. Golub, C. Van Loan, Matrix Computations, section 8.6.3.)
+// One-sided Jacobi: rotates columns p and q of `b` until they are orthogonal, and applies the same
+// rotation to `v`. (G. Golub, C. Van Loan, Matrix Computations, section 8.6.3.)
 void make_orthogonal(glm::dmat3& b, glm::dmat3& v, int p, int q) {
   const double alpha = glm::dot(b[p], b[p]);
   const double beta = glm::dot(b[q], b[q]);
@@ -30,7 +30,7 @@ void make_orthogonal(glm::dmat3& b, glm::dmat3& v, int p, int q) {
   }
 }
 
-// Turns columns at right angles into lengths and a rotation. A mirroring goes to the first.
+// Splits orthogonal columns into lengths and a rotation. A reflection negates the first length.
 void split(const glm::dmat3& columns, Trs& trs) {
   glm::dmat3 unit(1);
   for (int i = 0; i < 3; ++i) {

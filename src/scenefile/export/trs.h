@@ -17,11 +17,11 @@ struct Trs {
   glm::dvec3 scale{1};
 };
 
-/// A map as outer * inner. Most need no inner part; one that shears has no single Trs, but two by
-/// the singular value decomposition of its linear part, to rounding.
+/// A map as outer * inner. Most maps need no inner part. A map with shear is not a single Trs, but
+/// is the product of two, from the singular value decomposition of its linear part, up to rounding.
 struct TrsPair {
   Trs outer;
-  std::optional<glm::dquat> inner;  ///< a rotation that acts first
+  std::optional<glm::dquat> inner;  ///< a rotation that is applied first
 };
 
 /// The map must be invertible.

@@ -31,10 +31,10 @@ constexpr std::uint32_t none = mesh_no_index;
 struct GltfNode {
   Trs place = {};
   std::string_view name;
-  std::string_view extra = {};  // a member more, such as "mesh"
-  std::uint32_t value = none;   // of that member
+  std::string_view extra = {};  // the name of an additional member, such as "mesh"
+  std::uint32_t value = none;   // its value
   std::uint32_t last_child = none;
-  std::uint32_t next_sibling = none;  // circular: the last one leads to the first
+  std::uint32_t next_sibling = none;  // circular list: the last sibling links to the first
 };
 
 std::string list(const glm::dvec3& v) {
@@ -45,7 +45,7 @@ std::string list(const glm::dquat& q) {
   return fmt::format("[{},{},{},{}]", q.x, q.y, q.z, q.w);
 }
 
-// The rotation that takes -z to `direction`, a unit vector.
+// The rotation that maps -z to `direction`, a unit vector.
 glm::dquat looking_along(const glm::dvec3& direction) {
   const glm::dvec3 w = -direction;
   const glm::dvec3 side = std::abs(w.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
@@ -53,7 +53,7 @@ glm::dquat looking_along(const glm::dvec3& direction) {
   return glm::normalize(glm::quat_cast(glm::dmat3(u, glm::cross(w, u), w)));
 }
 
-// What a node of the scene holds that is drawn, in the order of the file.
+// The drawn contents of a node, in the order of the file.
 struct Contents {
   std::vector<const RenderPrimitive*> primitives;
   const RenderInstance* instance = nullptr;
@@ -73,7 +73,7 @@ class GltfWriter {
         box_(scene_box(ready.scene, assets.meshes)) {}
 
   std::string write() {
-    // A node for each copy of a primitive at least, which costs nothing to know.
+    // A cheap lower bound: at least one node for each instance of a primitive.
     too_large_ = count_virtual_primitives(ready_) > static_cast<double>(options_.most_nodes);
     if (too_large_) {
       return refuse();
@@ -114,7 +114,7 @@ class GltfWriter {
     }
   }
 
-  // Nodes that hold nothing, themselves or below them, are left out.
+  // Leaves out nodes that contain nothing, directly or in their descendants.
   void mark_drawn() {
     std::vector<NodeId> parent(scene_.nodes.size(), none);
     for (NodeId id = 0; id < scene_.nodes.size(); ++id) {
@@ -172,7 +172,7 @@ class GltfWriter {
     }
   }
 
-  // Goes down the tree, and into the template at each instance, without recursion.
+  // Depth-first without recursion, entering the template at each instance.
   void add_tree() {
     struct Waiting {
       NodeId id;
@@ -202,7 +202,7 @@ class GltfWriter {
     }
   }
 
-  // The node, or the inner one of two. Returns what its contents belong to.
+  // Adds the node, as two nodes if it has shear. Returns the inner one, the parent of its contents.
   std::uint32_t add_written(const Node& node, std::uint32_t parent) {
     const TrsPair pair = decompose(composed(DAffine(), node.transforms));
     const std::uint32_t outer = add_node(parent, {.place = pair.outer, .name = node.name.str()});
@@ -315,7 +315,7 @@ class GltfWriter {
     json += "{" + text + "}";
   }
 
-  // Near enough to show all, far enough for a depth buffer.
+  // Near enough to show everything, far enough for the precision of a depth buffer.
   double near_plane() const {
     return box_.empty() ? 0.01 : 1e-3 * std::max(1e-6, glm::distance(box_.min, box_.max));
   }

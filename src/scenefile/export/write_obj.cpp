@@ -74,7 +74,7 @@ class ObjWriter {
     return of_group.empty() ? 0 : of_group[scene_.root];
   }
 
-  // Into each copy of each template, without recursion.
+  // Expands each instance of each template, without recursion.
   void objects() {
     std::vector<std::pair<std::uint32_t, DAffine>> waiting{{scene_.root, {}}};
     while (!waiting.empty() && !scene_.groups.empty()) {
@@ -113,7 +113,7 @@ class ObjWriter {
     }
     const bool shows = textures_.shows(material);
     for (const glm::vec2& uv : mesh.uvs) {
-      // Repeats count from the top of the picture.
+      // Repeats count from the top of the picture, but v from the bottom.
       const float u = shows ? uv.x * material.texture.repeat_u : uv.x;
       const float v = shows ? 1 - (1 - uv.y) * material.texture.repeat_v : uv.y;
       line("vt", {u, v});
@@ -129,7 +129,7 @@ class ObjWriter {
     normals_ += mesh.normals.size();
   }
 
-  // What is mirrored goes around the other way, so that its outside stays outside.
+  // A reflection reverses the order of the corners, to keep the outside outside.
   void faces(const FlatMesh& mesh, bool mirrored) {
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
       files_.obj += 'f';
@@ -170,7 +170,7 @@ class ObjWriter {
     const float through = std::min(1.0f, largest(phong.transparent));
     files_.mtl += fmt::format("newmtl m{}\n", materials_);
     color("Ka", phong.ambient);
-    // A picture is multiplied by this.
+    // Kd multiplies the picture.
     color("Kd", textures_.shows(material) ? glm::vec3(1) : phong.diffuse);
     color("Ks", highlight ? phong.specular : phong.reflective);
     files_.mtl += fmt::format("Ns {}\n", number_text(highlight ? phong.shininess : 0));
@@ -192,7 +192,7 @@ class ObjWriter {
     }
   }
 
-  // Models of illumination by their numbers in the MTL format.
+  // Illumination models of the MTL format by number.
   static int illumination(bool mirror, bool glass, bool highlight) {
     if (glass) {
       return mirror ? 6 : 9;

@@ -17,7 +17,7 @@ namespace scenefile {
 
 namespace {
 
-// Directional lights of POV-Ray have a place; beyond it they do not shine.
+// Directional lights of POV-Ray have a position, and do not shine beyond it.
 constexpr double far_away = 1e6;
 
 class PovWriter {
@@ -103,8 +103,8 @@ class PovWriter {
                        glm::degrees(double(light.outer_angle)));
   }
 
-  // POV-Ray fades by 2 / (1 + (d / distance)^power). That is 1 / (a + b d^power) for the right
-  // color and distance, as long as only one power is there.
+  // POV-Ray attenuates by 2 / (1 + (d / distance)^power). With a suitable color and distance, that
+  // is 1 / (a + b d^power), as long as there is only one power.
   std::string faded_color(const RenderLight& light) {
     const glm::vec3& a = light.attenuation;
     const int power = a.z > 0 ? 2 : 1;
@@ -123,7 +123,7 @@ class PovWriter {
                        pov_color(light.color / (2 * constant)), power, distance);
   }
 
-  // A group stands behind those that it contains, so each is declared before it is used.
+  // A group comes after those that it contains, so each is declared before it is used.
   void groups() {
     std::vector<bool> filled(scene_.groups.size());
     for (std::size_t i = 0; i < scene_.groups.size(); ++i) {

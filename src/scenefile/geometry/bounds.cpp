@@ -6,8 +6,8 @@ namespace scenefile {
 
 namespace {
 
-// Half the extent along each axis of a unit-diameter disk in the plane of two columns of a map:
-// the image is an ellipse, and its support in a direction is the length of the projected axes.
+// Half the extent along each axis of a disk of diameter 1 in the plane of two columns of a map: its
+// image is an ellipse, whose support in a direction is the length of the projected axes.
 glm::dvec3 disk_extent(const glm::dvec3& a, const glm::dvec3& b) {
   return 0.5 * glm::sqrt(a * a + b * b);
 }

@@ -1,14 +1,13 @@
-// Where rays cross the shapes, for any number of lanes (base/one_lane.h).
+// Ray-shape intersection for any number of lanes (base/one_lane.h).
+// Each shape is convex, so a line crosses it in one interval of t: the intersection of the
+// intervals of simpler convex sets, such as slabs, an infinite cylinder, or a half cone. Comparing
+// intervals, rather than testing hit points against edges, leaves no gap where two faces meet.
+// The roots are computed relative to the point of the line nearest to the center (for the cone, to
+// its apex), which avoids cancellation for distant origins. The discriminants use cross products,
+// where the usual form cancels. Compare Haines et al., "Precision Improvements for Ray/Sphere
+// Intersection", Ray Tracing Gems (2019), chapter 7.
 //
-// Each shape is convex, so a line crosses it in one interval of t, which is the overlap of the
-// intervals of simpler convex sets: slabs, an infinite cylinder, a half cone. Comparing intervals
-// rather than testing hit points against edges leaves no gap where two faces meet.
-//
-// The roots are found from the point of the line nearest to the center (apex for the cone), so
-// that nothing cancels for far origins, and the discriminants are written by cross products, from
-// which what the usual form cancels is already gone. Compare Haines et al., "Precision Improvements
-// for Ray/Sphere Intersection", Ray Tracing Gems (2019), chapter 7.
-// No guard: included once for each number of lanes.
+// No include guard: included once for each number of lanes.
 
 #include "scenefile/geometry/shapes.h"
 
@@ -18,18 +17,18 @@ namespace scenefile::SCENEFILE_LANES {
 
 inline constexpr double shape_radius = 0.5;
 
-/// The nearest crossing of each lane that has one.
+/// The nearest intersection of each lane that has one.
 struct Crossing {
   M hit;
   F t;
-  F face;  ///< the number of a Face
+  F face;  ///< a Face as a number
 };
 
 inline F number_of(Face face) {
   return splat(static_cast<int>(face));
 }
 
-// The part of a line inside a convex set, and the faces by which the line enters and leaves.
+// The part of a line inside a convex set, and the faces through which it enters and leaves.
 struct Span {
   F enter, exit, enter_face, exit_face;
 };
@@ -61,8 +60,8 @@ inline void clip(Span& span, F origin, F direction, double low, double high, Fac
   span.exit_face = select(sooner, far_face, span.exit_face);
 }
 
-// The two roots of a t^2 + 2 h t + c, given the square root of h^2 - a c; in no order. The one
-// that would cancel is found from the product of the roots.
+// The two roots of a t^2 + 2 h t + c, unordered, given the square root of h^2 - a c. The root that
+// would cancel is computed from the product of the roots.
 struct Roots {
   F first, second;
 };
@@ -72,7 +71,7 @@ inline Roots solve(F a, F h, F c, F square_root) {
 }
 
 inline Span sphere_span(const V3& p, const V3& d, M& crossed) {
-  // |p x d|^2 = |p|^2 |d|^2 - (p.d)^2 without its cancellation.
+  // p x d|^2 equals |p|^2 |d|^2 - (p.d)^2, but without cancellation.
   const V3 w = cross(p, d);
   const F a = dot(d, d);
   const F square = splat(shape_radius * shape_radius) * a - dot(w, w);
@@ -97,7 +96,7 @@ inline Span cylinder_span(const V3& p, const V3& d, M& crossed) {
   return span;
 }
 
-// The half of the double cone x^2 + z^2 = y^2 / 4 below its apex, which is the origin here, down to
+// The lower half of the double cone x^2 + z^2 = y^2 / 4, with the apex at the origin, cut off at
 // the base.
 inline Span cone_span(const V3& p, const V3& d, M& crossed) {
   const F infinity = splat(std::numeric_limits<double>::infinity());
@@ -111,8 +110,9 @@ inline Span cone_span(const V3& p, const V3& d, M& crossed) {
   const Roots roots = solve(a, h, c, root(greatest(square, zero)));
   const F lesser = least(roots.first, roots.second);
   const F greater = greatest(roots.first, roots.second);
-  // Flatter than the cone: both crossings are on one half. Steeper: one on each half, inside beyond
-  // both. Along a generator: one crossing, or none (a second one at infinity).
+  // If the ray is flatter than the cone, both roots are on one half. If it is steeper, there is one
+  // on each half, and the inside lies beyond both. Parallel to a generator there is one root, or
+  // none (a second root at infinity).
   const M flat = a > zero;
   const M generator = a == zero;
   const M downward = d.y < zero;
@@ -136,7 +136,7 @@ inline Crossing nearest(const Span& span, M crossed, F shift, F t_min, F t_max) 
   return {hit, select(front, enter, exit), select(front, span.enter_face, span.exit_face)};
 }
 
-// Along one axis: where the ray is between the two faces.
+// The interval of a ray between two opposite faces.
 struct Slab {
   F near, far;
 };
@@ -166,7 +166,7 @@ inline Crossing cube_crossing(const V3& p, const V3& d, F t_min, F t_max, M acti
     return {hit, exit, exit};
   }
   const F t = select(front, enter, exit);
-  // Of equal crossings the first. The ray enters by the faces that look against it.
+  // Ties go to the first axis. A ray enters through the faces that point against it.
   const auto face = [&](F direction, Face low, Face high) {
     const M ahead = (direction > splat(0)) ^ front;
     return select(ahead, number_of(high), number_of(low));
@@ -179,9 +179,9 @@ inline Crossing cube_crossing(const V3& p, const V3& d, F t_min, F t_max, M acti
   return {hit, t, select(is_x, of_x, select(is_y, of_y, of_z))};
 }
 
-// Whether a ray surely stays outside of the sphere around a round shape. Cheap, and wide enough
-// for what the rounding of the tests proper could make a hit. A ray that goes away from the center
-// is outside for good once it is outside at t_min, as rays are that begin on a sphere itself.
+// A cheap conservative test that a ray misses the bounding sphere of a round shape; its margin
+// exceeds the rounding of the exact tests. A ray that points away from the center stays outside
+// once it is outside at t_min, as for rays that start on the surface of a sphere.
 inline M passes_by(Shape shape, const V3& origin, const V3& direction, F length2, F t_min) {
   const bool ball = shape == Shape::sphere;
   const F distance2 = dot(origin, origin);
@@ -202,7 +202,8 @@ inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F lengt
   const V3 origin{from.x, from.y - splat(shape == Shape::cone ? 0.5 : 0), from.z};
   const F shift = -dot(origin, d) / length2;
   const V3 p = origin + shift * d;
-  // No point of a shape is farther than sqrt(5/4) from its center; also refuses what is not finite.
+  // No point of a shape is farther than sqrt(5/4) from its center; this also rejects NaN and
+  // infinity.
   crossed = crossed & (dot(p, p) <= splat(1.5));
   if (none(crossed)) {
     return {crossed, t_max, t_max};
@@ -213,8 +214,8 @@ inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F lengt
   return nearest(span, crossed, shift, t_min, t_max);
 }
 
-/// Not of meshes. Of directions whose square, `length2`, neither overflows nor underflows. See
-/// intersect().
+/// See intersect(). Not for meshes. `length2`, the squared length of the direction, must be
+/// moderate().
 inline Crossing crossing(Shape shape, const V3& origin, const V3& direction, F length2, F t_min,
                          F t_max, M active) {
   return shape == Shape::cube
@@ -222,7 +223,7 @@ inline Crossing crossing(Shape shape, const V3& origin, const V3& direction, F l
              : round_crossing(shape, origin, direction, length2, t_min, t_max, active);
 }
 
-/// Whether `length2` is as crossing() wants it.
+/// Whether `length2` is in the range that crossing() requires.
 inline M moderate(F length2) {
   return (length2 > splat(1e-100)) & (length2 < splat(1e100));
 }

@@ -27,7 +27,8 @@ std::uint64_t place_hash(const Mesh& mesh, const Corners& corners) {
   for (const std::uint32_t corner : corners) {
     const glm::vec3& p = mesh.positions[corner];
     for (int axis = 0; axis < 3; ++axis) {
-      // Zero has two signs. The step is the finalizer of MurmurHash3 (Appleby 2011).
+      // Adding 0.0f makes -0 and 0 equal. The mixing step is the finalizer of MurmurHash3 (Appleby
+      // 2011).
       hash ^= std::bit_cast<std::uint32_t>(p[axis] + 0.0f);
       hash = (hash ^ (hash >> 33)) * 0xff51afd7ed558ccdull;
       hash = (hash ^ (hash >> 33)) * 0xc4ceb9fe1a85ec53ull;
@@ -36,13 +37,13 @@ std::uint64_t place_hash(const Mesh& mesh, const Corners& corners) {
   return hash ^ (hash >> 33);
 }
 
-// Open addressing, at most half full.
+// A hash set with open addressing, at most half full.
 class PlaceSet {
  public:
   explicit PlaceSet(const Mesh& mesh)
       : mesh_(mesh), slots_(std::bit_ceil(2 * mesh.triangles.size() + 1), mesh_no_index) {}
 
-  // False when a triangle at the same place is there already.
+  // Returns false if a triangle at the same place is already in the set.
   bool insert(std::uint32_t index) {
     const Corners& corners = mesh_.triangles[index];
     const std::size_t mask = slots_.size() - 1;

@@ -21,7 +21,7 @@ bool intersect_moderate(Shape shape, const Ray& ray, double length2, double t_mi
   return found.hit;
 }
 
-// The same ray with its direction scaled by a power of two, which changes no digit.
+// Scales the direction by a power of two, which is exact.
 bool intersect_extreme(Shape shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
   const glm::dvec3 size = glm::abs(ray.direction);
   int exponent = 0;

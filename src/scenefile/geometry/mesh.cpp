@@ -10,8 +10,8 @@ using glm::dvec2;
 using glm::dvec3;
 using Corners = std::array<std::uint32_t, 3>;
 
-// The unit vector along v, or `otherwise` where v has no direction. Squares of differences of
-// floats neither overflow nor underflow a double.
+// The unit vector along v, or `otherwise` if v is zero. Squared differences of floats neither
+// overflow nor underflow a double.
 dvec3 direction_or(const dvec3& v, const dvec3& otherwise) {
   const double length2 = glm::dot(v, v);
   return length2 > 0 ? v / std::sqrt(length2) : otherwise;

@@ -1,12 +1,12 @@
-// Normals and texture coordinates of the round sides of the shapes, for any number of lanes
-// (base/one_lane.h). See surface_at(). No guard: included once for each number of lanes.
+// Normals and texture coordinates on the round sides of the shapes, for any number of lanes
+// (base/one_lane.h). See surface_at(). No include guard: included once for each number of lanes.
 
 #include <cmath>
 #include <iterator>
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// The direction of a point about the y axis; on the axis, that of +x.
+/// The direction of a point around the y axis; +x for a point on the axis.
 struct Around {
   F cosine, sine;
   F distance;  ///< from the axis
@@ -19,7 +19,7 @@ inline Around around_axis(const V3& p) {
           distance};
 }
 
-/// At a point of the sphere, or one near it.
+/// For a point on the sphere or near it.
 inline V3 sphere_normal(const V3& p, const Around& around) {
   const F size = root(around.distance * around.distance + p.y * p.y);
   const M apart = size > splat(0);
@@ -40,8 +40,8 @@ inline V3 cone_normal(const Around& around) {
                 V3{splat(0), splat(1), splat(0)});
 }
 
-/// As std::atan2(y, x) of finite numbers, to 2 units in the last place, and 0 where both are 0.
-/// The rational approximation is that of atan() in Cephes (Moshier, 1989).
+/// std::atan2(y, x) for finite numbers, to 2 units in the last place; 0 if both are 0. The rational
+/// approximation is that of atan() in Cephes (Moshier, 1989).
 inline F angle_of(F y, F x) {
   constexpr double half_turn = 3.14159265358979323846;
   const F longer = greatest(magnitude(x), magnitude(y));
@@ -68,7 +68,7 @@ inline F angle_of(F y, F x) {
     return sum;
   };
   const F arc = t + t * (z * polynomial(above) / polynomial(below));
-  // What the constant lacks to pi is added where it tells.
+  // Adds the low-order part of pi where it matters.
   const F eighth = select(steep, splat(half_turn / 4) + (arc + splat(3.061616997868383e-17)), arc);
   const F quarter = select(magnitude(y) > magnitude(x),
                            splat(half_turn / 2) - (eighth - splat(6.123233995736766e-17)), eighth);
@@ -76,14 +76,14 @@ inline F angle_of(F y, F x) {
   return with_sign_of(half, y);
 }
 
-/// The u of round sides.
+/// The u coordinate on round sides.
 inline F around_u(const Around& around) {
   const F turn = splat(2 * 3.14159265358979323846);
   const F phi = angle_of(around.sine, around.cosine);
   return select(phi < splat(0), -phi / turn, splat(1) - phi / turn);
 }
 
-/// The v of the sphere.
+/// The v coordinate on the sphere.
 inline F sphere_v(F height, const Around& around) {
   const F latitude = angle_of(height, around.distance);
   return within(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);

@@ -28,7 +28,7 @@ std::uint32_t add_normal(Mesh& mesh, const dvec3& n) {
   return static_cast<std::uint32_t>(mesh.normals.size() - 1);
 }
 
-// Leaves out the triangles that a quad does not have where two of its corners are one.
+// Skips degenerate triangles, as in quads with two equal corners.
 void add_triangle(Mesh& mesh, const Vertex& a, const Vertex& b, const Vertex& c) {
   if (a.position != b.position && b.position != c.position && c.position != a.position) {
     mesh.triangles.push_back({a.position, b.position, c.position});
@@ -42,7 +42,7 @@ void add_quad(Mesh& mesh, const Vertex& upper_left, const Vertex& lower_left,
   add_triangle(mesh, upper_left, lower_right, upper_right);
 }
 
-// From the y axis outward, at a fraction of a turn from the x axis toward -z.
+// The outward direction at a fraction of a turn from the x axis toward -z.
 dvec2 outward(double turn) {
   return {std::cos(2 * pi * turn), -std::sin(2 * pi * turn)};
 }
@@ -50,7 +50,7 @@ dvec2 outward(double turn) {
 // The vertices at one height of a round shape, one for each wedge.
 using Ring = std::vector<Vertex>;
 
-// Wedges lie to the right of each other seen from outside.
+// Seen from outside, wedges proceed to the right.
 void add_band(Mesh& mesh, const Ring& upper, const Ring& lower) {
   for (std::size_t j = 0; j < upper.size(); ++j) {
     const std::size_t next = (j + 1) % upper.size();
@@ -101,7 +101,7 @@ Mesh make_cube(int tiles) {
       dvec3 direction(0);
       direction[axis] = side;
       const std::uint32_t normal = add_normal(mesh, direction);
-      // Seen from outside: y is up on the four walls, -z on the top, z on the bottom.
+      // Up, seen from outside: y on the four walls, -z on the top, z on the bottom.
       const dvec3 up = axis == 1 ? dvec3(0, 0, -side) : dvec3(0, 1, 0);
       const dvec3 right = glm::cross(up, direction);
       const auto vertex = [&](int row, int column) {

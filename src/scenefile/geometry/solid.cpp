@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double margin = 1e-6;
 
-// Of the untransformed shape about the origin.
+// For the untransformed shape.
 double support(Shape shape, const glm::dvec3& direction) {
   const glm::dvec3 d = glm::abs(direction);
   const double disk = std::hypot(d.x, d.z);

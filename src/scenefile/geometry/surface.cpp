@@ -25,7 +25,7 @@ dvec3 vector_of(const one::V3& v) {
   return {v.x, v.y, v.z};
 }
 
-// d/du of a point that circles the axis at this distance: u runs against phi.
+// d(point)/du at this distance from the axis; u decreases as phi increases.
 dvec3 around_tangent(const Around& around, double distance) {
   return 2 * pi * distance * dvec3(around.sine, 0, -around.cosine);
 }
@@ -67,7 +67,7 @@ Surface cone_side(const dvec3& p) {
   return s;
 }
 
-// A flat face, by the directions in which its u and v grow.
+// A flat face, given the directions in which u and v increase.
 Surface flat(const dvec3& p, const dvec3& along_u, const dvec3& along_v) {
   return {
       glm::cross(along_u, along_v),

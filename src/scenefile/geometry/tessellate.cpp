@@ -41,8 +41,8 @@ void add_quad(Mesh& mesh, const Vertex& a, const Vertex& b, const Vertex& c, con
   add_triangle(mesh, a, c, d);
 }
 
-// Column `column` of `segments` as the angle phi; u = column / segments grows against phi. The
-// quadrants are exact so that the shape touches its box.
+// The direction at the angle phi of a column; u = column / segments decreases with phi. Exact at
+// the quadrants, so that the shape touches its bounding box.
 dvec2 direction(int column, int segments) {
   const int quarter = 4 * column;
   if (quarter % segments == 0) {
@@ -53,7 +53,7 @@ dvec2 direction(int column, int segments) {
   return {std::cos(phi), std::sin(phi)};
 }
 
-// One circle of a round side: its shared positions, its vertices (one more, for the seam).
+// A circle of a round side: its shared positions, and its vertices (one more, for the seam).
 struct Ring {
   std::vector<std::uint32_t> positions;
   std::vector<Vertex> vertices;
@@ -75,8 +75,8 @@ Ring add_ring(Mesh& mesh, Shape shape, double radius, double y, int segments) {
   return ring;
 }
 
-// u grows to the right seen from outside, so lower left, lower right, upper right, upper left is
-// counterclockwise.
+// Seen from outside, u increases to the right, so the order lower left, lower right, upper right,
+// upper left is counterclockwise.
 void add_band(Mesh& mesh, const Ring& lower, const Ring& upper) {
   for (std::size_t i = 0; i + 1 < lower.vertices.size(); ++i) {
     add_quad(mesh, lower.vertices[i], lower.vertices[i + 1], upper.vertices[i + 1],
@@ -84,7 +84,7 @@ void add_band(Mesh& mesh, const Ring& lower, const Ring& upper) {
   }
 }
 
-// Triangles from a ring to a point of the axis, each with a vertex of its own there.
+// Triangles from a ring to a point on the axis, each with a separate vertex there.
 void add_tip(Mesh& mesh, Shape shape, const Ring& ring, double y, bool above) {
   const std::uint32_t tip = add_position(mesh, dvec3(0, y, 0));
   const std::size_t segments = ring.positions.size();
@@ -172,7 +172,7 @@ Mesh tessellate_cylinder(int segments) {
   return mesh;
 }
 
-// Several rows, because a texture is interpolated badly in the triangles at the apex.
+// Several rows, because interpolation distorts textures in the triangles at the apex.
 Mesh tessellate_cone(int segments) {
   Mesh mesh;
   const int rows = std::max(1, segments / 4);

@@ -4,14 +4,14 @@
 
 namespace scenefile {
 
-/// Triangles that approximate an analytic shape, with normals and uvs: watertight, wound
-/// counterclockwise seen from outside. `segments` (3 to 1024, clamped) divides round sides about
-/// the y axis; the other direction follows from it. The cube ignores it. Not for meshes.
+/// Triangles that approximate an analytic shape, with normals and uvs: watertight, counterclockwise
+/// seen from outside. `segments` (clamped to 3 to 1024) divides round sides about the y axis; the
+/// divisions in the other direction follow from it. The cube ignores it. Not for meshes.
 ///
-/// Every vertex lies on the exact surface and agrees with surface_at(), but for two places where
-/// that has no one answer: at poles and apex each triangle carries the u (and on the cone the
-/// normal) of its middle, and on the seam of round sides the triangles before it have u = 0, those
-/// behind it u = 1.
+/// Every vertex lies on the exact surface and agrees with surface_at(), except where the surface
+/// has no unique answer. At poles and apex, each triangle has the u (and on the cone the normal) of
+/// its middle. At the seam of round sides, triangles on one side have u = 0, those on the other u =
+/// 1.
 Mesh tessellate(Shape shape, int segments);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// What reading another program's file as a scene has to say.
+// Findings about files of other programs that are read as scenes.
 
 #include "scenefile/base/diagnostics.h"
 

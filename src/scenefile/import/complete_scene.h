@@ -7,7 +7,7 @@
 
 namespace scenefile {
 
-/// Adds a camera that shows all of `box`, and a light from above it, where the scene has none.
+/// Adds what the scene lacks: a camera that shows all of `box`, and a light above it.
 void complete_scene(Scene& scene, const Bounds& box, Diagnostics& diagnostics);
 
 }  // namespace scenefile

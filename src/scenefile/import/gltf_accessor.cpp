@@ -67,7 +67,7 @@ float number(const char* at, Component component, bool normalized) {
   return load<float>(at);
 }
 
-// Where the elements lie; all of them are inside the file.
+// The memory layout of the elements; all of them are inside the file.
 struct Layout {
   const char* first = nullptr;
   std::size_t stride = 0;

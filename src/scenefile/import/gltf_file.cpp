@@ -26,7 +26,8 @@ struct Chunks {
   std::string_view binary;
 };
 
-// The chunks of a GLB file, or why there are none. (Specification, section 4.4.)
+// Splits a GLB file into chunks; returns an error text if it is invalid. (Specification, section
+// 4.4.)
 std::string split(std::string_view bytes, Chunks& chunks) {
   constexpr std::size_t header = 12;
   constexpr std::size_t chunk_header = 8;
@@ -119,7 +120,7 @@ class Opener {
                 fmt::format("it is glTF {}; export it as glTF 2.0", quoted(version)));
   }
 
-  // Those that change what the data means. All others may be left out.
+  // Checks required extensions that change the meaning of the data; others can be ignored.
   bool check_extensions() {
     constexpr std::string_view known[] = {"KHR_lights_punctual", "KHR_mesh_quantization",
                                           "KHR_texture_transform"};

@@ -1,5 +1,5 @@
 #pragma once
-// A glTF file taken apart: its JSON, its bytes, its tables. Private to the room.
+// A parsed glTF file: its JSON, buffers, and tables. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/import/imported_scene.h"
@@ -15,14 +15,14 @@ namespace scenefile {
 inline constexpr std::uint32_t no_item = 0xffffffffu;
 
 struct GltfView {
-  std::string_view bytes;    ///< empty where the view is wrong
+  std::string_view bytes;    ///< empty if the view is invalid
   std::uint64_t stride = 0;  ///< 0: packed
 };
 
 struct GltfFile {
   JsonTape tape;
   JsonValue root;
-  std::vector<std::string> fetched;  ///< what `buffers` lie in, but for the file itself
+  std::vector<std::string> fetched;  ///< storage of `buffers`, except for those in the file itself
   std::vector<std::string_view> buffers;
   std::vector<GltfView> views;
   std::vector<JsonValue> accessors;
@@ -35,12 +35,13 @@ struct GltfFile {
   std::vector<JsonValue> lights;
 };
 
-/// Takes the file apart, which must outlive the result, and fetches its buffers. False when errors
+/// Parses a file and fetches its buffers. `bytes` must outlive the result. Returns false if errors
 /// were reported.
 bool open_gltf(std::string_view bytes, const ImportOptions& options, GltfFile& file,
                Diagnostics& diagnostics);
 
-/// The bytes of a `data:` URI, or of the file that it names. Nothing with the reason in `error`.
+/// The bytes of a `data:` URI, or of the file it names; otherwise nullopt and the reason in
+/// `error`.
 std::optional<std::string> fetch_uri(const std::string& uri, const ImportOptions& options,
                                      std::string& error);
 

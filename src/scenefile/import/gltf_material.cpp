@@ -20,7 +20,7 @@ float unit(const JsonValue& json, float otherwise) {
   return static_cast<float>(std::clamp(json.number().value_or(otherwise), 0.0, 1.0));
 }
 
-// Not negative, and no larger than fits any use.
+// Clamped to a safe range: not negative, and not too large.
 glm::vec3 color(const JsonValue& json, float otherwise) {
   return glm::clamp(json.color().value_or(glm::vec3(otherwise)), glm::vec3(0), glm::vec3(1e6f));
 }
@@ -78,8 +78,8 @@ bool near(const glm::vec3& a, const glm::vec3& b) {
   return near(a.x, b.x) && near(a.y, b.y) && near(a.z, b.z);
 }
 
-// Whether a material still is what write_gltf() made of the values. `textured`: the picture holds
-// the base color.
+// Whether a material is still the one that write_gltf() made from the stored values. `textured`:
+// the picture contains the base color.
 bool still_fits(const PbrMaterial& made, const PbrMaterial& read, bool textured) {
   return (textured || near(made.base, read.base)) && near(made.metallic, read.metallic) &&
          near(made.roughness, read.roughness) && near(made.f0, read.f0) &&
@@ -99,7 +99,7 @@ Material written(const PhongColors& phong) {
   return m;
 }
 
-// IEC 61966-2-1.
+// sRGB to linear, IEC 61966-2-1.
 float linear_of_srgb(float value) {
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
@@ -156,7 +156,7 @@ GltfMaterial GltfMaterials::make(const JsonValue& json) {
   GltfMaterial result;
   result.material = written(phong);
   if (texture) {
-    // The part of the base color that is diffuse.
+    // The diffuse share of the base color.
     const float share = largest(pbr.base) > 0 ? largest(phong.diffuse) / largest(pbr.base) : 1;
     add_texture(texture, known ? pbr.base : pbr.base * std::min(1.0f, share), result);
   }
@@ -194,7 +194,7 @@ void GltfMaterials::add_texture(const JsonValue& info, const glm::vec3& factor,
   result.uv_set = static_cast<std::uint32_t>(std::min<std::uint64_t>(set.whole().value_or(0), 63));
 }
 
-// The file of the picture times a color, in linear values; empty when there is none.
+// The file of the picture multiplied by a color, in linear values; empty if it cannot be used.
 std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor) {
   const auto [entry, is_new] = pictures_.try_emplace({image, factor.x, factor.y, factor.z});
   if (!is_new) {

@@ -13,21 +13,21 @@
 
 namespace scenefile {
 
-/// What a primitive needs of its material. Uvs are given to the mesh, so that is for its texture to
-/// say, too: uv = offset + rotation and scale of the file's.
+/// A material, and the uvs it needs. In the format, uvs belong to the mesh, so the texture's set
+/// and its transform (offset, rotation, scale) are applied there.
 struct GltfMaterial {
   Material material;
   std::uint32_t uv_set = 0;
-  glm::mat3x2 uv_map{1, 0, 0, 1, 0, 0};  ///< columns: images of u and v, offset; v counts down
+  glm::mat3x2 uv_map{1, 0, 0, 1, 0, 0};  ///< columns: images of u and v, offset; v points down
 };
 
 class GltfMaterials {
  public:
-  /// Pictures go to `files`.
+  /// Adds pictures to `files`.
   GltfMaterials(const GltfFile& file, const ImportOptions& options,
                 std::vector<ImportedFile>& files, Diagnostics& diagnostics);
 
-  /// no_item: the default material of the specification.
+  /// no_item: the specification's default material.
   const GltfMaterial& get(std::uint32_t index);
 
  private:

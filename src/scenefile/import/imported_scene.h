@@ -1,5 +1,5 @@
 #pragma once
-// What becomes of another program's file.
+// The result of importing another program's file.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/limits.h"
@@ -10,21 +10,21 @@
 
 namespace scenefile {
 
-/// A file that lies beside the scene and that the scene names.
+/// A file next to the scene, which the scene refers to.
 struct ImportedFile {
   std::string name;
   std::string bytes;
 };
 
-/// A scene with the files of its meshes and textures. Not to be used when errors were reported.
+/// A scene with the files of its meshes and textures. Do not use it if errors were reported.
 struct ImportedScene {
   Scene scene;
   std::vector<ImportedFile> files;
 };
 
 struct ImportOptions {
-  std::string stem = "model";  ///< what the names of files begin with
-  FetchFile fetch = {};        ///< files that the model names; empty: all are missing
+  std::string stem = "model";  ///< prefix of file names
+  FetchFile fetch = {};        ///< reads files that the model refers to; empty: all are missing
   Limits limits;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A value of a JSON document that was read. Private to the room.
+// A value in a parsed JSON document. Private to the room.
 
 #include "scenefile/format/json_parser.h"
 
@@ -13,7 +13,7 @@
 
 namespace scenefile {
 
-/// A place in a document, or nothing, of which all members are nothing. Cheap to copy.
+/// A place in a document, or nothing; any member of nothing is nothing. Cheap to copy.
 class JsonValue {
  public:
   JsonValue() = default;
@@ -23,17 +23,17 @@ class JsonValue {
   bool is_object() const { return tape_ != nullptr && tape_->is_object(at_); }
   bool is_array() const { return tape_ != nullptr && tape_->is_array(at_); }
 
-  /// The first member of that name. Takes time linear in the size of the object.
+  /// The first member with that name. Takes time linear in the size of the object.
   JsonValue operator[](std::string_view name) const;
-  /// The elements of an array; of anything else none.
+  /// The elements of an array; empty for any other value.
   std::vector<JsonValue> elements() const;
 
   bool is_true() const { return tape_ != nullptr && tape_->first_character(at_) == 't'; }
   std::optional<double> number() const;
-  /// A whole number of at most 2^53; nothing for any other value.
+  /// An integer from 0 to 2^53; nullopt for any other value.
   std::optional<std::uint64_t> whole() const;
   std::optional<std::string> string() const;
-  /// Exactly that many numbers.
+  /// An array of exactly that many numbers.
   std::optional<std::vector<double>> numbers(std::size_t count) const;
   std::optional<glm::vec3> color() const;
 

@@ -9,12 +9,12 @@
 
 namespace scenefile {
 
-/// Vertices with all their values; normals and uvs (v up) are empty or one each.
+/// Vertices with their attributes; normals and uvs (v up) are empty or one per vertex.
 struct TriangleList {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> uvs;
-  std::vector<std::uint32_t> indices;  ///< three for each triangle, all valid
+  std::vector<std::uint32_t> indices;  ///< three per triangle, all valid
 };
 
 std::string obj_text(const TriangleList& list);

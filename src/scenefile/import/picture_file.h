@@ -8,7 +8,7 @@
 
 namespace scenefile {
 
-/// Adds the picture as a PNG file of the next number. Returns its name.
+/// Adds the picture as a PNG file with the next number. Returns its name.
 std::string add_picture(const Texture& texture, const ImportOptions& options,
                         std::vector<ImportedFile>& files);
 

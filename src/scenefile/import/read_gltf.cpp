@@ -26,17 +26,17 @@ namespace scenefile {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-// Of an OBJ file, for a vertex with all values and for a triangle: what its text can take.
+// Upper bounds for the text of an OBJ file, per vertex with all attributes and per triangle.
 constexpr std::uint64_t bytes_of_vertex = 100;
 constexpr std::uint64_t bytes_of_triangle = 100;
 
-// A list of triangles as a file beside the scene; no name: there is nothing to draw.
+// A list of triangles in a file next to the scene; an empty name means nothing to draw.
 struct MeshFile {
   std::string name;
   Bounds box;
 };
 
-// What makes a file: the accessors, the mode, and what its material does to uvs.
+// Identifies a mesh file: accessors, mode, and the material's uv transform.
 using MeshKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t,
                            std::uint32_t, std::vector<float>>;
 
@@ -63,7 +63,7 @@ class GltfReader {
   struct NodeLinks {
     std::uint32_t parent = no_item;
     std::vector<std::uint32_t> children;
-    bool used = false;  // it or one below it holds triangles
+    bool used = false;  // this node or a descendant contains triangles
   };
 
   void fail(std::string message) {
@@ -71,7 +71,7 @@ class GltfReader {
     failed_ = true;
   }
 
-  // An index into a table, which may be missing; no_item then, and where it is wrong.
+  // An optional index into a table; no_item if it is missing or invalid.
   std::uint32_t index(const JsonValue& value, std::size_t size, std::string_view where) {
     if (!value) {
       return no_item;
@@ -121,7 +121,7 @@ class GltfReader {
     return !failed_;
   }
 
-  // Up from each mesh; a loop of parents ends at its first marked node.
+  // Marks the ancestors of each mesh; stopping at marked nodes ends loops.
   void mark_used() {
     for (std::uint32_t i = 0; i < links_.size(); ++i) {
       if (file_.nodes[i]["mesh"]) {
@@ -292,7 +292,7 @@ class GltfReader {
     }
     const std::uint64_t vertices = element_count(file_, positions);
     const std::uint64_t corners = indices == no_item ? vertices : element_count(file_, indices);
-    // Strips and fans have a triangle for each corner, nearly.
+    // Strips and fans have nearly one triangle per corner.
     const std::uint64_t triangles = mode == 4 ? corners / 3 : corners;
     constexpr std::uint64_t most = std::uint64_t{1} << 40;
     const bool absurd = vertices > most || triangles > most;
@@ -369,7 +369,7 @@ class GltfReader {
 
   static bool finite(const glm::vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-  // Strips and fans become lists. (Specification, section 3.7.2.1.)
+  // Converts strips and fans to lists. (Specification, section 3.7.2.1.)
   bool read_corners(std::uint32_t accessor, std::uint32_t mode, TriangleList& list,
                     const std::string& where) {
     std::vector<std::uint32_t> corners;
@@ -477,7 +477,7 @@ class GltfReader {
     result_.scene.nodes[result_.scene.root].lights.push_back(std::move(light));
   }
 
-  // What write_gltf() says of a light beside glTF's own words.
+  // Applies the values that write_gltf() stored next to glTF's own.
   static void add_own(const JsonValue& own, Light& light, double& factor) {
     const auto attenuation = own["attenuation"].color();
     const auto candela = own["candela"].number();

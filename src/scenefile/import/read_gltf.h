@@ -1,5 +1,5 @@
 #pragma once
-// From glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021) to a scene.
+// Import from glTF 2.0 (Khronos Group, glTF 2.0 Specification, 2021).
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/import/imported_scene.h"
@@ -8,18 +8,17 @@
 
 namespace scenefile {
 
-/// Whether the bytes are a GLB file by their first four.
+/// Whether the first four bytes are those of a GLB file.
 bool is_glb(std::string_view bytes);
 
-/// Reads GLB, or the JSON of a .gltf file. Nodes become groups with their names and transforms,
-/// each list of triangles an OBJ file that all its users share, pictures PNG files with linear
-/// values. Materials and lights take the nearest meaning (export/phong_pbr.h), or the format's own
-/// values where write_gltf() put them and they still fit. Where there is no camera or light, one is
-/// added.
+/// Reads GLB, or the JSON of a .gltf file. Nodes become groups with their names and transforms.
+/// Each list of triangles becomes an OBJ file, shared by all its users; pictures become PNG files
+/// with linear values. Materials and lights are converted to the nearest equivalent
+/// (export/phong_pbr.h); if write_gltf() stored the format's own values and they still match, those
+/// are used. A missing camera or light is added.
 ///
-/// Every number is checked before it is used; what has no counterpart is reported, each thing once.
-/// Time and memory are linear in the size of the file and bounded by the limits. Codes:
-/// import/codes.h.
+/// Every number is validated. Anything without an equivalent is reported once. Time and memory are
+/// linear in the size of the file, and bounded by the limits. Codes: import/codes.h.
 ImportedScene read_gltf(std::string_view bytes, const ImportOptions& options,
                         Diagnostics& diagnostics);
 

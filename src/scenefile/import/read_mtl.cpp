@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-// What a material says, before it is known what of it counts.
+// The values of a material before it is known which of them count.
 struct Draft {
   std::optional<glm::vec3> ambient;
   glm::vec3 diffuse{1};
@@ -35,7 +35,7 @@ void read_number(ObjWords& words, float least, float most, float& value) {
   }
 }
 
-// One number is gray. Spectra and CIE colors are no numbers, and are skipped.
+// A single number is a gray. Skips spectra and CIE colors.
 std::optional<glm::vec3> read_color(ObjWords& words) {
   const auto r = number_of(words.next_word());
   if (!r) {
@@ -46,7 +46,7 @@ std::optional<glm::vec3> read_color(ObjWords& words) {
   return glm::clamp(glm::vec3(*r, g.value_or(*r), b.value_or(*r)), glm::vec3(0), glm::vec3(1e6f));
 }
 
-// The name may have blanks; options with their values stand before it.
+// The name may contain blanks; options and their values come before it.
 std::string read_picture(ObjWords& words) {
   std::string name;
   bool options = false;

@@ -15,8 +15,8 @@ struct MtlMaterial {
   std::string picture;
 };
 
-/// Adds the materials of a library by name; the first of a name counts. Statements that have no
-/// counterpart, and numbers that are none, are skipped.
+/// Adds the materials of a library by name; the first of a name counts. Skips statements without an
+/// equivalent, and invalid numbers.
 void read_mtl(std::string_view text, std::map<std::string, MtlMaterial, std::less<>>& materials);
 
 }  // namespace scenefile

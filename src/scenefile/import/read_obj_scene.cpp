@@ -23,7 +23,7 @@ namespace scenefile {
 
 namespace {
 
-// Of an OBJ file, for a triangle with all its values: what its text can take.
+// An upper bound for the text of an OBJ file, per triangle with all attributes.
 constexpr std::uint64_t bytes_of_triangle = 400;
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -73,7 +73,7 @@ class ObjSceneReader {
   }
 
  private:
-  // read_obj() has found every statement to be right.
+  // read_obj() has already validated every statement.
   void sort_faces() {
     ObjWords words(text_);
     CornerLists lists{{"vertex", mesh_.positions.size(), 0},
@@ -158,7 +158,7 @@ class ObjSceneReader {
     if (faces.triangles.empty()) {
       return;
     }
-    // The vertices stay where they are; only the lists of triangles change.
+    // Keeps the vertices; only the lists of triangles change.
     mesh_.triangles = faces.triangles;
     const auto used = [](const std::vector<Corners>& list) {
       return std::any_of(list.begin(), list.end(),
@@ -198,7 +198,7 @@ class ObjSceneReader {
     return material;
   }
 
-  // The picture times the diffuse color as a file of the scene; empty when there is none.
+  // The picture multiplied by the diffuse color, as a file of the scene; empty if there is none.
   std::string picture(const MtlMaterial& mtl) {
     if (mtl.picture.empty()) {
       return {};

@@ -20,8 +20,8 @@ std::string base_name_of(std::string_view path) {
   return std::string(path.substr(path.rfind('/') + 1));
 }
 
-// One folder of a walk: adds its files, queues its folders. Hidden entries are skipped: they hold
-// the history of version control, not assets. Links to folders are not followed.
+// Visits one folder: adds its files, queues its subfolders. Skips hidden entries, which hold
+// version control data rather than assets. Does not follow links to folders.
 bool visit(const std::pair<std::string, int>& folder, std::vector<std::string>& files,
            std::vector<std::pair<std::string, int>>& queue, std::size_t& budget) {
   std::error_code error;

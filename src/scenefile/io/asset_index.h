@@ -1,5 +1,5 @@
 #pragma once
-// Private to the io room: the files below some folders, by base name.
+// Private to the io room: an index of files in some folders, by base name.
 
 #include <cstddef>
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace scenefile {
 
-/// What a bounded walk through the roots met. A root with more entries than allowed is left out
-/// whole, because half a walk can prove no name unique and depends on the order of the disk.
+/// A bounded walk through the roots. A root with more entries than allowed is left out completely:
+/// a partial walk cannot prove that a name is unique, and would depend on the order of directory
+/// entries.
 class AssetIndex {
  public:
   static constexpr int max_levels = 4;
 
   AssetIndex(const std::vector<std::string>& roots, std::size_t max_entries);
 
-  /// Paths of files with this base name; with `any_case`, in any mixture of case.
+  /// Paths of files with this base name; `any_case` ignores case.
   std::vector<std::string> find(std::string_view base_name, bool any_case) const;
   /// Roots that were too large to search.
   const std::vector<std::string>& skipped() const { return skipped_; }

@@ -9,13 +9,13 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t max_name_bytes = 4095;  // of a path in Linux
+constexpr std::size_t max_name_bytes = 4095;  // PATH_MAX of Linux
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// Length of "http" in "http://...", and of "data" in "data:..."; 0: not a URL.
+// Length of "http" in "http://..." or "data" in "data:..."; 0 if this is not a URL.
 std::size_t scheme_length(std::string_view text) {
   const auto* const end = std::find_if_not(text.begin(), text.end(), [](char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 8> sibling_folders{"image", "images", "te
                                                           "mesh",  "meshes", "model",   "models"};
 constexpr std::size_t max_searched_entries = 10'000;
 
-// Absolute, without links, "." and ".."; empty when there is no such file.
+// The absolute path without links, "." and ".."; empty if the file does not exist.
 std::string canonical(const std::string& path) {
   std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr), &std::free);
   if (real == nullptr && errno == ENOMEM) {
@@ -44,7 +44,7 @@ bool inside(std::string_view path, std::string_view folder) {
          (folder.ends_with('/') || path.size() == folder.size() || path[folder.size()] == '/');
 }
 
-// How many parts the endings of path and name have in common, in any mixture of case.
+// The number of components, from the end, that path and name share, ignoring case.
 std::size_t common_ending(const std::string& path, const AssetName& name) {
   const AssetName other = parse_name(path);
   std::size_t n = 0;
@@ -56,7 +56,7 @@ std::size_t common_ending(const std::string& path, const AssetName& name) {
   return n;
 }
 
-// What was opened under `path`, which may have become a link since it was judged.
+// The path of the opened file, because `path` may have become a link since it was checked.
 std::string opened_path(const Descriptor& file, const std::string& path) {
   if (std::string opened = canonical(fmt::format("/proc/self/fd/{}", file.get()));
       !opened.empty()) {
@@ -102,7 +102,7 @@ AssetRoots::AssetRoots(AssetRootsOptions options) : options_(std::move(options))
     allowed_.push_back(scene_folder_);
     scene_parent_ = std::filesystem::path(scene_folder_).parent_path().string();
     for (const std::string_view name : sibling_folders) {
-      // A link of that name would open whatever it leads to, so only folders count.
+      // Only real folders, because a link would give access to its target.
       const std::string folder = joined(scene_parent_, std::string(name));
       std::error_code error;
       if (std::filesystem::symlink_status(folder, error).type() ==
@@ -134,7 +134,7 @@ const AssetIndex& AssetRoots::index() {
   return *index_;
 }
 
-/// One name on its way through the rules.
+/// The search for one name.
 class AssetSearch {
  public:
   AssetSearch(AssetRoots& roots, std::string_view written)
@@ -148,7 +148,7 @@ class AssetSearch {
   }
 
  private:
-  // True when the candidate is the file. What stands in the way is kept for the message.
+  // Returns true if the candidate is the file. Keeps the reason for a failure for the message.
   bool take(const std::string& candidate, AssetRule rule) {
     if (std::find(result_.tried.begin(), result_.tried.end(), candidate) != result_.tried.end()) {
       return false;
@@ -196,7 +196,7 @@ class AssetSearch {
     });
   }
 
-  // Longest ending first: /course/cs123/data/image/x.png, ..., image/x.png, x.png.
+  // Tries the longest suffix first: /course/cs123/data/image/x.png, ..., image/x.png, x.png.
   bool by_suffix() {
     for (std::size_t first = first_plain_part(name_); first < name_.parts.size(); ++first) {
       const std::string path = join_parts(name_.parts, first);
@@ -213,7 +213,7 @@ class AssetSearch {
     return false;
   }
 
-  // The longest ending of at least two parts in another case, where only one file has it.
+  // The longest suffix of at least two components, ignoring case, if only one file matches.
   bool by_case() {
     std::size_t longest = 1;
     std::vector<std::string> best;
@@ -252,8 +252,8 @@ class AssetSearch {
     return roots_.index().find(name_.parts.back(), any_case);
   }
 
-  // Says the same whether or not there is a file outside the roots, so that a scene cannot be used
-  // to probe a machine.
+  // The message does not reveal whether a file outside the roots exists, so that scenes cannot be
+  // used to probe a machine.
   void explain() {
     std::string why = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
     if (why.empty()) {
@@ -276,7 +276,7 @@ class AssetSearch {
     return text.empty() ? "it nowhere, for want of an asset root" : text;
   }
 
-  // The path as one would write it in the scene, where that is near.
+  // The path relative to the scene, if it is nearby.
   std::string from_scene(const std::string& path) const {
     if (roots_.scene_folder_.empty()) {
       return path;

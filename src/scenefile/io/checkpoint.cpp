@@ -10,11 +10,11 @@ namespace scenefile {
 
 namespace {
 
-// The number is that of this layout.
+// The number is the version of the layout.
 constexpr std::string_view first_line = "scenefile checkpoint 1\n";
 
-// What stands between the first line and the state. Numbers are in the machine's own order of
-// bytes: no other machine's build has the same fingerprint.
+// The header after the first line. Numbers are in native byte order: builds for other machines have
+// other fingerprints.
 struct Head {
   CheckpointKey key;
   std::uint64_t length = 0;    // of the state

@@ -1,5 +1,5 @@
 #pragma once
-// The file that keeps the state of a long work, so that it can go on after whatever ended it.
+// Checkpoint files: the state of a long computation, to resume it after an interruption.
 
 #include "scenefile/io/file.h"
 
@@ -9,21 +9,21 @@
 
 namespace scenefile {
 
-/// What a state belongs to, as fingerprints (base/hash.h). All must be equal for it to be of use.
+/// Fingerprints (base/hash.h) of everything that a state depends on. All must match to resume.
 struct CheckpointKey {
   std::uint64_t program = 0;  ///< the build
-  std::uint64_t scene = 0;    ///< its bytes
-  std::uint64_t assets = 0;   ///< names and bytes of its textures and meshes
-  std::uint64_t options = 0;  ///< all that changes the result
+  std::uint64_t scene = 0;    ///< the scene file
+  std::uint64_t assets = 0;   ///< names and bytes of textures and meshes
+  std::uint64_t options = 0;  ///< all options that affect the result
 
   friend bool operator==(const CheckpointKey&, const CheckpointKey&) = default;
 };
 
-/// The bytes of a checkpoint file: a line that says what it is, key, length, checksum, state.
+/// The contents of a checkpoint file: magic line, key, length, checksum, state.
 std::string encode_checkpoint(const CheckpointKey& key, std::string_view state);
 
-/// The state in the bytes of a file, if they are a whole checkpoint with that key. Else returns
-/// what is wrong, for a person; `state` is then empty.
+/// Extracts the state if `bytes` is a complete checkpoint with that key. Otherwise returns what is
+/// wrong, for people, and `state` is empty.
 std::string decode_checkpoint(std::string_view bytes, const CheckpointKey& key, std::string& state);
 
 }  // namespace scenefile

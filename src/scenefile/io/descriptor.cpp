@@ -24,7 +24,7 @@ Descriptor::~Descriptor() {
 
 int Descriptor::close() {
   const int fd = std::exchange(fd_, -1);
-  // After EINTR the descriptor is closed all the same on Linux.
+  // On Linux the descriptor is closed even after EINTR.
   return fd < 0 || ::close(fd) == 0 || errno == EINTR ? 0 : errno;
 }
 
@@ -84,7 +84,7 @@ IoError too_large(std::string_view path, std::uint64_t max_bytes) {
   return error;
 }
 
-// Empty when the file may be read.
+// Returns an empty error if the file may be read.
 IoError judge(const std::string& path, const struct stat& status, std::uint64_t max_bytes) {
   if (!S_ISREG(status.st_mode)) {
     return io_error(path, fmt::format("is {}, not a regular file", kind_of(status)));
@@ -95,7 +95,7 @@ IoError judge(const std::string& path, const struct stat& status, std::uint64_t 
   return {};
 }
 
-// Some files of the kernel look regular, and have nothing to read until something happens.
+// Some kernel files look regular, but block until something happens.
 bool is_regular(int fd) {
   struct stat status {};
   return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
@@ -105,8 +105,8 @@ bool is_regular(int fd) {
 
 Descriptor open_regular(const std::string& path, bool follow, std::uint64_t max_bytes,
                         std::uint64_t& size, IoError& error) {
-  // Looked at before it is opened, because opening a device can already act on it, and again
-  // after, because only what was opened counts.
+  // Checked before opening, because opening a device can already have an effect, and again
+  // afterwards, because only the opened file counts.
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     error = system_error(path, "cannot open", errno);
@@ -132,7 +132,7 @@ IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uin
                  std::string& bytes) {
   constexpr std::uint64_t step = 1 << 16;
   std::size_t used = 0;
-  bytes.resize(std::min(expected, max_bytes) + 1);  // one more: to meet the end without growing
+  bytes.resize(std::min(expected, max_bytes) + 1);  // one more, to detect the end
   while (true) {
     if (used == bytes.size()) {
       bytes.resize(

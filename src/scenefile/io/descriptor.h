@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-struct stat;  // of <sys/stat.h>
+struct stat;  // from <sys/stat.h>
 
 namespace scenefile {
 
@@ -24,35 +24,35 @@ class Descriptor {
 
   int get() const { return fd_; }
   bool open() const { return fd_ >= 0; }
-  /// Closes now. Returns 0 or the errno of a failed close.
+  /// Closes now. Returns 0, or errno if it failed.
   int close();
 
  private:
   int fd_;
 };
 
-/// "PATH: what: the system's text for `error`", the path escaped.
+/// "PATH: what: strerror(error)", with the path escaped.
 IoError system_error(std::string_view path, std::string_view what, int error);
 /// "PATH: what".
 IoError io_error(std::string_view path, std::string_view what);
 
-/// "a folder", "a device", ... for what is not a regular file.
+/// "a folder", "a device", ... if it is not a regular file.
 std::string_view kind_of(const struct stat& status);
 
-/// Number of the process's own descriptor that the path means ("-" means `dash`; /dev/stdin,
+/// The file descriptor of this process that the path means ("-" means `dash`; /dev/stdin,
 /// /dev/stdout, /dev/stderr, /dev/fd/N), or -1.
 int own_descriptor(const std::string& path, int dash);
 
-/// Opens a regular file for reading without blocking and says how long it is. With `follow` false
-/// a symbolic link in the last place is refused.
+/// Opens a regular file for reading, without blocking, and returns its size. If `follow` is false,
+/// rejects a symbolic link as the last component.
 Descriptor open_regular(const std::string& path, bool follow, std::uint64_t max_bytes,
                         std::uint64_t& size, IoError& error);
 
-/// Reads to the end, at most `max_bytes`. `expected` is a hint.
+/// Reads until the end of the file, at most `max_bytes`. `expected` is a size hint.
 IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uint64_t max_bytes,
                  std::string& bytes);
 
-/// Writes everything. Returns 0 or an errno.
+/// Writes all bytes. Returns 0 or errno.
 int write_all(int fd, const std::string& bytes);
 
 }  // namespace scenefile

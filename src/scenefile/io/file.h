@@ -1,5 +1,5 @@
 #pragma once
-// Files of the operating system: bounded reading, whole-or-nothing writing.
+// Files: bounded reading, and atomic writing.
 
 #include <cstdint>
 #include <span>
@@ -7,44 +7,45 @@
 
 namespace scenefile {
 
-/// What went wrong, for a person.
+/// An error message for people.
 struct IoError {
-  std::string text;         ///< the path and why, in one line; empty: nothing went wrong
+  std::string text;         ///< one line with path and reason; empty: success
   bool over_limit = false;  ///< the file is larger than allowed
 
   bool empty() const { return text.empty(); }
 };
 
-/// Reads a regular file whole. "-" and the system's names for it (/dev/stdin) mean standard input,
-/// whatever that is. Directories, devices, sockets and pipes are refused without blocking, files of
-/// more than `max_bytes` without reading. On failure `bytes` is empty.
+/// Reads a whole regular file. "-" and the system's names for it (/dev/stdin) mean standard input,
+/// of any type. Rejects directories, devices, sockets and pipes without blocking, and files larger
+/// than `max_bytes` without reading them. On failure `bytes` is empty.
 IoError read_file(const std::string& path, std::uint64_t max_bytes, std::string& bytes);
 
-/// Why writing `path` would fail: its folder is missing or not writable, it is a folder or
-/// protected. Called before long work starts.
+/// Why writing `path` would fail: its folder is missing or not writable, or it is a folder or
+/// write-protected. Call it before long work starts.
 IoError check_writable(const std::string& path);
 
-/// Writes through a temporary name beside the target, fsync and rename: the target is the old file
-/// or the whole new one, and no other file stays behind. An existing file keeps its mode; behind a
-/// symbolic link the file itself is replaced. "-" and /dev/stdout write to standard output; a
-/// device or pipe is written directly.
+/// Writes a temporary file next to the target, syncs and renames it: the target is the old file or
+/// the complete new one, and no temporary file remains. Keeps the mode of an existing file; follows
+/// symbolic links. "-" and /dev/stdout write to standard output; devices and pipes are written
+/// directly.
 IoError write_file(const std::string& path, const std::string& bytes);
 
-/// A file to be written.
+/// A file to write.
 struct OutputFile {
   std::string path;
   const std::string* bytes = nullptr;
 };
 
-/// Writes files that belong together, each as write_file() does, but none gets its name before all
-/// are written. Names are given in order: put the file that leads to the others last. When a name
-/// cannot be given, the files before it that are new are removed again.
+/// Writes files that belong together, each as write_file() does, but renames none before all are
+/// written. Files are renamed in order, so put the one that refers to the others last. If a rename
+/// fails, the new files renamed before it are removed again.
 IoError write_files(std::span<const OutputFile> files);
 
 /// Whether write_file() would write to standard output.
 bool is_standard_output(const std::string& path);
 
-/// Whether both paths lead to one file, or would if it existed. Standard input and output are none.
+/// Whether both paths lead to the same file, or would if it existed. False for standard input and
+/// output.
 bool same_file(const std::string& a, const std::string& b);
 
 }  // namespace scenefile

@@ -21,7 +21,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// The digits at the start without leading zeros; takes them away.
+// Removes the digits at the start of `text`; returns them without leading zeros.
 std::string_view take_digits(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
   std::string_view digits = text.substr(0, end);
@@ -34,7 +34,7 @@ bool is_left_out(const std::string& name) {
   return name.starts_with('.') || name == "__MACOSX";
 }
 
-// What a folder holds, in natural order; whole paths.
+// The contents of a folder in natural order, as paths.
 struct Listing {
   std::vector<std::string> files;
   std::vector<std::string> folders;

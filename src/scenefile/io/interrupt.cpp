@@ -22,7 +22,7 @@ namespace {
 constexpr int limit_status = 4;
 constexpr double grace_seconds = 0.7;
 
-// What the handlers share with the rest; all of it can be read at any moment.
+// State shared with the signal handlers; all of it can be read at any time.
 std::atomic<bool> deferring = false;
 std::atomic<int> pending_signal = 0;
 std::array<char, 256> timeout_message;
@@ -33,7 +33,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
   ::_exit(status);
 }
 
-// The timer measures time that passes, not the clock on the wall.
+// A real-time interval timer is not affected by changes of the clock.
 void start_timer(double seconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
@@ -42,7 +42,7 @@ void start_timer(double seconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-// A terminal that goes away asks for the same as SIGTERM.
+// A closed terminal (SIGHUP) is treated like SIGTERM.
 void end_by_signal(int number) {
   const int signal = number == SIGHUP ? SIGTERM : number;
   if (deferring) {
@@ -55,18 +55,18 @@ void end_by_signal(int number) {
   end_process(128 + signal);
 }
 
-// The grace after a signal is over, or all the time that was given.
+// The grace period after a signal, or the time limit, has ended.
 void end_by_timer(int /*signal*/) {
   if (const int signal = pending_signal; signal != 0) {
     end_process(128 + signal);
   }
-  // Nobody is left to tell about a failure.
+  // There is nowhere to report a failure.
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, timeout_message.data(), std::strlen(timeout_message.data()));
   end_process(limit_status);
 }
 
-// The system's own limit of CPU time; it would kill a little later.
+// The soft limit on CPU time; the system kills the process a little later.
 void end_by_cpu_limit(int /*signal*/) {
   constexpr std::string_view line = "scenefile: gave up: the system allows no more CPU time\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
@@ -81,7 +81,7 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-// Where the system kills at its limit of CPU time without a word before, this asks for a word.
+// Lowers the soft limit on CPU time if it equals the hard one, which kills without SIGXCPU.
 void ask_for_warning() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_CPU, &limit) == 0 && limit.rlim_cur == limit.rlim_max &&
@@ -91,7 +91,7 @@ void ask_for_warning() {
   }
 }
 
-// Who starts this program may have kept back signals that it sends to itself.
+// The parent process may have blocked signals.
 void let_through(std::initializer_list<int> signals) {
   sigset_t set;
   sigemptyset(&set);

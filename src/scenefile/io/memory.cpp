@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t max_text = 1 << 16;
 
-// Files of the kernel say nothing about their size; empty when there is none.
+// Kernel files have no size to query. Returns an empty text if the file cannot be read.
 std::string kernel_text(const std::string& path) {
   std::string text;
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -37,7 +37,7 @@ std::uint64_t limit_in(const std::string& path) {
   return limit;
 }
 
-// The least limit of the group and all groups around it.
+// The smallest limit of the group and its parents.
 std::uint64_t least_upwards(const std::string& root, std::string group, const char* file) {
   std::uint64_t least = unlimited;
   while (true) {
@@ -111,7 +111,7 @@ void limit_memory([[maybe_unused]] std::uint64_t bytes) {
 }
 
 std::uint64_t memory_in_use() {
-  // Pages: in all, then resident.
+  // Two numbers of pages: total, then resident.
   const std::string text = kernel_text("/proc/self/statm");
   const std::size_t blank = text.find(' ');
   std::uint64_t pages = 0;

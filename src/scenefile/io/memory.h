@@ -1,5 +1,5 @@
 #pragma once
-// How much memory the process may use.
+// Memory limits of the process.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,28 +8,27 @@
 
 namespace scenefile {
 
-/// 80 % of the least of what the machine has, what the process's control groups (both versions)
-/// and what its resource limits allow, in bytes.
+/// 80 % of the smallest of physical memory, the limits of the process's control groups (v1 and v2)
+/// and its resource limits, in bytes.
 std::uint64_t default_memory_limit();
 
-/// From now on memory for data beyond so many bytes (stacks and heap; not the program's code, nor
-/// address space that is only reserved) is refused, so that an allocation throws std::bad_alloc.
-/// Never raises a limit that is there already. Nothing happens under sanitizers, which need memory
-/// of their own.
+/// Limits memory for data (stacks and heap; not code or reserved address space) to this many bytes;
+/// allocations beyond that throw std::bad_alloc. Never raises an existing limit. Does nothing under
+/// sanitizers, which need extra memory.
 void limit_memory(std::uint64_t bytes);
 
-/// How much memory of the machine the process takes now, in bytes; 0 where that is unknown.
+/// Resident memory of the process in bytes; 0 if unknown.
 std::uint64_t memory_in_use();
 
-/// Gives memory that was freed back to the system, where the C library keeps it for later.
+/// Returns freed memory to the system if the C library keeps it.
 void return_free_memory();
 
-/// Asks the system for pages of 2 MB for a range of memory that nothing has been written to yet,
-/// as far as it has room for whole ones. Where it gives them, first use costs a third.
+/// Requests 2 MB pages for a range of memory that has not been written yet. If granted, the first
+/// use takes a third of the time.
 void ask_for_large_pages(void* begin, std::size_t bytes);
 
-/// The least limit that the control groups in `membership` (the text of /proc/self/cgroup) and
-/// their parents set, read from files below `root` (/sys/fs/cgroup); UINT64_MAX: none.
+/// The smallest limit of the control groups in `membership` (the text of /proc/self/cgroup) and
+/// their parents, read from files below `root` (/sys/fs/cgroup); UINT64_MAX if there is none.
 std::uint64_t cgroup_memory_limit(std::string_view membership, const std::string& root);
 
 }  // namespace scenefile

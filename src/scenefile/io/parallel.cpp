@@ -54,7 +54,7 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
       helpers.emplace_back([&queue] { queue.run(); });
     }
   } catch (const std::exception&) {
-    // No room for more of them: those that run do all.
+    // No more threads are available: those that run do all the work.
   }
   queue.run();
   for (std::thread& helper : helpers) {

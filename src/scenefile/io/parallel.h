@@ -1,14 +1,15 @@
 #pragma once
-// Work for several threads.
+// Parallel loops.
 
 #include <cstddef>
 #include <functional>
 
 namespace scenefile {
 
-/// Calls work(0) to work(count - 1), each once, from so many threads at most, the caller's
-/// included; 0: one a processor. Fewer where the system gives no more. Returns when all are done;
-/// what a call throws is thrown on, and calls that had not begun then are left out.
+/// Calls work(0) to work(count - 1), each once, from at most `threads` threads, including the
+/// caller's; 0 means one per processor. Uses fewer if the system does not provide them. Returns
+/// when all are done. If a call throws, the exception is rethrown, and calls that have not started
+/// are skipped.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace scenefile

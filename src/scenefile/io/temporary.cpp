@@ -13,7 +13,7 @@ namespace scenefile {
 
 namespace {
 
-// A signal handler reaches only what is static and needs no allocation.
+// Static, because a signal handler must not allocate memory.
 std::array<char, 4096> guarded_path;
 std::atomic<bool> guarded = false;
 static_assert(std::atomic<bool>::is_always_lock_free);

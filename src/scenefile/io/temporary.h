@@ -1,18 +1,18 @@
 #pragma once
-// Private to the io room: the temporary file of a write in progress, known to the signal handler.
+// Private to the io room: the temporary file of a write in progress, for the signal handler.
 
 #include <string>
 
 namespace scenefile {
 
-/// Notes the path as the one to remove should a signal end the process. One at a time.
+/// Registers the path to remove if a signal ends the process. One at a time.
 void guard_temporary(const std::string& path);
-/// The file has its final name or is gone.
+/// Call after the file was renamed or removed.
 void release_temporary();
-/// Removes the guarded file, if there is one. Async-signal-safe.
+/// Removes the registered file, if there is one. Async-signal-safe.
 void remove_guarded_temporary();
 
-/// A name in `folder` that nobody can guess.
+/// A unique, unpredictable name in `folder`.
 std::string temporary_name(const std::string& folder);
 
 }  // namespace scenefile

@@ -19,9 +19,9 @@ namespace {
 
 constexpr int max_links = 40;
 
-// Where the bytes go in the end.
+// The file that is finally written.
 struct Target {
-  std::string path;    ///< symbolic links in the last place followed, even if nothing is there yet
+  std::string path;    ///< with symbolic links resolved, even if the file does not exist
   std::string folder;  ///< of `path`
   bool exists = false;
   struct stat status {};
@@ -32,7 +32,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-// The file that a chain of symbolic links names.
+// The file that a chain of symbolic links leads to.
 std::string follow_links(std::string path) {
   for (int i = 0; i < max_links; ++i) {
     std::error_code error;
@@ -45,7 +45,7 @@ std::string follow_links(std::string path) {
   return path;
 }
 
-// Where a file of this name is or would be, the same however it is written; empty: nowhere.
+// A canonical form of the path, whether or not the file exists; empty if there is none.
 std::string place_of(const std::string& path) {
   const std::filesystem::path target = follow_links(path);
   std::error_code error;
@@ -88,7 +88,7 @@ IoError write_error(std::string_view path, int error) {
   return error == 0 ? IoError() : system_error(path, "cannot write", error);
 }
 
-// Devices and pipes cannot be replaced, only written to.
+// Devices and pipes cannot be replaced, so they are written directly.
 IoError write_special(const std::string& path, const Target& target, const std::string& bytes) {
   Descriptor file(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
   if (!file.open()) {
@@ -98,7 +98,7 @@ IoError write_special(const std::string& path, const Target& target, const std::
   return write_error(path, error != 0 ? error : file.close());
 }
 
-// The new file takes over owner and mode of the old one, as far as that is allowed.
+// Copies owner and mode of the old file, as far as permitted.
 int copy_mode(int fd, const Target& target) {
   if (!target.exists) {
     return 0;
@@ -126,8 +126,8 @@ int write_temporary(const std::string& path, const Target& target, const std::st
   return error != 0 ? error : close_error;
 }
 
-// Makes the rename durable. The new file is whole and in place already, so a failure here is none
-// of the write.
+// Makes the rename durable. A failure here does not fail the write: the new file is complete and in
+// place.
 void sync_folder(const std::string& folder) {
   const Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.open()) {
@@ -135,7 +135,7 @@ void sync_folder(const std::string& folder) {
   }
 }
 
-// Removes the temporary file on every way out but success, exceptions included.
+// Removes the temporary file unless the write succeeded, also after exceptions.
 class TemporaryGuard {
  public:
   explicit TemporaryGuard(const std::string& path) : path_(path) { guard_temporary(path); }
@@ -156,7 +156,8 @@ class TemporaryGuard {
 };
 
 IoError replace(const std::string& path, const Target& target, const std::string& bytes) {
-  // A signal between the rename and the end of the program would report as undone what is done.
+  // Otherwise a signal between the rename and the end of the program would report a completed write
+  // as failed.
   const DeferredSignals deferred;
   const std::string temporary = temporary_name(target.folder);
   TemporaryGuard guard(temporary);
@@ -172,7 +173,7 @@ IoError replace(const std::string& path, const Target& target, const std::string
   return {};
 }
 
-// A file that is written but has not its name yet. Removed unless it gets one.
+// A file that is written but not yet renamed. Removed if that does not happen.
 struct Pending {
   Target target;
   std::string temporary;

@@ -86,7 +86,7 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
   }
 }
 
-// What a surface passes on of the light that reaches it, in the renderers' sum.
+// The energy that a surface passes on, summed like the renderers do.
 void check_energy(const Material& material, const Global& global, const Subject& subject,
                   Reporter& reporter) {
   const glm::vec3 reflected = global.specular * material.reflective;

@@ -76,7 +76,7 @@ void check_primitive(const Primitive& primitive, NodeId node, const Global& glob
 
 /// Validates node indices, which the rest of the room does not trust.
 void check_structure(const Scene& scene, Reporter& reporter);
-/// Templates, what they hold, and what it adds up to.
+/// Checks templates, what they contain, and the totals after instancing.
 void check_templates(const Scene& scene, const Limits& limits, Reporter& reporter);
 /// Checks each transform, and that their products can be drawn.
 void check_transforms(const Scene& scene, Reporter& reporter);

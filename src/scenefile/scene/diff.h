@@ -27,8 +27,8 @@ std::vector<SceneDifference> diff(const Scene& a, const Scene& b, std::size_t mo
 
 /// The result of comparing two scenes by meaning.
 struct SceneDiff {
-  bool equal = false;         ///< a == b
-  bool same_meaning = false;  ///< the scenes are drawn alike, however they are written
+  bool equal = false;                        ///< a == b
+  bool same_meaning = false;                 ///< drawn alike, however they are written
   std::vector<SceneDifference> differences;  ///< empty if the scenes have the same meaning
 };
 

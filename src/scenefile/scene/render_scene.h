@@ -86,7 +86,7 @@ struct RenderLight {
   float inner_angle = 0;           ///< spot: half-angle of full light, radians
   float outer_angle = 0;           ///< spot: half-angle where light ends, radians; >= inner_angle
   glm::vec3 half_u{0};             ///< area: from the center to the middle of one edge, world units
-  glm::vec3 half_v{0};  ///< area: the same for an adjacent edge; both perpendicular to `direction`
+  glm::vec3 half_v{0};  ///< area: the same for an adjacent edge; perpendicular to `direction`
   std::uint32_t source = 0;
 
   friend bool operator==(const RenderLight& a, const RenderLight& b);
@@ -100,8 +100,8 @@ struct RenderCamera {
   glm::dvec3 v{0, 1, 0};              ///< up in the picture, unit length
   glm::dvec3 w{0, 0, 1};              ///< opposite to the view direction, unit length
   double fov_y = 0.7853981633974483;  ///< full vertical angle of view, radians, in (0, pi)
-  double aperture = 0;      ///< lens offsets are at most this long along u and v; 0: pinhole
-  double focal_length = 0;  ///< distance of the plane in focus along -w; 0: pinhole
+  double aperture = 0;                ///< maximum lens offset along u and v; 0: pinhole
+  double focal_length = 0;            ///< distance of the plane in focus along -w; 0: pinhole
 
   friend bool operator==(const RenderCamera&, const RenderCamera&) = default;
 };

@@ -206,11 +206,12 @@ struct Scene {
   friend bool operator==(const Scene& a, const Scene& b);
 };
 
-/// Appends an empty node to the scene and makes it a child of `parent`. Returns its index.
-/// References to nodes are invalid afterwards.
+/// Appends an empty node as a child of `parent`. Returns its index. Invalidates references to
+/// nodes.
 NodeId add_child(Scene& scene, NodeId parent);
 
-/// Appends an empty node of that name and makes it a template. Returns its index.
+/// Appends an empty node with that name and makes it a template. Returns its index. Invalidates
+/// references to nodes.
 NodeId add_template(Scene& scene, std::string name);
 
 }  // namespace scenefile

@@ -27,10 +27,9 @@ struct Graph {
   }
 };
 
-/// Visits what can be reached from `starts`, depth first, targets in order: `leave(vertex)` once
-/// for each vertex, behind all its targets, and `loop(way, edge)` for each edge (an index into
-/// `target`) that leads back into the way to here, with the part of the way that it closes, first
-/// vertex first.
+/// Depth-first search from `starts`, with targets in order. Calls `leave(vertex)` once for each
+/// vertex, after all its targets, and `loop(way, edge)` for each back edge (an index into `target`)
+/// with the part of the current path that it closes, its first vertex first.
 template <typename Leave, typename Loop>
 void visit_depth_first(const Graph& graph, std::span<const std::uint32_t> starts, Leave leave,
                        Loop loop) {

@@ -30,8 +30,8 @@ std::optional<RenderLight> ready_light(const Light& light, const DAffine& space_
 
 /// Whether a length or direction equals another except for the rounding of a change of space.
 bool alike(const glm::vec3& a, const glm::vec3& b);
-/// Whether two ready lights are the same. The sides of area lights are so up to roundings and sign,
-/// both of which a light that is moved out of its group has; all other values to the bit.
+/// Whether two render lights are the same. The edges of area lights may differ by rounding and
+/// sign, as happens when a light is moved out of its group; all other values must be identical.
 bool alike(const RenderLight& a, const RenderLight& b);
 
 }  // namespace scenefile

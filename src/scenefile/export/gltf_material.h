@@ -11,7 +11,7 @@
 
 namespace scenefile {
 
-/// Writes one material as JSON. `extensions` gets the names of those that it uses.
+/// Writes a material as JSON. Adds the names of the extensions it uses to `extensions`.
 std::string gltf_material(const RenderMaterial& material, const RenderGlobal& global,
                           float transparent, BakedTextures& textures,
                           std::set<std::string_view>& extensions, Diagnostics& diagnostics);

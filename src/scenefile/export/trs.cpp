@@ -6,7 +6,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr double orthogonal_to = 1e-7;  // cosine of the angle between two columns
+constexpr double orthogonal_to = 1e-7;  // cosine; smaller ones count as orthogonal
 constexpr int most_sweeps = 60;
 
 bool orthogonal(const glm::dvec3& a, const glm::dvec3& b, double cosine) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where the numbers of the camera stand in the bytes of a scene file. Private to the room.
+// Locates the camera's numbers in the bytes of a scene file. Private to the room.
 
 #include <array>
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace scenefile {
 
-/// The bytes of one number.
+/// The byte range of one number.
 struct NumberSlot {
   std::size_t offset = 0;
   std::size_t length = 0;
 };
 using VectorSlots = std::array<NumberSlot, 3>;
 
-/// What the camera of a file says; what it does not say is missing.
+/// The values that a file gives for its camera; nullopt for those it does not give.
 struct CameraSlots {
   std::optional<VectorSlots> position;
   std::optional<VectorSlots> look;
@@ -24,18 +24,18 @@ struct CameraSlots {
   std::optional<VectorSlots> up;
   std::optional<NumberSlot> height_angle;
 
-  /// Where an element of the camera may be added, XML alone, and the line end and blanks that
-  /// belong before it.
+  /// Where an element can be added to the camera (XML only), and the line end and indentation to
+  /// put before it.
   std::optional<std::size_t> end;
   std::string indent;
-  /// There is no camera: `end` is where one may be added, behind the element at `indent`.
+  /// The file has no camera: one can be added at `end`, after the element indented by `indent`.
   bool missing = false;
 };
 
-/// Of a text that read_scene() accepts: UTF-8 or another encoding whose bytes below 128 are ASCII,
-/// without a byte order mark.
+/// Requires a text that read_scene() accepts, in UTF-8 or another superset of ASCII, without a byte
+/// order mark.
 CameraSlots xml_camera_slots(std::string_view text);
-/// The same, strict JSON; where numbers were repaired nothing is found.
+/// Same for strict JSON; finds nothing where numbers were repaired.
 CameraSlots json_camera_slots(std::string_view text);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of finding that reading a scene file reports. Codes about JSON alone: json_codes.h.
+// Findings of the readers. Codes that only apply to JSON: json_codes.h.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -7,7 +7,7 @@
 
 namespace scenefile {
 
-/// All codes of the room, those of JSON too.
+/// All codes of the room, including those of JSON.
 std::span<const Code* const> format_codes();
 
 // The file as a whole.
@@ -28,7 +28,7 @@ inline constexpr Code format_encoding_assumed{
     "The file contains only ASCII characters, which nearly all encodings share, so it was read as "
     "ASCII. Declare UTF-8, or leave the declaration out."};
 
-// XML as such.
+// XML syntax.
 
 inline constexpr Code xml_syntax{
     "xml.syntax", Severity::error, "the file is not well-formed XML",

@@ -1,5 +1,5 @@
 #pragma once
-// The kinds of finding that reading a configuration of the course's ray tracer reports.
+// Findings about configuration files of the course's ray tracer.
 
 #include "scenefile/base/diagnostics.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Directions from points. Private to the room.
+// Directions between points. Private to the room.
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -8,8 +8,8 @@
 
 namespace scenefile {
 
-/// From one point to another, not normalized. Between points that are far apart the difference may
-/// be too large for a float, its direction is not: the result is then shorter.
+/// The difference of two points, not normalized. It is scaled down if it overflows a float, because
+/// only the direction matters.
 inline glm::vec3 direction_to(const glm::vec3& to, const glm::vec3& from) {
   const glm::vec3 direction = to - from;
   const bool finite = glm::length(glm::dvec3(direction)) < std::numeric_limits<float>::max();

@@ -1,5 +1,5 @@
 #pragma once
-// The camera of a scene file set to another one, as an author would do it by hand.
+// Changes the camera in a scene file, as an author would by hand.
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/scene.h"
@@ -10,20 +10,19 @@
 namespace scenefile {
 
 struct CameraEdit {
-  std::string bytes;    ///< the whole file; empty when refused
-  std::string refused;  ///< why nothing was changed, one line in plain English; empty: done
+  std::string bytes;    ///< the whole file; empty if the edit was refused
+  std::string refused;  ///< why nothing was changed, in one line; empty on success
 };
 
-/// The bytes of the scene file with position, look, up and height angle of `camera`. Numbers that
-/// mean the same already stay as they are written; every other byte of the file stays: comments,
-/// layout, order, spelling, encoding and line ends. A camera that says `focus` gets position + look
-/// there. What the camera of the file lacks is added where it is needed, laid out like its
-/// neighbors; an XML file without camera gets one behind its <globaldata>. Aperture and focal
-/// length are left alone.
+/// Returns the scene file with position, look, up and height angle of `camera`. Numbers whose value
+/// does not change keep their spelling, and every other byte is preserved: comments, layout, order,
+/// encoding and line ends. If the file's camera uses `focus`, it is set to position + look. Missing
+/// values are added if needed, formatted like their neighbors; an XML file without a camera gets
+/// one after <globaldata>. Aperture and focal length are unchanged.
 ///
-/// The result is read again and must be the same scene with that camera, else the edit is refused;
-/// so are files with errors and those in UTF-16. `camera` is one that check() accepts; of `look`
-/// the direction alone is sure to survive.
+/// The edit is refused unless reading the result gives the same scene with that camera. Files with
+/// errors and files in UTF-16 are refused too. `camera` must be acceptable to check(); the length
+/// of `look` may change.
 CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadOptions& options);
 
 }  // namespace scenefile

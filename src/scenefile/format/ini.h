@@ -1,9 +1,9 @@
 #pragma once
-// INI files in the dialect of Qt's QSettings, which the course's programs are configured with.
+// INI files in the dialect of Qt's QSettings, which configure the course's programs.
 //
-//     ; a comment, also behind a value; a line that starts with # is one too
+//     ; a comment, also after a value; a line that starts with # is a comment too
 //     [Section]
-//     key = value           blanks around both do not count
+//     key = value           surrounding blanks are ignored
 //     key = "a; b"          quotes keep blanks and semicolons
 //     key = caf\xe9 \\ \"   escapes, quoted or not: \\ \" \' \? and \x with hexadecimal digits
 //
@@ -20,12 +20,12 @@ namespace scenefile {
 struct IniEntry {
   std::string section;  ///< as written; empty before the first section
   std::string key;
-  std::string value;  ///< unquoted, escapes resolved
+  std::string value;  ///< unquoted, with escapes resolved
   Location key_place;
-  Location value_place;  ///< where the value starts, or would
+  Location value_place;  ///< where the value starts, even if it is empty
 };
 
-/// All entries in the order of the file, those with mistakes left out; these are reported.
+/// All valid entries in the order of the file. Reports invalid lines.
 std::vector<IniEntry> read_ini(std::string_view text, Diagnostics& diagnostics);
 
 }  // namespace scenefile

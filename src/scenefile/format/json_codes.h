@@ -1,5 +1,5 @@
 #pragma once
-// The findings of the JSON reader.
+// Findings of the JSON reader.
 
 #include "scenefile/base/diagnostics.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the JSON reader is made of: looking up the keys of an object, and typed values. Everything
-// here reports what is wrong and goes on. Private to the room.
+// The building blocks of the JSON reader: keys of objects, and typed values. Everything here
+// reports errors and continues. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -19,9 +19,9 @@
 
 namespace scenefile {
 
-/// A text while it is read.
+/// The state of reading a text.
 struct JsonContext {
-  /// `text` is as the author wrote it, `repaired` how that differs from the text of the tape.
+  /// `text` is the author's text; `repaired` maps offsets in the tape's text to it.
   JsonContext(const JsonTape& t, std::string_view text, const RepairedJson& r, const Limits& l,
               Diagnostics& d)
       : tape(t), repaired(r), limits(l), diagnostics(d), places(text) {}
@@ -40,20 +40,19 @@ struct JsonContext {
   TextPlaces places;
 };
 
-/// The keys of one kind of object.
+/// The keys of one type of object.
 struct JsonVocabulary {
-  std::string_view what;  ///< "a group"
+  std::string_view what;  ///< for messages, such as "a group"
   std::span<const std::string_view> keys;
 };
 
-/// How many keys the row has.
+/// The number of keys of the row.
 template <typename Owner>
 constexpr std::size_t count_keys(const ValueRow<Owner>& row) {
   return row.json.empty() ? 0 : row.json_repeat[0].empty() ? 1 : 3;
 }
 
-/// The place in the vocabulary of the row's first key; of the row after the last: how many keys
-/// the rows have.
+/// The index in the vocabulary of the row's first key; for row N, the total number of keys.
 template <typename Owner, std::size_t N>
 constexpr std::size_t key_of(const ValueRow<Owner> (&rows)[N], std::size_t row) {
   std::size_t key = 0;
@@ -67,7 +66,7 @@ constexpr std::size_t key_of(const ValueRow<Owner> (&rows)[N], Field field) {
   return key_of(rows, index_of(rows, field));
 }
 
-/// `first` and the keys of the rows, in their order.
+/// `first`, followed by the keys of the rows, in order.
 template <std::size_t Count, typename Owner, std::size_t N>
 constexpr std::array<std::string_view, Count> keys_of(
     const ValueRow<Owner> (&rows)[N], std::span<const std::string_view> first = {}) {
@@ -88,20 +87,20 @@ constexpr std::array<std::string_view, Count> keys_of(
   return keys;
 }
 
-/// Where the keys of an object stand, by their place in the vocabulary.
+/// The keys of an object, by their index in the vocabulary.
 class JsonFields {
  public:
   static constexpr std::size_t max_keys = 16;
 
-  /// Reports keys that are unknown or occur twice. A misspelled key, after an error, is the one
-  /// that was probably meant. `object` is an object.
+  /// Reports unknown and duplicate keys. A misspelled key is an error, and then counts as the
+  /// suggested one. `object` must be an object.
   JsonFields(JsonContext& context, JsonIndex object, const JsonVocabulary& vocabulary);
 
   bool has(std::size_t key) const { return keys_[key] != 0; }
-  /// The item of the key, for its place; the value is the next item.
+  /// The item of the key; its value is the next item.
   JsonIndex key(std::size_t key) const { return keys_[key]; }
   std::size_t unknown() const { return unknown_; }
-  /// Reports the key as missing unless it is there.
+  /// Returns whether the object has the key; reports it as missing otherwise.
   bool require(std::size_t key) const;
 
  private:
@@ -117,24 +116,23 @@ class JsonFields {
   std::size_t unknown_ = 0;
 };
 
-/// "an array of 3 numbers", "the number 5", "a string"; for messages.
+/// A description for messages: "an array of 3 numbers", "the number 5", "a string".
 std::string describe_json(const JsonTape& tape, JsonIndex value);
 
-/// Reports that the value of a key is not what it must be.
-/// `hint` ends the message.
+/// Reports a value of the wrong type. `hint` is added at the end of the message.
 void report_json_type(JsonContext& context, JsonIndex key, std::string_view expected,
                       std::string_view hint = {});
 
-// The value of a key; nothing, with a report, when it is of another type.
+// The value of a key; nullopt, and a report, if it has another type.
 std::optional<float> number_value(JsonContext& context, JsonIndex key);
 std::optional<std::string> text_value(JsonContext& context, JsonIndex key, std::uint32_t max_bytes);
-/// A point or vector.
+/// A point or direction.
 std::optional<glm::vec3> vector_value(JsonContext& context, JsonIndex key);
 std::optional<glm::vec3> color_value(JsonContext& context, JsonIndex key);
-/// x, y, z, degrees.
+/// x, y, z, and the angle in degrees.
 std::optional<glm::vec4> rotation_value(JsonContext& context, JsonIndex key);
 std::optional<glm::mat4> matrix_value(JsonContext& context, JsonIndex key);
-/// Whether the value is an array; else reports.
+/// Returns whether the value is an array; reports it otherwise.
 bool is_json_list(JsonContext& context, JsonIndex key, std::string_view of_what);
 
 }  // namespace scenefile

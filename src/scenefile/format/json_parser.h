@@ -1,6 +1,6 @@
 #pragma once
-// JSON text as a flat list of places, made without recursion. Private to the room; the JSON library
-// stays inside json_parser.cpp.
+// Parses JSON, without recursion, into a flat list of places in the text. Private to the room; only
+// json_parser.cpp uses the JSON library.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace scenefile {
 /// Index into JsonTape::items.
 using JsonIndex = std::uint32_t;
 
-/// A value or a key. Its first character says what it is.
+/// A value or a key. The first character in the text tells its type.
 struct JsonItem {
-  std::uint32_t offset;  ///< of its first byte in the text; of the quote for a string
-  std::uint32_t extent;  ///< array, object: how many items lie inside; else: its bytes
+  std::uint32_t offset;  ///< of its first byte in the text; for a string, of its opening quote
+  std::uint32_t extent;  ///< array, object: number of items inside; otherwise: length in bytes
 };
 
-/// All keys and values in the order of the text. What a container holds follows it; in an object
-/// keys and values alternate. The whole document is item 0.
+/// All keys and values in the order of the text. The contents of a container follow it; in an
+/// object, keys and values alternate. Item 0 is the whole document.
 struct JsonTape {
   std::string_view text;
   std::vector<JsonItem> items;
@@ -33,24 +33,24 @@ struct JsonTape {
     const char c = first_character(item);
     return c == '-' || (c >= '0' && c <= '9');
   }
-  /// One past the item and all that it holds.
+  /// One past the item and its contents.
   JsonIndex end(JsonIndex item) const {
     return item + 1 + (is_object(item) || is_array(item) ? items[item].extent : 0);
   }
-  /// The bytes of a scalar as written, a string without its quotes.
+  /// The bytes of a scalar as written; a string without its quotes.
   std::string_view raw(JsonIndex item) const;
-  /// The characters that a string stands for.
+  /// The value of a string, with escapes resolved.
   std::string string(JsonIndex item) const;
 };
 
 enum class JsonFault : std::uint8_t {
   none,
-  empty,  ///< nothing but white space
-  value,  ///< no value where one must be
-  key,    ///< no key where one must be
+  empty,  ///< only white space
+  value,  ///< expected a value
+  key,    ///< expected a key
   colon,
-  object_comma,  ///< neither comma nor } behind a member
-  array_comma,   ///< neither comma nor ] behind an element
+  object_comma,  ///< expected a comma or } after a member
+  array_comma,   ///< expected a comma or ] after an element
   unclosed_string,
   control_character,
   escape,
@@ -62,15 +62,15 @@ enum class JsonFault : std::uint8_t {
   too_deep,
 };
 
-/// Why a text is not JSON.
+/// Why a text is not valid JSON.
 struct JsonError {
   JsonFault fault = JsonFault::none;
-  std::size_t offset = 0;         ///< where the fault was found
-  std::vector<std::size_t> open;  ///< offsets of the containers that were open, outermost first
+  std::size_t offset = 0;         ///< where the fault was detected
+  std::vector<std::size_t> open;  ///< offsets of the open containers, outermost first
 };
 
-/// Reads strict JSON (RFC 8259) into the tape, which keeps a view of `text`. The text is at most
-/// 4 GiB. `max_depth` bounds arrays and objects inside each other.
+/// Parses strict JSON (RFC 8259) into the tape, which keeps a view of `text`. The text is at most 4
+/// GiB. `max_depth` limits the nesting of arrays and objects.
 JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& tape);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// The leaves of a JSON scene: globals, camera, lights, primitives. Private to the room.
+// The parts of a JSON scene: global data, camera, lights, primitives. Private to the room.
 
 #include "scenefile/format/json_fields.h"
 #include "scenefile/scene/scene.h"
@@ -12,8 +12,8 @@ namespace scenefile {
 void read_json_global(JsonContext& context, JsonIndex key, Scene& scene);
 void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene);
 
-// One element of "lights" or "primitives"; nothing when it cannot be used. The places of its values
-// go into `scene`.
+// Reads one element of "lights" or "primitives"; nullopt if it cannot be used. Adds the places of
+// its values to `scene`.
 std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene& scene);
 std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex item, Scene& scene);
 

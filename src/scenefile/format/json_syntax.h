@@ -1,5 +1,5 @@
 #pragma once
-// Says in words why a text is not JSON. Private to the room.
+// Explains why a text is not valid JSON. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -10,14 +10,14 @@
 
 namespace scenefile {
 
-/// Reports the fault with its place, what was found, and what to write instead.
+/// Reports the fault: its place, what was found, and what to write instead.
 void report_json_error(const JsonError& error, std::string_view text, const Limits& limits,
                        Diagnostics& diagnostics);
 
-/// Reports each fault and writes over it, as long as that can be done, so that the next one shows
-/// and what is right behind it can be read; of those that are alike in a line only the first.
-/// `repaired` is what was parsed, `text` what the author wrote. True: `tape` holds a view of
-/// `repaired` at the end.
+/// Reports each fault and overwrites it, as long as that is possible, to find further faults and to
+/// read what comes after. Reports only the first of several similar faults in a row. `repaired` is
+/// the parsed text, `text` the author's. Returns true if the tape is complete; it then keeps a view
+/// of `repaired`.
 bool recover_json(JsonError error, std::string_view text, const Limits& limits,
                   RepairedJson& repaired, JsonTape& tape, Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// JSON laid out afresh. Private to the room.
+// Formats JSON. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -10,7 +10,8 @@
 
 namespace scenefile {
 
-/// Nothing, after an error, when `text` is no JSON object. It is UTF-8 without a byte order mark.
+/// `text` is UTF-8 without a byte order mark. Returns nullopt, after an error, if it is not a JSON
+/// object.
 std::optional<std::string> lay_out_json(std::string_view text, const Limits& limits,
                                         Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Lines of laid out text. Private to the room.
+// Lines of formatted text. Private to the room.
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// How lines end in a text: as the first one does, LF in a text of one line.
+/// The line end of a text: that of its first line; LF if there is only one line.
 inline std::string_view line_end_of(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n");
   if (end == std::string_view::npos || text[end] == '\n') {
@@ -18,7 +18,7 @@ inline std::string_view line_end_of(std::string_view text) {
   return text.substr(end).starts_with("\r\n") ? "\r\n" : "\r";
 }
 
-/// How many lines end in blanks between two tokens.
+/// The number of line ends in the white space between two tokens.
 inline std::size_t count_line_ends(std::string_view blanks) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < blanks.size(); ++i) {
@@ -28,12 +28,12 @@ inline std::size_t count_line_ends(std::string_view blanks) {
   return count;
 }
 
-/// Text that grows by lines.
+/// Builds a text line by line.
 class LinePrinter {
  public:
   explicit LinePrinter(std::string_view line_end) : line_end_(line_end) {}
 
-  /// Ends the line, if there is one, and indents the next. `blank`: with an empty line between.
+  /// Ends the current line, if any, and indents the next. `blank`: adds an empty line before it.
   void start_line(std::size_t depth, bool blank) {
     if (!out_.empty()) {
       out_ += line_end_;

@@ -1,5 +1,5 @@
 #pragma once
-// XML laid out afresh. Private to the room.
+// Formats XML. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -9,11 +9,11 @@
 
 namespace scenefile {
 
-/// Whether `text`, UTF-8 without a byte order mark, is a <scenefile> in well-formed XML; else there
-/// is an error.
+/// Returns whether `text`, UTF-8 without a byte order mark, is a well-formed XML <scenefile>;
+/// reports an error otherwise.
 bool check_xml_layout(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
 
-/// Lays it out. `text` may be in any encoding whose bytes below 128 are ASCII.
+/// Formats `text`, which may be in any encoding that is a superset of ASCII.
 std::string lay_out_xml(std::string_view text);
 
 }  // namespace scenefile

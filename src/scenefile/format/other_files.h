@@ -1,12 +1,12 @@
 #pragma once
-// Files that are given for scenes by mistake. Internal to the room.
+// Recognizes files that are not scenes, to explain the mistake. Internal to the room.
 
 #include <string_view>
 
 namespace scenefile {
 
-/// What a text that is no scene is instead, and what to do; ends a sentence that starts with "the
-/// file is". Empty: unknown. `text` starts with no white space.
+/// Says what a text is if it is not a scene, and what to do; completes the sentence "the file is".
+/// Empty if unknown. `text` must not start with white space.
 std::string_view other_file(std::string_view text);
 
 }  // namespace scenefile

@@ -1,17 +1,17 @@
 #pragma once
-// What other formats and programs call the things of this format. Internal to the room.
+// Translates names of other formats and programs. Internal to the room.
 
 #include <span>
 #include <string_view>
 
 namespace scenefile {
 
-/// The one of `known` that is meant by `word`, a name from elsewhere: "box" means a cube. Empty
-/// when it is not known or none of `known`. For "did you mean".
+/// For "did you mean": translates a foreign name, such as "box", to the name in `known` with the
+/// same meaning, such as "cube". Empty if there is none.
 std::string_view in_our_words(std::string_view word, std::span<const std::string_view> known);
 
-/// Where in JSON that belongs which `key` says, when it is known but not in `object` ("a light", as
-/// the vocabularies call them): an advice that ends a sentence, or nothing.
+/// For a key that is valid in JSON, but not in `object` (such as "a light"): advice on where it
+/// belongs, as the end of a sentence. Empty if the key is unknown.
 std::string_view json_key_advice(std::string_view object, std::string_view key);
 
 }  // namespace scenefile

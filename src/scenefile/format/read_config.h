@@ -1,6 +1,5 @@
 #pragma once
-// Configurations of the course's ray tracer: the .ini file that its program gets as the only
-// argument.
+// Configuration files of the course's ray tracer: the .ini file that is its only argument.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -11,7 +10,7 @@
 
 namespace scenefile {
 
-/// What a configuration says. Features that it does not mention are off.
+/// The contents of a configuration. Features that it does not mention are off.
 struct CourseConfig {
   std::string scene;   ///< [IO] path, as written: relative to the working directory
   std::string output;  ///< [IO] path of the picture
@@ -26,18 +25,18 @@ struct CourseConfig {
   bool texture_filter = false;
   bool super_sample = false;
   bool depthoffield = false;
-  bool parallel = false;                       ///< no pixel depends on it
-  bool acceleration = false;                   ///< no pixel depends on it
-  std::optional<int> maximum_recursive_depth;  ///< [Settings] bounces, 0 to 64
+  bool parallel = false;                       ///< does not affect the picture
+  bool acceleration = false;                   ///< does not affect the picture
+  std::optional<int> maximum_recursive_depth;  ///< [Settings] number of bounces, 0 to 64
   bool only_render_normals = false;            ///< [Settings]
 
   friend bool operator==(const CourseConfig&, const CourseConfig&) = default;
 };
 
 /// Reads a configuration in the dialect of QSettings (sections, key = value, semicolon comments,
-/// quotes, backslash escapes). Sections and keys are known in any case, with a warning; true is
-/// `true` or `1`, false is `false`, `0` or nothing. Codes: config_codes.h. With errors the result
-/// must not be used.
+/// quotes, backslash escapes). Sections and keys in the wrong case are accepted with a warning;
+/// true is `true` or `1`; false is `false`, `0` or empty. Codes: config_codes.h. If errors are
+/// reported, do not use the result.
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
 
 }  // namespace scenefile

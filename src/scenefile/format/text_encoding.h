@@ -1,6 +1,6 @@
 #pragma once
-// Bytes of a scene file to UTF-8, the one encoding that the readers behind it know. Internal to the
-// room.
+// Converts the bytes of a scene file to UTF-8, the only encoding that the readers handle. Internal
+// to the room.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -10,10 +10,10 @@
 
 namespace scenefile {
 
-/// The text as UTF-8 without a byte order mark: a part of `bytes` where it is UTF-8 already, else a
-/// copy in `storage`. Knows UTF-8, UTF-16, ISO-8859-1 and windows-1252, by byte order mark, by the
-/// pattern of zero bytes, or by an XML declaration. Nothing, after an error, when the bytes are not
-/// what they claim to be.
+/// The text as UTF-8 without a byte order mark: a part of `bytes` if it is UTF-8 already, otherwise
+/// a copy in `storage`. Supports UTF-8, UTF-16, ISO-8859-1 and windows-1252, detected by a byte
+/// order mark, by the pattern of zero bytes, or by an XML declaration. Returns nullopt, after an
+/// error, if the bytes are invalid in that encoding.
 std::optional<std::string_view> decode_text(std::string_view bytes, std::string& storage,
                                             Diagnostics& diagnostics);
 

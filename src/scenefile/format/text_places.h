@@ -1,6 +1,6 @@
 #pragma once
-// Where bytes of a text stand: lines, which end with LF, CR or CR LF, and columns, which count code
-// points. Private to the room.
+// Converts byte offsets in a text to lines and columns. Lines end with LF, CR or CR LF; columns
+// count code points. Private to the room.
 
 #include "scenefile/base/location.h"
 
@@ -10,8 +10,7 @@
 
 namespace scenefile {
 
-/// For places in any order: each is found in the time to read a few kilobytes, in ascending order
-/// in less.
+/// For offsets in any order. Each lookup scans at most a few kilobytes, less in ascending order.
 class TextPlaces {
  public:
   explicit TextPlaces(std::string_view text);
@@ -35,17 +34,17 @@ class TextPlaces {
   Mark last_;
 };
 
-/// For places in the order of the text: each call moves on from the place found before, so that all
-/// places of a file together cost one pass over it.
+/// For places in the order of the text: each call continues from the previous place, so that all
+/// places of a file together take one pass.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text);
 
-  /// The place of a tag or text; calls must be in the order of the text.
+  /// The place of a tag or text. Calls must be in the order of the text.
   Location advance_to(const char* at);
-  /// A place inside the tag that was advanced to last.
+  /// A place inside the tag of the last advance_to().
   Location inside_tag(const char* at);
-  /// How much of the text is behind, 0..1.
+  /// The fraction of the text that has been passed, 0..1.
   double progress() const;
 
  private:
@@ -57,7 +56,7 @@ class TextCursor {
 
   const char* begin_;
   const char* end_;
-  bool lone_cr_;  ///< carriage returns end lines by themselves
+  bool lone_cr_;  ///< whether a CR that is not part of CR LF ends a line
   Point tag_;
   Point inside_;
 };

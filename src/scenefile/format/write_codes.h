@@ -1,5 +1,5 @@
 #pragma once
-// What write_scene() has to say.
+// Findings of write_scene().
 
 #include "scenefile/base/diagnostics.h"
 

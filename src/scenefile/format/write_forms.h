@@ -1,6 +1,6 @@
 #pragma once
-// A scene rearranged into what a format can say, with the same meaning. Forms of forms change
-// nothing. Private to the room.
+// Rearranges a scene into what a format can represent, with the same meaning. Idempotent. Private
+// to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -14,43 +14,44 @@
 
 namespace scenefile {
 
-/// XML: all lights at the root in world space, each with an id; root and templates hold children
-/// and nothing else; a node holds one primitive, or children, or is an instance, and has a name
-/// only with children; names are unique.
+/// For XML: all lights are at the root in world space, each with an id. The root and templates
+/// contain only children. A node has one primitive, or children, or is an instance, and has a name
+/// only if it has children. Names are unique.
 Scene xml_form(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
 
-/// JSON: transforms in their order; lights at the origin of their node, without ids; the root holds
-/// children and nothing else; instances have neither transforms nor names; a camera; no name of a
-/// node is that of a template.
+/// For JSON: transforms are in the fixed order; lights are at the origin of their node, without
+/// ids. The root contains only children. Instances have neither transforms nor names. There is a
+/// camera. No node has the name of a template.
 Scene json_form(const Scene& scene, Diagnostics& diagnostics);
 
-// What both are made of.
+// Shared by both.
 
-/// The nodes that belong to the trees of the scene, each template behind those that it uses.
-/// Instances lose what has no meaning in them.
+/// The nodes of the scene's trees, each template after those that it uses. Removes what has no
+/// meaning in instances.
 Scene tidy_copy(const Scene& scene);
 
-/// Gives the default to what has no effect on a light of its type; `keep_idle`: except what XML
-/// files give to lights of all types.
+/// Resets values that have no effect on a light of its type to their defaults; `keep_idle` keeps
+/// those that XML files give to lights of all types.
 void clear_unused(Light& light, bool keep_idle);
 
-/// Moves what a node holds (its transforms too when `with_transforms`) into a new only child.
+/// Moves the contents of a node (and its transforms, if `with_transforms`) into a new only child.
 NodeId push_down(Scene& scene, NodeId node, bool with_transforms);
 
-/// Puts new empty children in front of the others. Returns the first; the others follow it.
+/// Inserts new empty children before the others. Returns the first; the others have consecutive
+/// ids.
 NodeId add_front_children(Scene& scene, NodeId node, std::size_t count);
 
-/// Leaves out groups that hold nothing, not even lights, and says so. `lit` marks nodes that held
-/// lights before; groups that are empty only without them are left out without a word. The root and
-/// templates stay.
+/// Removes and reports groups that contain nothing, not even lights. `lit` marks nodes that
+/// contained lights before; groups that are empty only without those are removed without a report.
+/// Keeps the root and templates.
 void drop_empty_groups(Scene& scene, std::vector<bool> lit, Diagnostics& diagnostics);
 
-/// Names that are taken, and new ones that are not.
+/// The set of names in use, and how to make new ones.
 class NameTable {
  public:
   bool take(const std::string& name) { return taken_.insert(name).second; }
   bool is_taken(const std::string& name) const { return taken_.contains(name); }
-  /// "chair-2" or so, and takes it.
+  /// Makes an unused name, such as "chair-2", and takes it.
   std::string make_free(const std::string& name);
 
  private:

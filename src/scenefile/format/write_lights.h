@@ -1,5 +1,5 @@
 #pragma once
-// Lights of a scene brought to world space as lights that a file can hold. Private to the room.
+// The lights of a scene in world space, as lights that a file can represent. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -9,8 +9,8 @@
 
 namespace scenefile {
 
-/// Every light, once for each copy of the template that it stands in, in the order of prepare().
-/// Lights that stand in the root itself, untransformed, are as written.
+/// Every light, once for each instance of its template, in the order of prepare(). Lights of the
+/// root without transforms are unchanged.
 std::vector<Light> lights_in_world(const Scene& scene, const Limits& limits,
                                    Diagnostics& diagnostics);
 

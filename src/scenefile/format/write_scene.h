@@ -1,5 +1,5 @@
 #pragma once
-// From a Scene to the text of a scene file: clean, canonical, the same for the same scene.
+// Writes a Scene as a scene file in canonical form: equal scenes give equal texts.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -12,19 +12,22 @@ namespace scenefile {
 
 enum class SceneFormat : std::uint8_t { xml, json };
 
-/// Writes the scene so that read_scene() reads it back, without a warning, as a scene of the same
-/// meaning. Expects a scene in which check() found no error; for any other the text is unspecified,
-/// but made all the same.
+/// Writes the scene so that read_scene() reads it without warnings as a scene with the same
+/// meaning. Requires a scene in which check() found no error; for any other scene the text is
+/// unspecified.
 ///
-/// What a format cannot say as it stands is said another way, each with a note:
-/// XML: lights stand at the top, in world space, once for each copy of their template; an object
-/// fills a transblock alone; empty groups are left out; names of trees are unique; the name of the
-/// scene and those of lights are left out.
-/// JSON: transforms come in the order translate, rotate, scale, matrix, so others become groups in
-/// groups; a light stands at the origin of its group; an instance has no transforms of its own; a
-/// camera is required; ids of lights are left out.
-/// A warning says that a part of the meaning is lost; an error, that the text is not usable. Codes:
-/// format/write_codes.h.
+/// What a format cannot represent directly is written another way, each with a note.
+///
+/// XML: lights are at the top level in world space, once for each instance of their template; each
+/// object has a transblock; empty groups are dropped; names of trees are unique; the names of the
+/// scene and of lights are dropped.
+///
+/// JSON: transforms are applied in the order translate, rotate, scale, matrix, so other orders
+/// become nested groups; a light is at the origin of its group; an instance has no transforms; a
+/// camera is required; ids of lights are dropped.
+///
+/// A warning means that a part of the meaning is lost; an error means that the text cannot be used.
+/// Codes: format/write_codes.h.
 std::string write_scene(const Scene& scene, SceneFormat format, const Limits& limits,
                         Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The small change of both writers. Private to the room.
+// Escaping of text for both writers. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -10,15 +10,15 @@
 
 namespace scenefile {
 
-/// Adds `text` as the inside of an XML attribute. Characters that XML cannot hold become U+FFFD.
-/// Returns whether all could be said.
+/// Appends `text` as the value of an XML attribute. Characters that XML cannot represent become
+/// U+FFFD. Returns whether all could be represented.
 bool append_xml(std::string& out, std::string_view text);
 
-/// Adds `text` as a JSON string, quotes included. Bytes that are not UTF-8 become U+FFFD. Returns
-/// whether all could be said.
+/// Appends `text` as a JSON string, with quotes. Bytes that are not UTF-8 become U+FFFD. Returns
+/// whether all could be represented.
 bool append_json(std::string& out, std::string_view text);
 
-/// Reports that the text would be nested deeper than readers allow.
+/// Reports that the output exceeds the nesting limit of the readers.
 void report_nesting(const Limits& limits, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
 #pragma once
-// Values as both writers say them, by the rows of the vocabulary. Private to the room. A printer
-// has name_of(row), which is empty for what its format cannot say, value(name, float),
+// Writes values by the rows of the vocabulary, for both formats. Private to the room. A Printer has
+// name_of(row), which is empty for what its format cannot represent, value(name, float),
 // three(name, kind, vec3), id(name, int, place), text(name, text, place) and image(row, use).
 
 #include "scenefile/scene/vocabulary.h"
@@ -14,7 +14,7 @@
 
 namespace scenefile {
 
-/// A value that is there; one that is optional and absent is left out.
+/// Writes a value; skips an optional value that is absent.
 template <typename Printer, typename Owner>
 void print_value(Printer& to, const ValueRow<Owner>& row, const Owner& owner, Location place) {
   const std::string_view name = to.name_of(row);
@@ -41,7 +41,7 @@ void print_value(Printer& to, const ValueRow<Owner>& row, const Owner& owner, Lo
   }
 }
 
-/// Whether the value is the one that counts where none is written.
+/// Whether the value equals the default.
 template <typename Owner>
 bool is_default(const ValueRow<Owner>& row, const Owner& owner) {
   static const Owner defaults;
@@ -63,7 +63,7 @@ void print_values(Printer& to, const Global& global) {
   }
 }
 
-/// Those that the light's type uses.
+/// Only the values that the light's type uses.
 template <typename Printer>
 void print_values(Printer& to, const Light& light) {
   for (const ValueRow<Light>& row : light_rows) {
@@ -78,7 +78,7 @@ void print_values(Printer& to, const Light& light) {
   }
 }
 
-/// Those that are not the default.
+/// Only the values that differ from the default.
 template <typename Printer>
 void print_values(Printer& to, const Material& material) {
   static constexpr auto rows = as_written(material_rows);
@@ -89,7 +89,7 @@ void print_values(Printer& to, const Material& material) {
   }
 }
 
-/// Values of a camera, by their fields.
+/// The given values of a camera.
 template <typename Printer>
 void print_values(Printer& to, const Camera& camera, std::initializer_list<Field> fields) {
   for (const Field field : fields) {

@@ -1,5 +1,5 @@
 #pragma once
-// Prints a scene in its XML form. Private to the room.
+// Writes a scene as XML. Private to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// `scene` is as xml_form() makes it.
+/// `scene` must be a result of xml_form().
 std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -8,19 +8,19 @@
 
 namespace scenefile {
 
-/// A child of <globaldata>. False: to be left out with everything in it.
+/// Reads a child of <globaldata>. Returns false to skip it with its contents.
 bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen, Scene& scene);
 
-/// A camera that is being read.
+/// A camera while it is read.
 struct CameraDraft {
   Camera camera;
   glm::vec3 focus{0};
   SeenFields seen;
 };
 
-/// A child of <cameradata>. False: to be left out with everything in it.
+/// Reads a child of <cameradata>. Returns false to skip it with its contents.
 bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft);
-/// At the end of <cameradata>: the scene gets its camera.
+/// Called at the end of <cameradata>: adds the camera to the scene.
 void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene);
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
 #pragma once
-// Comments that XML does not allow but that the parsers of the course's programs read. Internal to
-// the room.
+// Comments that are invalid in XML, but that the parsers of the course's programs accept. Internal
+// to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
@@ -11,13 +11,13 @@
 
 namespace scenefile {
 
-/// What to say of `-- >`, which shall end a comment.
+/// The message about `-- >` as the end of a comment.
 inline constexpr std::string_view broken_comment_end_text =
     "a comment ends with -->, without blanks in it; close the gap";
 
-/// Reports comments with -- inside and comments that start with <--, and writes over what is wrong
-/// with them, so that the result has the same length and what is not a comment is unchanged.
-/// Nothing when there are none. A comment ends at the first -->.
+/// Reports comments that contain -- and comments that start with <--, and overwrites what is wrong
+/// with them. The result has the same length, and text outside of comments is unchanged. Returns
+/// nullopt if there are none. A comment ends at the first -->.
 std::optional<std::string> mend_comments(std::string_view text, const ReadOptions& options,
                                          Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every part of the XML reader is handed. Internal to the room.
+// The context passed to every part of the XML reader. Internal to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
@@ -24,10 +24,10 @@ struct XmlContext {
   }
 };
 
-/// The name of an element as messages show it, with its brackets.
+/// The name of an element for messages, in angle brackets.
 std::string element_text(std::string_view name);
 
-/// "; did you mean X?", or nothing when X is empty. `mark` surrounds X: "<>" or "".
+/// "; did you mean X?", or empty if X is empty. `mark` surrounds X: "<>" or "".
 std::string did_you_mean(std::string_view name, std::string_view mark = "");
 
 }  // namespace scenefile

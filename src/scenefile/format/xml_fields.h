@@ -1,5 +1,5 @@
 #pragma once
-// Which child of a block an element is. Internal to the room.
+// Looks up the children of a block by name. Internal to the room.
 
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_values.h"
@@ -14,14 +14,14 @@
 
 namespace scenefile {
 
-/// A name of a child element; `field` is the same for all names of one child.
+/// The name of a child element; aliases have the same `field`.
 struct FieldName {
   std::string_view name;
   std::size_t field = 0;
-  bool alias = false;  ///< worth a warning
+  bool alias = false;  ///< accepted with a warning
 };
 
-/// How many elements and aliases the rows name.
+/// The number of names and aliases in the rows.
 template <typename Owner, std::size_t N>
 constexpr std::size_t count_names(const ValueRow<Owner> (&rows)[N]) {
   std::size_t count = 0;
@@ -48,7 +48,7 @@ constexpr std::array<FieldName, Count> names_of(const ValueRow<Owner> (&rows)[N]
 }
 
 /// Reads the number or the three numbers of an element into the member of its row; `not_known`
-/// after an error. Rows of other kinds are for the caller.
+/// after an error. The caller handles rows of other kinds.
 template <typename Owner>
 void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Owner>& row,
                 Owner& owner) {
@@ -61,25 +61,25 @@ void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Own
   }
 }
 
-/// The child that the element is, or nothing when it is to be left out with everything in it;
-/// reports names that are not as they should be. `block` is the element around it.
+/// The field of a child element. Reports aliases, misspelled and unknown names. Returns nullopt to
+/// skip the element with its contents. `block` is the parent element.
 std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& tag,
                                       std::span<const FieldName> names, std::string_view block);
 
-/// Reports an element that may not stand in `block`.
+/// Reports an element that is not allowed in `block`.
 void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::string_view block,
                             std::span<const FieldName> names = {});
 
-/// Reports every attribute of an element that has none.
+/// Reports every attribute of an element that should have none.
 void expect_no_attributes(const XmlContext& context, const XmlTag& tag);
-/// Reports an attribute that a block does not have; suggests an element, or one of `known`.
+/// Reports an unknown attribute of a block; suggests a child element, or one of `known`.
 void report_block_attribute(const XmlContext& context, const XmlTag& tag,
                             const XmlAttribute& attribute, std::span<const std::string_view> known);
 
-/// Where the children of a block stood.
+/// The places of a block's children.
 class SeenFields {
  public:
-  /// Notes the place of a child; reports it when there was one before.
+  /// Stores the place of a child; reports a duplicate.
   void note(const XmlContext& context, const XmlTag& tag, std::size_t field);
   bool has(std::size_t field) const { return places_[field].known(); }
   Location place(std::size_t field) const { return places_[field]; }
@@ -88,7 +88,7 @@ class SeenFields {
   std::array<Location, 16> places_{};
 };
 
-/// Notes where the children stood that findings can be about.
+/// Stores the places of the children that findings can refer to.
 template <typename Owner, std::size_t N>
 void add_places(const ValueRow<Owner> (&rows)[N], const SeenFields& seen, Location owner,
                 Scene& scene) {

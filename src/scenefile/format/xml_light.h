@@ -6,18 +6,18 @@
 
 namespace scenefile {
 
-/// A light that is being read.
+/// A light while it is read.
 struct LightDraft {
   Light light;
   SeenFields seen;
-  bool type_known = true;  ///< false: it is misspelled, so what the light lacks cannot be told
+  bool type_known = true;  ///< false: misspelled, so missing values cannot be reported
 };
 
-/// At <lightdata>; `type` and `id` may be attributes.
+/// Called at <lightdata>; `type` and `id` may be attributes.
 LightDraft begin_light(const XmlContext& context, const XmlTag& tag);
-/// A child of <lightdata>. False: to be left out with everything in it.
+/// Reads a child of <lightdata>. Returns false to skip it with its contents.
 bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft);
-/// At the end of <lightdata>: the root gets the light.
+/// Called at the end of <lightdata>: adds the light to the root.
 void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene);
 
 }  // namespace scenefile

@@ -17,16 +17,16 @@ struct ObjectTag {
   bool has_name = false;
   std::string_view name;      ///< may be empty
   std::string_view filename;  ///< of a mesh
-  Location name_place;        ///< of the attribute, else of the tag
+  Location name_place;        ///< of the attribute, or of the tag if there is none
   Location filename_place;
 };
 
-/// Reads the attributes. Nothing, when the object is to be left out: after an error, or a warning
-/// about a type that is not of the format.
+/// Reads the attributes. Returns nullopt to skip the object: after an error, or a warning about a
+/// type that the format does not have.
 std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag);
 
-/// The shape that a primitive names. Nothing, when it is to be left out: after an error, or a
-/// warning about a shape that is not of the format.
+/// The shape that a primitive names. Returns nullopt to skip it: after an error, or a warning about
+/// a shape that the format does not have.
 std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                                 const ObjectTag& object);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Well-formed XML as a series of events. Knows nothing of scenes. Internal to the room.
+// Reads well-formed XML as a sequence of events. Independent of scenes. Internal to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -9,24 +9,24 @@
 
 namespace scenefile {
 
-/// Told what stands in the text, in its order.
+/// Receives the contents of the text in order.
 class XmlHandler {
  public:
-  /// False: what follows is of no interest, reading ends without an error.
+  /// Returns false to stop reading without an error.
   virtual bool start(const XmlTag& tag) = 0;
-  /// The innermost element that is open ends.
+  /// The end of the innermost open element.
   virtual void end() = 0;
-  /// Characters in or between elements, without the blanks around them; possibly a part of them.
+  /// Text in or between elements, trimmed; may be delivered in several parts.
   virtual void text(std::string_view characters, Location location) = 0;
 
  protected:
   ~XmlHandler() = default;
 };
 
-/// Reads all of `text`, UTF-8 without a byte order mark, and tells `handler`. Stops at the first
-/// place that is not well-formed, declares or uses an entity, or breaks a limit, with an error.
-/// `places` must be fresh; inside XmlHandler::start it may be asked about the tag. Memory does not
-/// depend on the length of the text. False: it was not read to its end.
+/// Reads all of `text`, UTF-8 without a byte order mark, and calls `handler`. Stops with an error
+/// at the first place that is not well-formed, declares or uses an entity, or exceeds a limit.
+/// `places` must be new; XmlHandler::start may query it about the current tag. Memory does not
+/// depend on the length of the text. Returns false unless everything was read.
 bool read_events(std::string_view text, const Limits& limits, TextCursor& places,
                  XmlHandler& handler, Diagnostics& diagnostics);
 

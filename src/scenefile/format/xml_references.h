@@ -1,6 +1,5 @@
 #pragma once
-// Names of trees: who is declared, who is used, what that means at the end of the file. Internal to
-// the room.
+// Names of trees: declarations and uses, resolved at the end of the file. Internal to the room.
 
 #include "scenefile/format/xml_context.h"
 #include "scenefile/scene/scene.h"
@@ -14,20 +13,20 @@ namespace scenefile {
 
 class XmlReferences {
  public:
-  /// A tree at the top of the file. False, after an error: the name is taken.
+  /// Declares a top-level tree. Returns false, after an error, if the name is taken.
   bool declare(const XmlContext& context, std::string_view name, Location place);
-  /// The node is an instance of the name. `is_tree`: said by an empty tree of that name, which may
-  /// turn out to be just that.
+  /// Makes the node an instance of the name. `is_tree`: the use is an empty tree with that name,
+  /// which may turn out to be just an empty tree.
   void use(Scene& scene, NodeId node, std::string_view name, Location place, bool is_tree);
-  /// Where the name was first used before it was declared; unknown: nowhere.
+  /// The first use of the name before its declaration; unknown if there is none.
   Location early_use(const std::string& name) const;
-  /// What was used last by `from` is used by `to` instead.
+  /// Moves the last use from node `from` to node `to`.
   void move_last_use(NodeId from, NodeId to);
-  /// Where a part of the file could not be read, which may declare what is used: turns uses of
-  /// names that are not declared into empty nodes.
+  /// If parts of the file could not be read, they may declare the missing names: turns uses of
+  /// undeclared names into empty nodes.
   void forget_unknown(Scene& scene) const;
-  /// At the end of the file: finds what names mean that were not declared when they were used, and
-  /// the root.
+  /// Called at the end of the file: resolves uses of names that were declared later, and finds the
+  /// root.
   void resolve(const XmlContext& context, Scene& scene, Location scenefile);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The elements of an XML scene file, and the Scene they mean. Internal to the room.
+// Builds a Scene from the elements of an XML scene file. Internal to the room.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// Reads UTF-8 text without a byte order mark. Contract as read_scene().
+/// Same contract as read_scene(), for UTF-8 text without a byte order mark.
 Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics);
 
 }  // namespace scenefile

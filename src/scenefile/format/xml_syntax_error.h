@@ -1,6 +1,5 @@
 #pragma once
-// What is wrong with a text that is not well-formed XML, in words for its author. Internal to the
-// room.
+// Explains to its author why a text is not well-formed XML. Internal to the room.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -28,11 +27,11 @@ struct OpenElement {
   Location location;
 };
 
-/// Offset of the first reference to an entity that XML itself does not define; npos: there is none.
+/// The offset of the first reference to an entity not predefined in XML; npos if there is none.
 std::size_t find_entity_use(std::string_view markup);
 
-/// Reports the fault at offset `at` of `text`. `detail` is what the XML library calls it, for
-/// SyntaxFault::other; `open` lists the elements around the place.
+/// Reports the fault at offset `at` of `text`. `detail` is the XML library's message, for
+/// SyntaxFault::other; `open` lists the open elements.
 void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view text,
                    std::size_t at, std::span<const OpenElement> open, Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The tokens of an XML text, to its last byte. Private to the room.
+// A tokenizer for XML. Private to the room.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,31 +12,31 @@ enum class XmlTokenKind : std::uint8_t {
   start,  ///< <a>
   empty,  ///< <a/>
   end,    ///< </a>
-  text,   ///< with something that is not blank
+  text,   ///< contains more than white space
   comment,
   cdata,
   other,  ///< declarations, processing instructions, the DOCTYPE
 };
 
-/// Offsets in the text. Blanks between tokens are no tokens.
+/// Offsets in the text. White space between tokens is not a token.
 struct XmlToken {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   XmlTokenKind kind = XmlTokenKind::text;
-  bool verbatim = false;  ///< of a start: the element holds text alone, or says xml:space
+  bool verbatim = false;  ///< of a start: the element contains only text, or has xml:space
 
   std::string_view of(std::string_view text) const { return text.substr(begin, end - begin); }
 };
 
-/// `text` is well-formed XML of less than 4 GiB, in any encoding whose bytes below 128 are ASCII.
+/// `text` must be well-formed XML of less than 4 GiB, in an encoding that is a superset of ASCII.
 std::vector<XmlToken> xml_tokens(std::string_view text);
 
-/// One past the tag, comment, CDATA section or declaration whose `<` stands at `begin`; the end of
-/// the text when it has none. Of any text.
+/// One past the tag, comment, CDATA section or declaration whose `<` is at `begin`; the end of the
+/// text if it is not closed. Accepts any text.
 std::size_t markup_end(std::string_view text, std::size_t begin);
 
-/// The parts of a tag without the blanks between them: "<a" or "</a", name and quoted value of each
-/// attribute, and at last ">" or "/>".
+/// The parts of a tag without white space: "<a" or "</a", name and quoted value of each attribute,
+/// and finally ">" or "/>".
 std::vector<std::string_view> tag_parts(std::string_view tag);
 
 }  // namespace scenefile

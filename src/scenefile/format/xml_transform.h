@@ -11,12 +11,12 @@
 
 namespace scenefile {
 
-/// Each of these gives nothing where there is nothing to apply, after an error or a warning.
+/// Each of these returns nullopt if there is nothing to apply, after an error or a warning.
 std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag);
 std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag);
 std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& tag);
 
-/// A matrix that is being read.
+/// A matrix while it is read.
 struct MatrixDraft {
   glm::mat4 rows{1};  ///< as written: rows[i] is a row, not a column
   std::size_t count = 0;
@@ -25,9 +25,9 @@ struct MatrixDraft {
   Location last_row;
 };
 
-/// Any child of <matrix>: a row.
+/// Reads any child of <matrix> as a row.
 void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft& draft);
-/// At the end of <matrix>.
+/// Called at the end of <matrix>.
 std::optional<Transform> finish_matrix(const XmlContext& context, const MatrixDraft& draft);
 
 }  // namespace scenefile

@@ -55,7 +55,7 @@ struct Surface {
 /// normal; (0, 1, 0) is used. Not for meshes.
 Surface surface_at(Shape shape, Face face, const glm::dvec3& point);
 
-/// Axis-aligned box; empty when min > max.
+/// An axis-aligned box; empty if min > max.
 struct Bounds {
   glm::dvec3 min{1e300};
   glm::dvec3 max{-1e300};

@@ -33,7 +33,7 @@ std::string_view name_of(std::string_view text, const XmlToken& token) {
   return name;
 }
 
-// By name; the reader takes three attributes with other names in their order.
+// By name, or by order if there are three attributes with other names, like the reader does.
 std::optional<VectorSlots> vector_in(std::span<const Attribute> attributes) {
   constexpr std::string_view names[] = {"x", "y", "z"};
   VectorSlots slots;
@@ -79,7 +79,7 @@ void take_part(std::string_view text, const XmlToken& token, CameraSlots& slots)
   }
 }
 
-// The line end and the blanks before a tag, nothing where something else stands in its line.
+// The line end and the blanks before a tag; empty if the tag is not the first thing on its line.
 std::string indent_before(std::string_view text, std::size_t offset) {
   std::size_t begin = offset;
   while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {
@@ -93,7 +93,7 @@ std::string indent_before(std::string_view text, std::size_t offset) {
   return std::string(text.substr(begin, offset - begin));
 }
 
-/// Walks the tokens of a file and remembers its last camera.
+/// Walks the tokens of a file and keeps its last camera.
 class CameraSearch {
  public:
   explicit CameraSearch(std::string_view text) : text_(text) { globals_.missing = true; }
@@ -131,7 +131,7 @@ class CameraSearch {
     }
   }
 
-  // An element has ended, and depth_ is that of its neighbors.
+  // Called after the end of an element; depth_ is that of its siblings.
   void close(const XmlToken& token) {
     if (depth_ == 1 && block_ == "globaldata") {
       globals_.end = token.end;
@@ -150,7 +150,7 @@ class CameraSearch {
   CameraSlots globals_;
 };
 
-// The value of the last member of that name; 0: there is none.
+// The value of the last member with that name; 0 if there is none.
 JsonIndex member(const JsonTape& tape, JsonIndex object, std::string_view name) {
   JsonIndex found = 0;
   if (!tape.is_object(object)) {
@@ -199,7 +199,7 @@ CameraSlots xml_camera_slots(std::string_view text) {
 CameraSlots json_camera_slots(std::string_view text) {
   CameraSlots slots;
   JsonTape tape;
-  constexpr std::uint32_t deep = 1 << 20;  // read_scene() has looked at the real limit
+  constexpr std::uint32_t deep = 1 << 20;  // read_scene() has checked the real limit
   if (parse_json(text, deep, tape).fault != JsonFault::none) {
     return slots;
   }

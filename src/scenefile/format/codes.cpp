@@ -7,7 +7,7 @@
 namespace scenefile {
 
 std::span<const Code* const> format_codes() {
-  // One a line, so that additions do not meet.
+  // One per line, to avoid merge conflicts.
   static constexpr const Code* all[] = {
       &format_empty,
       &format_unknown,

@@ -19,7 +19,7 @@ struct Replacement {
   std::string text;
 };
 
-/// Collects what is to be changed in one text.
+/// Collects the changes to a text.
 class CameraWriter {
  public:
   CameraWriter(std::string_view text, const CameraSlots& slots) : text_(text), slots_(slots) {}
@@ -39,7 +39,7 @@ class CameraWriter {
 
   void add_element(std::string element) { added_ += slots_.indent + std::move(element); }
 
-  /// False: something must be added, and there is no place for it.
+  /// Returns false if something must be added, but there is no place for it.
   bool apply(std::string& text) {
     if (!added_.empty()) {
       if (!slots_.end) {
@@ -80,7 +80,7 @@ std::string camera_element(const Camera& camera, const std::string& indent) {
          angle_element(camera.height_angle_deg) + indent + "</cameradata>";
 }
 
-// Whether two directions are the same to what a float of a far point can say.
+// Whether two directions are equal up to the float precision of distant points.
 bool same_direction(const glm::vec3& a, const glm::vec3& b) {
   return glm::length(glm::normalize(glm::dvec3(a)) - glm::normalize(glm::dvec3(b))) < 1e-4;
 }
@@ -121,7 +121,7 @@ CameraEdit refuse(std::string why) {
   return {{}, std::move(why)};
 }
 
-// Whether the edited bytes are the scene with the other camera and nothing else.
+// Whether the edited bytes are the same scene with the new camera.
 bool is_as_wanted(std::string_view bytes, Scene before, const Camera& camera,
                   const ReadOptions& options) {
   Diagnostics found;

@@ -27,7 +27,7 @@ int hex_digit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-// A character of the Basic Multilingual Plane as UTF-8.
+// Appends a character of the Basic Multilingual Plane as UTF-8.
 void append_utf8(unsigned c, std::string& text) {
   if (c < 0x80) {
     text += static_cast<char>(c);
@@ -41,7 +41,7 @@ void append_utf8(unsigned c, std::string& text) {
   }
 }
 
-// One line and where reading it has come to.
+// A line and the state of reading it.
 struct Line {
   std::string_view text;
   std::uint32_t number = 0;
@@ -51,7 +51,7 @@ struct Line {
   }
 };
 
-// Resolves the escape behind text[offset], a backslash; moves the offset behind it.
+// Resolves the escape after text[offset], a backslash; moves the offset past it.
 bool read_escape(std::string_view text, std::size_t& offset, std::string& value) {
   const char kind = offset + 1 < text.size() ? text[offset + 1] : '\n';
   offset += 2;
@@ -73,7 +73,7 @@ bool read_escape(std::string_view text, std::size_t& offset, std::string& value)
   return true;
 }
 
-// The value from an offset to the end of the line or a comment. False: reported.
+// Reads the value from an offset to the end of the line or a comment. Returns false after an error.
 bool read_value(const Line& line, std::size_t offset, std::string& value,
                 Diagnostics& diagnostics) {
   bool quoted_part = false;

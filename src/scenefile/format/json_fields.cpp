@@ -22,7 +22,7 @@ std::size_t count_elements(const JsonTape& tape, JsonIndex array) {
   return count;
 }
 
-// The first element that is no number; the end of the array when all are.
+// The first element that is not a number; the end of the array if all are.
 JsonIndex first_other(const JsonTape& tape, JsonIndex array) {
   JsonIndex i = array + 1;
   while (i < tape.end(array) && tape.is_number(i)) {
@@ -39,7 +39,8 @@ std::string key_name(const JsonContext& context, JsonIndex key) {
   return quoted(context.tape.string(key));
 }
 
-// Reports a number that no float can hold. False too where an error was reported before.
+// Converts a number; reports it if it does not fit a float. Returns false also if an error was
+// reported before.
 bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   if (context.repaired.is_unknown(context.tape.items[item].offset)) {
     return false;
@@ -61,7 +62,7 @@ bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   return true;
 }
 
-// What to write for a number in quotes; nothing for other values.
+// A hint for a number in quotes; empty for other values.
 std::string number_hint(const JsonTape& tape, JsonIndex item) {
   const std::string text = tape.is_string(item) ? tape.string(item) : std::string();
   const ParsedNumber number = parse_number(text);
@@ -71,7 +72,7 @@ std::string number_hint(const JsonTape& tape, JsonIndex item) {
   return meant.empty() ? meant : fmt::format("; write {}", meant);
 }
 
-// The numbers of an array that holds exactly `out.size()` numbers and nothing else.
+// Reads an array of exactly `out.size()` numbers.
 bool read_numbers(JsonContext& context, JsonIndex key, JsonIndex array, std::span<float> out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (!convert(context, key, array + 1 + static_cast<JsonIndex>(i), out[i])) {
@@ -85,7 +86,7 @@ bool holds_numbers(const JsonTape& tape, JsonIndex item, std::size_t count) {
   return tape.is_array(item) && tape.end(item) - item - 1 == count && all_numbers(tape, item);
 }
 
-// Whether the value of a key is an array of so many numbers; else says what is wrong with it.
+// Returns whether the value of a key is an array of `count` numbers; reports it otherwise.
 bool check_numbers(JsonContext& context, JsonIndex key, std::size_t count,
                    std::string_view expected, bool four_dimensional) {
   const JsonTape& tape = context.tape;
@@ -148,8 +149,8 @@ JsonFields::JsonFields(JsonContext& context, JsonIndex object, const JsonVocabul
   }
 }
 
-// Nearly a key that the object lacks is a mistake, and read as that key; an extension would be
-// named apart from those it stands beside.
+// A key that nearly matches one that the object lacks is an error, and is read as that key. Keys of
+// extensions differ more.
 void JsonFields::settle_unknown(JsonIndex key) {
   const std::string name = context_.tape.string(key);
   const std::string_view word = std::string_view(name).substr(0, 64);
@@ -173,12 +174,12 @@ std::size_t JsonFields::place_of(std::string_view name) const {
   return static_cast<std::size_t>(known - vocabulary_.keys.begin());
 }
 
-// The name, unless the object has that key or it is none of the vocabulary.
+// The name, unless the object already has that key or the vocabulary does not.
 std::string_view JsonFields::lacked(std::string_view name) const {
   return name.empty() || has(place_of(name)) ? std::string_view() : name;
 }
 
-// False: the vocabulary does not have it.
+// Returns false if the vocabulary does not have the key.
 bool JsonFields::add(JsonIndex key) {
   std::string_view name = context_.tape.raw(key);
   std::string decoded;

@@ -11,11 +11,11 @@ namespace scenefile {
 
 namespace {
 
-// Stands for the library's allocator, and chooses the stack below.
+// A tag in place of the library's allocator type, to select the stack below.
 struct OnVector {};
 
-// A text for parsing "in situ" that is never written to: strings and numbers are handed on as the
-// places where they stand, escapes and all. A NUL ends it.
+// A stream for "in situ" parsing that is never written to: strings and numbers are passed on as
+// places in the text, with escapes unresolved. Terminated by NUL.
 class TextStream {
  public:
   using Ch = char;
@@ -42,8 +42,8 @@ class TextStream {
 
 namespace rapidjson {
 
-// Lets the library work on a copy of the stream in a register. While a token is parsed, the
-// original stays at its start.
+// Lets the library work on a copy of the stream in registers. While a token is parsed, the original
+// stays at its start.
 template <>
 struct StreamTraits<scenefile::TextStream> {
   enum { copyOptimization = 1 };
@@ -51,8 +51,8 @@ struct StreamTraits<scenefile::TextStream> {
 
 namespace internal {
 
-// The library's own stack adds to a null pointer to ask whether an empty stack has room, which is
-// undefined, and its allocators do not look whether there is memory. This one does neither.
+// The library's stack does arithmetic on a null pointer when it is empty, which is undefined
+// behavior, and its allocators do not check for failure. This replacement does neither.
 template <>
 class Stack<scenefile::OnVector> {
  public:
@@ -105,7 +105,7 @@ struct StringCatcher : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, StringCat
   }
 };
 
-// `quoted` is a string that was found to be well-formed, quotes included.
+// `quoted` is a well-formed string with its quotes.
 std::string decoded(std::string_view quoted) {
   rapidjson::MemoryStream stream(quoted.data(), quoted.size());
   StringCatcher catcher;
@@ -113,7 +113,7 @@ std::string decoded(std::string_view quoted) {
   return std::move(catcher.value);
 }
 
-// The library lets the second half of a surrogate pair pass alone.
+// The library accepts a low surrogate without a high one.
 bool has_surrogate(std::string_view utf8) {
   for (std::size_t i = 0; i + 1 < utf8.size(); ++i) {
     if (utf8[i] == '\xed' && static_cast<unsigned char>(utf8[i + 1]) >= 0xa0) {
@@ -249,7 +249,8 @@ JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& t
                              rapidjson::kParseValidateEncodingFlag;
   tape.text = text;
   tape.items.clear();
-  // Items are rarely shorter, even in compact scenes. Room that stays unused is never touched.
+  // Items are rarely shorter, even in compact scenes. Reserved memory that is not used is never
+  // touched.
   constexpr std::size_t bytes_of_an_item = 5;
   tape.items.reserve(text.size() / bytes_of_an_item + 16);
   TextStream stream(text);

@@ -18,15 +18,15 @@ namespace scenefile {
 
 namespace {
 
-// An object of which values are read, and where findings about them are noted.
+// An object whose values are read, and where findings about them are stored.
 struct ObjectReader {
   JsonContext& context;
   const JsonFields& fields;
   Location owner;
   Scene& scene;
 
-  // Reads the value of a row into its member; `not_known` after an error. Textures are for the
-  // caller.
+  // Reads the value of a row into its member; `not_known` after an error. The caller handles
+  // textures.
   template <typename Owner>
   void read(std::size_t key, const ValueRow<Owner>& row, Owner& to) const {
     if (!fields.has(key)) {
@@ -90,7 +90,7 @@ void report_unused(JsonContext& context, const JsonFields& fields, std::size_t k
   }
 }
 
-// What an extension could be called.
+// Whether the name could be that of an extension.
 bool is_identifier(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -98,7 +98,8 @@ bool is_identifier(std::string_view name) {
   });
 }
 
-// What an unknown type means: a word of ours, a light among primitives, or what there is.
+// A hint for an unknown type: the format's word for it, advice about a light among primitives, or
+// the list of types.
 std::string type_hint(std::string_view word, std::span<const std::string_view> names) {
   if (const std::string_view ours = in_our_words(word, names); !ours.empty()) {
     return fmt::format("; did you mean \"{}\"?", ours);
@@ -109,8 +110,8 @@ std::string type_hint(std::string_view word, std::span<const std::string_view> n
                   : fmt::format("; known are {}", fmt::join(names, ", "));
 }
 
-// The place of the "type" of a light or primitive in `names`, after an error of the one that was
-// probably meant; nothing, with a report, when it is none of them.
+// The index in `names` of the "type" of a light or primitive. A misspelled type is an error, and
+// then counts as the suggested one. Returns nullopt, and reports it, for any other type.
 std::optional<std::size_t> read_type(JsonContext& context, const JsonFields& fields,
                                      std::string_view what, std::span<const std::string_view> names,
                                      const Code& unknown) {
@@ -161,7 +162,7 @@ void read_required(const ObjectReader& reader, Field field, Camera& camera) {
   reader.read(camera_rows, field, camera);
 }
 
-// A focus is a point to look at; behind the reader there are directions only.
+// A focus is a point to look at; the scene only has directions.
 void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera) {
   JsonContext& context = reader.context;
   const JsonFields& fields = reader.fields;
@@ -192,7 +193,8 @@ constexpr std::size_t type = 0;
 static_assert(names[type] == "type");
 constexpr std::size_t color = key_of(light_rows, Field::color);
 
-// The format text: without a type a light is a point light. What has no color either is none.
+// According to the format's documentation, a light without a type is a point light. Without a color
+// it is not a light.
 std::optional<std::size_t> read_kind(JsonContext& context, const JsonFields& fields,
                                      JsonIndex item) {
   if (fields.has(type)) {
@@ -227,7 +229,7 @@ void report_default(JsonContext& context, const JsonFields& fields, JsonIndex it
   }
 }
 
-// A direction and an angle that are missing are for check() to judge.
+// check() handles a missing direction or angle.
 void require_keys(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind) {
   fields.require(color);
   if (kind == LightType::point || kind == LightType::spot) {
@@ -247,7 +249,7 @@ constexpr auto names = keys_of<first_of_material + key_of(material_rows, std::si
 constexpr JsonVocabulary vocabulary{"a primitive", names};
 static_assert(std::size(names) <= JsonFields::max_keys);
 
-// The course's reader takes anything that is no number for 1.
+// Like the course's reader, reads anything that is not a number as 1.
 float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t key) {
   if (!fields.has(key)) {
     return 1;
@@ -297,7 +299,7 @@ void read_material(const ObjectReader& reader, Material& material) {
     }
     material.** texture = read_texture(reader.context, reader.fields, key);
     if (*texture == &Material::texture && reader.fields.has(key) && !material.texture) {
-      material.blend = not_known;  // or rather, whether there is anything to blend
+      material.blend = not_known;  // unknown whether there is a texture to blend
     }
   }
 }

@@ -66,7 +66,7 @@ class SceneReader {
   }
 
  private:
-  // Groups that are still to be read: those of one array.
+  // The remaining groups of an array.
   struct Frame {
     JsonIndex next;
     JsonIndex end;
@@ -104,7 +104,7 @@ class SceneReader {
     known_templates_ = std::numeric_limits<std::size_t>::max();
   }
 
-  // All names first, so that a group can be told that its template is declared later.
+  // Collects all names first, to detect templates that are declared later.
   void collect_template_names(JsonIndex list) {
     std::size_t place = 0;
     for (JsonIndex item = list + 1; item < tape().end(list); item = tape().end(item), ++place) {
@@ -191,8 +191,8 @@ class SceneReader {
            fields.has(group::groups) || fields.unknown() != 0;
   }
 
-  // A group with the name of a template declared before is an instance of it and nothing else. One
-  // with the name of a later template is meant so when there is nothing else in it.
+  // A group with the name of a template declared before is an instance of it. A group with the name
+  // of a later template is an instance only if it is otherwise empty.
   bool read_as_instance(NodeId node, const JsonFields& fields, const std::string& name) {
     const auto found = templates_.find(name);
     if (found == templates_.end()) {
@@ -275,7 +275,7 @@ class SceneReader {
     }
   }
 
-  // Always in this order, whatever the order of the keys.
+  // Always in this order, regardless of the order of the keys.
   void read_transforms(Node& node, const JsonFields& fields) {
     using group::matrix, group::rotate, group::scale, group::translate;
     const bool others = fields.has(translate) || fields.has(rotate) || fields.has(scale);
@@ -308,9 +308,9 @@ class SceneReader {
   JsonContext context_;
   Scene scene_;
   std::vector<Frame> frames_;
-  std::unordered_map<std::string, std::size_t> templates_;  // by name: place in templateGroups
-  bool lost_template_ = false;       // one whose name could not be read, which may be used
-  std::size_t known_templates_ = 0;  // those before this one can be instantiated
+  std::unordered_map<std::string, std::size_t> templates_;  // by name: index in templateGroups
+  bool lost_template_ = false;       // a template whose name could not be read, which may be used
+  std::size_t known_templates_ = 0;  // the number of templates that can be instantiated so far
 };
 
 bool fits(std::string_view text, const Limits& limits, Diagnostics& diagnostics) {

@@ -40,7 +40,7 @@ class Repair {
   }
 
  private:
-  // A point needs a digit on each side; one of them may be made up.
+  // A decimal point needs a digit on each side; adds the missing one.
   void copy_point(std::size_t at) {
     const bool before = at > 0 && is_digit(text_[at - 1]);
     const bool after = at + 1 < text_.size() && is_digit(text_[at + 1]);

@@ -30,11 +30,11 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// How to write over a fault so that reading can go on behind it.
+// How to overwrite a fault so that reading can continue after it.
 struct Mend {
   std::size_t offset = 0;
-  std::string text;        // instead of as many bytes; none: reading cannot go on
-  bool is_number = false;  // stands for a number that is not known
+  std::string text;        // replaces as many bytes; empty: cannot continue
+  bool is_number = false;  // replaces an unknown number
 };
 
 struct Finding {
@@ -44,15 +44,15 @@ struct Finding {
   Mend mend;
 };
 
-// e12, E-3, and what only begins so: e, e+.
+// An exponent such as e12 or E-3, possibly incomplete: e, e+.
 bool is_exponent(std::string_view text) {
   text.remove_prefix(std::min<std::size_t>(text.size(), 1));
   text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0);
   return std::all_of(text.begin(), text.end(), is_digit);
 }
 
-// "; write 0.6", where what was meant can be said: as its author wrote it where digits are all that
-// is missing.
+// "; write 0.6", if the intended number is clear. Keeps the author's spelling if only digits are
+// missing.
 std::string corrected_number(std::string_view word) {
   constexpr std::size_t longest = 40;
   const bool minus = word.starts_with('-');
@@ -80,7 +80,7 @@ std::string corrected_number(std::string_view word) {
                      fraction.empty() ? "0" : fraction, exponent);
 }
 
-// The first rule that applies explains the fault.
+// Explains a fault by the first rule that applies.
 class Explainer {
  public:
   Explainer(const JsonError& error, const RepairedJson& repaired, std::string_view text,
@@ -107,7 +107,8 @@ class Explainer {
  private:
   char found() const { return at_ < text_.size() ? text_[at_] : '\0'; }
 
-  // The last character before the fault that is not blank, as an offset; npos at the start.
+  // The offset of the last character before the fault that is not white space; npos if there is
+  // none.
   std::size_t before() const {
     return at_ == 0 ? at_ - 1 : text_.find_last_not_of(blanks, at_ - 1);
   }
@@ -264,7 +265,7 @@ class Explainer {
     return true;
   }
 
-  // Whether the fault lies in the word around it, and the word was meant as a number.
+  // Whether the fault is inside a word that was meant as a number.
   bool is_about_number(std::string_view word) const {
     if (word.empty() || error_.fault == JsonFault::number) {
       return error_.fault == JsonFault::number;
@@ -324,7 +325,7 @@ class Explainer {
     return true;
   }
 
-  // What stands in single quotes here, when that can be a string.
+  // The contents of single quotes at the fault, if they can be a string.
   std::string in_double_quotes() const {
     const std::size_t end = text_.find_first_of("'\"\\\r\n", at_ + 1);
     if (end == std::string_view::npos || text_[end] != '\'') {
@@ -419,7 +420,7 @@ class Explainer {
     return {};
   }
 
-  // Whether something goes on behind a blank as if there were a comma.
+  // Whether more follows after white space, as if a comma were missing.
   bool lacks_comma() const {
     const bool in_object = error_.fault == JsonFault::object_comma;
     const bool in_array = error_.fault == JsonFault::array_comma;

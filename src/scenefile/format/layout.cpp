@@ -22,7 +22,7 @@ std::string_view byte_order_mark(std::string_view bytes) {
   return {};
 }
 
-// Neither syntax allows zeros, and half the bytes of ASCII in UTF-16 are.
+// Neither syntax allows zero bytes, and every second byte of ASCII in UTF-16 is zero.
 bool is_utf16(std::string_view bytes) {
   return bytes.find('\0') != std::string_view::npos;
 }
@@ -69,7 +69,7 @@ std::optional<std::string> lay_out(std::string_view bytes, const Limits& limits,
   if (*syntax == SceneFormat::json) {
     text = lay_out_json(*decoded, limits, diagnostics);
   } else if (check_xml_layout(*decoded, limits, diagnostics)) {
-    // The bytes themselves, where they will do, stay as they are in every encoding.
+    // Formats the original bytes if possible, which works in every superset of ASCII.
     text = lay_out_xml(wide ? *decoded : bytes.substr(mark.size()));
   }
   if (text) {

@@ -45,7 +45,7 @@ class JsonLayout {
     return tape_.text.substr(it.offset, it.extent);
   }
 
-  // Prints the value, of a container the opening bracket.
+  // Prints a scalar, or the opening bracket of a container.
   void place(JsonIndex item) {
     next_ = item + 1;
     if (!is_container(item)) {
@@ -83,7 +83,7 @@ class JsonLayout {
     behind_ = tape_.text.find(container.is_object ? '}' : ']', behind_) + 1;
   }
 
-  // A list of scalars that is short, however deep it stands.
+  // Whether the item is a short list of scalars, at any depth.
   bool fits_line(JsonIndex item) const {
     if (tape_.is_object(item)) {
       return false;
@@ -98,7 +98,7 @@ class JsonLayout {
     return bytes <= max_list_bytes;
   }
 
-  // Whether the author left a line empty in front of the item; a comma may stand in between.
+  // Whether the author left an empty line before the item, possibly with a comma in between.
   bool blank_line_before(JsonIndex item) const {
     return count_line_ends(tape_.text.substr(behind_, tape_.items[item].offset - behind_)) > 1;
   }
@@ -107,7 +107,7 @@ class JsonLayout {
   LinePrinter lines_;
   std::vector<Container> open_;
   JsonIndex next_ = 0;
-  std::size_t behind_ = 0;  // offset behind the token that was printed last
+  std::size_t behind_ = 0;  // offset after the last printed token
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace scenefile {
 
 namespace {
 
-// Interested in the outermost element alone.
+// Checks only the outermost element.
 class RootCheck : public XmlHandler {
  public:
   explicit RootCheck(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -49,7 +49,7 @@ class XmlLayout {
   }
 
  private:
-  // Prints the token, and those that stay with it; returns the index of the next.
+  // Prints the token and those on the same line; returns the index of the next.
   std::size_t place(std::size_t index) {
     const XmlToken& token = tokens_[index];
     const XmlToken* const before = index == 0 ? nullptr : &tokens_[index - 1];
@@ -79,7 +79,7 @@ class XmlLayout {
     return index + 1;
   }
 
-  // What goes in front of the token.
+  // Prints the white space before the token.
   void separate(const XmlToken& token, const XmlToken* before) {
     if (before == nullptr) {
       return;
@@ -110,7 +110,7 @@ class XmlLayout {
     lines_.add(parts.back());
   }
 
-  // Copies the inside and the end of the element.
+  // Copies the contents and the end tag of the element.
   std::size_t print_verbatim(std::size_t start) {
     std::size_t open = 1;
     std::size_t index = start;

@@ -11,7 +11,7 @@ namespace {
 using namespace std::string_view_literals;
 
 struct Signature {
-  std::string_view start;  // in lower case
+  std::string_view start;  // lowercase
   std::string_view what;
 };
 
@@ -55,7 +55,7 @@ bool is_number_start(char c) {
   return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
 }
 
-// A line of an OBJ file: "v 1 2 3", "o name", "g name".
+// Whether this is a line of an OBJ file: "v 1 2 3", "o name", "g name".
 bool is_obj_line(std::string_view line) {
   for (const std::string_view word : {"v ", "vn ", "vt "}) {
     const std::size_t number = line.find_first_not_of(" \t", word.size());

@@ -11,7 +11,7 @@ namespace {
 
 using Pair = std::pair<std::string_view, std::string_view>;
 
-// A word may mean several of ours; those that are known where it stands decide.
+// A foreign word can have several translations; the caller's list of known names decides.
 constexpr Pair translations[] = {
     // Elements and keys.
     {"fov", "heightangle"},

@@ -51,7 +51,7 @@ const std::array keys{
     Key{"Settings/only-render-normals", &CourseConfig::only_render_normals},
 };
 
-// As messages show it: "[IO] scene".
+// A key for messages: "[IO] scene".
 std::string shown(std::string_view name) {
   const std::size_t slash = name.find('/');
   return slash == std::string_view::npos
@@ -60,7 +60,8 @@ std::string shown(std::string_view name) {
                            escaped(name.substr(slash + 1), 40));
 }
 
-// Keys before any section may name it themselves, and General is the section without a name.
+// As in QSettings, keys before any section may name their section themselves, and General is the
+// unnamed section.
 std::string name_of(const IniEntry& entry) {
   return entry.section.empty() || lower_case(entry.section) == "general"
              ? entry.key
@@ -158,7 +159,7 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
     seen = true;
     std::visit([&](const auto& field) { reader.set(entry, *key, field); }, key->field);
   }
-  // A line that cannot be read may be the one that is missing.
+  // Keys on lines that could not be read are not reported as missing.
   const bool damaged = diagnostics.has_errors();
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (keys[i].required && !given[i] && !damaged) {

@@ -27,7 +27,7 @@ Scene read(std::string_view text, const ReadOptions& options, Diagnostics& diagn
                                      : read_json(*decoded, options, diagnostics);
 }
 
-// Whether the code was reported after so many others.
+// Whether the code was reported after the first `before` findings.
 bool has_since(std::size_t before, const Diagnostics& diagnostics, const Code& code) {
   const auto& list = diagnostics.list();
   return std::any_of(list.begin() + static_cast<std::ptrdiff_t>(before), list.end(),
@@ -40,7 +40,7 @@ Scene read_scene(std::string_view text, const ReadOptions& options, Diagnostics&
   const std::size_t errors = diagnostics.count(Severity::error);
   const std::size_t before = diagnostics.list().size();
   Scene scene = read(text, options, diagnostics);
-  // Without a root nothing is drawn, and saying so once is enough.
+  // Without a root nothing is drawn; it is enough to report that once.
   scene.incomplete =
       diagnostics.count(Severity::error) != errors || has_since(before, diagnostics, xml_no_root);
   return scene;

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 4> xml_blocks{"scenefile", "globaldata", 
 constexpr std::array<std::string_view, 4> json_keys{"globalData", "cameraData", "groups",
                                                     "templateGroups"};
 
-// Whether an element of that name starts somewhere, with or without the prefix of a namespace.
+// Whether the text contains a start tag with that name, with or without a namespace prefix.
 bool has_element(std::string_view text, std::string_view name) {
   for (std::size_t at = 0; (at = text.find_first_of("<:", at)) != std::string_view::npos;) {
     ++at;
@@ -30,7 +30,7 @@ bool has_element(std::string_view text, std::string_view name) {
   return false;
 }
 
-// The end of the string that starts at `at` with a quotation mark.
+// The end of the string whose opening quote is at `at`.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at) {
     at += text[at] == '\\' ? 1 : 0;
@@ -38,7 +38,7 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-// Need not be valid JSON.
+// `text` need not be valid JSON.
 bool has_key_of_scene(std::string_view text) {
   int depth = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {

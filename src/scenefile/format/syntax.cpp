@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-// The place of the character at `offset`; the text in front of it is blank.
+// The place of the character at `offset`, which only white space precedes.
 Location after_blanks(std::string_view text, std::size_t offset) {
   Location place{1, 1};
   for (std::size_t i = 0; i < offset; ++i) {
@@ -26,7 +26,7 @@ Location after_blanks(std::string_view text, std::size_t offset) {
   return place;
 }
 
-// Behind blanks and comments as of C; none: NUL.
+// The first character after white space and C comments; NUL if there is none.
 char first_character(std::string_view text) {
   for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != std::string_view::npos;) {
     const std::string_view two = text.substr(at, 2);
@@ -55,7 +55,7 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
                        fmt::format("the file is {}", other));
     return std::nullopt;
   }
-  // Comments that JSON does not have are for its reader to report.
+  // The reader reports comments, which JSON does not allow.
   switch (first_character(content)) {
     case '<':
       return SceneFormat::xml;

@@ -13,7 +13,7 @@ namespace scenefile {
 
 namespace {
 
-// What windows-1252 has where ISO-8859-1 has control characters. 0: no character.
+// The characters of windows-1252 where ISO-8859-1 has control characters; 0 for unused codes.
 constexpr std::array<char16_t, 32> windows_1252 = {
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -87,7 +87,7 @@ std::string_view decode_single_byte(std::string_view bytes, bool windows, std::s
   return storage;
 }
 
-// The encoding that an XML declaration names, in lower case; empty without one.
+// The encoding in the XML declaration, in lower case; empty without a declaration.
 std::string declared_encoding(std::string_view bytes) {
   constexpr std::size_t longest_declaration = 400;
   if (!bytes.starts_with("<?xml")) {

@@ -13,7 +13,7 @@ bool starts_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
-// Short runs with a sum of one byte, which compilers turn into wide instructions.
+// Counts in short runs whose sum fits a byte, which compilers vectorize.
 template <typename Test>
 std::uint32_t count_bytes(std::string_view text, Test test) {
   std::uint32_t sum = 0;
@@ -29,12 +29,12 @@ std::uint32_t count_bytes(std::string_view text, Test test) {
   return sum;
 }
 
-// Of UTF-8; counts the bytes that do not continue a character.
+// In UTF-8; counts the bytes that are not continuation bytes.
 std::uint32_t count_characters(std::string_view text) {
   return count_bytes(text, starts_character);
 }
 
-// Whether carriage returns end lines by themselves.
+// Whether a CR that is not part of CR LF ends a line.
 bool has_lone_cr(std::string_view text) {
   for (std::size_t at = text.find('\r'); at != std::string_view::npos;
        at = text.find('\r', at + 1)) {
@@ -80,7 +80,7 @@ void TextPlaces::advance(Mark& mark, std::size_t offset) const {
       (lines == 0 ? mark.location.column : 1) + count_characters(passed.substr(line_start));
 }
 
-// Where old line ends are about, what a CR means depends on what follows it.
+// If a lone CR ends lines, the meaning of each CR depends on the next character.
 void TextPlaces::advance_by_character(Mark& mark, std::size_t offset) const {
   for (; mark.offset < offset; ++mark.offset) {
     const char c = text_[mark.offset];

@@ -124,7 +124,7 @@ void drop_empty_groups(Scene& scene, std::vector<bool> lit, Diagnostics& diagnos
   std::size_t dropped = 0;
   Location first;
   const std::vector<NodeId> order = nodes_in_order(scene);
-  // From the leaves up, so that groups of nothing but empty groups go too.
+  // From the leaves up, so that groups that only contain empty groups are removed too.
   for (std::size_t i = order.size(); i-- > 0;) {
     Node& node = scene.nodes[order[i]];
     for (const NodeId child : node.children) {

@@ -18,7 +18,8 @@ namespace scenefile {
 
 namespace {
 
-// Members and elements, one a line; vectors on one line. An empty key adds an element to an array.
+// Prints members and elements, one per line; vectors are on one line. An empty key adds an element
+// to an array.
 class JsonPrinter {
  public:
   JsonPrinter(const Limits& limits, Diagnostics& diagnostics)
@@ -69,7 +70,7 @@ class JsonPrinter {
     value(row.json_repeat[0], use.repeat_u);
     value(row.json_repeat[1], use.repeat_v);
   }
-  void id(std::string_view, int, Location) {}  // JSON cannot say it
+  void id(std::string_view, int, Location) {}  // JSON has no ids
 
   template <typename Owner>
   static std::string_view name_of(const ValueRow<Owner>& row) {
@@ -77,7 +78,7 @@ class JsonPrinter {
   }
   static bool is_idle(const ValueRow<Light>&) { return false; }
 
-  /// Whether values were nested deeper than readers allow; there is no use in going on then.
+  /// Whether the output exceeds the nesting limit of the readers; the caller should then stop.
   bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
@@ -155,12 +156,12 @@ void print_primitive(JsonPrinter& to, const Primitive& primitive) {
   to.close();
 }
 
-// Groups in groups, on a stack of its own.
+// Prints nested groups without recursion.
 class GroupPrinter {
  public:
   GroupPrinter(JsonPrinter& to, const Scene& scene) : to_(to), scene_(scene) {}
 
-  /// The root is no group, but holds some in a list of its own.
+  /// The root is not a group, but its groups are a list.
   void print_root() {
     to_.open("groups", '[');
     frames_.push_back({scene_.root, 0});
@@ -194,7 +195,7 @@ class GroupPrinter {
     }
   }
 
-  // Prints the group down to its groups, which are left open. False: there are none.
+  // Prints the group up to its list of groups, which stays open. Returns false if it has none.
   bool open_group(NodeId id) {
     const Node& node = scene_.nodes[id];
     to_.open("", '{');
@@ -210,7 +211,7 @@ class GroupPrinter {
       std::visit([&](const auto& map) { print_map(to_, map); }, transform.map);
     }
     print_lights(node);
-    // A group with nothing but a name would be taken for an instance.
+    // A group with only a name would be read as an instance.
     if (!node.primitives.empty() || (node.children.empty() && node.lights.empty())) {
       print_primitives(node);
     }

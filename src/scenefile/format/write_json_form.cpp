@@ -17,8 +17,8 @@ bool stands_at_origin(const Light& light) {
   return light.position == glm::vec3(0);
 }
 
-// The transforms that one group can say, from the first: each kind once, in the fixed order. A
-// matrix stands alone, because some programs refuse it beside others.
+// Takes the leading transforms that a single group can represent: each kind once, in the fixed
+// order. A matrix needs a separate group, because some programs reject it next to other transforms.
 std::span<const Transform> take_sayable(std::span<const Transform>& transforms) {
   std::size_t count = 0;
   while (count < transforms.size() &&
@@ -92,7 +92,7 @@ class JsonForm {
     }
   }
 
-  // Lights that follow each other at one place share a group, so that their order stays.
+  // Consecutive lights at the same position share a group, to keep their order.
   void give_lights_groups(NodeId id) {
     std::vector<std::vector<Light>> runs;
     for (Light& light : std::exchange(scene_.nodes[id].lights, {})) {
@@ -116,7 +116,7 @@ class JsonForm {
     }
   }
 
-  // The root is no group: it has nothing but groups.
+  // The root contains only groups.
   void shape_root() {
     Node& root = scene_.nodes[scene_.root];
     root.name.clear();
@@ -125,7 +125,7 @@ class JsonForm {
     }
   }
 
-  // An instance has neither transforms nor a name of its own, and a template is none.
+  // Moves an instance into a child if it has transforms or a name, or is the head of a template.
   void shape_instance(NodeId id) {
     const Node& node = scene_.nodes[id];
     if (!node.instance_of.empty() &&
@@ -134,7 +134,7 @@ class JsonForm {
     }
   }
 
-  // What one group cannot say goes into a group inside it, as often as needed.
+  // Nests groups until each has transforms that it can represent.
   void split_transforms(NodeId id) {
     const std::vector<Transform> all = std::exchange(scene_.nodes[id].transforms, {});
     std::span<const Transform> rest = all;
@@ -149,7 +149,7 @@ class JsonForm {
     splits_ += scene_.nodes[id].transforms.size() == all.size() ? 0 : 1;
   }
 
-  // A group with the name of a template would be an instance of it.
+  // A group with the name of a template would be read as an instance of it.
   void keep_templates_names() {
     NameTable names;
     for (const NodeId head : scene_.templates) {

@@ -15,8 +15,8 @@ namespace scenefile {
 
 namespace {
 
-// A direction that comes out as `wanted`, to the bit, when it is made a unit vector again. The
-// wanted one itself may miss by a rounding.
+// A direction that gives exactly `wanted` when it is normalized again; for `wanted` itself, the
+// result may differ by rounding.
 glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
   Light trial = light;
   const auto comes_out = [&](const glm::vec3& direction) {
@@ -27,7 +27,7 @@ glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
   if (comes_out(light.direction)) {
     return light.direction;
   }
-  // Nearly always one of the first few lengths does it.
+  // Nearly always one of the first few lengths works.
   constexpr int lengths = 4096;
   for (int i = 0; i < lengths; ++i) {
     const glm::vec3 longer = wanted.direction * (1.0f + static_cast<float>(i) / lengths);
@@ -59,7 +59,7 @@ class WorldCopies {
   }
 
  private:
-  // False: the limit is reached.
+  // Returns false if the limit is reached.
   bool add(const WorldLight& at) {
     const Light& light = scene_.nodes[at.node].lights[at.index];
     if (lights_.size() == limits_.lights) {

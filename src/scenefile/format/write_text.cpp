@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view replacement = "\xef\xbf\xbd";
 
-// Adds the characters of `text` one by one; `append` gets each with its bytes and says whether it
-// could be said.
+// Appends the characters of `text` one by one; `append` receives each with its bytes and returns
+// whether it could be represented.
 template <typename Append>
 bool append_all(std::string& out, std::string_view text, Append append) {
   bool all_said = true;

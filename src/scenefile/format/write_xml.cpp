@@ -18,7 +18,7 @@ namespace scenefile {
 
 namespace {
 
-// The attributes of a value of three parts.
+// The attribute names of a value with three parts.
 std::span<const std::string_view> part_names(ValueKind kind) {
   static constexpr std::string_view of_color[] = {"r", "g", "b"};
   static constexpr std::string_view of_coefficients[] = {"v1", "v2", "v3"};
@@ -28,7 +28,7 @@ std::span<const std::string_view> part_names(ValueKind kind) {
                                            : std::span(of_vector);
 }
 
-// Elements and attributes, one element a line.
+// Prints elements and attributes, one element per line.
 class XmlPrinter {
  public:
   XmlPrinter(const Limits& limits, Diagnostics& diagnostics)
@@ -73,7 +73,7 @@ class XmlPrinter {
   static std::string_view name_of(const ValueRow<Owner>& row) {
     return row.xml;
   }
-  /// Whether it is written on lights that do not use it.
+  /// Whether it is written for lights that do not use it.
   static bool is_idle(const ValueRow<Light>& row) { return row.idle_in_xml; }
 
   void value(std::string_view element, float v) { begin(element).attribute("v", v).leaf(); }
@@ -97,7 +97,7 @@ class XmlPrinter {
     attribute("u", use.repeat_u).attribute("v", use.repeat_v).leaf();
   }
 
-  /// Whether elements were nested deeper than readers allow; there is no use in going on then.
+  /// Whether the output exceeds the nesting limit of the readers; the caller should then stop.
   bool too_deep() const { return deepest_ > limits_.nesting; }
   std::string take() { return std::move(out_); }
 
@@ -160,7 +160,7 @@ void print_primitive(XmlPrinter& to, const Primitive& primitive) {
   to.end();
 }
 
-// Trees of nodes, on a stack of its own.
+// Prints trees of nodes without recursion.
 class TreePrinter {
  public:
   TreePrinter(XmlPrinter& to, const Scene& scene) : to_(to), scene_(scene) {}

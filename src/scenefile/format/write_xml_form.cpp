@@ -95,7 +95,7 @@ class XmlForm {
     give_primitives_nodes(id);
   }
 
-  // A transblock has one object: a primitive, an instance or a tree, and only a tree has a name.
+  // A transblock has one object: a primitive, an instance or a tree. Only trees have names.
   void shape_node(NodeId id) {
     const Node& node = scene_.nodes[id];
     if (!node.instance_of.empty()) {
@@ -159,7 +159,7 @@ class XmlForm {
     }
   }
 
-  // JSON reserves no name: a template may be called root there.
+  // JSON has no reserved names: a template can be called root there.
   void free_the_root(NameTable& names) {
     const auto root =
         std::find_if(scene_.templates.begin(), scene_.templates.end(),

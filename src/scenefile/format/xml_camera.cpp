@@ -16,7 +16,7 @@ namespace {
 constexpr auto global_names = names_of<count_names(global_rows)>(global_rows);
 constexpr auto camera_names = names_of<count_names(camera_rows)>(camera_rows);
 
-// A second row of Field::look, the point to look at.
+// The second row with Field::look: the point to look at.
 constexpr std::size_t focus_row = 2;
 static_assert(camera_rows[focus_row].xml == "focus");
 
@@ -46,7 +46,7 @@ void report_defaults(const XmlContext& context, const CameraDraft& draft) {
   }
 }
 
-// A focus is a point to look at; behind the reader there are directions only.
+// A focus is a point to look at; the scene only has directions.
 void resolve_focus(const XmlContext& context, CameraDraft& draft) {
   const Location look = place_of(draft, Field::look);
   const Location focus = draft.seen.place(focus_row);
@@ -72,7 +72,7 @@ void resolve_focus(const XmlContext& context, CameraDraft& draft) {
   draft.camera.look = direction == glm::vec3(0) ? glm::vec3(not_known) : direction;
 }
 
-// It never counts, but one that cannot be a ratio may hide a mistake.
+// The aspect ratio has no effect, but an invalid one may hide a mistake.
 void report_aspect_ratio(const XmlContext& context, const XmlTag& tag) {
   const XmlAttribute* const v = tag.find("v");
   const XmlAttribute* const given = v != nullptr ? v : tag.find("value");

@@ -31,7 +31,7 @@ class CommentMender {
   }
 
  private:
-  // Each returns the end of the comment.
+  // Each of these returns the end of the comment.
   std::size_t mend_comment(std::size_t begin) {
     const std::size_t body = begin + 4;
     const std::size_t end = text_.find("-->", body);
@@ -40,7 +40,7 @@ class CommentMender {
     }
     bool reported = false;
     for (std::size_t at = body; at < end; ++at) {
-      // A dash in front of another, be it the first one of the end.
+      // A dash before another one, which may be the first of the comment's end.
       if (text_[at] != '-' || text_[at + 1] != '-') {
         continue;
       }
@@ -57,7 +57,7 @@ class CommentMender {
     return end + 3;
   }
 
-  // All up to its end, or without one up to the next tag, is left out.
+  // Blanks everything up to its end, or up to the next tag if it has none.
   std::size_t mend_false_comment(std::size_t begin) {
     const std::size_t next = std::min(text_.find('<', begin + 1), text_.size());
     const std::size_t close = text_.substr(0, next).find("-->", begin + 3);
@@ -74,7 +74,7 @@ class CommentMender {
                         std::string(options_.compat_course ? accepted : refused));
   }
 
-  // Lines stay as they are.
+  // Keeps line ends.
   void blank(std::size_t from, std::size_t to) {
     if (!mended_) {
       mended_ = text_;

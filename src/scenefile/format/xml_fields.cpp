@@ -21,15 +21,14 @@ constexpr std::string_view structure_elements[] = {
     "scenefile",  "globaldata", "cameradata", "lightdata", "object",
     "transblock", "translate",  "rotate",     "scale",     "matrix"};
 
-// Whether it is the name of an element of the format, aliases apart.
+// Whether the format has an element with that name, not counting aliases.
 bool is_known(std::string_view name) {
   return std::find(std::begin(structure_elements), std::end(structure_elements), name) !=
              std::end(structure_elements) ||
          kind_of_element(name);
 }
 
-// Where an element of the format stands, for one that stands elsewhere; nothing where that may
-// vary.
+// The parent of an element, for one that is in another; empty if several parents are possible.
 std::string_view home_of(std::string_view name) {
   constexpr std::pair<std::string_view, std::string_view> homes[] = {
       {"translate", "; transforms belong in a transblock, before its object"},

@@ -65,7 +65,7 @@ void read_id(const XmlContext& context, Location place, std::string_view word, L
                   quoted(word)));
 }
 
-// Values that the light's type has no use for.
+// Reports values that the light's type does not use.
 void report_unused(const XmlContext& context, const LightDraft& draft) {
   for (std::size_t i = 0; i < std::size(light_rows); ++i) {
     const ValueRow<Light>& row = light_rows[i];

@@ -24,7 +24,7 @@ struct Writer {
   Primitive& primitive;
   Scene& scene;
 
-  // A number or a color.
+  // Reads a number or a color.
   void value(const ValueRow<Material>& row) const {
     Material& material = primitive.material;
     read_value(context, tag, row, material);
@@ -39,7 +39,7 @@ bool is_blend_name(std::string_view name) {
   return name == "blend" || name == "float" || name == "value" || name == "val" || name == "n";
 }
 
-// The number that the format text's sketch puts on textures.
+// Reads `blend` as a bare attribute of a texture, as sketched in the format's documentation.
 void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_texture) {
   const std::string name = escaped(attribute.name, 40);
   if (!is_texture) {
@@ -57,7 +57,8 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   }
 }
 
-// The file name: `file`, or as other dialects call it, or the first attribute that is no number.
+// The file name: `file`, another dialect's name for it, or the first attribute that is not a
+// number.
 const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
   if (const XmlAttribute* file = tag.find("file")) {
     return file;
@@ -142,7 +143,7 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
 
 void finish_primitive(const PrimitiveDraft& draft, Scene& scene) {
   if (!draft.texture_known) {
-    // Whether it has anything to blend is not known.
+    // Unknown whether there is a texture to blend.
     scene.nodes[draft.node].primitives.back().material.blend = not_known;
   }
 }

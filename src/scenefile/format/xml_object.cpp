@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> type_names = {"tree", "master", "primitive"};
 
-// The index of the name, in any case; names.size(): it is none of them.
+// The index of the name, ignoring case; names.size() if there is none.
 template <std::size_t N>
 std::size_t index_of(const std::array<std::string_view, N>& names, std::string_view word) {
   std::size_t i = 0;
@@ -61,7 +61,7 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   return std::nullopt;
 }
 
-// The attributes by their names.
+// The attributes by name.
 struct Found {
   const XmlAttribute* type = nullptr;
   const XmlAttribute* name = nullptr;
@@ -72,7 +72,8 @@ struct Found {
   bool is_mesh() const { return name != nullptr && equal_ignoring_case(name->value, "mesh"); }
 };
 
-// The one of that name in any case, as no program of the course reads it; its own case goes first.
+// Finds the attribute, preferring the exact name, otherwise ignoring case, which no program of the
+// course accepts.
 const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& tag,
                                      std::string_view name) {
   if (const XmlAttribute* exact = tag.find(name)) {
@@ -117,7 +118,7 @@ std::vector<std::string_view> missing_names(const Found& found) {
   return missing;
 }
 
-// Reports attributes of other names; one that is a missing name, misspelled, becomes that.
+// Reports other attributes; a misspelled one takes the place of the missing one.
 void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
   for (const XmlAttribute* attribute : found.others) {
     const std::string_view near = nearest_name(attribute->name, missing_names(found));
@@ -132,7 +133,7 @@ void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
   }
 }
 
-// Moves the file of a mesh to `filename`, however it is named.
+// Moves the file of a mesh to `filename`, under whichever name it was given.
 void settle_mesh_file(const XmlContext& context, Found& found) {
   if (found.filename != nullptr && found.meshfile != nullptr) {
     context.report(xml_mesh_files, *found.meshfile,

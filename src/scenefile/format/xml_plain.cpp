@@ -11,17 +11,17 @@ namespace scenefile {
 
 namespace {
 
-// What a character may be, as bits.
+// Character classes, as bits.
 enum CharacterClass : std::uint8_t {
   blank = 1,
   name_start = 2,
   name_part = 4,
-  value_part = 8,    // of a value in either quotes
-  comment_part = 16  // but for the dash
+  value_part = 8,    // inside values, in either kind of quotes
+  comment_part = 16  // inside comments, except the dash
 };
 
-// `>` ends every run of characters of one class, so that a text that ends with it needs no other
-// guard. Bytes from 128 on are in no class.
+// `>` ends every run of characters of one class, so a text that ends with it needs no bounds
+// checks. Bytes from 128 on are in no class.
 constexpr std::array<std::uint8_t, 256> make_classes() {
   std::array<std::uint8_t, 256> classes{};
   for (unsigned c = ' '; c < 128; ++c) {
@@ -54,7 +54,7 @@ std::string_view between(const char* first, const char* last) {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
-// As most programs write it; there are other ways.
+// The most common spelling; others take the slow path.
 bool is_xml_declaration(std::string_view text) {
   constexpr std::string_view version = "<?xml version=\"1.0\"";
   if (!text.starts_with(version)) {
@@ -102,7 +102,7 @@ class PlainReader {
   TextCursor& places_;
   XmlHandler& handler_;
   const char* p_;
-  const char* end_;  // the last character before it is >
+  const char* end_;  // the character before it is >
   std::vector<std::string_view> open_;
   std::vector<XmlAttribute> attributes_;
   bool has_root_ = false;
@@ -252,7 +252,7 @@ bool PlainReader::read_value(XmlAttribute& attribute) {
   return true;
 }
 
-// One past a character beyond ASCII, or null where XML does not allow what stands there.
+// One past a character beyond ASCII; null if XML does not allow the bytes.
 const char* PlainReader::skip_character(const char* p) const {
   if (static_cast<unsigned char>(*p) < 128) {
     return nullptr;

@@ -18,7 +18,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{64} << 10;
-// Comments and declarations; tags have narrower limits of their own.
+// For comments and declarations; tags have lower limits.
 constexpr std::size_t max_markup_bytes = std::size_t{16} << 20;
 
 struct ParserFree {
@@ -39,7 +39,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// Between Expat and the handler.
+// Connects Expat to the handler.
 class EventReader {
  public:
   EventReader(std::string_view text, const Limits& limits, TextCursor& places, XmlHandler& handler,
@@ -107,7 +107,7 @@ EventReader::EventReader(std::string_view text, const Limits& limits, TextCursor
   XML_SetSkippedEntityHandler(parser, on_skipped_entity);
 }
 
-// Exceptions must not pass through the C library.
+// Exceptions must not propagate through the C library.
 template <typename Action>
 void EventReader::guarded(Action action) {
   if (stopped_) {
@@ -197,7 +197,7 @@ void EventReader::start(const XML_Char** attributes) {
     return;
   }
   if (has_external_subset_ && scan.needs_decoding) {
-    // Expat leaves such an entity out of a value without a word.
+    // Expat silently drops such an entity from a value.
     const std::size_t use = find_entity_use({at, size});
     if (use != std::string_view::npos) {
       refuse_entity(at + use,
@@ -222,14 +222,14 @@ void EventReader::start(const XML_Char** attributes) {
   }
 }
 
-// Takes the values from Expat, which has replaced references and line breaks in them.
+// Takes the values from Expat, which has resolved references and line breaks.
 void EventReader::decode_values(const XML_Char** attributes) {
   for (std::size_t i = 0; i < attributes_.size(); ++i) {
     attributes_[i].value = attributes[2 * i + 1];
   }
 }
 
-// Whether the tag keeps to the limits.
+// Whether the tag is within the limits.
 bool EventReader::accept(const TagScan& scan, const char* tag) {
   if (scan.fault == TagFault::none) {
     return true;
@@ -259,8 +259,8 @@ bool EventReader::accept(const TagScan& scan, const char* tag) {
   return false;
 }
 
-// Expat keeps markup that is not complete and reads it again with the next chunk: refuses it early
-// when it has broken a limit already. `fed`: bytes handed over so far.
+// Expat keeps incomplete markup and scans it again with the next chunk. Stops early if it already
+// exceeds a limit. `fed`: bytes passed to Expat so far.
 bool EventReader::check_unfinished(std::size_t fed) {
   const char* const at = current();
   const std::string_view unfinished(at, static_cast<std::size_t>(text_.data() + fed - at));
@@ -304,7 +304,7 @@ bool EventReader::run() {
     if (!check_unfinished(fed)) {
       return false;
     }
-    // Twice as much as is unfinished, so that reading it again costs no more than reading it once.
+    // At least as much as is incomplete, so that the total cost of scanning again is linear.
     const auto unfinished = static_cast<std::size_t>(text_.data() + fed - current());
     size = std::min(std::max(chunk_bytes, unfinished), text_.size() - fed);
   }
@@ -355,7 +355,7 @@ void EventReader::refuse_entity(const char* at, std::string message) {
   stop();
 }
 
-// The start of the declaration that is being read; Expat tells of it at its end.
+// The start of the current declaration, which Expat only reports at its end.
 const char* EventReader::opening(std::string_view keyword) const {
   const auto end = static_cast<std::size_t>(current() - text_.data());
   const std::size_t start = text_.rfind(keyword, end);
@@ -363,11 +363,11 @@ const char* EventReader::opening(std::string_view keyword) const {
 }
 
 const char* EventReader::current() const {
-  // Before the first event Expat says -1.
+  // Expat returns -1 before the first event.
   return text_.data() + std::max<XML_Index>(XML_GetCurrentByteIndex(parser_.get()), 0);
 }
 
-// For places out of order; costs a pass over the text.
+// For places out of order; scans the text from the start.
 Location EventReader::place_of(const char* at) const {
   return TextCursor(text_).advance_to(at);
 }

@@ -14,7 +14,7 @@ namespace scenefile {
 
 namespace {
 
-// The trees inside other trees by their names; `ambiguous` for names that several of them bear.
+// Nested trees by name; `ambiguous` if several have the same name.
 constexpr NodeId ambiguous = std::numeric_limits<NodeId>::max();
 using NestedTrees = std::unordered_map<std::string, NodeId>;
 
@@ -30,7 +30,7 @@ NestedTrees find_nested_trees(const Scene& scene) {
   return trees;
 }
 
-// Enough for every scene that a person wrote; comparing many names with many takes long.
+// Enough for handwritten scenes; comparing all pairs of names would be quadratic.
 constexpr std::size_t most_suggestions = 100;
 
 std::vector<std::string_view> some_masters(const Scene& scene) {
@@ -43,7 +43,7 @@ std::vector<std::string_view> some_masters(const Scene& scene) {
   return names;
 }
 
-// Turns the contents of a node into a template of its name, and the node into an instance of it.
+// Turns the contents of a node into a template with its name, and the node into an instance of it.
 void make_template(Scene& scene, NodeId nested) {
   const NodeId added = add_template(scene, scene.nodes[nested].name);
   scene.nodes[added].location = scene.nodes[nested].location;
@@ -107,7 +107,7 @@ void XmlReferences::resolve(const XmlContext& context, Scene& scene, Location sc
   }
 }
 
-// Trees whose names mean nothing else are just empty.
+// A tree whose name has no other meaning is just empty.
 void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
                                   const std::vector<Use>& uses) {
   const std::vector<std::string_view> masters = some_masters(scene);
@@ -127,8 +127,8 @@ void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
   }
 }
 
-// Masters that are declared nowhere at the top of the file. A name that nothing bears is left as it
-// is: check() reports it.
+// Masters that are not at the top of the file. Names that no tree has are left for check() to
+// report.
 void XmlReferences::resolve_nested(const XmlContext& context, Scene& scene,
                                    const std::vector<Use>& uses) {
   const NestedTrees nested = find_nested_trees(scene);

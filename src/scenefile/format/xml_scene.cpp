@@ -47,7 +47,7 @@ enum class Block : std::uint8_t {
   leaf
 };
 
-/// An element that is being read.
+/// An element while it is read.
 struct Frame {
   Block block = Block::leaf;
   bool has_content = false;  ///< transblock: its object has come; tree: a transblock has
@@ -58,8 +58,8 @@ struct Frame {
   Location name_place;       ///< tree
 };
 
-/// Builds the scene while the file is read. Holds the elements that are open and nothing of those
-/// that are closed but what they mean.
+/// Builds the scene while the file is read. Stores only the open elements, and the results of
+/// closed ones.
 class SceneBuilder final : public XmlHandler {
  public:
   explicit SceneBuilder(const XmlContext& context) : context_(context) { push(Block::document, 0); }
@@ -68,7 +68,7 @@ class SceneBuilder final : public XmlHandler {
   void end() override;
   void text(std::string_view characters, Location location) override;
 
-  /// At the end of the file, or where reading it stopped.
+  /// Called at the end of the file, or where reading stopped.
   Scene finish(bool complete);
 
  private:
@@ -103,19 +103,19 @@ class SceneBuilder final : public XmlHandler {
   Scene scene_;
   XmlReferences references_;
   std::vector<Frame> frames_;
-  std::size_t ignored_ = 0;  // elements open inside one that is left out, and itself
+  std::size_t ignored_ = 0;  // depth inside a skipped element; 0: not inside one
   bool stopped_ = false;
-  bool lost_tree_ = false;  // a tree at the top, after an error: its name may be used
+  bool lost_tree_ = false;  // a top-level tree was lost after an error: its name may be used
   bool text_reported_ = false;
   Location scenefile_;
 
-  // What is being read; none of these can stand inside itself.
+  // The blocks being read; none of them can be nested in itself.
   SeenFields globals_;
   CameraDraft camera_;
   LightDraft light_;
   PrimitiveDraft primitive_;
   MatrixDraft matrix_;
-  std::vector<Transform> transforms_;  // of the innermost transblock, until its object comes
+  std::vector<Transform> transforms_;  // of the innermost transblock, until its object is read
 };
 
 enum BlockField : std::size_t { b_translate, b_rotate, b_scale, b_matrix, b_object };
@@ -209,7 +209,7 @@ Scene SceneBuilder::finish(bool complete) {
   return std::move(scene_);
 }
 
-// False: the element is left out with everything in it.
+// Returns false to skip the element with its contents.
 bool SceneBuilder::open(const XmlTag& tag) {
   switch (top().block) {
     case Block::document:
@@ -262,7 +262,7 @@ bool SceneBuilder::open_document(const XmlTag& tag) {
                       "attribute xmlns of <scenefile> has no effect: the format has no namespace, "
                       "and validators reject one; remove it");
     }
-    // xsi:noNamespaceSchemaLocation is how editors are told of the schema.
+    // Editors use xsi:noNamespaceSchemaLocation to find the schema.
     if (!attribute.name.starts_with("xml") && !attribute.name.starts_with("xsi:")) {
       report_unknown_attribute(context_, tag, attribute, {});
     }
@@ -335,7 +335,7 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
   const bool is_new = references_.declare(context_, object->name, object->name_place);
   NodeId node = scene_.root;
   if (!is_new || !is_root) {
-    // A tree of a name that is taken is read, for what is wrong in it, and belongs nowhere.
+    // A tree whose name is taken is still read for errors, but is not part of the scene.
     node = is_new ? add_template(scene_, std::string(object->name)) : add_node(tag.location);
   }
   if (is_new && !is_root && scene_.nodes[scene_.root].location.known()) {
@@ -352,7 +352,7 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
   return push(Block::tree, node, tag.name);
 }
 
-// An element without children of its own.
+// An element without children.
 bool SceneBuilder::open_leaf(const XmlTag& tag, bool known) {
   return known && push(Block::leaf, 0, tag.name);
 }
@@ -371,7 +371,7 @@ bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
   return true;
 }
 
-// What stands in a tree: transblocks, their transforms and their objects.
+// The contents of a tree: transblocks, their transforms and their objects.
 
 bool SceneBuilder::open_in_tree(const XmlTag& tag) {
   constexpr std::string_view transblock = "transblock";
@@ -460,7 +460,7 @@ bool SceneBuilder::open_matrix(const XmlTag& tag) {
   return push(Block::matrix, 0, tag.name);
 }
 
-// In a transblock.
+// Called inside a transblock.
 bool SceneBuilder::open_object(const XmlTag& tag) {
   const std::optional<ObjectTag> object = read_object_tag(context_, tag);
   make_room_for_object(top().node);
@@ -536,7 +536,7 @@ NodeId SceneBuilder::add_child_node(NodeId parent, Location location) {
   return child;
 }
 
-// All transforms so far go to the node, in an array that is just large enough.
+// Moves all transforms so far to the node, in an array of the exact size.
 void SceneBuilder::flush_transforms(NodeId node) {
   std::vector<Transform>& all = scene_.nodes[node].transforms;
   if (all.empty()) {
@@ -547,7 +547,7 @@ void SceneBuilder::flush_transforms(NodeId node) {
   transforms_.clear();
 }
 
-// An instance has no contents of its own: when another object comes, it moves into a child.
+// An instance has no contents: if another object follows, the instance moves into a child.
 void SceneBuilder::make_room_for_object(NodeId node) {
   flush_transforms(node);
   if (scene_.nodes[node].instance_of.empty()) {
@@ -580,7 +580,7 @@ void SceneBuilder::end_transblock(const Frame& block) {
   }
 }
 
-// Nothing, and nothing reported, when the text is not plain.
+// Returns nullopt, and reports nothing, if the text needs the full XML reader.
 std::optional<Scene> read_plain(std::string_view text, const ReadOptions& options,
                                 Diagnostics& diagnostics) {
   Diagnostics findings = diagnostics;

@@ -18,7 +18,7 @@ namespace scenefile {
 
 namespace {
 
-// Mistakes that begin in front of the place where a parser notices them.
+// Mistakes that begin before the place where the parser notices them.
 
 // What is wrong, and where.
 struct SyntaxCause {
@@ -27,7 +27,7 @@ struct SyntaxCause {
   std::string message;
 };
 
-// The name that the text begins with; empty where it begins with none.
+// The name at the start of the text; empty if there is none.
 std::string_view name_at(std::string_view text) {
   return text.substr(0, text.find_first_of(" \t\r\n=/>&;\"'<"));
 }
@@ -40,13 +40,13 @@ std::uint32_t line_of(std::string_view text, std::size_t at) {
   return TextCursor(text).advance_to(text.data() + at).line;
 }
 
-// The offset of the < that opened the tag that is still open at the offset, or npos.
+// The offset of the < of the tag that is open at the offset, or npos.
 std::size_t open_tag(std::string_view text, std::size_t at) {
   const std::size_t open = at == 0 ? std::string_view::npos : text.rfind('<', at - 1);
   return open == std::string_view::npos || open + 1 == at ? std::string_view::npos : open;
 }
 
-// A < in a value that ran over the end of its tag.
+// A < inside a value whose closing quote is missing.
 Cause unclosed_value(std::string_view text, std::size_t at) {
   const std::size_t open = open_tag(text, at);
   if (text[at] != '<' || open == std::string_view::npos) {
@@ -71,7 +71,7 @@ Cause unclosed_value(std::string_view text, std::size_t at) {
                                  escaped(name_at(text.substr(open + 1)), 40))};
 }
 
-// The offset is behind <! that begins no comment.
+// The offset is after a <! that does not begin a comment.
 Cause broken_comment_start(std::string_view text, std::size_t at) {
   const std::size_t open = open_tag(text, at);
   if (open == std::string_view::npos || at - open > 3 || text[open + 1] != '!') {
@@ -80,7 +80,7 @@ Cause broken_comment_start(std::string_view text, std::size_t at) {
   return SyntaxCause{&xml_syntax, open, "a comment starts with <!-- and ends with -->"};
 }
 
-// Dashes in a comment that has no proper end.
+// Dashes in a comment that is not closed properly.
 Cause broken_comment_end(std::string_view text, std::size_t at) {
   const std::size_t open = text.rfind("<!--", at);
   if (open == std::string_view::npos || at < open + 6 || text.substr(at - 2, 2) != "--" ||
@@ -103,7 +103,7 @@ Cause unfinished_declaration(std::string_view text, std::size_t at) {
                      fmt::format("<?{} lacks its end ?>: write ? in front of the >", name)};
 }
 
-// A closing tag of an element that ended in itself just before.
+// A closing tag for an element that was already closed by />.
 Cause closed_twice(std::string_view text, std::size_t at) {
   const std::string_view name = name_at(text.substr(at + 2));
   const std::size_t last = at == 0 ? std::string_view::npos : text.find_last_not_of(blanks, at - 1);
@@ -120,7 +120,7 @@ Cause closed_twice(std::string_view text, std::size_t at) {
                                  shown, shown, shown)};
 }
 
-// A closing tag whose opening one lacks its <, so that it was taken for text.
+// A closing tag whose opening tag lacks its <, and so was read as text.
 Cause opened_as_text(std::string_view text, std::size_t at, std::span<const OpenElement> open) {
   const std::string name(name_at(text.substr(at + 2)));
   const bool is_open =
@@ -165,9 +165,9 @@ std::optional<SyntaxCause> find_cause(SyntaxFault fault, std::string_view text, 
   return {};
 }
 
-// What to say of a fault, and where.
+// What to report about a fault, and where.
 
-// The line that holds the offset, from its start.
+// The line that contains the offset, from its start.
 std::string_view line_at(std::string_view text, std::size_t at) {
   const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of("\r\n", at - 1);
   const std::size_t start = before == std::string_view::npos ? 0 : before + 1;
@@ -196,7 +196,7 @@ std::string cut_off_message(std::string_view text, std::size_t at,
                      opened_at(open.back()));
 }
 
-// All other elements of the format are single tags.
+// All other elements of the format are empty tags.
 bool holds_elements(std::string_view name) {
   constexpr std::string_view blocks[] = {"scenefile", "globaldata", "cameradata", "lightdata",
                                          "object",    "transblock", "matrix"};
@@ -224,7 +224,7 @@ std::string mismatch_message(std::string_view text, std::size_t at,
                      opened_at(inner), escaped(inner.name, 40), slash);
 }
 
-// Whether the offset lies in a comment that is still open there.
+// Whether the offset is inside a comment.
 bool in_comment(std::string_view text, std::size_t at) {
   const std::size_t open = text.rfind("<!--", at);
   return open != std::string_view::npos &&
@@ -240,7 +240,7 @@ std::string quote_hint(std::string_view rest) {
   return {};
 }
 
-// The offset is a `<` inside a tag, but not inside a value of it: what to say of that tag.
+// The offset is a `<` inside a tag, but not inside a value: a hint about that tag.
 std::string unclosed_tag(std::string_view text, std::size_t at) {
   const std::size_t open = at == 0 ? std::string_view::npos : text.find_last_of("<>", at - 1);
   if (open == std::string_view::npos || text[open] != '<') {
@@ -264,7 +264,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-// What the characters in front of the offset tell about the mistake; empty: nothing.
+// A hint from the characters before the offset; empty if there is none.
 std::string hint_before(std::string_view text, std::size_t at) {
   const std::string found = quoted(name_at(text.substr(at)), 20);
   const char before = at == 0 ? ' ' : text[at - 1];
@@ -298,7 +298,7 @@ std::string hint_before(std::string_view text, std::size_t at) {
                                            : std::string();
 }
 
-// Why the characters at the offset cannot stand there.
+// Why the characters at the offset are not allowed there.
 std::string token_message(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
   if (const std::string hint = quote_hint(rest); !hint.empty()) {
@@ -367,13 +367,13 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
   return fmt::format("{} ({})", token_message(text, at), detail);
 }
 
-// Whether Expat takes it for a part of the name of an entity.
+// Whether Expat accepts the character in the name of an entity.
 bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '-' || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// The & of a reference that lacks its semicolon in front of the offset, else the offset.
+// The & of a reference without a semicolon before the offset; otherwise the offset.
 std::size_t bare_ampersand(std::string_view text, std::size_t at) {
   constexpr std::size_t longest_name = 40;
   std::size_t start = at;
@@ -383,7 +383,7 @@ std::size_t bare_ampersand(std::string_view text, std::size_t at) {
   return start > 0 && text[start - 1] == '&' ? start - 1 : at;
 }
 
-// Where the author has to look; Expat may point to the tag around it or the character behind it.
+// Where the author has to look; Expat may report the tag around it or the next character.
 std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at) {
   switch (fault) {
     case SyntaxFault::tag_mismatch:

@@ -30,7 +30,7 @@ std::string_view between(const char* first, const char* last) {
   return {first, static_cast<std::size_t>(last - first)};
 }
 
-// From the first character of an attribute to the one behind it.
+// Scans an attribute; returns one past its end.
 const char* scan_attribute(const char* p, const char* end, XmlAttribute& out,
                            bool& needs_decoding) {
   const char* const name = p;

@@ -23,7 +23,7 @@ std::size_t tag_end(std::string_view text, std::size_t from) {
   return std::min(from + 1, text.size());
 }
 
-// A DOCTYPE may hold declarations in brackets.
+// A DOCTYPE can contain declarations in brackets.
 std::size_t doctype_end(std::string_view text, std::size_t from) {
   bool inside = false;
   while (from < text.size() && (inside || text[from] != '>')) {
@@ -70,7 +70,7 @@ bool preserves_space(std::string_view tag) {
   return space != parts.end() && (space + 1)->find("preserve") != std::string_view::npos;
 }
 
-// Tells the elements that hold text and no element.
+// Tracks which elements contain only text.
 class OpenElements {
  public:
   explicit OpenElements(std::vector<XmlToken>& tokens) : tokens_(tokens) {}

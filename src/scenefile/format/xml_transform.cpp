@@ -24,7 +24,7 @@ bool is_finite(const glm::mat4& m) {
   return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
 }
 
-// Makes the last row 0 0 0 1.
+// Sets the last row to 0 0 0 1.
 void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4& rows) {
   const glm::vec4 last = rows[3];
   if (last == glm::vec4(0, 0, 0, 1)) {

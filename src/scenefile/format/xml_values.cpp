@@ -48,7 +48,7 @@ FoundForm find_form(const XmlTag& tag, const AttributeForm& form, std::size_t pa
   return found;
 }
 
-// The form of which the most names are there, and for what it lacks, those of the others.
+// The form with the most matching names; missing parts are taken from other forms.
 FoundForm find_best_form(const XmlTag& tag, const Signature& signature) {
   FoundForm best;
   for (const AttributeForm& form : signature.forms) {
@@ -71,14 +71,14 @@ FoundForm find_best_form(const XmlTag& tag, const Signature& signature) {
   return best;
 }
 
-// The names that messages give the parts: "r, g, b".
+// The parts' names for messages: "r, g, b".
 std::string names_text(const Signature& signature) {
   const auto& names = signature.forms.front().names;
   return fmt::format("{}", fmt::join(names.begin(), names.begin() + signature.parts, ", "));
 }
 
 std::vector<std::string_view> missing_names(const Signature& signature, const Parts& parts) {
-  // In the form that the author began to use.
+  // In the form that the author started to use.
   const AttributeForm* form = &signature.forms.front();
   for (const AttributeForm& candidate : signature.forms) {
     for (std::size_t i = 0; i < signature.parts; ++i) {
@@ -119,7 +119,7 @@ bool is_alpha(const Signature& signature, const XmlAttribute& attribute) {
                      });
 }
 
-// Reports the attributes that hold no part; one that is a missing part, misspelled, becomes it.
+// Reports attributes that are not parts; a misspelled one takes the place of a missing part.
 void settle_others(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                    Parts& parts) {
   for (const XmlAttribute& attribute : tag.attributes) {
@@ -149,8 +149,8 @@ bool any_near(const XmlTag& tag, const Signature& signature, const Parts& parts)
   });
 }
 
-// The last part, or all others, under names of their own, beside the rest under theirs. Whether
-// there were such.
+// Accepts other names for the last part, or for all parts but the last, if the rest have their
+// proper names. Returns whether it did.
 bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& signature,
                Parts& parts) {
   const std::size_t last = signature.parts - 1;
@@ -178,7 +178,7 @@ bool take_rest(const XmlContext& context, const XmlTag& tag, const Signature& si
   return true;
 }
 
-// Whether no attribute has a name that the format gives a part of the value.
+// Whether no attribute has any of the format's names for the parts.
 bool all_names_foreign(const XmlTag& tag, const Signature& signature) {
   return std::all_of(tag.attributes.begin(), tag.attributes.end(), [&](const XmlAttribute& a) {
     return std::all_of(
@@ -189,7 +189,7 @@ bool all_names_foreign(const XmlTag& tag, const Signature& signature) {
   });
 }
 
-// The numbers of "1 2 3", "1,2,3", and those of a color as #rrggbb, as text; none: it is another.
+// The numbers in "1 2 3", "1,2,3", or for a color #rrggbb, as text; empty for anything else.
 std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
   constexpr std::string_view separators = " \t\r\n,;";
   constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
@@ -214,7 +214,8 @@ std::vector<std::string> numbers_in(std::string_view value, bool is_color) {
   return numbers;
 }
 
-// All parts in one attribute: says how to write them. False: that is not so.
+// Reports all parts in a single attribute, and how to write them. Returns false if that is not the
+// case.
 bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
   const auto& names = signature.forms.front().names;
   const bool is_color = names[0] == "r";
@@ -238,7 +239,7 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
   return true;
 }
 
-// All attributes in their order, as programs read them that do not look at the names.
+// All attributes in order, as programs read them that ignore the names.
 Parts by_order(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
   Parts parts{};
   for (std::size_t i = 0; i < tag.attributes.size(); ++i) {
@@ -270,7 +271,7 @@ void report_alias(const XmlContext& context, const XmlTag& tag, const Signature&
   }
 }
 
-// The usual case, told by few comparisons: the canonical names in their order and nothing else.
+// A fast check for the usual case: exactly the canonical names, in order.
 bool is_canonical(const XmlTag& tag, const Signature& signature) {
   if (tag.attributes.size() != signature.parts) {
     return false;
@@ -288,7 +289,7 @@ std::string number_hint(std::string_view value) {
   return meant.empty() ? "; numbers are written like 1.5 or -2e3" : did_you_mean(meant);
 }
 
-// How the three parts of a value are named.
+// The names of the three parts of a value.
 Signature signature_of_three(ValueKind kind) {
   switch (kind) {
     case ValueKind::color:
@@ -411,7 +412,7 @@ void report_order(const XmlContext& context, const XmlTag& tag,
                   std::span<const XmlAttribute* const> in_order) {
   std::vector<const XmlAttribute*> wanted(in_order.begin(), in_order.end());
   std::erase(wanted, nullptr);
-  // The attributes of a tag are stored as they are written.
+  // Attributes are stored in the order of the text, so pointers can be compared.
   std::vector<const XmlAttribute*> written = wanted;
   std::sort(written.begin(), written.end(), std::less<>());
   const auto other = std::mismatch(

@@ -1,5 +1,5 @@
 #pragma once
-// The findings of drawing with OpenGL.
+// Findings of drawing with OpenGL.
 
 #include "scenefile/base/diagnostics.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a device keeps. Internal to the room.
+// The state of a device. Internal to the room.
 
 #include "scenefile/view/programs.h"
 #include "scenefile/view/targets.h"
@@ -11,16 +11,16 @@ namespace scenefile {
 struct GlDevice::State {
   gl::Functions gl;
   std::string renderer;
-  int max_side = 0;     ///< of a framebuffer, pixels
-  int max_samples = 1;  ///< of a pixel
+  int max_side = 0;     ///< maximum side of a framebuffer, pixels
+  int max_samples = 1;  ///< maximum per pixel
   Programs programs{gl};
   PixelSurface multisampled;
   PixelSurface resolved;
-  PixelSurface quartered;  ///< 16 of its pixels are one of the picture, on their way
+  PixelSurface quartered;  ///< intermediate: 4 x 4 of its pixels make one of the picture
   PixelSurface halved;
   PixelSurface picking;
-  PixelSurface framed;          ///< what a realtime filter reads
-  gl::VertexArray no_vertices;  ///< for shaders that make their own
+  PixelSurface framed;          ///< the input of a realtime filter
+  gl::VertexArray no_vertices;  ///< for shaders that generate their vertices
 };
 
 }  // namespace scenefile

@@ -37,7 +37,7 @@ int samples_for(const Frame& frame, const std::vector<WorldObject>& objects) {
   return 2 * few_pixels > seen ? 16 : 4;
 }
 
-// Pixels of the surface along each side of one of the picture.
+// Pixels of the surface per pixel of the picture, along each axis.
 int oversampling(int samples) {
   return samples >= 64 ? 4 : samples >= 16 ? 2 : 1;
 }

@@ -1,11 +1,11 @@
 #pragma once
-// The real-time sibling of the tracer: ready scene + assets -> pixels, with OpenGL 4.1 core and
-// nothing that WebGL2 lacks. Same lighting equation (docs/rendering.md), per pixel; what it leaves
-// out is listed in docs/view.md.
+// Real-time rendering with OpenGL: render scene and assets to pixels, with OpenGL 4.1 core
+// restricted to features of WebGL2. Uses the same lighting equation as the tracer
+// (docs/rendering.md) at each pixel; docs/view.md lists what is left out.
 //
-// Life cycle: with a context current, create a GlDevice once; upload() each scene; draw() each
-// frame. All functions need the context that was current at create(), on its thread; so do the
-// destructors, where the context is still alive. Nothing here knows windows.
+// Usage: with a current context, create a GlDevice once; call upload() for each scene and draw()
+// for each frame. All functions and destructors need the context of create() to be current on their
+// thread. Independent of windows.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/asset/load_assets.h"
@@ -24,22 +24,22 @@
 
 namespace scenefile {
 
-/// Finds an OpenGL function by name, null where there is none; glfwGetProcAddress and
-/// eglGetProcAddress are such functions.
+/// Looks up an OpenGL function by name, null if it does not exist; such as glfwGetProcAddress or
+/// eglGetProcAddress.
 using GlFunction = void (*)();
 using GetProcAddress = GlFunction (*)(const char* name);
 
-/// What all drawings of one context share: functions, shader programs, framebuffers. Programs are
-/// compiled when they are first needed.
+/// What all drawings of a context share: functions, shader programs, framebuffers. Programs are
+/// compiled at first use.
 class GlDevice {
  public:
-  /// For the current context; null, with `error` set, where it is not OpenGL 4.1 or newer.
+  /// For the current context; null, with `error` set, if it is older than OpenGL 4.1.
   static std::unique_ptr<GlDevice> create(GetProcAddress find, std::string& error);
   ~GlDevice();
   GlDevice(const GlDevice&) = delete;
   GlDevice& operator=(const GlDevice&) = delete;
 
-  /// What draws, in the driver's words, such as `llvmpipe (LLVM 15.0.6, 256 bits)`.
+  /// The driver's name of the renderer, such as `llvmpipe (LLVM 15.0.6, 256 bits)`.
   const std::string& renderer() const;
 
   struct State;
@@ -50,33 +50,33 @@ class GlDevice {
   std::unique_ptr<State> state_;
 };
 
-/// Where an object that was copied with its template stands: `source` of the instance, and the
-/// placement of the group that holds that, no_index at the root.
+/// The instance that contains an object: `source` of the instance, and the placement of the group
+/// that contains it, no_index at the root.
 struct Placement {
   std::uint32_t source = 0;
   std::uint32_t parent = no_index;
 };
 
-/// One primitive in the world, after instancing.
+/// A primitive in the world, after instancing.
 struct DrawnObject {
   std::uint32_t source = 0;            ///< of the primitive
-  std::uint32_t placement = no_index;  ///< into Drawing::placements(); no_index: in the root group
+  std::uint32_t placement = no_index;  ///< into Drawing::placements(); no_index: the root group
 };
 
 struct UploadOptions {
-  bool flat_meshes = false;  ///< with the normals of their triangles, as the course's pictures
-  /// Below 2^24. Where copies of templates are more, the smallest are left out.
+  bool flat_meshes = false;  ///< shade flat, as in the course's pictures
+  /// Below 2^24. If there are more after instancing, the smallest are left out.
   std::uint32_t max_objects = 1u << 20;
 };
 
-/// A scene on the graphics card. Made by upload(); keeps no reference to scene or assets.
+/// A scene on the GPU, made by upload(). Keeps no reference to scene or assets.
 class Drawing {
  public:
   Drawing(Drawing&&) noexcept;
   Drawing& operator=(Drawing&&) noexcept;
   ~Drawing();
 
-  /// In the order of the file, templates where they are instantiated.
+  /// In the order of the file, with templates expanded at each instance.
   std::span<const DrawnObject> objects() const;
   std::span<const Placement> placements() const;
 
@@ -88,51 +88,52 @@ class Drawing {
   std::unique_ptr<State> state_;
 };
 
-/// Puts a scene on the card. Groups are expanded up to options.max_objects. `assets` must have been
-/// loaded for the scene; a mesh that is not loaded is not drawn. Codes: view/codes.h. The device
-/// must outlive the drawing.
+/// Uploads a scene to the GPU. Groups are expanded up to options.max_objects. `assets` must be
+/// those of the scene; meshes that are not loaded are not drawn. The device must outlive the
+/// drawing. Codes: view/codes.h.
 Drawing upload(GlDevice& device, const RenderScene& scene, const Assets& assets,
                const UploadOptions& options, Diagnostics& diagnostics);
 
 enum class DrawMode : std::uint8_t {
   shaded,
-  wireframe,       ///< of meshes all edges, of shapes a few; in the diffuse color
-  normals,         ///< (n + 1) / 2 of the world normal, as the tracer's
-  uv,              ///< red u, green v, as far as they lie in 0..1, else their fraction
-  depth,           ///< white at the nearest, black at the farthest object
-  object_id,       ///< a color of each object
-  bounding_boxes,  ///< the object's boxes, brighter where more lie behind each other
+  wireframe,       ///< all edges of meshes, a few of shapes; in the diffuse color
+  normals,         ///< (n + 1) / 2 of the world normal, like the tracer's
+  uv,              ///< u in red, v in green; outside of 0..1 their fractional part
+  depth,           ///< white at the nearest object, black at the farthest
+  object_id,       ///< a distinct color for each object
+  bounding_boxes,  ///< of the objects; brighter where several overlap
 };
 
 struct DrawOptions {
   DrawMode mode = DrawMode::shaded;
-  /// Rules of the course's pictures instead of the better ones, as for the tracer's profiles:
-  /// filters of textures, kt, no bump maps. (UploadOptions has meshes, `samples` the samples.)
+  /// Use the rules of the course's pictures, as with the tracer's profile: texture filters,
+  /// transparentcoeff, no bump maps. (Meshes: UploadOptions; samples: `samples`.)
   bool course = false;
   bool shadows = true;
-  bool textures = true;           ///< bump maps too
+  bool textures = true;           ///< and bump maps
   bool texture_filter = true;     ///< false: nearest texel
-  bool transparency = true;       ///< not bent; false: as the tracer without `refract`
-  bool directional_only = false;  ///< of the lights (the course's ray caster)
-  /// A pixel: 1, 4 (light is computed once), 16 (four times) or 64 (16 times). 0: 4, and 16 where
-  /// more than half of the objects in the picture are only a few pixels wide.
+  bool transparency = true;       ///< without refraction; false: as the tracer without `refract`
+  bool directional_only = false;  ///< ignore other lights (the course's ray caster)
+  /// Per pixel: 1, 4 (lit once), 16 (lit 4 times) or 64 (lit 16 times). 0: 4, or 16 if more than
+  /// half of the visible objects are only a few pixels wide.
   int samples = 4;
-  /// By index into RenderScene::lights, true: it shines; lights beyond the list do.
+  /// Whether each light is on, by index into RenderScene::lights; lights beyond the list are on.
   std::vector<bool> lights;
-  /// By source of primitives and instances, true: it is drawn; sources beyond the list are.
+  /// Whether objects are drawn, by source of primitives and instances; sources beyond the list are.
   std::vector<bool> objects;
-  /// Source of a primitive or instance that is drawn with a tint; no_index: none.
+  /// Source of a primitive or instance to tint; no_index: none.
   std::uint32_t highlighted = no_index;
   glm::vec3 background{0};
-  /// Draw what the assignment Realtime draws: its tessellation, lights, clipping and filters, one
-  /// sample a pixel, without shadows, textures and transparency whatever the fields above say.
+  /// Draw the picture of the assignment Realtime: its tessellation, lights, clipping and filters,
+  /// with one sample per pixel and without shadows, textures and transparency, regardless of the
+  /// fields above.
   std::optional<RealtimeOptions> realtime;
 
   friend bool operator==(const DrawOptions&, const DrawOptions&) = default;
 };
 
-/// Where the pixels go: a framebuffer of the context (0: that of the window) and the part of it, in
-/// pixels from its lower left. The aspect of the picture is width / height.
+/// The destination: a framebuffer of the context (0: the window) and a rectangle in it, in pixels
+/// from its lower left. The aspect ratio of the picture is width / height.
 struct DrawTarget {
   std::uint32_t framebuffer = 0;
   int x = 0;
@@ -143,33 +144,33 @@ struct DrawTarget {
   friend bool operator==(const DrawTarget&, const DrawTarget&) = default;
 };
 
-/// What the last draw() took.
+/// Statistics of the last draw().
 struct DrawStats {
   std::uint32_t draw_calls = 0;    ///< without those for shadow maps
-  std::uint32_t shadow_calls = 0;  ///< for shadow maps; 0 where they were still good
+  std::uint32_t shadow_calls = 0;  ///< 0 if the shadow maps were still valid
   std::uint32_t shadow_maps = 0;   ///< square depth images in use
   std::uint64_t objects = 0;
-  std::uint64_t triangles = 0;   ///< of all objects, or lines
+  std::uint64_t triangles = 0;   ///< or lines; of all objects
   std::uint64_t left_out = 0;    ///< of the objects in the picture the farthest: there are too many
-  std::uint32_t shadowless = 0;  ///< lights whose depth images found no room: they throw no shadows
-  int samples = 1;               ///< of each pixel
+  std::uint32_t shadowless = 0;  ///< lights without shadows, because their shadow maps do not fit
+  int samples = 1;               ///< per pixel
 };
 
-/// Draws the scene as the camera sees it (the lens is taken for a pinhole). Of the GL state,
-/// bindings of programs, textures, buffers and framebuffers change; tests, blending and masks are
-/// left as a new context has them, and `target` is the bound framebuffer and viewport.
+/// Draws the scene as seen by the camera (as a pinhole; the lens is ignored). Changes the bindings
+/// of programs, textures, buffers and framebuffers; leaves tests, blending and masks in the state
+/// of a new context, and `target` as framebuffer and viewport.
 DrawStats draw(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
                const DrawOptions& options, const DrawTarget& target);
 
-/// The same into a picture of its own; the framebuffer 0 is bound afterwards. Values are those of
-/// 8-bit pixels. Empty, with `error` set, where the size is more than the device can draw.
+/// Draws into a new image; binds framebuffer 0 afterwards. Values are multiples of 1/255. Empty,
+/// with `error` set, if the size exceeds the limits of the device.
 Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
                  const DrawOptions& options, int width, int height, std::string& error,
                  DrawStats* stats = nullptr);
 
-/// Index into drawing.objects() of what a picture of this size shows at the pixel (x, y), row 0 on
-/// top; nothing on the background. Masks count, the mode does not. The framebuffer 0 is bound
-/// afterwards.
+/// Index into drawing.objects() of the object at the pixel (x, y), row 0 at the top, in a picture
+/// of this size; nullopt on the background. Respects options.objects, but not the mode. Binds
+/// framebuffer 0 afterwards.
 std::optional<std::uint32_t> object_at(GlDevice& device, Drawing& drawing,
                                        const RenderCamera& camera, const DrawOptions& options,
                                        int width, int height, int x, int y);

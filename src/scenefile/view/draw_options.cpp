@@ -15,7 +15,7 @@ DrawMode draw_mode(Mode mode) {
   return DrawMode::shaded;
 }
 
-// 0: by the size of the objects.
+// 0: chosen by the size of the objects.
 int default_samples(const RenderOptions& options) {
   switch (options.profile) {
     case Profile::course:

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// A group on its way to the world.
+// An instance of a group that is still to be expanded.
 struct Copy {
   std::uint32_t group = 0;
   std::uint32_t placement = no_index;
@@ -17,7 +17,7 @@ struct Copy {
   std::size_t next_instance = 0;
 };
 
-// An upper bound of how much longer the map makes anything.
+// An upper bound for the factor by which the map scales lengths.
 double stretch(const DAffine& map) {
   const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
   return std::sqrt(square(map.linear[0]) + square(map.linear[1]) + square(map.linear[2]));
@@ -42,7 +42,7 @@ class Expander {
   /// Larger than any object.
   double largest() const { return scene_.groups.empty() ? 0 : largest_[scene_.root]; }
 
-  /// The objects that are not smaller than `least`, until there are too many.
+  /// The objects whose size is at least `least`, stopping if there are too many.
   ExpandedScene expand(double least) {
     result_ = {};
     open_.clear();
@@ -64,7 +64,8 @@ class Expander {
   }
 
  private:
-  // An upper bound of the sizes of the objects of a group; a group stands behind all that it holds.
+  // An upper bound of the sizes of the objects of a group; a group comes after all that it
+  // contains.
   double largest_in(const RenderGroup& group) const {
     double size = 0;
     for (const RenderPrimitive& primitive : group.primitives) {
@@ -147,7 +148,7 @@ ExpandedScene expand(const RenderScene& scene, const Assets& assets, std::uint32
   if (result.complete) {
     return result;
   }
-  // What is left out is missed least where it is small.
+  // Leaves out the smallest objects, which are the least visible.
   double least = expander.largest();
   for (int i = 0; i < halvings; ++i) {
     least /= 2;

@@ -1,5 +1,5 @@
 #pragma once
-// From groups and instances to a flat list of objects in the world. Internal to the room.
+// Expands groups and instances to a flat list of objects in the world. Internal to the room.
 
 #include "scenefile/view/draw.h"
 
@@ -21,16 +21,16 @@ struct WorldObject {
 };
 
 struct ExpandedScene {
-  std::vector<WorldObject> objects;  ///< those that can be drawn, in the order of the file
-  std::vector<DrawnObject> names;    ///< of the same objects
+  std::vector<WorldObject> objects;  ///< drawable ones, in the order of the file
+  std::vector<DrawnObject> names;    ///< their sources and placements
   std::vector<Placement> placements;
   bool complete = true;  ///< false: objects were left out
-  bool largest = false;  ///< those that were left out are the smallest
+  bool largest = false;  ///< the objects that were left out are the smallest
 };
 
-/// At most `max_objects` objects, and four times as many placements: the largest where a size
-/// separates them from the others, else the first. Primitives of a group come before its
-/// instances.
+/// Expands to at most `max_objects` objects, and four times as many placements: the largest objects
+/// if a size threshold can separate them, otherwise the first ones. Primitives of a group come
+/// before its instances.
 ExpandedScene expand(const RenderScene& scene, const Assets& assets, std::uint32_t max_objects);
 
 }  // namespace scenefile

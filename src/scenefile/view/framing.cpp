@@ -22,7 +22,7 @@ double distance_to_box(const glm::dvec3& p, const WorldObject& object) {
   return glm::length(glm::max(glm::max(low, high), glm::dvec3(0)));
 }
 
-// How much farther the corners of the picture are than its middle, at the same depth.
+// The ratio of the distance to the depth at the corners of the picture.
 double obliquity(const Frame& frame) {
   return std::sqrt(1 + frame.tan_x * frame.tan_x + frame.tan_y * frame.tan_y);
 }
@@ -41,8 +41,8 @@ Frame frame_of(const RenderCamera& camera, int width, int height,
       nearest = std::min(nearest, distance_to_box(camera.position, object));
     }
   }
-  // Depths in the corner of the picture are smaller than distances. 24 bits of depth want near not
-  // to be much smaller than far.
+  // Depth is smaller than distance in the corners of the picture. A 24-bit depth buffer needs near
+  // to be not much smaller than far.
   frame.far = std::max(frame.far * 1.001, 1e-6);
   frame.near = std::clamp(0.99 * nearest / obliquity(frame), 1e-4 * frame.far, 0.5 * frame.far);
   return frame;

@@ -1,7 +1,7 @@
 #pragma once
-// OpenGL as this room uses it: functions and constants of 4.1 core that WebGL2 has too, so that
-// nothing newer can be called by mistake. Internal to the room. Source: the OpenGL 4.1 and ES 3.0
-// specifications (Khronos).
+// The subset of OpenGL that this room uses: functions and constants of 4.1 core that WebGL2 also
+// has. Declared here so that newer ones cannot be used by mistake. Internal to the room. Source:
+// the OpenGL 4.1 and ES 3.0 specifications (Khronos).
 
 #include "scenefile/view/draw.h"
 
@@ -18,7 +18,7 @@
 namespace scenefile::gl {
 
 using Enum = unsigned;
-using Name = unsigned;  ///< of an object; 0 is none
+using Name = unsigned;  ///< of an object; 0 means none
 using Size = int;
 using Pointer = std::ptrdiff_t;
 
@@ -123,7 +123,7 @@ struct Functions {
 #undef ROW
 };
 
-/// Returns the name of the first function that is not there; empty: all are.
+/// Returns the name of the first missing function; empty if all were found.
 std::string load(GetProcAddress find, Functions& functions);
 
 }  // namespace scenefile::gl

@@ -1,5 +1,5 @@
 #pragma once
-// Names of GL objects that are given back. Internal to the room.
+// RAII wrappers for OpenGL objects. Internal to the room.
 
 #include "scenefile/view/gl_functions.h"
 

@@ -27,14 +27,15 @@ namespace {
   ROW(QueryString)                   \
   ROW(Terminate)
 
-/// The library, loaded when it is asked for: most programs that could draw never do.
+/// The library is loaded on demand, because most programs never draw.
 struct Egl {
 #define ROW(name) decltype(&egl##name) name = nullptr;
   SCENEFILE_EGL_FUNCTIONS(ROW)
 #undef ROW
 };
 
-// False: there is no such library. It is never closed, for drivers leave threads behind.
+// Returns false if the library does not exist. It is never unloaded, because drivers leave threads
+// running.
 bool load(Egl& egl) {
   void* const library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
@@ -85,7 +86,7 @@ EGLContext make_context(const Egl& egl, EGLDisplay display) {
                                                  EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  // A surface is never made, so no configuration is fine too (EGL_KHR_no_config_context).
+  // Having no configuration is fine, since no surface is created (EGL_KHR_no_config_context).
   egl.ChooseConfig(display, config_wishes.data(), &config, 1, &count);
   return egl.CreateContext(display, config, EGL_NO_CONTEXT, context_wishes.data());
 }

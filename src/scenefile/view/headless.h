@@ -1,6 +1,6 @@
 #pragma once
-// An OpenGL context without window or display, through EGL (surfaceless Mesa platform first, then
-// the first device). Such contexts exist without a graphics card: Mesa draws in software.
+// An OpenGL context without window or display, through EGL (first Mesa's surfaceless platform, then
+// the first device). Works without a graphics card: Mesa then renders in software.
 
 #include "scenefile/view/draw.h"
 
@@ -9,10 +9,10 @@
 
 namespace scenefile {
 
-/// A context that is current on the thread that made it, until destroyed there.
+/// Current on the thread that created it, which must also destroy it.
 class HeadlessContext {
  public:
-  /// OpenGL 4.1 core; null, with `error` saying what is missing, where there is none.
+  /// OpenGL 4.1 core; null if that is not available, and `error` says what is missing.
   static std::unique_ptr<HeadlessContext> create(std::string& error);
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

@@ -4,8 +4,8 @@ namespace scenefile {
 
 namespace {
 
-// Points along each side of an area light: the grid of the course profile, which for light without
-// shadows is as good as the fine profile's many points.
+// Points along each side of an area light: the grid of the course profile; without shadows it is as
+// good as the many points of the fine profile.
 constexpr int area_side = 4;
 constexpr float right_angle = 1.57079633f;
 

@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// What instances must share to be drawn in one call.
+// Instances with equal keys are drawn in one call.
 struct BatchKey {
   bool see_through = false;
   Shape shape = Shape::cube;
@@ -20,30 +20,30 @@ struct BatchKey {
   std::size_t level = 0;
   std::uint32_t texture = no_index;
   std::uint32_t bumps = no_index;
-  gl::Enum hidden_side = gl::NONE;  // of its triangles, that need not be drawn
+  gl::Enum hidden_side = gl::NONE;  // the side of its triangles to cull
 
   auto operator<=>(const BatchKey&) const = default;
 };
 
 struct Batch {
   BatchKey key;
-  std::size_t first = 0;  // instance
+  std::size_t first = 0;  // first instance
   std::size_t count = 0;
 };
 
 struct Item {
   BatchKey key;
-  double distance = 0;  // of the object's middle
-  double work = 0;      // as many pixels would take as long
+  double distance = 0;  // of the object's center
+  double work = 0;      // in units of the time per pixel
   std::uint32_t object = 0;
 };
 
-// More than any scene of an author; only bombs of templates come here, and must come to an end.
+// More than any scene written by hand needs; bounds the time for deeply nested templates.
 constexpr double most_work = 6e8;
 constexpr double work_of_triangle = 15;
 
-// Opaque ones in batches, the nearest first, so that hidden pixels are not lit; behind them those
-// that are seen through, the farthest first.
+// Opaque objects in batches, nearest first, to avoid lighting hidden pixels; then transparent ones,
+// farthest first.
 bool comes_before(const Item& a, const Item& b) {
   if (a.key.see_through) {
     return b.key.see_through && std::tie(b.distance, a.object) < std::tie(a.distance, b.object);
@@ -52,7 +52,7 @@ bool comes_before(const Item& a, const Item& b) {
          std::tie(a.key, a.distance, a.object) < std::tie(b.key, b.distance, b.object);
 }
 
-// Coefficients of x^2 + z^2 + a y^2 + b y + c = 0, the round sides; 0 for meshes.
+// Coefficients of the round side x^2 + z^2 + a y^2 + b y + c = 0; 0 for meshes.
 glm::vec3 quadric_of(Shape shape) {
   switch (shape) {
     case Shape::sphere:
@@ -115,7 +115,7 @@ class Pass {
     return source >= options_.objects.size() || options_.objects[source];
   }
 
-  // Calls `test` with the sources that the object comes of until it is true.
+  // Calls `test` with the sources of the object and its instances until one returns true.
   template <typename Test>
   bool any_source(const DrawnObject& name, const Test& test) const {
     if (test(name.source)) {
@@ -170,8 +170,8 @@ class Pass {
     return key;
   }
 
-  // Solids seen from outside show only their front; a mirrored transform turns the sides over.
-  // The assignment culls back faces of everything, as OpenGL finds them.
+  // Solids seen from outside only show front faces; a reflection swaps the sides. The assignment
+  // culls OpenGL's back faces of everything.
   gl::Enum hidden_side(const WorldObject& object) const {
     if (options_.realtime) {
       return gl::BACK;
@@ -186,7 +186,8 @@ class Pass {
     return output_ == Output::shaded && options_.shadows && !drawing_.shadows.views.empty();
   }
 
-  // In the profile fine glass lets light through; what takes less than half of it throws no shadow.
+  // In the profile fine, glass transmits light; a material that transmits more than half casts no
+  // shadow.
   bool throws_shadow(const WorldObject& object) const {
     const glm::vec3 through = kt() * drawing_.materials[object.material].transparent;
     return options_.course || !options_.transparency || through.r + through.g + through.b < 1.5f;
@@ -211,7 +212,7 @@ class Pass {
     if (work > most_work_) {
       leave_out_farthest();
     }
-    if (options_.realtime) {  // of equal depths the first in the file is seen
+    if (options_.realtime) {  // at equal depth the first in the file is visible
       std::sort(items_.begin(), items_.end(),
                 [](const Item& a, const Item& b) { return a.object < b.object; });
     } else {
@@ -288,7 +289,7 @@ class Pass {
     std::vector<InstanceRecord> records;
     records.reserve(items_.size());
     for (const Item& item : items_) {
-      // What is seen through is drawn one by one, in order.
+      // Transparent objects are drawn one by one, in order.
       if (batches_.empty() || batches_.back().key != item.key || item.key.see_through) {
         batches_.push_back({item.key, records.size(), 0});
       }
@@ -391,8 +392,8 @@ class Pass {
     ++stats_.draw_calls;
   }
 
-  // First what is behind is dimmed to the color of the object, then its own light is added. Of the
-  // object only the near side counts.
+  // First multiplies what is already drawn by the color of the object, then adds the object's
+  // light. Only front faces count.
   void draw_see_through(const Batch& batch) {
     gl_.Enable(gl::BLEND);
     gl_.DepthMask(0);

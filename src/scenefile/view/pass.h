@@ -1,5 +1,5 @@
 #pragma once
-// One walk over the objects of a drawing. Internal to the room.
+// A rendering pass over the objects of a drawing. Internal to the room.
 
 #include "scenefile/view/device.h"
 #include "scenefile/view/framing.h"
@@ -8,8 +8,8 @@ namespace scenefile {
 
 Output output_of(DrawMode mode);
 
-/// Draws what the frame shows of the drawing onto the framebuffer and viewport that are bound.
-/// The shadow maps must be those of the options where `output` is shaded.
+/// Draws the drawing to the bound framebuffer and viewport. For shaded output, the shadow maps must
+/// match the options.
 DrawStats draw_objects(GlDevice::State& device, Drawing::State& drawing, const Frame& frame,
                        const DrawOptions& options, Output output);
 

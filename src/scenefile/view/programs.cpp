@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// WebGL2 has the same text behind "#version 300 es" and precisions.
+// For WebGL2, the same text follows "#version 300 es" and precision qualifiers.
 std::string preamble(const ProgramKey& key) {
   std::string text = "#version 410 core\n";
   const auto define = [&](const char* name, int value) {

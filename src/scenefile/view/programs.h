@@ -1,5 +1,5 @@
 #pragma once
-// Shader programs, compiled when they are first needed. Internal to the room.
+// Shader programs, compiled at first use. Internal to the room.
 
 #include "scenefile/view/gl_functions.h"
 
@@ -12,7 +12,7 @@
 
 namespace scenefile {
 
-/// What the fragment shader writes; the numbers are those of shaders/scene.frag.
+/// The output of the fragment shader; the numbers must match shaders/scene.frag.
 enum class Output : std::uint8_t {
   shaded,
   flat_color,
@@ -22,7 +22,7 @@ enum class Output : std::uint8_t {
   object_color,
   object_number,
   box,
-  nothing  ///< depth alone
+  nothing  ///< only depth
 };
 
 struct ProgramKey {
@@ -61,7 +61,7 @@ inline constexpr int unit_shadow_table = 3;
 inline constexpr int unit_shadows = 4;
 inline constexpr int unit_bumps = 5;
 
-/// Texels of a material, and how many of both kinds lie beside each other in a row of their table.
+/// Texels per material, and the number of materials or emitters in a row of their table.
 inline constexpr int material_texels = 5;
 inline constexpr int table_width = 256;
 
@@ -72,7 +72,7 @@ class Programs {
   Programs(const Programs&) = delete;
   Programs& operator=(const Programs&) = delete;
 
-  /// The program, in use. Its name is 0 where the driver refuses it; error() says why.
+  /// Makes the program current. Its name is 0 if the driver rejects it; error() then says why.
   const Program& use(const ProgramKey& key);
   const FilterProgram& use_filter();
   const std::string& error() const { return error_; }

@@ -10,14 +10,14 @@ namespace scenefile {
 
 namespace {
 
-// The course's screenshots, and the window they were taken in.
+// The size of the course's screenshots, and of the window they were taken in.
 constexpr double course_width = 1024;
 constexpr double course_height = 768;
 constexpr double window_width = 1092;
 constexpr double window_height = 818;
 
-// Of what is drawn on and filtered. The scene covers as many pixels of it as the picture has, from
-// the lower left; the rest is background.
+// The size of the frame that is drawn and filtered. The scene covers a viewport of the picture's
+// size at its lower left; the rest is background.
 RealtimeWindow frame_size(Milestone milestone, int width, int height) {
   switch (milestone) {
     case Milestone::lights_camera:
@@ -28,7 +28,7 @@ RealtimeWindow frame_size(Milestone milestone, int width, int height) {
   return {width, height};
 }
 
-// Draws the whole of `target` with the filtered picture.
+// Draws the filtered picture over all of `target`.
 void filter_picture(GlDevice::State& device, const PixelSurface& picture,
                     const PixelSurface& target, Filter filter) {
   const gl::Functions& gl = device.gl;
@@ -99,7 +99,7 @@ const PixelSurface* draw_realtime(GlDevice::State& device, Drawing::State& drawi
   gl.Viewport(0, 0, width, height);
   gl.ClearColor(options.background.r, options.background.g, options.background.b, 1);
   gl.Clear(gl::COLOR_BUFFER_BIT | gl::DEPTH_BUFFER_BIT);
-  make_shadows(device, drawing, options);  // for the emitters: the options have no shadows
+  make_shadows(device, drawing, options);  // only creates the emitters: the options disable shadows
   stats = draw_objects(device, drawing, frame, options, output_of(options.mode));
   stats.samples = 1;
   if (realtime.filter == Filter::none && size.width == width && size.height == height) {

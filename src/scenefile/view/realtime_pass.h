@@ -5,19 +5,19 @@
 
 namespace scenefile {
 
-/// As draw_resolved(), where the options ask for the assignment's picture.
+/// Same as draw_resolved(), for options with `realtime`.
 const PixelSurface* draw_realtime(GlDevice::State& device, Drawing::State& drawing,
                                   const RenderCamera& camera, const DrawOptions& options, int width,
                                   int height, DrawStats& stats);
 
-/// The options with what the assignment does not draw switched off.
+/// The options with everything disabled that the assignment does not draw.
 DrawOptions realtime_draw_options(const DrawOptions& options);
 
-/// The pixel of the scene's viewport, row 0 on top, that the picture's pixel (x, y) mostly shows;
-/// false on the background beyond the viewport.
+/// The pixel of the scene's viewport, row 0 at the top, that mostly covers the picture's pixel (x,
+/// y); false on the background outside of the viewport.
 bool realtime_viewport_pixel(Milestone milestone, int width, int height, int& x, int& y);
 
-/// frame_of() with the near and far of the options.
+/// Same as frame_of(), with near and far of the options.
 Frame realtime_frame_of(const RenderCamera& camera, const RealtimeOptions& options, int width,
                         int height, const std::vector<WorldObject>& objects);
 

@@ -71,7 +71,7 @@ gl::Texture make_texture(const gl::Functions& gl, const Texture& image) {
   return texture;
 }
 
-// As shaders/scene.frag reads them.
+// The layout of shaders/scene.frag.
 std::vector<glm::vec4> material_values(const RenderScene& scene) {
   std::vector<glm::vec4> values;
   const RenderGlobal& global = scene.global;

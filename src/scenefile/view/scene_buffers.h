@@ -1,5 +1,5 @@
 #pragma once
-// What a drawing keeps on the card. Internal to the room.
+// The GPU resources of a drawing. Internal to the room.
 
 #include "scenefile/view/expand.h"
 #include "scenefile/view/gl_objects.h"
@@ -13,7 +13,7 @@
 
 namespace scenefile {
 
-/// Triangles on the card, and their edges once someone wants them.
+/// Triangles on the GPU, and their edges once requested.
 struct Geometry {
   gl::VertexArray array;
   gl::Buffer vertices;
@@ -26,11 +26,11 @@ struct Geometry {
 /// Levels of detail of round shapes: segments about the axis.
 inline constexpr std::array<int, 9> level_segments{4, 6, 8, 12, 18, 28, 48, 96, 192};
 
-/// A cube has one level, kept as the first.
+/// A cube has only the first level.
 inline constexpr std::size_t levels = level_segments.size();
 
-/// What an instance of a geometry tells the vertex shader: row by row, the map to the world
-/// relative to the eye; material, tint, number of the object.
+/// The per-instance input of the vertex shader: the map to the world relative to the eye, row by
+/// row; material, tint, and number of the object.
 struct InstanceRecord {
   std::array<glm::vec4, 3> rows;
   glm::vec4 object{0};
@@ -46,7 +46,7 @@ struct Drawing::State {
   gl::Texture material_table;
   gl::Texture emitter_table;
   gl::Buffer instances;
-  std::vector<Emitter> emitters;  ///< that shine by the options of the last draw()
+  std::vector<Emitter> emitters;  ///< of the lights that are on in the last draw()
   ShadowMaps shadows;
   std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
   std::array<std::optional<Geometry>, 4> realtime_shapes;             ///< by Shape
@@ -55,18 +55,17 @@ struct Drawing::State {
   std::vector<std::vector<std::uint32_t>> mesh_triangles;  ///< indices of `meshes`
 };
 
-/// The geometry of an object at a level of detail, made when it is first asked for. `with_lines`:
-/// its edges too.
+/// The geometry of an object at a level of detail, created at first use. `with_lines`: with edges.
 const Geometry& geometry_of(const gl::Functions& functions, Drawing::State& drawing, Shape shape,
                             std::uint32_t mesh, std::size_t level, bool with_lines);
 
-/// The geometry of a shape in the assignment Realtime, made when the parameters change.
-/// `with_lines`: all edges of its triangles too.
+/// The geometry of a shape in the assignment Realtime, created when the parameters change.
+/// `with_lines`: with all edges of its triangles.
 const Geometry& realtime_geometry_of(const gl::Functions& functions, Drawing::State& drawing,
                                      Shape shape, const TessellationParameters& parameters,
                                      bool with_lines);
 
-/// Uploads rows of `texels` vec4 each as a table that the shaders index by number.
+/// Uploads rows of `texels` vec4 each, as a table that the shaders index.
 void fill_table(const gl::Functions& functions, gl::Texture& table, int texels,
                 const std::vector<glm::vec4>& values);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The texts of shaders/, which the build puts into the program. Internal to the room.
+// The sources in shaders/, embedded by the build. Internal to the room.
 
 namespace scenefile {
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// A spotlight that is wider has six views.
+// A wider spotlight uses a cube.
 constexpr double widest_view = 2.2;  // radians
 
 // Looking along `direction`.
@@ -36,7 +36,7 @@ Bounds box_of(const std::vector<WorldObject>& objects) {
   return box;
 }
 
-// Around all objects, along the light.
+// An orthographic view along the light that contains all objects.
 Frame parallel_view(const Emitter& emitter, const std::vector<WorldObject>& objects, int side) {
   const Bounds box = box_of(objects);
   const glm::dvec3 middle = 0.5 * (box.min + box.max);
@@ -64,7 +64,7 @@ class Planner {
     return 2 * static_cast<ShadowCode>(shadows_.views.size() - 1);
   }
 
-  // +x -x +y -y +z -z, a little wider than a quarter turn for lookups about the borders.
+  // +x -x +y -y +z -z, slightly wider than 90 degrees for lookups at the borders.
   ShadowCode six(const glm::dvec3& from) {
     if (!room_for(6)) {
       return -1;
@@ -100,7 +100,7 @@ class Planner {
   ShadowMaps& shadows_;
 };
 
-// A good share of the memory of a small card, whatever the number of layers.
+// The total memory is bounded by a good share of a small card, for any number of layers.
 int side_for(std::size_t layers) {
   return layers <= 4 ? 2048 : layers <= 24 ? 1024 : 512;
 }
@@ -113,7 +113,7 @@ ShadowMaps layers_of(const std::vector<Emitter>& emitters,
   return trial;
 }
 
-// Where there are too many area lights for views from their quarters, one from the middle must do.
+// If there are too many area lights for a cube per quarter, each gets a single cube at its center.
 void share_views(std::vector<Emitter>& emitters, const std::vector<WorldObject>& objects,
                  const std::vector<RenderLight>& lights) {
   const std::vector<ShadowCode> codes = layers_of(emitters, objects).codes;
@@ -179,7 +179,7 @@ void plan_shadows(const std::vector<Emitter>& emitters, const std::vector<WorldO
   shadows.views.clear();
   shadows.codes.clear();
   for (std::size_t i = 0; i < emitters.size(); ++i) {
-    // Emitters of one quarter of an area light share their views.
+    // Emitters in the same quarter of an area light share their views.
     const auto same =
         std::find_if(emitters.begin(), emitters.begin() + std::ptrdiff_t(i), [&](const Emitter& e) {
           return !e.directional && e.light == emitters[i].light &&

@@ -1,8 +1,8 @@
 #pragma once
-// Depth images as the lights see the scene. Internal to the room.
+// Shadow maps. Internal to the room.
 //
-// A directional light and a narrow spotlight have one, a point light six about it, an area light
-// six about the middle of each of its quarters, or six in all where there are many. They do not
+// A directional light or a narrow spotlight has one map, a point light a cube of six. An area light
+// has a cube at the center of each of its quarters, or a single cube if there are many. They do not
 // depend on the camera.
 
 #include "scenefile/view/device.h"
@@ -15,10 +15,10 @@
 
 namespace scenefile {
 
-/// More lights than have room in so many layers shine without shadows.
+/// If lights need more layers, the rest have no shadows.
 inline constexpr std::size_t max_shadow_layers = 96;
 
-/// Which shadow an emitter throws: 2 * its first layer, + 1 for six layers; none where negative.
+/// The shadow maps of an emitter: 2 * its first layer, + 1 for a cube; negative: no shadow.
 using ShadowCode = int;
 
 struct ShadowMaps {
@@ -26,26 +26,26 @@ struct ShadowMaps {
   std::vector<ShadowCode> codes;  ///< by emitter
   int side = 0;                   ///< of a layer, pixels
   gl::Texture layers;
-  gl::Texture table;  ///< of the layers, as shaders/scene.frag reads them
+  gl::Texture table;  ///< of the layers, as read by shaders/scene.frag
   gl::Framebuffer framebuffer;
   std::optional<DrawOptions> made_for;
 };
 
-/// Texels of a layer in the table.
+/// Texels per layer in the table.
 inline constexpr int shadow_texels = 5;
 
-/// Makes the layers, and the drawing's emitters, for these options, where those at hand are for
-/// others. Returns how many draw calls that took.
+/// Creates the layers and the drawing's emitters for these options, unless the existing ones match.
+/// Returns the number of draw calls.
 std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
                            const DrawOptions& options);
 
-/// Lights that should throw shadows and found no room for their layers.
+/// The number of lights without shadows because their layers did not fit.
 std::uint32_t count_shadowless(const Drawing::State& drawing);
 
-/// Binds layers and table for a camera that stands at `eye`.
+/// Binds layers and table for a camera at `eye`.
 void bind_shadows(const gl::Functions& functions, ShadowMaps& shadows, const glm::dvec3& eye);
 
-/// The views of the emitters, and their codes.
+/// Assigns views to the emitters, and their codes.
 void plan_shadows(const std::vector<Emitter>& emitters, const std::vector<WorldObject>& objects,
                   ShadowMaps& shadows);
 

@@ -1,28 +1,27 @@
 #pragma once
-// Framebuffers of the room's own. Internal to the room.
+// Framebuffers that the room creates. Internal to the room.
 
 #include "scenefile/view/gl_objects.h"
 
 namespace scenefile {
 
-/// Something to draw on: RGBA8, perhaps with depth, perhaps with several samples a pixel.
+/// A render target: RGBA8, optionally with depth and multisampling.
 struct PixelSurface {
   gl::Framebuffer framebuffer;
   gl::Renderbuffer color;
-  gl::Texture texture;  ///< in place of `color`
+  gl::Texture texture;  ///< instead of `color`
   gl::Renderbuffer depth;
   int width = 0;
   int height = 0;
   int samples = 0;
 };
 
-/// Makes the surface anew where it is not of this kind; keeps it where it is. False where the
-/// device cannot.
+/// Creates the surface again unless it already matches. Returns false if the device does not
+/// support it.
 bool fit(const gl::Functions& functions, PixelSurface& surface, int width, int height, int samples,
          bool with_depth);
 
-/// The same with a texture, one sample a pixel and depth. Shaders read it with linear
-/// interpolation.
+/// Same with a texture, depth, and one sample per pixel. Shaders read it with linear interpolation.
 bool fit_texture(const gl::Functions& functions, PixelSurface& surface, int width, int height);
 
 }  // namespace scenefile

@@ -25,7 +25,7 @@ struct CornerHash {
   }
 };
 
-// Normals that the file does not have: those of the triangles themselves.
+// Marks normals that the file does not have: those of the triangles.
 constexpr std::uint32_t own_normal = 0x80000000u;
 
 std::uint32_t index_or_none(const std::vector<Corner>& lists, std::uint32_t triangle, int corner) {
@@ -78,7 +78,7 @@ class MeshIndexer {
   DrawVertices result_;
 };
 
-// From the polygon in a circle to the one of the circle's area.
+// The scale from an inscribed polygon to a polygon with the area of the circle.
 double growth(int segments) {
   constexpr double pi = 3.14159265358979323846;
   return std::sqrt(2 * pi / segments / std::sin(2 * pi / segments));
@@ -123,7 +123,7 @@ std::vector<std::uint32_t> edges(const std::vector<std::uint32_t>& triangles) {
 std::vector<std::uint32_t> bent_edges(const DrawVertices& data) {
   constexpr float flat = 0.9999f;  // cosine
   struct Side {
-    std::uint32_t a;  // the first vertices of their places, the lower one first
+    std::uint32_t a;  // the first vertices at their positions, lower index first
     std::uint32_t b;
     glm::vec3 normal;
   };

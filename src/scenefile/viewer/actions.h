@@ -1,6 +1,5 @@
 #pragma once
-// What the keys of the window do: one table, of which the menus, the help and the dispatch are
-// made.
+// The keyboard shortcuts of the window: one table, used for the menus, the help and the dispatch.
 
 #include <cstdint>
 #include <span>
@@ -54,22 +53,22 @@ enum class Action : std::uint8_t {
 struct ActionRow {
   Action action;
   std::string_view key;    ///< as key_text() writes it
-  std::string_view group;  ///< a heading of the help, and a menu
+  std::string_view group;  ///< a heading in the help, and a menu
   std::string_view what;   ///< a few words
 };
 
-/// In the order of the help; each key once, groups together.
+/// In the order of the help; each key once, sorted by group.
 std::span<const ActionRow> actions();
 const ActionRow& row_of(Action action);
 
-/// What else can be done, for the help.
+/// Mouse gestures, for the help.
 struct GestureRow {
   std::string_view gesture;
   std::string_view what;
 };
 std::span<const GestureRow> gestures();
 
-/// A key with what is held beside it.
+/// A key with its modifiers.
 struct KeyPress {
   std::string name;  ///< "A", "1", "F5", "Home", "Page Up", "?"
   bool control = false;
@@ -78,14 +77,14 @@ struct KeyPress {
 
 /// "Ctrl+Shift+S".
 std::string key_text(const KeyPress& key);
-/// The inverse; what is no name of a key stands as it is.
+/// The inverse of key_text(); text that does not name a key is kept as the name.
 KeyPress parse_key(std::string_view text);
 
-/// The row of a key; null: the key does nothing.
+/// The action of a key; null if there is none.
 const ActionRow* action_of(const KeyPress& key);
 /// Whether the camera flies while the key is held.
 bool is_flying_key(const KeyPress& key);
-/// The same with the keys of the assignment Realtime, of which control is one.
+/// Same with the keys of the assignment Realtime, which include Control.
 bool is_assignment_key(const KeyPress& key);
 
 }  // namespace scenefile::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// One piece of work in a thread of its own, asked about now and then.
+// A task that runs on another thread and is polled for its result.
 
 #include <chrono>
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace scenefile::viewer {
 
-/// Where no thread can be had the work is done when it is asked for.
+/// If no thread can be started, the work is done when the result is requested.
 template <typename Result>
 class Background {
  public:
   bool busy() const { return future_.valid(); }
 
-  /// Not while busy.
+  /// Must not be called while busy().
   void start(std::function<Result()> work) {
     future_ = std::async(std::launch::async | std::launch::deferred, std::move(work));
   }
 
-  /// The result, once. Waits for it where `wait` says so. Rethrows std::bad_alloc.
+  /// Returns the result, once; nullopt if it is not ready, unless `wait`. Rethrows std::bad_alloc.
   std::optional<Result> take(bool wait = false) {
     if (!future_.valid()) {
       return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// The camera that a person moves. Plain data and pure functions; world units, degrees, and parts of
-// the picture's height for distances on the screen.
+// The interactive camera: plain data and pure functions, in world units, degrees, and fractions of
+// the picture's height for screen distances.
 
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/scene/render_scene.h"
@@ -10,28 +10,28 @@
 
 namespace scenefile::viewer {
 
-/// Looks from `position` to `pivot`, which orbiting turns about. `up` stays what the scene says: a
-/// view that is saved changes as little of the file as can be.
+/// Looks from `position` to `pivot`, the center of orbiting. `up` stays that of the scene, so that
+/// saving the view changes as little of the file as possible.
 struct ViewCamera {
   glm::dvec3 position{0, 0, 5};
   glm::dvec3 pivot{0};           ///< never at `position`
-  glm::dvec3 up{0, 1, 0};        ///< unit length; the axis of turning to the side
+  glm::dvec3 up{0, 1, 0};        ///< unit length; the axis for turning left and right
   double height_angle_deg = 45;  ///< full vertical angle of view, in (0, 180)
-  float aperture = 0;            ///< of the scene, as Camera has them
+  float aperture = 0;            ///< as in Camera, unchanged
   float focal_length = 0;
 
   friend bool operator==(const ViewCamera&, const ViewCamera&) = default;
 };
 
-/// The scene's own camera. The pivot lies `distance` in front of it.
+/// The scene's camera. The pivot is at `distance` in front of it.
 ViewCamera view_of(const Camera& camera, double distance);
 
-/// How far before the camera a pivot is of use: the middle of the box, as far as it lies in front;
-/// the length of `look` where the box is empty or behind.
+/// A useful distance of the pivot: that of the center of the box along the view, or the length of
+/// `look` if the box is empty or behind the camera.
 double pivot_distance(const Camera& camera, const Bounds& scene);
 
-/// What a file can say: numbers of six digits at most, `look` reaching to the pivot. Values that
-/// are those of `home` to six digits are exactly those.
+/// The camera for a file: numbers with at most six digits, `look` reaching to the pivot. Values
+/// that equal those of `home` to six digits are exactly those.
 Camera camera_of(const ViewCamera& view, const Camera& home);
 
 /// For drawing.
@@ -45,26 +45,26 @@ struct ViewAxes {
 };
 ViewAxes axes_of(const ViewCamera& view);
 
-/// Around the pivot; positive takes the camera to the left and down, as if the scene were turned
-/// by hand to the right and up. Stops short of looking along `up`.
+/// Orbits around the pivot. Positive angles move the camera to the left and down, as if the scene
+/// were turned to the right and up. Stops short of looking along `up`.
 ViewCamera orbited(const ViewCamera& view, double right_deg, double up_deg);
 
-/// Turns the head: the position stays.
+/// Turns the view without changing the position.
 ViewCamera turned(const ViewCamera& view, double right_deg, double up_deg);
 
-/// Moves the picture by parts of its height, so that what lies at the pivot's distance follows the
+/// Moves the picture by fractions of its height, so that points at the pivot's distance follow the
 /// pointer.
 ViewCamera panned(const ViewCamera& view, double right, double up);
 
-/// Goes towards `target` until its distance is `factor` of what it was; factors above 1 go away.
-/// The direction of view stays.
+/// Moves toward `target` until its distance is multiplied by `factor`; factors above 1 move away.
+/// The view direction does not change.
 ViewCamera zoomed(const ViewCamera& view, double factor, const glm::dvec3& target);
 
-/// Moves camera and pivot by a vector in the axes right, above, ahead, in world units.
+/// Moves camera and pivot by a vector along the axes right, above, ahead, in world units.
 ViewCamera moved(const ViewCamera& view, const glm::dvec3& by);
 
-/// Goes back or forth until the box fills most of a picture of this aspect, and orbits its middle.
-/// An empty box changes nothing.
+/// Moves along the view until the box fills most of a picture with this aspect ratio, and makes its
+/// center the pivot. An empty box changes nothing.
 ViewCamera framing(const ViewCamera& view, const Bounds& box, double aspect);
 
 /// Looks at the pivot from another side.

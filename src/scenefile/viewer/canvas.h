@@ -1,6 +1,6 @@
 #pragma once
-// The picture in the window: OpenGL's, the ray tracer's, the reference and their differences.
-// Internal to the room; needs the window's context.
+// The pictures in the window: from OpenGL, from the ray tracer, the reference, and their
+// differences. Internal to the room; needs the window's context.
 
 #include "scenefile/view/draw.h"
 #include "scenefile/viewer/gl_picture.h"
@@ -14,23 +14,22 @@ namespace scenefile::viewer {
 
 class Canvas {
  public:
-  /// Null, with `error` set, where the context will not do.
+  /// Null, with `error` set, if the context is not suitable.
   static std::unique_ptr<Canvas> create(GetProcAddress find, std::string& error);
 
-  /// Takes over what has changed in the session: scenes and pictures go to the graphics card.
+  /// Uploads scenes and pictures that changed in the session.
   void update(Session& session);
 
-  /// Draws the scene for drawn(), where it is another picture than the last; leaves the window's
-  /// back buffer in disorder. `framebuffer_height` in pixels; `scale` pixels to a unit of the
-  /// window. `hurry`: 0 for the best picture, 1 for one sample a
-  /// pixel, and for each more half as many pixels a side. In a hurry there are no shadows where
-  /// none have been drawn yet.
+  /// Draws the scene for drawn(), if the picture changed; overwrites the window's back buffer.
+  /// `framebuffer_height` is in pixels; `scale` is pixels per unit of the window. `hurry`: 0 for
+  /// the best picture, 1 for one sample per pixel, and each further step halves the resolution.
+  /// When in a hurry, shadows that have not been drawn yet are skipped.
   void draw(const Session& session, int framebuffer_height, double scale, int hurry);
 
-  /// What OpenGL makes of the scene at the size of the reference; empty where that is too large.
+  /// The OpenGL picture at the size of the reference; empty if that is too large.
   Texture picture_for_reference(const Session& session);
 
-  /// Stands on its head.
+  /// Upside down.
   const GlPicture& drawn() const { return drawn_; }
   const GlPicture& traced() const { return traced_; }
   const GlPicture& reference() const { return reference_; }
@@ -42,7 +41,7 @@ class Canvas {
  private:
   explicit Canvas(std::unique_ptr<GlDevice> device) : device_(std::move(device)) {}
 
-  /// All that a picture depends on.
+  /// Everything that a picture depends on.
   struct Recipe {
     std::uint64_t version = 0;
     RenderCamera camera;
@@ -55,7 +54,7 @@ class Canvas {
   std::unique_ptr<GlDevice> device_;
   std::optional<Drawing> drawing_;
   std::uint64_t version_ = 0;     ///< of the scene in `drawing_`
-  std::uint64_t shadowed_ = 0;    ///< version of the scene that was last drawn with its shadows
+  std::uint64_t shadowed_ = 0;    ///< version of the scene last drawn with shadows
   std::optional<Recipe> recipe_;  ///< of `drawn_`
   GlPicture drawn_;
   GlPicture traced_;

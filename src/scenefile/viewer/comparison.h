@@ -1,5 +1,5 @@
 #pragma once
-// A picture of the window beside the reference.
+// Comparison of the window's picture with the reference.
 
 #include "scenefile/compare/measure.h"
 
@@ -8,13 +8,13 @@
 
 namespace scenefile::viewer {
 
-/// What is seen of two pictures.
+/// How two pictures are shown.
 enum class CompareView : std::uint8_t {
-  off,         ///< ours alone
+  off,         ///< only ours
   split,       ///< ours left of a line, the reference right of it
-  reference,   ///< the reference alone
-  difference,  ///< heat map of the greatest difference of a channel
-  flip,        ///< heat map of what a viewer notices
+  reference,   ///< only the reference
+  difference,  ///< heat map of the maximum channel difference
+  flip,        ///< heat map of the visible difference
 };
 
 struct Comparison {
@@ -23,7 +23,7 @@ struct Comparison {
   Texture flip;        ///< flip_picture()
 };
 
-/// Takes about a second for a megapixel; give it a thread.
+/// Takes about a second per megapixel; call it on another thread.
 Comparison compare_pictures(const Texture& reference, const Texture& ours);
 
 /// "PSNR 34.21 dB   SSIM 0.9812   FLIP 0.0312   max 77/255   2.1 % of pixels off by more than 8".

@@ -1,5 +1,5 @@
 #pragma once
-// Whether files have changed since someone looked.
+// Detects changes of files.
 
 #include "scenefile/io/folder.h"
 
@@ -10,7 +10,7 @@ namespace scenefile::viewer {
 
 class FileWatch {
  public:
-  /// From now on these files; what they are now counts as known.
+  /// Starts watching these files; their current state counts as known.
   void watch(std::vector<std::string> paths);
 
   /// Whether one of them is another file or has other contents, and has been the same at two

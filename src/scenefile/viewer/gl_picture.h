@@ -1,5 +1,5 @@
 #pragma once
-// Pictures in the window's OpenGL context. Needs that context current. Internal to the room.
+// Pictures in the window's OpenGL context, which must be current. Internal to the room.
 
 #include "scenefile/asset/image.h"
 
@@ -15,17 +15,17 @@ class GlPicture {
   GlPicture(const GlPicture&) = delete;
   GlPicture& operator=(const GlPicture&) = delete;
 
-  /// `version` tells pictures apart: nothing is done for the one that is there already.
+  /// `version` identifies pictures: does nothing if that version is already shown.
   void show(const Texture& picture, std::uint64_t version);
 
-  /// Takes over a part of the back buffer, in pixels from its lower left; the picture then stands
-  /// on its head.
+  /// Copies a part of the back buffer, in pixels from its lower left; the picture is then upside
+  /// down.
   void take(int x, int y, int width, int height);
 
-  /// That of the picture that is there.
+  /// The version of the current picture.
   std::uint64_t version() const { return version_; }
 
-  /// The name of the texture; 0: no picture yet.
+  /// The texture's name; 0 before the first picture.
   unsigned name() const { return name_; }
 
  private:
@@ -35,10 +35,10 @@ class GlPicture {
   std::uint64_t version_ = ~std::uint64_t{0};
 };
 
-/// Fills the bound framebuffer, of this size.
+/// Clears the bound framebuffer of this size.
 void clear_window(int width, int height, float red, float green, float blue);
 
-/// What the window shows, before its buffers are swapped.
+/// The contents of the window, before its buffers are swapped.
 Texture read_window(int width, int height);
 
 }  // namespace scenefile::viewer

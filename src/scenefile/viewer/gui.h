@@ -1,6 +1,5 @@
 #pragma once
-// Panels, menus and what lies over the picture. Internal to the room; Dear ImGui is used in the
-// files gui*.cpp and window.cpp alone.
+// Panels, menus and overlays. Internal to the room; only gui*.cpp and window.cpp use Dear ImGui.
 
 #include "scenefile/viewer/session.h"
 
@@ -8,14 +7,14 @@
 
 namespace scenefile::viewer {
 
-/// What the panels show beside the session.
+/// Input of the panels in addition to the session.
 struct GuiFrame {
-  double scale = 1;          ///< pixels of text to a pixel of a screen of normal density
-  double frame_seconds = 0;  ///< that the last frame took
-  std::uint64_t memory = 0;  ///< of the process, bytes; 0: unknown
+  double scale = 1;          ///< text pixels per pixel of a normal-density screen
+  double frame_seconds = 0;  ///< of the last frame
+  std::uint64_t memory = 0;  ///< used by the process, bytes; 0: unknown
   std::string renderer;
   DrawStats drawn;
-  // Names of textures; 0: none. `scene` stands on its head.
+  // Names of textures; 0: none. `scene` is upside down.
   unsigned scene = 0;
   unsigned traced = 0;
   unsigned reference = 0;
@@ -23,18 +22,17 @@ struct GuiFrame {
   unsigned flip = 0;
 };
 
-/// Colors, spacing and fonts for this density of the screen. Returns a note where no good font was
-/// found; empty: all is well.
+/// Sets colors, spacing and fonts for this screen density. Returns a note if no good font was
+/// found; empty otherwise.
 std::string set_gui_style(double scale);
 
-/// As much of a text as there is room for, in pixels; the end is then three dots. Between the
-/// beginning of a frame and its end.
+/// The text truncated with three dots to a width in pixels. Only while a frame is built.
 std::string fitting(const std::string& text, float room);
 
-/// Builds all of the frame; sets session.picture. `window`: its size.
+/// Builds the whole frame; sets session.picture. `window` is its size.
 void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window);
 
-// The parts, in files of their own.
+// The parts of a frame, each in a separate file.
 void build_menu(Session& session);
 void build_outline(Session& session, const GuiFrame& frame);
 void build_messages(const Session& session);

@@ -1,6 +1,6 @@
 #pragma once
-// The ray tracer at work behind a window: pictures on the way, from a thread of its own, given up
-// as soon as something else is asked for.
+// Progressive ray tracing for a window: intermediate pictures from another thread, canceled as soon
+// as something else is requested.
 
 #include "scenefile/trace/render.h"
 
@@ -11,42 +11,42 @@
 
 namespace scenefile::viewer {
 
-/// A picture on its way.
+/// An intermediate or final picture.
 struct TracedPicture {
   Image image;
-  double done = 0;        ///< share of the work, in [0, 1]
+  double done = 0;        ///< fraction of the work, in [0, 1]
   bool complete = false;  ///< the last one
   double seconds = 0;     ///< wall time since the start
-  std::string failed;     ///< why there is none, one line; empty: there is
+  std::string failed;     ///< an error in one line; empty: success
 };
 
-/// Used by one thread.
+/// Must be used from one thread.
 class LiveTrace {
  public:
   LiveTrace();
-  /// Waits for the thread.
+  /// Waits for the thread to end.
   ~LiveTrace();
   LiveTrace(const LiveTrace&) = delete;
   LiveTrace& operator=(const LiveTrace&) = delete;
 
-  /// Starts afresh; what was under way is given up. `keep` owns `assets`. `wake` is called from
-  /// another thread whenever take() has something.
+  /// Cancels current work and starts again. `keep` owns `assets`. `wake` is called from another
+  /// thread whenever take() has a new picture.
   void start(RenderScene scene, std::shared_ptr<const void> keep, const Assets& assets,
              const RenderOptions& options, std::function<void()> wake);
 
-  /// Gives up what is under way; its pictures are not seen any more. Does not wait.
+  /// Cancels current work and discards its pictures. Does not wait.
   void stop();
 
-  /// Whether pictures are to be expected.
+  /// Whether more pictures will come.
   bool busy() const;
 
-  /// The newest picture, if there is one that was not taken before.
+  /// The newest picture that was not taken yet, if any.
   std::optional<TracedPicture> take();
 
  private:
   struct Job;
   class Worker;
-  std::shared_ptr<Job> job_;  ///< the one whose pictures count
+  std::shared_ptr<Job> job_;  ///< the current one
   std::unique_ptr<Worker> worker_;
 };
 

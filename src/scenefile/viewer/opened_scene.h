@@ -1,5 +1,5 @@
 #pragma once
-// A scene on its way from a file to the window.
+// A scene loaded from a file for the window.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
@@ -15,9 +15,9 @@ namespace scenefile::viewer {
 struct OpenedScene {
   std::string path;        ///< as given
   std::string text;        ///< the bytes of the file
-  std::string unreadable;  ///< why there is no text, one line; empty: there is
+  std::string unreadable;  ///< why the file could not be read, one line; empty: it was read
   Scene written;
-  Prepared ready;  ///< empty when there are errors
+  Prepared ready;  ///< empty if there are errors
   Assets assets;
   Diagnostics diagnostics;
   std::vector<std::string>
@@ -27,8 +27,8 @@ struct OpenedScene {
   bool usable() const { return unreadable.empty() && !diagnostics.has_errors(); }
 };
 
-/// Reads, checks, prepares and loads; called from one thread at a time, not always the same. The
-/// caller decides on limits and on what may be opened.
+/// Reads, checks, prepares and loads a scene; called on changing threads, but not concurrently. The
+/// caller sets the limits and what may be opened.
 using LoadScene = std::function<OpenedScene(const std::string& path)>;
 
 }  // namespace scenefile::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// What lies under a pixel, found with the tracer's own accelerator.
+// Finds the object at a pixel, using the tracer's acceleration structure.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
@@ -15,30 +15,30 @@
 
 namespace scenefile::viewer {
 
-/// Sources (RenderPrimitive, RenderInstance, RenderLight) of what the user has switched off.
+/// Sources (of RenderPrimitive, RenderInstance, RenderLight) that the user has hidden.
 using Hidden = std::set<std::uint32_t>;
 
 struct Pick {
   std::uint32_t source = 0;              ///< of the primitive
   std::vector<std::uint32_t> instances;  ///< sources of the copies it lies in, the outermost first
-  double distance = 0;                   ///< from the ray's origin, world units
+  double distance = 0;                   ///< from the ray's origin, in world units
   glm::dvec3 point{0};                   ///< world space
 };
 
-/// The ray through a point of the picture: x to the right and y down, both from 0 to 1 over the
-/// picture. Unit direction.
+/// The ray through a point of the picture, with x to the right and y down, both from 0 to 1. Unit
+/// direction.
 Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspect);
 
 class Picker {
  public:
-  /// Both must outlive it.
+  /// Both must outlive the Picker.
   Picker(const RenderScene& scene, const Assets& assets);
   ~Picker();
   Picker(const Picker&) = delete;
   Picker& operator=(const Picker&) = delete;
 
-  /// The nearest object that is not hidden; nothing too where the scene is too deep or too large to
-  /// be searched. `ray` has unit length. Safe from several threads.
+  /// The nearest object that is not hidden; nullopt also if the scene is too deep or too large for
+  /// the search. The direction of `ray` has unit length. Thread-safe.
   std::optional<Pick> pick(const Ray& ray, const Hidden& hidden = {}) const;
 
  private:

@@ -1,20 +1,20 @@
 #pragma once
-// The scenes of a folder, to leaf through.
+// The scenes of a folder, for browsing.
 
 #include <string>
 #include <vector>
 
 namespace scenefile::viewer {
 
-/// The scenes of a folder in the order of people: numbers in names by their value, without regard
-/// to case. Whole paths.
+/// Paths of the scenes of a folder in natural order: numbers by value, ignoring case.
 std::vector<std::string> scenes_in(const std::string& folder);
 
-/// The neighbor of `path` in its folder, `steps` further (negative: back), around at the ends. A
-/// file that is not in its folder any more counts as before the first. Empty: there is no scene.
+/// The scene `steps` after `path` in its folder (negative: before), wrapping around at the ends. If
+/// `path` is no longer in its folder, counts from before the first scene. Empty if there are no
+/// scenes.
 std::string neighbor_of(const std::string& path, int steps);
 
-/// What dropping or naming a path opens: the path itself, of a folder its first scene, else empty.
+/// What opening a path shows: the path itself, or the first scene of a folder; otherwise empty.
 std::string scene_at(const std::string& path);
 
 }  // namespace scenefile::viewer

@@ -1,5 +1,5 @@
 #pragma once
-// The view as the camera of the scene's file.
+// Saves the view as the camera of the scene file.
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/scene.h"
@@ -10,17 +10,16 @@
 namespace scenefile::viewer {
 
 struct SavedView {
-  std::string text;     ///< the bytes of the file now; empty when refused
-  std::string refused;  ///< why the file is as it was, one line; empty: it is saved
+  std::string text;     ///< the new contents of the file; empty if refused
+  std::string refused;  ///< why the file was not changed, one line; empty: saved
 };
 
-/// Sets the camera of the file at `path`, by edit_camera(). `known`: its bytes when it was read
-/// last; a file that has other bytes now is left alone, as is standard input. The file is replaced
-/// whole or not at all.
+/// Sets the camera of the file at `path` with edit_camera(). Refuses if the file's contents differ
+/// from `known`, those last read, and for standard input. The file is replaced atomically.
 SavedView save_view(const std::string& path, std::string_view known, const Camera& camera,
                     const ReadOptions& options);
 
-/// Writes the bytes that the file had before it was saved; refused as save_view() does.
+/// Restores the previous contents; refuses under the same conditions as save_view().
 SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,
                        const ReadOptions& options);
 

@@ -1,7 +1,8 @@
 #pragma once
-// What a hand would do at the window, written down: for tests and for pictures of the program.
+// Scripted user input for the window, for tests and screenshots.
 //
-// One step a line; empty lines and those that begin with # count for nothing. Places are in pixels
+// One step per line; empty lines and lines that begin with # are ignored. Positions are in pixels
+// of the window, from its top left.
 // of the window, from its top left.
 //
 //     key Ctrl+S            press and release a key that does something
@@ -41,23 +42,23 @@ enum class StepKind : std::uint8_t {
   quit,
 };
 
-/// What the step does not use is as here.
+/// Members that the step does not use have their default values.
 struct ScriptStep {
   StepKind kind = StepKind::frames;
-  std::string text;   ///< key, or path
+  std::string text;   ///< key or path
   std::string other;  ///< the second path
   double x = 0;       ///< pixels; wheel: steps upward in y
   double y = 0;
   int number = 1;          ///< frames, or the button: 0 left, 1 right, 2 middle
-  std::uint32_t line = 0;  ///< 0: of no text
+  std::uint32_t line = 0;  ///< 0: not from a text
 };
 
 struct Script {
   std::vector<ScriptStep> steps;
-  std::string wrong;  ///< "line 3: ...", one line; empty: the script is good
+  std::string wrong;  ///< an error in one line, "line 3: ..."; empty: valid
 };
 
-/// Steps that take several frames become several steps: at most one a frame is done.
+/// Steps that take several frames become several steps, because each frame does at most one.
 Script parse_script(std::string_view text);
 
 }  // namespace scenefile::viewer

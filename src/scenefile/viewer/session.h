@@ -1,9 +1,9 @@
 #pragma once
-// All that the window shows and knows, without a window: plain data, and functions for what happens
-// to it. A window (window.h) draws it and tells it what the user does; tests do the same by hand.
+// The complete state of the window, without the window: plain data, and functions for events. A
+// window (window.h) draws it and forwards user input; tests do the same directly.
 //
-// Places are in pixels of the window as the mouse counts them (screen coordinates), from its top
-// left. Times are seconds of any clock that does not go back.
+// Positions are in pixels of the window in mouse coordinates (screen coordinates), from its top
+// left. Times are seconds of any monotonic clock.
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/trace/render.h"
@@ -29,25 +29,25 @@
 
 namespace scenefile::viewer {
 
-/// What the program decides before the window opens.
+/// Set by the program before the window opens.
 struct SessionSetup {
   LoadScene load;
-  ReadOptions read;     ///< as `load` reads, for saving the view
-  RenderOptions trace;  ///< of the ray tracer; size and samples are the window's
-  std::optional<RealtimeOptions> realtime{};  ///< the assignment's picture is shown from the start
-  std::function<void()> wake{};  ///< called from other threads when tick() has something to do
+  ReadOptions read;     ///< how `load` reads, for saving the view
+  RenderOptions trace;  ///< for the ray tracer; the window sets size and samples
+  std::optional<RealtimeOptions> realtime{};  ///< start with the assignment's picture
+  std::function<void()> wake{};               ///< called from other threads when tick() has work
 };
 
-/// A scene that can be drawn, with what is made of it once.
+/// A drawable scene, with derived data.
 struct SceneOnShow {
   OpenedScene opened;
-  Camera camera;  ///< of the file, or the default
+  Camera camera;  ///< of the file, or the default camera
   Outline outline;
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
 };
 
-/// One line for the user, for a while.
+/// A message that is shown for a short time.
 struct Notice {
   std::string text;
   bool bad = false;
@@ -55,29 +55,29 @@ struct Notice {
 };
 
 struct Box {
-  glm::dvec2 at{0};    ///< its top left
-  glm::dvec2 size{1};  ///< above zero
+  glm::dvec2 at{0};    ///< top left
+  glm::dvec2 size{1};  ///< positive
 
   bool holds(const glm::dvec2& p) const {
     return p.x >= at.x && p.y >= at.y && p.x < at.x + size.x && p.y < at.y + size.y;
   }
 };
 
-/// What a pressed button does until it is released.
+/// What dragging does until the button is released.
 enum class Drag : std::uint8_t { none, orbit, pan, look, zoom, split };
 
 struct Pointer {
   glm::dvec2 at{0};
   glm::dvec2 pressed_at{0};
   Drag drag = Drag::none;
-  bool moved = false;     ///< since it was pressed: no click any more
-  glm::dvec3 grasped{0};  ///< what lay under it, for zooming; world space
+  bool moved = false;     ///< since the press: no longer a click
+  glm::dvec3 grasped{0};  ///< world-space point under the pointer, for zooming
 };
 
-/// What undoing a saved view needs.
+/// For undoing a saved view.
 struct SavedOver {
   std::string path;
-  std::string text;  ///< the bytes of the file before
+  std::string text;  ///< the previous contents of the file
   ViewCamera home;
 };
 
@@ -87,57 +87,57 @@ struct Session {
   double now = 0;
 
   // The scene.
-  std::string path;                           ///< of the newest one that was asked for
-  std::shared_ptr<const SceneOnShow> shown;   ///< the last good one; null: there was none yet
-  std::uint64_t version = 0;                  ///< another one for each scene that is shown
-  std::string known_text;                     ///< the bytes of its file
-  std::shared_ptr<const SceneOnShow> broken;  ///< the newest version, where it cannot be drawn
+  std::string path;                           ///< of the scene requested last
+  std::shared_ptr<const SceneOnShow> shown;   ///< the last drawable scene; null before the first
+  std::uint64_t version = 0;                  ///< changes with each scene shown
+  std::string known_text;                     ///< the contents of its file
+  std::shared_ptr<const SceneOnShow> broken;  ///< the newest version, if it cannot be drawn
   Background<std::shared_ptr<SceneOnShow>> loading;
-  bool load_again = false;  ///< when what is loading is done
+  bool load_again = false;  ///< once the current load is done
   FileWatch watch;
   double watched_at = 0;
-  std::uint64_t looks = 0;  ///< how often the files were looked at
+  std::uint64_t looks = 0;  ///< how often the files were checked
 
   // The view.
   ViewCamera home;
   ViewCamera camera;
-  double moved_at = 0;   ///< when the picture became another one
-  Box picture;           ///< where the picture is, by the window
-  glm::ivec2 pixels{1};  ///< its size on the screen, by the window
+  double moved_at = 0;   ///< when the picture last changed
+  Box picture;           ///< position of the picture; set by the window
+  glm::ivec2 pixels{1};  ///< its size in framebuffer pixels; set by the window
   Pointer pointer;
-  std::set<std::string> held;  ///< keys of flying that are down
+  std::set<std::string> held;  ///< flying keys that are down
   bool fast = false;           ///< Shift is down
 
-  // What is shown of it.
+  // What is shown.
   DrawMode mode = DrawMode::shaded;
   std::optional<std::uint32_t> only_light;  ///< into RenderScene::lights
   Hidden hidden;
-  std::optional<std::uint32_t> selected;  ///< row of the outline
-  std::string selected_path;              ///< the way to the object that was clicked, or the node
+  std::optional<std::uint32_t> selected;     ///< row of the outline
+  std::string selected_path;                 ///< path of the clicked object, or of the node
   std::vector<std::uint32_t> selected_copy;  ///< sources of the copies it lies in; of clicks alone
   Bounds selected_box;                       ///< selected_bounds()
-  std::set<std::uint32_t> open_rows;         ///< rows of the outline that show what they hold
-  bool reveal_selected = false;              ///< the outline is to scroll there
+  std::set<std::uint32_t> open_rows;         ///< rows of the outline that show their contents
+  bool reveal_selected = false;              ///< scroll the outline to the selection
 
   // The assignment Realtime.
-  bool realtime = false;           ///< its picture is shown, and its panel
-  RealtimeOptions realtime_panel;  ///< what the panel says
+  bool realtime = false;           ///< show its picture and panel
+  RealtimeOptions realtime_panel;  ///< the settings in the panel
 
   // Ray tracing.
   LiveTrace trace;
-  bool trace_started = false;           ///< for the picture as it is
-  std::optional<TracedPicture> traced;  ///< of the picture as it is
-  std::uint64_t traced_version = 0;     ///< another one for each picture in `traced`
+  bool trace_started = false;           ///< for the current picture
+  std::optional<TracedPicture> traced;  ///< of the current picture
+  std::uint64_t traced_version = 0;     ///< changes with each picture in `traced`
 
   // The reference.
   std::string reference_path;
   Texture reference;  ///< empty: none
   std::uint64_t reference_version = 0;
   CompareView compare = CompareView::off;
-  double split = 0.5;            ///< share of the picture that is ours
-  bool compare_started = false;  ///< for the picture as it is
+  double split = 0.5;            ///< fraction of the picture that shows ours
+  bool compare_started = false;  ///< for the current picture
   Background<Comparison> comparing;
-  std::optional<Comparison> comparison;  ///< of the picture as it is, or the one before
+  std::optional<Comparison> comparison;  ///< of the current or previous picture
   std::uint64_t comparison_version = 0;
 
   std::optional<SavedOver> saved_over;  ///< what the last saved view replaced
@@ -147,18 +147,18 @@ struct Session {
   bool full_screen = false;
   bool quit = false;
   bool picture_only = false;   ///< no panels
-  double messages_height = 0;  ///< of what the messages panel holds, by the window
-  std::string screenshot;      ///< a file that the window is to write; empty: none
+  double messages_height = 0;  ///< of the contents of the messages panel; set by the window
+  std::string screenshot;      ///< a file for the window to write; empty: none
   std::optional<Notice> notice;
-  std::vector<std::string> drawing_notes;  ///< what the drawing has to say of the scene
+  std::vector<std::string> drawing_notes;  ///< findings of drawing the scene
 };
 
-/// Starts reading the scene, or the first one of a folder.
+/// Starts loading the scene, or the first scene of a folder.
 void open_scene(Session& session, const std::string& path);
-/// Takes a picture for the reference. False, with a notice, where it is none.
+/// Opens a picture as the reference. Returns false, with a notice, if it is not a picture.
 bool open_reference(Session& session, const std::string& path);
-/// Files or folders that fall into the window: pictures become the reference, anything else a
-/// scene.
+/// Handles files or folders dropped on the window: pictures become the reference, anything else is
+/// opened as a scene.
 void drop(Session& session, const std::vector<std::string>& paths);
 
 /// Time goes on: takes over what other threads have done, looks at the files, flies. True: there is

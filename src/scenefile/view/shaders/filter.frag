@@ -12,7 +12,7 @@ uniform sampler2D picture;
 uniform int kind;
 uniform vec3 target_size;  // pixels; the last is unused
 
-// The picture so many of its texels from the pixel.
+// The texel at this offset from the pixel.
 vec3 at(vec2 step) {
   vec2 place = gl_FragCoord.xy / target_size.xy + step / vec2(textureSize(picture, 0));
   return textureLod(picture, place, 0.0).rgb;

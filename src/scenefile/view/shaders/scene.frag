@@ -1,10 +1,10 @@
-// The lighting equation of docs/rendering.md at one pixel.
+// The lighting equation of docs/rendering.md, evaluated at one pixel.
 //
-// The triangles of round shapes are taken for where the surface about is: the point is moved along
-// the ray of the pixel onto the exact surface, and normal and uv are found there.
+// The triangles of round shapes only mark where the surface is: the point is moved along the ray of
+// the pixel to the exact surface, and normal and uv are computed there.
 //
-// For small round shapes it matters that the ray is one that meets the triangle; all else is taken
-// from the middle of the pixel, because llvmpipe takes 1/w from there even for centroid values.
+// For small round shapes, the ray must be one that hits the triangle. Everything else is evaluated
+// at the center of the pixel, because llvmpipe uses 1/w from there even for centroid values.
 
 #define SHADED 0
 #define FLAT_COLOR 1
@@ -31,10 +31,10 @@ layout(location = 0) out vec4 color;
 uniform sampler2D materials;  // MATERIAL_TEXELS for each
 uniform sampler2D emitters;   // EMITTER_TEXELS for each
 uniform int emitter_count;
-uniform vec3 quadric;      // x^2 + z^2 + a y^2 + b y + c = 0 is the round side; 0 for meshes
-uniform float transparent; // kt
-uniform int passing;       // 1: give the light that passes through the object, not its own
-uniform float truncation;  // half of 1 / 255 for them, else 0
+uniform vec3 quadric;      // round side: x^2 + z^2 + a y^2 + b y + c = 0; 0 for meshes
+uniform float transparent; // transparentcoeff
+uniform int passing;       // 1: output the light transmitted by the object instead of its own
+uniform float truncation;  // 1/510 to truncate, 0 to round
 uniform vec4 depth_axis;   // where it is 0 with a point of the world, depth is nearest; 1: farthest
 
 const float pi = 3.14159265358979;
@@ -54,7 +54,7 @@ struct Point {
   vec3 normal;  // object space, any length
 };
 
-// The nearer crossing of the pixel's ray with the quadric, counted from the triangle.
+// The nearer intersection of the pixel's ray with the quadric, relative to the triangle.
 Point find_point() {
   Point point = Point(on_object, from_eye, mesh_normal);
   vec3 p = on_object;
@@ -87,7 +87,7 @@ vec2 find_uv(Point point) {
 #endif
 
 #if defined(TEXTURED) || defined(BUMPED)
-// Change of uv with a step on the surface.
+// The change of uv for a step on the surface.
 vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
   if (identity.w < 0.5) {
     return mesh_step;
@@ -104,8 +104,8 @@ vec2 uv_step(Point point, vec3 step, vec2 mesh_step) {
 uniform sampler2D image;
 uniform int lookup;  // 0 nearest, 1 the course's filter, 2 nearest averaged over the pixel, 3 filtered
 
-// Moves a place between texel middles toward the nearer one, so that only `width` texels around
-// their border are interpolated.
+// Moves a position between texel centers toward the nearer one, so that only a range of `width`
+// texels around their border is interpolated.
 vec2 sharpened(vec2 p, vec2 width) {
   vec2 low = floor(p - 0.5) + 0.5;
   return low + clamp((p - low - 0.5) / width + 0.5, 0.0, 1.0);
@@ -132,7 +132,8 @@ vec3 texture_color(Point point) {
   }
   float longer = length(along_x);
   float shorter = length(along_y);
-  // Filtered: along the longer axis, at the level of the shorter. Averaged: a grid over the pixel.
+  // Filtered: samples along the longer axis, at the mip level of the shorter. Averaged: a grid over
+  // the pixel.
   float width = max(max(shorter, longer / 16.0), 1.0);
   vec2 taps = lookup == 3 ? vec2(clamp(ceil(longer / width), 1.0, 16.0), 1.0)
                           : clamp(ceil(3.0 * vec2(longer, shorter)), 1.0, longer > 8.0 ? 3.0 : 5.0);
@@ -161,19 +162,19 @@ vec4 shadow_texel(int layer, int texel) {
   return texelFetch(shadow_table, ivec2(layer % TABLE_WIDTH * SHADOW_TEXELS + texel, layer / TABLE_WIDTH), 0);
 }
 
-// Share of the light that reaches the point. `code`: 2 * first layer, + 1 for the six about a point.
+// The share of the light that reaches the point. `code`: 2 * first layer, + 1 for a cube.
 float visibility(float code, vec3 path, vec3 world, vec3 normal, float cosine) {
   int layer = int(code) / 2;
   if (int(code) % 2 == 1) {
     vec3 size = abs(path);
     float along = size.x >= size.y && size.x >= size.z ? path.x : size.y >= size.z ? path.y : path.z;
     int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    layer += 2 * axis + (along > 0.0 ? 1 : 0);  // path leads to the light, the views from it
+    layer += 2 * axis + (along > 0.0 ? 1 : 0);  // path points to the light, the views away from it
   }
   mat4 place = mat4(shadow_texel(layer, 0), shadow_texel(layer, 1), shadow_texel(layer, 2),
                     shadow_texel(layer, 3));
   vec4 texel = shadow_texel(layer, 4);
-  // A step off the surface, as far as a texel reaches along it.
+  // An offset from the surface, by the extent of a texel on it.
   float reach = texel.x + texel.y * (place * vec4(world, 1.0)).w;
   float slant = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec4 p = place * vec4(world + (cosine < 0.0 ? -1.0 : 1.0) * (0.7 + 1.5 * slant) * reach * normal, 1.0);
@@ -192,7 +193,7 @@ uniform sampler2D bumps;
 
 const float bump_height = 1.0 / 16.0;
 
-// What a place is averaged over: steps of uv along the longer axis, at a level of the shorter.
+// The footprint of a pixel in uv: steps along the longer axis, at the mip level of the shorter.
 struct Average {
   vec2 step;
   float taps;
@@ -208,9 +209,9 @@ float height(vec2 uv, vec2 scale, Average over) {
   return bump_height * sum / over.taps;
 }
 
-// The normal in object space so many pixels aside, tilted by the slope of the map over a
-// quarter of the pixel. The slope along two steps on the surface gives its
-// gradient (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010).
+// The normal in object space at an offset in pixels, tilted by the slope of the map over a quarter
+// of the pixel. Two slopes along the surface give its gradient (Mikkelsen, "Bump Mapping
+// Unparametrized Surfaces on the GPU", 2010).
 vec3 bumped(Point point, vec2 shift) {
   vec2 repeats = material(4).zw;
   vec2 size = vec2(textureSize(bumps, 0));
@@ -221,7 +222,7 @@ vec3 bumped(Point point, vec2 shift) {
   down -= dot(down, n) * n;
   vec2 along_x = uv_step(point, across, dFdx(mesh_uv));
   vec2 along_y = uv_step(point, down, dFdy(mesh_uv));
-  // The axes of the ellipse that a circle as wide as a quarter of the pixel is in the map, in texels.
+  // The axes of the ellipse in texels that a quarter of the pixel maps to.
   vec2 texels = repeats * size;
   mat2 map = 0.5 * mat2(along_x * texels, along_y * texels);
   mat2 square = map * transpose(map);
@@ -296,7 +297,7 @@ vec3 lit(Point point, vec3 normal, vec3 diffuse) {
 }
 #endif
 
-// Well-spread colors of whole numbers.
+// Distinct colors for integers.
 vec3 number_color(float number) {
   vec3 turn = fract(number * vec3(0.618034, 0.754878, 0.569840) + vec3(0.1, 0.4, 0.7));
   return 0.25 + 0.75 * turn;
@@ -308,7 +309,8 @@ void main() {
 #if MODE == SHADED
   vec3 diffuse = diffuse_color(point);
 #ifdef BUMPED
-  // Light follows a bumpy normal too wildly for one in the middle of the pixel: one in each ninth.
+  // A bump map varies too much for one normal at the center of the pixel: uses one in each ninth of
+  // it.
   vec3 result = vec3(0.0);
   for (int i = 0; i < 9; ++i) {
     vec3 tilted = bumped(point, vec2(i % 3 - 1, i / 3 - 1) / 3.0);
@@ -340,6 +342,6 @@ void main() {
 #if MODE != OBJECT_NUMBER
   result = mix(result, vec3(1.0, 0.6, 0.1), identity.y);
 #endif
-  // Cards round to 8 bits; the course's pictures are truncated.
+  // GPUs round to 8 bits, but the course's pictures are truncated.
   color = vec4(result - truncation, 1.0);
 }

@@ -1,4 +1,4 @@
-// Places a corner of an instanced object. World space here is relative to the eye.
+// Transforms a vertex of an instanced object. World space here is relative to the eye.
 
 layout(location = 0) in vec3 position;      // object space
 layout(location = 1) in vec4 normal_round;  // object space; 1: on a round side
@@ -13,13 +13,13 @@ uniform mat4 clip_from_world;
 #ifndef DEPTH_ONLY
 centroid out vec3 on_object;
 #if defined(TEXTURED) || defined(BUMPED)
-out vec3 even_object;  // the same in the middle of the pixel: it changes evenly
+out vec3 even_object;  // the same at the center of the pixel, interpolated linearly
 #endif
 out vec3 from_eye;
 out vec3 mesh_normal;
 out vec2 mesh_uv;
 flat out vec3 eye_object;           // the eye in object space
-flat out mat3 world_from_normal;    // inverse transpose, but for its length
+flat out mat3 world_from_normal;    // inverse transpose, not normalized
 flat out vec4 identity;             // object, with round in the last place
 #endif
 

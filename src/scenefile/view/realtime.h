@@ -10,7 +10,7 @@ namespace scenefile {
 /// The two halves of the assignment.
 enum class Milestone : std::uint8_t {
   lights_camera,  ///< directional lights only; the picture is what the camera sees
-  action          ///< point lights and spotlights too; the picture is resampled from a larger frame
+  action          ///< also point lights and spotlights; resampled from a larger frame
 };
 
 /// Applied to the finished frame.

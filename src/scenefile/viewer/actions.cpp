@@ -84,7 +84,7 @@ std::string key_text(const KeyPress& key) {
 KeyPress parse_key(std::string_view text) {
   KeyPress key;
   const auto take = [&](std::string_view prefix, bool& flag) {
-    // "Ctrl++" is the key +.
+    // "Ctrl++" means the key +.
     if (text.size() > prefix.size() && text.starts_with(prefix)) {
       flag = true;
       text.remove_prefix(prefix.size());
@@ -118,7 +118,7 @@ const ActionRow* action_of(const KeyPress& key) {
   if (key.name == "?") {
     return find("F1");
   }
-  // The sides of the camera have a meaning of their own with Shift.
+  // With Shift, the keys for views from the front, right and top show the opposite side.
   const ActionRow* const row = find(key_text({key.name, key.control, false}));
   const bool side =
       row != nullptr && row->action >= Action::side_front && row->action <= Action::side_top;

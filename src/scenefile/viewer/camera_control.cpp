@@ -10,10 +10,10 @@ namespace scenefile::viewer {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
-// Nearest that the direction of view may come to `up`.
+// The minimum angle between the view direction and `up`.
 constexpr double pole_deg = 0.5;
 
-// Rodrigues' formula.
+// Rodrigues' rotation formula.
 glm::dvec3 rotated(const glm::dvec3& v, const glm::dvec3& axis, double angle_deg) {
   const double c = std::cos(angle_deg * degree);
   const double s = std::sin(angle_deg * degree);
@@ -25,12 +25,12 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
   return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
-// Of the direction to `up`, from 0 to 180.
+// The angle between the direction and `up`, from 0 to 180.
 double angle_to_up(const glm::dvec3& ahead, const glm::dvec3& up) {
   return std::acos(std::clamp(glm::dot(ahead, up), -1.0, 1.0)) / degree;
 }
 
-// The direction turned to the right and up, kept off the poles.
+// The direction turned right and up, kept away from the poles.
 glm::dvec3 turned_direction(const ViewCamera& view, double right_deg, double up_deg) {
   const ViewAxes axes = axes_of(view);
   const double now = angle_to_up(axes.ahead, view.up);
@@ -48,7 +48,7 @@ double rounded(double value, int digits) {
   return std::round(value / step) * step;
 }
 
-// A vector with as many digits as its longest part needs.
+// A vector rounded to `digits` significant digits of its longest component.
 glm::vec3 rounded(const glm::dvec3& v, int digits) {
   const double longest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (longest == 0 || !std::isfinite(longest)) {
@@ -197,7 +197,7 @@ ViewCamera framing(const ViewCamera& view, const Bounds& box, double aspect) {
 
 ViewCamera seen_from(const ViewCamera& view, Side side) {
   const double distance = glm::length(view.pivot - view.position);
-  // A right-handed frame about `up`, that of the world where up is y.
+  // A right-handed frame about `up`; that of the world if up is y.
   const glm::dvec3 ahead = unit_or(
       glm::cross(view.up, std::abs(view.up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1)),
       {0, 0, -1});

@@ -10,7 +10,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-// What is selected is tinted where it is one thing; groups get a box (gui_overlay.cpp).
+// A single selected object is tinted; groups get a box (gui_overlay.cpp).
 std::uint32_t highlighted(const Session& session) {
   return session.selected ? session.shown->outline.rows[*session.selected].source : no_index;
 }
@@ -54,7 +54,7 @@ void Canvas::draw(const Session& session, int framebuffer_height, double scale, 
     options.samples = 1;
     options.shadows = options.shadows && shadowed_ == version_;
   } else if (!options.course) {
-    options.samples = 4;  // as fast as it is good while the camera moves
+    options.samples = 4;  // fast enough while the camera moves
   }
   options.highlighted = highlighted(session);
   const Box& box = session.picture;

@@ -13,9 +13,9 @@ class FileWatch {
   /// Starts watching these files; their current state counts as known.
   void watch(std::vector<std::string> paths);
 
-  /// Whether one of them is another file or has other contents, and has been the same at two
-  /// questions in a row: an editor that is still writing, or has moved the old file away and not
-  /// yet put the new one in its place, is given time. Answers yes once for each change.
+  /// Whether a file was replaced or modified, and did not change between two consecutive calls.
+  /// This gives an editor time to finish writing, or to move the new file into place. Returns true
+  /// once for each change.
   bool changed();
 
  private:

@@ -1,6 +1,6 @@
 #include "scenefile/viewer/gl_picture.h"
 
-// Of OpenGL 1.1, which every system's library exports; the scene itself is drawn by the room view.
+// OpenGL 1.1, which every system's library exports; the room view draws the scene itself.
 #include <GL/gl.h>
 
 #include <algorithm>
@@ -66,7 +66,7 @@ Texture read_window(int width, int height) {
   glReadBuffer(GL_BACK);
   glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, picture.rgb.data());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  // OpenGL counts rows from below.
+  // OpenGL's first row is at the bottom.
   for (int y = 0; y < height / 2; ++y) {
     std::swap_ranges(picture.rgb.begin() + row * y, picture.rgb.begin() + row * (y + 1),
                      picture.rgb.end() - row * (y + 1));

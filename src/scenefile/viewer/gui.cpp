@@ -1,4 +1,4 @@
-// Where the panels stand.
+// The layout of the panels.
 
 #include "scenefile/viewer/gui.h"
 
@@ -22,14 +22,14 @@ ImVec2 vec(const glm::dvec2& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y)};
 }
 
-// A panel at a fixed place; ImGui::End() is the caller's.
+// A panel at a fixed position; the caller calls ImGui::End().
 void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos(vec(box.at));
   ImGui::SetNextWindowSize(vec(box.size));
   ImGui::Begin(name, nullptr, fixed | more);
 }
 
-// A strip at the right edge of the outline, to be dragged.
+// The strip at the right edge of the outline that resizes it.
 void build_grip(Session& session, const Box& panel, double scale) {
   const double width = 6 * scale;
   begin_panel("##grip",
@@ -47,7 +47,7 @@ void build_grip(Session& session, const Box& panel, double scale) {
   ImGui::End();
 }
 
-// Cuts the outline off the room.
+// Takes space for the outline from the room.
 void build_left(Session& session, const GuiFrame& frame, Box& room) {
   const double width = std::min(session.settings.panel_width * frame.scale, room.size.x * 0.45);
   const Box panel{room.at, {width, room.size.y}};
@@ -66,7 +66,7 @@ bool has_messages(const Session& session) {
   return session.shown != nullptr && !session.shown->opened.diagnostics.list().empty();
 }
 
-// Cuts the messages off the room.
+// Takes space for the messages from the room.
 void build_bottom(Session& session, const GuiFrame& frame, Box& room) {
   const double most = session.broken != nullptr ? 0.4 : 0.2;
   const double wanted = session.messages_height == 0 ? 60 * frame.scale : session.messages_height;

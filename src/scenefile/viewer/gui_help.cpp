@@ -1,4 +1,4 @@
-// All keys on one page.
+// The help page with all keys.
 
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
@@ -22,10 +22,10 @@ void key_cap(const std::string& key) {
   ImGui::Dummy({size.x + 2 * pad, size.y});
 }
 
-/// A list of keys that begins at the cursor and grows downward.
+/// A list of keys that starts at the cursor and grows downward.
 class KeyList {
  public:
-  /// `keys`: width of the keys, in heights of the text.
+  /// `keys`: the width of the column of keys, in text heights.
   explicit KeyList(float keys)
       : left_(ImGui::GetCursorPosX()), keys_(left_ + keys * ImGui::GetFontSize()) {}
 

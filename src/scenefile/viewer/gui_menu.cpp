@@ -1,4 +1,4 @@
-// The menus, made of the table of keys, and the status line.
+// The menus, generated from the table of keys, and the status line.
 
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"

@@ -1,4 +1,4 @@
-// The scene graph, and what is selected in it.
+// The outline: the scene graph and the selection.
 
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
@@ -14,7 +14,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-/// Draws one row; sizes follow the height of the text.
+/// Draws one row; sizes are relative to the text height.
 class RowPainter {
  public:
   RowPainter(Session& session, std::uint32_t row)
@@ -87,7 +87,7 @@ class RowPainter {
     }
   }
 
-  // The color of the material; at least visible.
+  // The color of the material, made bright enough to be visible.
   ImU32 material_color() const {
     if (row_.source == no_index) {
       return rgba(color_dim);
@@ -139,7 +139,7 @@ class RowPainter {
     const ImU32 line = rgba(color_dim);
     switch (row_.kind) {
       case RowKind::primitive:
-        paint_shape(c, r + 1, line);  // a rim, for what is as dark as the panel
+        paint_shape(c, r + 1, line);  // a rim, for colors as dark as the panel
         paint_shape(c, r, material_color());
         break;
       case RowKind::light:
@@ -167,7 +167,7 @@ class RowPainter {
     }
   }
 
-  // The line in the file, and the switch; returns where they begin.
+  // Draws the line number and the visibility switch; returns their left edge.
   float paint_right(const ImVec2& at, float width, float y) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     float x = at.x + width - height_ * 1.2F;
@@ -201,7 +201,7 @@ class RowPainter {
     }
   }
 
-  // Hidden, or put out by another light that shines alone.
+  // Whether the row is hidden, or is a light that is off because another is shown alone.
   bool is_faint() const {
     const std::vector<RenderLight>& lights = scene_.opened.ready.scene.lights;
     return hidden_ || (row_.kind == RowKind::light && session_.only_light &&
@@ -227,7 +227,7 @@ class RowPainter {
   bool hidden_ = false;
 };
 
-// The clipper skips rows that are out of sight; the one to scroll to must not be skipped.
+// The clipper skips invisible rows, but must not skip the row to scroll to.
 void scroll_to_selected(Session& session, const std::vector<std::uint32_t>& rows,
                         float row_height) {
   if (!session.reveal_selected || !session.selected) {

@@ -1,4 +1,4 @@
-// What lies over the picture.
+// Overlays on the picture.
 
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
@@ -24,8 +24,8 @@ ImTextureID texture(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
 }
 
-// The part of a picture from one share of its width to another, where the session's picture is.
-// `top` and `bottom`: which rows of the texture are there, as shares of its height.
+// Draws the part of a picture between two fractions of its width, at the position of the session's
+// picture. `top` and `bottom`: the range of texture rows, as fractions of its height.
 void paint_picture(const Box& box, unsigned name, double from, double to, double top = 0,
                    double bottom = 1) {
   if (name == 0 || to <= from) {
@@ -37,8 +37,8 @@ void paint_picture(const Box& box, unsigned name, double from, double to, double
                                            vec({to, bottom}));
 }
 
-// Words on a dark ground, in lines of the room at most; `anchor`: where in the text the point is,
-// from 0 to 1.
+// Text on a dark background, wrapped to lines of at most `room`; `anchor` is the position of the
+// point in the text, from 0 to 1.
 void paint_label(const glm::dvec2& at, const std::string& text, const glm::dvec2& anchor,
                  double scale, unsigned color = color_text, double room = 1e4) {
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -120,13 +120,13 @@ void paint_comparison(const Session& session, const GuiFrame& frame) {
   }
 }
 
-/// From the world to the window.
+/// Projects world points to the window.
 class Projection {
  public:
   Projection(const RenderCamera& camera, const CameraView& view)
       : camera_(camera), box_(view.box), aspect_(view.aspect), half_(std::tan(camera.fov_y / 2)) {}
 
-  // The line between two points of the world, as far as it is before the camera.
+  // Draws the line between two world points, clipped to the front of the camera.
   void paint(glm::dvec3 a, glm::dvec3 b, ImU32 color, float width) const {
     const double near = 1e-4 * glm::length(a - camera_.position) + 1e-9;
     double depth_a = depth(a);
@@ -174,7 +174,7 @@ void paint_box(const Projection& projection, const Bounds& box, double scale) {
   }
 }
 
-// A box around what is selected: the only sign of groups, and of copies behind other things.
+// A box around the selection: the only mark of groups, and of instances behind other objects.
 void paint_selection(const Session& session, const GuiFrame& frame) {
   if (!session.selected || session.compare > CompareView::split) {
     return;
@@ -192,7 +192,7 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   draw.PopClipRect();
 }
 
-// A cross where the light is, or an arrow along a directional one from the middle of the scene.
+// A cross at the light, or an arrow through the center of the scene for a directional light.
 void paint_light(const Projection& projection, const RenderLight& light, const Bounds& scene,
                  ImU32 color, double scale) {
   const double size = scene.empty() ? 1 : glm::length(scene.max - scene.min);
@@ -221,7 +221,7 @@ void paint_light(const Projection& projection, const RenderLight& light, const B
   }
 }
 
-// The pyramid of what the scene's own camera sees.
+// The view pyramid of the scene's camera.
 void paint_camera(const Projection& projection, const RenderCamera& camera, double aspect,
                   double size, ImU32 color, double scale) {
   const auto width = static_cast<float>(scale);
@@ -244,8 +244,7 @@ void paint_camera(const Projection& projection, const RenderCamera& camera, doub
                    width);
 }
 
-// Axes of the world, all lights and the scene's camera, where they are asked for; of the lights and
-// the camera also the one that is selected.
+// World axes, all lights and the scene's camera, if enabled; always the selected light or camera.
 void paint_helpers(const Session& session, const GuiFrame& frame) {
   if (session.shown == nullptr || session.compare > CompareView::split) {
     return;
@@ -288,7 +287,7 @@ std::string size_text(std::uint64_t bytes) {
                            : fmt::format("{:.0f} MB", static_cast<double>(bytes) / (1U << 20));
 }
 
-// 25 000, in groups of three.
+// Groups digits by three: 25 000.
 std::string count_text(std::uint64_t count) {
   std::string text = fmt::format("{}", count);
   for (std::size_t i = text.size(); i > 3;) {
@@ -346,7 +345,7 @@ void paint_welcome(const Session& session, const GuiFrame& frame) {
               color_dim);
 }
 
-// What the colors mean, where that is not plain.
+// Explains the colors of modes that need it.
 void paint_legend(const Session& session, const GuiFrame& frame) {
   if (session.shown != nullptr && session.mode == DrawMode::bounding_boxes &&
       session.compare <= CompareView::split) {

@@ -12,7 +12,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-// The sliders of the course's program; other values can be typed with Ctrl and a click.
+// The sliders of the course's program; other values can be typed after Ctrl+click.
 constexpr int most_of_slider = 25;
 constexpr float most_near = 10;
 constexpr float most_far = 100;

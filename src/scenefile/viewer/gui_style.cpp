@@ -16,7 +16,7 @@ namespace {
 constexpr float text_height = 16;
 constexpr float code_height = 15;
 
-// The first that is there; Debian's and Ubuntu's places, then others.
+// The first existing file is used; paths of Debian and Ubuntu come first.
 constexpr std::array text_fonts{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf",
@@ -34,11 +34,11 @@ constexpr std::array code_fonts{
     "/System/Library/Fonts/Menlo.ttc",
 };
 
-// Latin with accents, Greek, Cyrillic, arrows, and the punctuation of good typography.
+// Latin with accents, Greek, Cyrillic, arrows, and typographic punctuation.
 constexpr std::array<ImWchar, 13> letters{0x20,   0x24F,  0x370,  0x52F,  0x2010, 0x2027, 0x2030,
                                           0x203A, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
 
-// False: none of them is there.
+// Returns false if none of them exists.
 bool add_font(ImFontAtlas& atlas, std::span<const char* const> paths, float height) {
   const auto found = std::find_if(paths.begin(), paths.end(),
                                   [](const char* path) { return stamp_of(path).exists; });
@@ -126,7 +126,7 @@ std::string fitting(const std::string& text, float room) {
   }
   std::string some = text;
   do {
-    // Whole characters: the bytes that go on with one begin with the bits 10.
+    // Removes whole characters: UTF-8 continuation bytes start with the bits 10.
     while (!some.empty() && (static_cast<unsigned char>(some.back()) & 0xC0) == 0x80) {
       some.pop_back();
     }

@@ -47,8 +47,8 @@ RenderScene without_hidden(const RenderScene& scene, const Hidden& hidden,
 
 Bounds bounds_of(const RenderScene& scene, const Assets& assets,
                  const std::set<std::uint32_t>& sources) {
-  // By group, in its space; a group stands behind all that it holds. An instance that is asked for
-  // counts with everything in it.
+  // By group, in its space; a group comes after all that it contains. A selected instance counts
+  // with everything in it.
   std::vector<Bounds> chosen(scene.groups.size());
   std::vector<Bounds> all(scene.groups.size());
   for (std::size_t g = 0; g < scene.groups.size(); ++g) {

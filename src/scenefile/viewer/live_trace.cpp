@@ -34,7 +34,7 @@ std::string failure_of(RenderStatus status) {
 
 }  // namespace
 
-/// One picture to be traced.
+/// One picture to trace.
 struct LiveTrace::Job {
   RenderScene scene;
   std::shared_ptr<const void> keep;
@@ -92,8 +92,8 @@ void LiveTrace::Job::run() {
   }
 }
 
-/// Runs one job after another: a job that was given up ends before the next begins, so that they
-/// do not share the processors.
+/// Runs one job after another: a canceled job ends before the next begins, so that they do not
+/// compete for processors.
 class LiveTrace::Worker {
  public:
   ~Worker() {

@@ -12,7 +12,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-/// Looks up which source a place in the file became.
+/// Finds the source of an object by its place in the file.
 class SourcesByPlace {
  public:
   explicit SourcesByPlace(const std::vector<Source>& sources) {
@@ -41,7 +41,7 @@ std::string primitive_detail(const Primitive& primitive) {
                                       : std::string();
 }
 
-/// "cylinder ×6, cone": words in the order of their first mention.
+/// "cylinder ×6, cone": words in order of first occurrence.
 class WordCounts {
  public:
   void add(const std::string& word) {
@@ -122,7 +122,7 @@ class OutlineMaker {
     }
   }
 
-  // Depth first, children behind lights and primitives, without recursion.
+  // Depth first, without recursion; children come after lights and primitives.
   void add_tree(NodeId head, std::uint32_t depth, const std::string& name) {
     std::vector<Step> steps{{head, no_index, depth}};
     while (!steps.empty()) {
@@ -141,7 +141,7 @@ class OutlineMaker {
     }
   }
 
-  // What a node is called, or the one thing that it holds.
+  // The name of a node, or of the only thing in it.
   std::string word_for(const Node& node) const {
     const std::string& name = node.name.empty() ? node.instance_of : node.name;
     if (!name.empty()) {
@@ -154,7 +154,7 @@ class OutlineMaker {
     return "group";
   }
 
-  // What a group without a name holds, in a few words.
+  // A summary of the contents of an unnamed group.
   std::string contents_of(const Node& node) const {
     WordCounts words;
     for (const Light& light : node.lights) {
@@ -198,7 +198,7 @@ class OutlineMaker {
   std::vector<std::uint32_t> open_;  ///< the rows around the last one, and itself
 };
 
-/// Finds the rows of one version of a scene in another, parents first.
+/// Matches the rows of two versions of a scene, parents first.
 class RowMatcher {
  public:
   RowMatcher(const Outline& before, const Outline& after)
@@ -224,7 +224,7 @@ class RowMatcher {
   using Rows = std::vector<std::uint32_t>;
   using Key = std::tuple<RowKind, std::string_view, std::string_view>;
 
-  // The outermost rows from one to another.
+  // The outermost rows in a range.
   static Rows rows_from(const Outline& outline, std::size_t begin, std::size_t end) {
     Rows rows;
     for (std::size_t row = begin; row < end; row = outline.rows[row].end) {
@@ -233,7 +233,7 @@ class RowMatcher {
     return rows;
   }
 
-  // What has not changed first, so that what has changed is not taken for it.
+  // Matches unchanged rows first, so that changed rows are not mistaken for them.
   void match_siblings(const Rows& before, const Rows& after) {
     match_siblings(before, after, true);
     match_siblings(before, after, false);

@@ -26,7 +26,7 @@ Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspe
 }
 
 std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden) const {
-  constexpr int most_hidden = 64;  // behind each other
+  constexpr int most_hidden = 64;  // one behind another along the ray
   const Accelerator& accelerator = impl_->accelerator;
   if (accelerator.status() != AcceleratorStatus::ready) {
     return std::nullopt;

@@ -20,7 +20,7 @@ using Hidden = std::set<std::uint32_t>;
 
 struct Pick {
   std::uint32_t source = 0;              ///< of the primitive
-  std::vector<std::uint32_t> instances;  ///< sources of the copies it lies in, the outermost first
+  std::vector<std::uint32_t> instances;  ///< sources of the instances around it, outermost first
   double distance = 0;                   ///< from the ray's origin, in world units
   glm::dvec3 point{0};                   ///< world space
 };

@@ -7,7 +7,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-// Why the file must not be written over; empty: it may. `now`: its bytes.
+// Why the file must not be overwritten; empty if it may. `now`: its contents.
 std::string refusal(const std::string& path, std::string_view known, const ReadOptions& options,
                     std::string& now) {
   if (path == "-") {

@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> button_names{"left", "right", "middle"};
 
-// Whether the window does something at the key.
+// Whether the key has an effect in the window.
 bool is_key(std::string_view text) {
   const KeyPress key = parse_key(text);
   return action_of(key) != nullptr || is_flying_key(key) || is_assignment_key(key) ||
          key.name == "Shift";
 }
 
-/// The words of a line, and what follows each of them.
+/// Splits a line into words.
 class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
@@ -35,7 +35,7 @@ class Words {
     rest_.remove_prefix(end);
     return word;
   }
-  /// The rest of the line without blanks around it.
+  /// The rest of the line, trimmed.
   std::string rest() {
     const std::size_t begin = std::min(rest_.find_first_not_of(blanks), rest_.size());
     const std::size_t last = rest_.find_last_not_of(blanks);
@@ -58,7 +58,7 @@ class Words {
     bad_ = bad_ || found == button_names.end();
     return static_cast<int>(found - button_names.begin());
   }
-  /// Whether something was not as it must be, or is left over.
+  /// Whether a word was invalid, or some are left over.
   bool bad() { return bad_ || !rest().empty(); }
 
  private:
@@ -69,7 +69,7 @@ class Words {
 
 class ScriptParser {
  public:
-  // False: the line is wrong.
+  // Returns false if the line is invalid.
   bool parse(std::string_view line, std::uint32_t number) {
     line_ = number;
     Words words(line);

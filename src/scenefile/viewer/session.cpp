@@ -15,7 +15,7 @@ namespace scenefile::viewer {
 namespace {
 
 constexpr double watch_interval = 0.25;
-constexpr double rest = 0.25;  // of the camera, before rays are traced
+constexpr double rest = 0.25;  // the camera must rest this long before ray tracing starts
 constexpr double notice_seconds = 4;
 
 bool at_rest(const Session& session) {
@@ -85,8 +85,8 @@ bool tick_comparison(Session& session) {
   return true;
 }
 
-// The handout: W A S D along the view, space and control along the y axis of the world, 5 units of
-// the world a second.
+// From the assignment's handout: W A S D move along the view, Space and Control along the world's y
+// axis, at 5 world units per second.
 void fly_as_assigned(Session& session, double seconds) {
   constexpr double speed = 5;
   const auto down = [&](const char* name) { return session.held.contains(name) ? 1.0 : 0.0; };

@@ -161,17 +161,17 @@ bool open_reference(Session& session, const std::string& path);
 /// opened as a scene.
 void drop(Session& session, const std::vector<std::string>& paths);
 
-/// Time goes on: takes over what other threads have done, looks at the files, flies. True: there is
-/// something new to see.
+/// Advances time: takes results from other threads, checks the watched files, flies the camera.
+/// Returns true if the window must be drawn again.
 bool tick(Session& session, double now);
-/// Whether nothing is on its way.
+/// Whether no work is in progress.
 bool settled(const Session& session);
-/// When tick() wants to be called again, in seconds from now; large where only wake() matters.
+/// When to call tick() again, in seconds from now; large if only wake() matters.
 double next_tick(const Session& session);
 
 void perform(Session& session, Action action, const KeyPress& key = {});
 
-/// A key goes down. False: it does nothing here.
+/// Handles a key press. Returns false if the key has no effect.
 bool key_pressed(Session& session, const KeyPress& key);
 void key_released(Session& session, const std::string& name);
 
@@ -179,46 +179,46 @@ void key_released(Session& session, const std::string& name);
 void pointer_pressed(Session& session, int button, const KeyPress& with);
 void pointer_moved(Session& session, const glm::dvec2& to);
 void pointer_released(Session& session);
-/// Steps upward; nearer to what lies under the pointer.
+/// `steps` upward; moves toward the point under the pointer.
 void wheel_turned(Session& session, double steps);
 
 void set_camera(Session& session, const ViewCamera& camera);
-/// The picture is another one: what was traced and compared does not count any more.
+/// Call after any change of the picture: discards traced and compared pictures.
 void picture_changed(Session& session);
-/// `copy`: sources of the copies that it lies in, from the outermost, where one was clicked.
+/// `copy`: after a click, the sources of the instances around the object, outermost first.
 void select(Session& session, std::optional<std::uint32_t> row,
             std::vector<std::uint32_t> copy = {});
-/// The box around what is selected, of the copy that was clicked or of all; empty where there is
-/// nothing to see. In time linear in the size of the scene: Session::selected_box keeps it.
+/// The bounding box of the selection: of the clicked instance, or of all instances; empty if
+/// nothing is visible. Takes time linear in the size of the scene; Session::selected_box caches it.
 Bounds selected_bounds(const Session& session);
-/// Switches a row of the outline with all that it holds off, or on again.
+/// Hides or shows a row of the outline with all its contents.
 void toggle_hidden(Session& session, std::uint32_t row);
 bool is_hidden(const Session& session, std::uint32_t row);
 void show_only_light(Session& session, std::optional<std::uint32_t> light);
 void say(Session& session, std::string text, bool bad = false);
 
-/// Ours and the reference have one size: ours is asked for where the ray tracer does not give it.
-/// True: the window is to draw `compare_size()` pixels and hand them to compare_with().
+/// Whether the comparison needs a picture from OpenGL, because the ray tracer does not provide one.
+/// The window should then draw one of the reference's size and pass it to compare_with().
 bool wants_picture(const Session& session);
 void compare_with(Session& session, Texture ours);
 
-/// Width by height of the picture: that of the reference where there is one.
+/// The aspect ratio of the picture: that of the reference, if there is one.
 double picture_aspect(const Session& session, const glm::dvec2& room);
-/// The picture, as large as fits the middle of the room.
+/// The largest box with the picture's aspect ratio in the middle of the room.
 Box picture_box(const Session& session, const Box& room);
-/// Where the camera's view lies in the window, and its aspect ratio, which in the assignment
-/// Realtime is not that of the picture.
+/// The box of the camera's view in the window, and its aspect ratio, which differs from that of the
+/// picture in the assignment Realtime.
 struct CameraView {
   Box box;
   double aspect = 1;
 };
 CameraView camera_view(const Session& session);
-/// Whether the tracer's picture is what is seen.
+/// Whether the ray tracer's picture is visible.
 bool shows_traced(const Session& session);
-/// What is drawn, for OpenGL.
+/// The options for drawing with OpenGL.
 DrawOptions draw_options(const Session& session);
 
-/// What the title and the status line say: the scene that was asked for, and the one that is seen.
+/// Texts for the title and the status line: the requested scene, and the visible one.
 std::string scene_name(const Session& session);
 std::string shown_name(const Session& session);
 std::string mode_text(const Session& session);

@@ -1,4 +1,4 @@
-// What the keys and the menus do.
+// Performs the actions of keys and menus.
 
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/playlist.h"
@@ -63,7 +63,7 @@ void go_to_neighbor(Session& session, int steps) {
     say(session, "there is no other scene in this folder");
     return;
   }
-  session.notice.reset();  // of the scene before
+  session.notice.reset();  // about the previous scene
   open_scene(session, path);
 }
 
@@ -73,7 +73,7 @@ void next_light(Session& session) {
   show_only_light(session, next < count ? std::optional(next) : std::nullopt);
 }
 
-// Split, and off again.
+// Switches the split view on or off.
 void split(Session& session) {
   if (session.reference.empty()) {
     say(session,
@@ -85,7 +85,7 @@ void split(Session& session) {
   session.compare = session.compare == CompareView::split ? CompareView::off : CompareView::split;
 }
 
-// Around the ways to see the difference.
+// Cycles through the views of the difference.
 void difference(Session& session) {
   if (session.reference.empty()) {
     split(session);
@@ -108,7 +108,7 @@ void difference(Session& session) {
   }
 }
 
-// The first name that is free: chess-view.png, chess-view-2.png, ...
+// The first unused name: chess-view.png, chess-view-2.png, ...
 std::string free_name(const Session& session) {
   std::string stem = session.path == "-" ? "scene" : file_name_of(session.path);
   stem = stem.substr(0, stem.rfind('.'));

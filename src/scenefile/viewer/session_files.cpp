@@ -1,4 +1,4 @@
-// What comes from files and goes there.
+// Reading and writing the session's files.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/explain/object_names.h"
@@ -21,7 +21,7 @@ namespace {
 constexpr double watch_interval = 0.25;
 constexpr std::uint32_t rows_open_at_first = 40;
 
-// In a thread of its own.
+// Runs on another thread.
 std::shared_ptr<SceneOnShow> load(const LoadScene& load_scene, const std::string& path) {
   auto scene = std::make_shared<SceneOnShow>();
   scene->opened = load_scene(path);
@@ -69,7 +69,7 @@ ViewCamera home_of(const SceneOnShow& scene) {
   return home;
 }
 
-/// From the rows and sources of one version of a file to those of the next.
+/// Maps rows and sources of one version of a file to the next.
 class Successors {
  public:
   Successors(const SceneOnShow& before, const SceneOnShow& after)
@@ -134,7 +134,7 @@ void keep_light(Session& session, const Successors& successors, const SceneOnSho
   }
 }
 
-// A version of the same file: what the user has set up stays with what it was set up for.
+// A new version of the same file: keeps the state of unchanged objects.
 void keep_state(Session& session, const SceneOnShow& before, const SceneOnShow& after) {
   const Successors successors(before, after);
   keep_selection(session, successors, after);
@@ -190,7 +190,7 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
 
 void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   if (scene->opened.path != session.path) {
-    return;  // another one has been asked for meanwhile
+    return;  // another one was requested in the meantime
   }
   watch_files(session, *scene);
   if (scene->opened.usable()) {
@@ -200,7 +200,7 @@ void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   }
 }
 
-// False: what the file holds is no picture.
+// Returns false if the file is not a picture.
 bool read_reference(Session& session, const std::string& path, std::string& error) {
   const Limits limits;
   std::string bytes;
@@ -280,7 +280,7 @@ bool open_reference(Session& session, const std::string& path) {
 }
 
 void drop(Session& session, const std::vector<std::string>& paths) {
-  session.notice.reset();  // of what was dropped before
+  session.notice.reset();  // about an earlier drop
   for (const std::string& path : paths) {
     if (!is_folder(path) && !is_scene_name(path) && is_picture(path)) {
       open_reference(session, path);

@@ -1,4 +1,4 @@
-// What the hands do.
+// Mouse input.
 
 #include "scenefile/explain/object_names.h"
 #include "scenefile/viewer/session.h"
@@ -10,7 +10,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr double degrees_per_height = 180;  // of a drag over the whole picture
+constexpr double degrees_per_height = 180;  // for dragging over the height of the picture
 constexpr double click_slack = 4;           // pixels
 constexpr double split_slack = 8;
 
@@ -27,7 +27,7 @@ Ray ray_under(const Session& session, const glm::dvec2& at) {
                      view.aspect);
 }
 
-// What lies under the pointer, or a point as far away as the pivot.
+// The point of the scene under the pointer, or one at the pivot's distance.
 glm::dvec3 point_under(const Session& session) {
   const Ray ray = ray_under(session, session.pointer.at);
   if (const std::optional<Pick> pick = session.shown->picker->pick(ray, session.hidden)) {
@@ -131,7 +131,7 @@ void pointer_moved(Session& session, const glm::dvec2& to) {
   Pointer& pointer = session.pointer;
   const glm::dvec2 by = to - pointer.at;
   if (pointer.drag != Drag::none && !pointer.moved) {
-    // A click that trembles is no drag; a drag begins where the button went down.
+    // Small movements still count as a click; a drag starts where the button was pressed.
     if (glm::length(to - pointer.pressed_at) < click_slack && pointer.drag != Drag::split) {
       return;
     }

@@ -15,7 +15,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-/// A setting as a number; flags are 0 and 1.
+/// A setting as a number; booleans are 0 and 1.
 struct Row {
   std::string_view name;
   double least;
@@ -62,7 +62,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// False: the line is damaged.
+// Returns false if the line is damaged.
 bool parse_line(std::string_view line, Settings& settings) {
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos) {

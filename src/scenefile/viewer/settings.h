@@ -1,5 +1,5 @@
 #pragma once
-// What the window remembers from one time to the next.
+// Settings that the window keeps between runs.
 
 #include <cstdint>
 #include <string>
@@ -9,37 +9,37 @@ namespace scenefile::viewer {
 struct Settings {
   int window_width = 1280;  ///< screen coordinates
   int window_height = 800;
-  float panel_width = 330;  ///< of the outline, in units of a screen of normal density
-  float text_scale = 1;     ///< beside that of the screen
-  bool outline = true;      ///< panels that are shown
+  float panel_width = 330;  ///< of the outline, in pixels of a normal-density screen
+  float text_scale = 1;     ///< in addition to the screen's scale
+  bool outline = true;      ///< visible panels
   bool messages = true;
   bool statistics = false;
   bool shadows = true;
   bool textures = true;
-  bool axes = false;             ///< axes, lights and the scene's camera are drawn over the picture
-  bool assignment_keys = false;  ///< keys and mouse of the assignment Realtime
+  bool axes = false;             ///< draw axes, lights and the scene's camera over the picture
+  bool assignment_keys = false;  ///< use keys and mouse of the assignment Realtime
   bool ray_tracing = false;
-  int samples = 16;  ///< of the ray tracer, a pixel
+  int samples = 16;  ///< per pixel, for the ray tracer
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-/// One `name = value` a line.
+/// One `name = value` per line.
 std::string settings_text(const Settings& settings);
 
-/// False: the text is damaged, and `settings` is as before. Names that are unknown are passed over:
-/// they may be a newer version's. Values are cut to what makes sense.
+/// Returns false, and leaves `settings` unchanged, if the text is damaged. Ignores unknown names,
+/// which a newer version may have written. Clamps values to valid ranges.
 bool parse_settings(const std::string& text, Settings& settings);
 
-/// Below the folder for settings: `xdg_config_home` where it is an absolute path, else .config in
-/// `home`; empty where there is neither.
+/// The path in the configuration folder: `xdg_config_home` if it is an absolute path, otherwise
+/// .config in `home`; empty if neither is given.
 std::string settings_path(const char* xdg_config_home, const char* home);
 
-/// The settings of the file; the defaults where there is none. `note` says, in one line, that a
-/// damaged file was passed over.
+/// Reads the settings from the file; defaults if it does not exist. `note`, one line, says if the
+/// file was damaged and ignored.
 Settings load_settings(const std::string& path, std::string& note);
 
-/// Whole or not at all. Returns what went wrong; empty: nothing.
+/// Writes atomically. Returns an error text; empty on success.
 std::string save_settings(const std::string& path, const Settings& settings);
 
 }  // namespace scenefile::viewer

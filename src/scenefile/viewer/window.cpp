@@ -23,12 +23,13 @@ namespace scenefile::viewer {
 
 namespace {
 
-// ImGui takes a few frames to come to rest after something has happened.
+// ImGui needs a few frames to settle after an event.
 constexpr int frames_after_event = 3;
-// A moving picture whose frames take longer, in seconds, gets coarser: Canvas::draw().
+// If frames take longer (in seconds) while the camera moves, the picture gets coarser:
+// Canvas::draw().
 constexpr double slow_frame = 0.04;
 constexpr int most_hurry = 4;
-// The first picture of a scene with more objects is coarse, before it is known how long it takes.
+// For scenes with more objects, the first picture is coarse, because its time is not known yet.
 constexpr double many_objects = 5000;
 constexpr int first_hurry = 3;
 
@@ -52,7 +53,7 @@ constexpr std::array named_keys{
     NamedKey{GLFW_KEY_RIGHT_SHIFT, "Shift"},
 };
 
-// Letters by what stands on the key, so that other keyboards are right too.
+// Letters by the character on the key, for other keyboard layouts.
 std::string key_name(int key, int scancode) {
   const auto found = std::find_if(named_keys.begin(), named_keys.end(),
                                   [&](const NamedKey& named) { return named.code == key; });
@@ -89,7 +90,7 @@ void remember_error(int /*code*/, const char* text) {
   last_glfw_error = text;
 }
 
-// Pixels to one of an ordinary screen.
+// Pixels per pixel of a normal-density screen.
 double screen_density(GLFWwindow* window) {
   float density = 1;
   glfwGetWindowContentScale(window, &density, nullptr);
@@ -109,7 +110,7 @@ struct GlfwEnd {
   }
 };
 
-/// GLFW, ImGui and the canvas, from the opening of the window to its end.
+/// GLFW, ImGui and the canvas, from opening to closing the window.
 class Window {
  public:
   explicit Window(const WindowOptions& options) : options_(options) {}
@@ -126,7 +127,7 @@ class Window {
   void install_callbacks();
   void open_files();
 
-  // What happens, by hand or by script.
+  // Input from the user or the script.
   void on_key(const KeyPress& key, bool down);
   void on_pointer(const glm::dvec2& at);
   void on_button(int button, bool down, const KeyPress& with);
@@ -153,7 +154,7 @@ class Window {
   }
 
   const WindowOptions& options_;
-  GlfwEnd glfw_;  // after the threads of the session, which wake the window
+  GlfwEnd glfw_;  // after the session's threads, which wake the window
   Session session_;
   GLFWwindow* window_ = nullptr;
   bool gui_ready_ = false;
@@ -165,7 +166,7 @@ class Window {
   int hurry_ = 0;                   ///< of the last picture, as Canvas::draw() has it
   std::uint64_t seen_version_ = 0;  ///< of the scene in it
   bool full_screen_ = false;
-  std::array<int, 4> windowed_{};  // place and size before the full screen
+  std::array<int, 4> windowed_{};  // position and size before full screen
   std::size_t step_ = 0;
   int step_frames_ = 0;
   std::uint64_t step_looks_ = 0;  // Session::looks when the step began
@@ -203,7 +204,7 @@ bool Window::create_window() {
 void Window::create_gui() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // the settings are ours
+  ImGui::GetIO().IniFilename = nullptr;  // the window keeps its own settings
   install_callbacks();
   ImGui_ImplGlfw_InitForOpenGL(window_, false);
   ImGui_ImplOpenGL3_Init("#version 410 core");
@@ -324,7 +325,7 @@ void Window::on_drop(const std::vector<std::string>& paths) {
   drop(session_, paths);
 }
 
-// As an editor would that writes a new file in the place of the old one.
+// Replaces a file like an editor that renames a new one into place.
 bool Window::copy_file(const ScriptStep& step) {
   std::string bytes;
   IoError error = read_file(step.text, options_.setup.read.limits.file_bytes, bytes);
@@ -335,7 +336,7 @@ bool Window::copy_file(const ScriptStep& step) {
   return error.empty();
 }
 
-// True: the step is done.
+// Returns true if the step is done.
 bool Window::do_step(const ScriptStep& step) {
   constexpr std::uint64_t looks_for_change = 2;  // see FileWatch::changed()
   switch (step.kind) {
@@ -380,7 +381,7 @@ bool Window::do_step(const ScriptStep& step) {
   return true;
 }
 
-// One step a frame. False: the script is at its end, or has failed.
+// Does one step per frame. Returns false if the script has ended or failed.
 bool Window::do_step() {
   const std::vector<ScriptStep>& steps = options_.script.steps;
   if (step_ >= steps.size()) {
@@ -410,7 +411,7 @@ void Window::wait() {
   }
 }
 
-// Title and full screen are the window's to change.
+// Only the window changes the title and full screen.
 void Window::follow_session() {
   glfwSetWindowTitle(window_, fmt::format("{} - scenefile", scene_name(session_)).c_str());
   if (session_.full_screen == full_screen_) {
@@ -466,7 +467,7 @@ GuiFrame Window::gui_frame() const {
   return frame;
 }
 
-// Of a picture that moves.
+// For a moving picture.
 int Window::next_hurry() const {
   if (session_.shown != nullptr && session_.version != seen_version_) {
     const bool many = count_virtual_primitives(session_.shown->opened.ready.scene) > many_objects;
@@ -519,7 +520,7 @@ bool Window::write_screenshot(const std::string& path) {
 void Window::remember_settings() {
   Settings settings = session_.settings;
   if (!full_screen_) {
-    // As it was asked for: on a dense screen the window opens as much larger.
+    // On a high-density screen, the window opens larger accordingly.
     glm::ivec2 pixels(0);
     glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
     const glm::dvec2 size = glm::dvec2(pixels) / screen_density(window_);

@@ -1,5 +1,5 @@
 #pragma once
-// The window: opens, shows the session, and hands on what the user does.
+// The window: shows the session and forwards user input.
 
 #include "scenefile/viewer/script.h"
 #include "scenefile/viewer/session.h"
@@ -11,30 +11,30 @@
 namespace scenefile::viewer {
 
 struct WindowOptions {
-  SessionSetup setup;               ///< `wake` is the window's
+  SessionSetup setup;               ///< `wake` is set by the window
   std::string scene;                ///< a file, a folder, or - for standard input
   std::string reference;            ///< a picture to compare with; empty: none
-  std::string settings;             ///< the file of the settings; empty: they are not kept
-  std::optional<glm::ivec2> size;   ///< of the window; else as remembered
-  std::optional<bool> ray_tracing;  ///< at the start; else as remembered
-  Script script;                    ///< steps to do instead of a user's; then the window closes
-  bool hidden = false;  ///< do not show the window on the screen (it is drawn all the same)
+  std::string settings;             ///< path of the settings file; empty: settings are not kept
+  std::optional<glm::ivec2> size;   ///< of the window; default: as remembered
+  std::optional<bool> ray_tracing;  ///< at the start; default: as remembered
+  Script script;                    ///< runs instead of user input; then the window closes
+  bool hidden = false;              ///< draw without showing the window on the screen
 };
 
 enum class WindowStatus : std::uint8_t {
   closed,      ///< by the user, or at the end of the script
-  no_display,  ///< there is no screen to open a window on
-  failed,      ///< the screen has no OpenGL 4.1, or the script could not be done
+  no_display,  ///< there is no screen
+  failed,      ///< no OpenGL 4.1, or the script failed
 };
 
 struct WindowResult {
   WindowStatus status = WindowStatus::closed;
-  std::string error;  ///< one line, where it was not closed
-  bool shown = true;  ///< whether the last scene that was asked for could be drawn
+  std::string error;  ///< one line, unless closed
+  bool shown = true;  ///< whether the scene requested last could be drawn
 };
 
-/// Opens the window and returns when it is closed. Call it on the first thread of the program, and
-/// not from two places at once.
+/// Opens the window and returns after it is closed. Call it from the main thread, and only once at
+/// a time.
 WindowResult run_window(const WindowOptions& options);
 
 }  // namespace scenefile::viewer

@@ -114,7 +114,7 @@ struct Session {
   Hidden hidden;
   std::optional<std::uint32_t> selected;     ///< row of the outline
   std::string selected_path;                 ///< path of the clicked object, or of the node
-  std::vector<std::uint32_t> selected_copy;  ///< sources of the copies it lies in; of clicks alone
+  std::vector<std::uint32_t> selected_copy;  ///< sources of instances around it, after clicks
   Bounds selected_box;                       ///< selected_bounds()
   std::set<std::uint32_t> open_rows;         ///< rows of the outline that show their contents
   bool reveal_selected = false;              ///< scroll the outline to the selection

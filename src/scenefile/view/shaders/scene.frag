@@ -35,7 +35,7 @@ uniform vec3 quadric;      // round side: x^2 + z^2 + a y^2 + b y + c = 0; 0 for
 uniform float transparent; // transparentcoeff
 uniform int passing;       // 1: output the light transmitted by the object instead of its own
 uniform float truncation;  // 1/510 to truncate, 0 to round
-uniform vec4 depth_axis;   // where it is 0 with a point of the world, depth is nearest; 1: farthest
+uniform vec4 depth_axis;   // dot product with a world point: 0 nearest, 1 farthest
 
 const float pi = 3.14159265358979;
 

@@ -177,6 +177,9 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
+	@$(MAKE) $(QUIET) packages-tried
+	@scripts/bare-machine trixie --make-packages out/packages-trixie
+	@scripts/bare-machine trixie --packages out/packages-trixie
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) faults
@@ -219,8 +222,17 @@ docs: build ## build the documentation site: out/site/index.html
 	@mkdocs build --quiet
 	@echo "The site is in out/site."
 
+.PHONY: packages packages-tried
+packages: ## make Debian packages of this system and an archive for any: out/packages
+	@scripts/install-deps core packages
+	@JOBS=$(JOBS) scripts/make-packages out/packages
+packages-tried: packages ## SUITE=bookworm: install them on a Debian that has nothing, try and remove them (needs root)
+	@scripts/install-deps bare
+	@scripts/bare-machine $(or $(SUITE),bookworm) --packages out/packages
+
 .PHONY: install
 install: build ## install to PREFIX (default /usr/local)
+	$(call compile,scenefile_manual)
 	@cmake --install $(BUILD) --prefix "$(or $(PREFIX),/usr/local)"
 
 .PHONY: clean

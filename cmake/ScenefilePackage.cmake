@@ -1,4 +1,4 @@
-# The installed CMake package: find_package(scenefile).
+# The installed package of the library: find_package(scenefile), and pkg-config scenefile.
 include(CMakePackageConfigHelpers)
 if(SCENEFILE_TRACE)
   get_directory_property(SCENEFILE_EMBREE_VERSION
@@ -10,5 +10,25 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/scenefileConfig.cmake.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/scenefileConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/scenefileConfig.cmake
-  ${PROJECT_BINARY_DIR}/scenefileConfigVersion.cmake DESTINATION ${package_folder})
-install(EXPORT scenefileTargets NAMESPACE scenefile:: DESTINATION ${package_folder})
+  ${PROJECT_BINARY_DIR}/scenefileConfigVersion.cmake DESTINATION ${package_folder} COMPONENT library)
+install(EXPORT scenefileTargets NAMESPACE scenefile:: DESTINATION ${package_folder} COMPONENT library)
+
+# Archives in the order of linking: whoever uses another comes first. What has no .pc file everywhere
+# is named as a library.
+get_property(rooms GLOBAL PROPERTY scenefile_installed_rooms)
+list(REVERSE rooms)
+list(TRANSFORM rooms PREPEND -lscenefile_ OUTPUT_VARIABLE libs)
+list(APPEND libs -lisal)
+set(requires glm fmt expat libpng libjpeg zlib)
+if(SCENEFILE_TRACE)
+  string(REGEX MATCH "^[0-9]+" embree_major ${SCENEFILE_EMBREE_VERSION})
+  list(APPEND libs -lembree${embree_major} -ltbbmalloc)
+  list(APPEND requires tbb)
+endif()
+list(JOIN libs " " libs)
+list(JOIN requires ", " requires)
+set(pc_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH prefix_from_pc /${pc_folder} /)
+string(REGEX REPLACE "/$" "" prefix_from_pc "${prefix_from_pc}")
+configure_file(${PROJECT_SOURCE_DIR}/packages/scenefile.pc.in ${PROJECT_BINARY_DIR}/scenefile.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/scenefile.pc DESTINATION ${pc_folder} COMPONENT library)

@@ -1,5 +1,5 @@
 # Installs the build to a fresh folder, builds the consumer against it as a stranger would, and
-# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -DFLAGS=... -P run.cmake
+# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -DFLAGS=... -DCXX=... -DLIBDIR=... -P run.cmake
 function(must)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -12,6 +12,13 @@ must(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 must(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_BUILD_TYPE=Release
   -DCMAKE_PREFIX_PATH=${WORK}/prefix "-DCMAKE_CXX_FLAGS=${FLAGS}")
 must(${CMAKE_COMMAND} --build ${WORK}/build)
+# The same without CMake: what pkg-config says links it, too.
+set(ENV{PKG_CONFIG_PATH} ${WORK}/prefix/${LIBDIR}/pkgconfig)
+execute_process(COMMAND pkg-config --libs scenefile OUTPUT_VARIABLE libs OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(libs UNIX_COMMAND "${libs} ${FLAGS}")
+must(${CXX} ${WORK}/build/CMakeFiles/consumer.dir/main.cpp.o -o ${WORK}/build/linked ${libs})
+must(${WORK}/build/linked ${SCENES}/hello.xml ${WORK}/linked.png)
+
 foreach(scene hello showcase)
   must(${WORK}/build/consumer ${SCENES}/${scene}.xml ${WORK}/${scene}.png)
   file(SIZE ${WORK}/${scene}.png size)

@@ -1,5 +1,5 @@
-# What makes an installed program at home on a desk: manual pages, completions, and the window among
-# the programs that open files.
+# What the system knows an installed program by: manual pages, completions, and the window among the
+# programs that open files.
 set(manual ${PROJECT_BINARY_DIR}/manual)
 set(make_manual ${PROJECT_SOURCE_DIR}/cmake/make_manual.cmake)
 add_custom_command(OUTPUT ${manual}.stamp

@@ -1,7 +1,7 @@
 #include "app/carry_files.h"
 
-#include "app/codes.h"
 #include "scenefile/base/text.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 

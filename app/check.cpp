@@ -1,19 +1,27 @@
 #include "app/command.h"
-#include "app/findings.h"
-#include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
 #include "app/realtime.h"
-#include "app/sarif.h"
 #include "app/scene_files.h"
+#include "scenefile/verbs/sarif.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace scenefile::app {
 
 namespace {
+
+std::string path_from_here(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path here = std::filesystem::current_path(error);
+  const std::string relative = std::filesystem::path(path).lexically_relative(here).string();
+  return error || relative.empty() || relative.starts_with("..") ? path : relative;
+}
 
 // Where the findings of one scene after the other go.
 class Report {
@@ -26,7 +34,7 @@ class Report {
     if (options_.json) {
       json_.push_back(scene_json(scene));
     } else if (options_.sarif) {
-      sarif_.add(scene, options_);
+      sarif_.add(scene, [&](const std::string& name) { return path_of(scene, name); });
     } else {
       return print(scene);
     }
@@ -39,7 +47,7 @@ class Report {
       return answer(check_json(json_));
     }
     if (options_.sarif) {
-      return answer(sarif_.text(status));
+      return answer(sarif_.text(static_cast<int>(status)));
     }
     const bool wanted = scenes_ > 1 && !options_.quiet;
     return wanted ? answer(tally_.text()) : ExitCode::fine;
@@ -49,16 +57,26 @@ class Report {
   ExitCode print(const LoadedScene& scene) const {
     const std::string text = findings_text(
         scene, options_.quiet ? Verbosity::errors : Verbosity::all, wants_color(Stream::answer));
-    if (scene.unreadable.empty()) {
+    if (!scene.unreadable) {
       return answer(text);
     }
     say(text);
     return ExitCode::fine;
   }
 
+  // Where a file of the scene was found, as seen from the working directory where it lies in that.
+  std::string path_of(const LoadedScene& scene, const std::string& name) const {
+    for (const AssetFile& file : locate_files(scene, options_)) {
+      if (file.reference.name == name && !file.resolved.path.empty()) {
+        return path_from_here(file.resolved.path);
+      }
+    }
+    return {};
+  }
+
   const Options& options_;
   std::size_t scenes_;
-  Tally tally_;
+  VerdictCounts tally_;
   std::vector<std::string> json_;
   SarifLog sarif_;
 };
@@ -72,21 +90,20 @@ ExitCode run_check(const Options& options, Context& context) {
   Report report(options, files.size());
   for (const SceneFile& file : files) {
     LoadedScene scene;
-    if (file.unreadable.empty()) {
-      scene = load_scene(file.path, options, depth, options.allow_missing, context);
+    if (!file.unreadable) {
+      scene = load_scene(file.path, options, depth, options.load.allow_missing, context);
     } else {
       scene.path = file.path;
       scene.unreadable = file.unreadable;
     }
-    if (scene.unreadable.empty()) {
+    if (!scene.unreadable) {
       context.phase = "checking the picture";
-      check_picture(scene, {});
-      if (const auto realtime = realtime_options(options);
-          realtime && status_of(scene) == ExitCode::fine) {
+      check_picture(scene);
+      if (const auto realtime = realtime_options(options); realtime && scene.usable()) {
         check_realtime(*realtime, scene);
       }
     }
-    apply_policy(options, scene.diagnostics);
+    apply_policy(options.policy, scene.diagnostics);
     status = worse(status, status_of(scene));
     context.phase = "writing the report";
     if (report.add(scene) != ExitCode::fine) {

@@ -24,17 +24,16 @@ std::uint64_t fingerprint(std::string_view bytes) {
 
 // The version says too little while a program is being worked on; its bytes say all.
 std::uint64_t program_fingerprint() {
-  std::string bytes;
-  read_file("/proc/self/exe", std::uint64_t{1} << 30, bytes);
-  return fingerprint(SCENEFILE_VERSION + bytes);
+  const Result<std::string> bytes = read_file("/proc/self/exe", std::uint64_t{1} << 30);
+  return fingerprint(SCENEFILE_VERSION + (bytes ? *bytes : std::string()));
 }
 
 // Everything on the command line that changes a pixel.
 std::uint64_t options_fingerprint(const Options& options) {
   std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
-                                 options.compat_course, options.allow_missing);
+                                 options.load.compat_course, options.load.allow_missing);
   for (const LimitRow& limit : limit_table()) {
-    text += fmt::format(" {}={}", limit.name, limit.get(options.limits));
+    text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));
   }
   return fingerprint(text);
 }
@@ -60,15 +59,14 @@ Outcome resume(const Options& options, const CheckpointKey& key, std::string& st
   if (!std::filesystem::exists(options.checkpoint, ignored) && !ignored) {
     return {};
   }
-  std::string bytes;
-  const IoError error = read_file(options.checkpoint, most_bytes(options), bytes);
-  if (error.over_limit) {
+  const Result<std::string> bytes = read_file(options.checkpoint, most_bytes(options));
+  if (!bytes && bytes.error().kind == ErrorKind::limit) {
     return refusal(options, "the file is longer than a checkpoint of this picture");
   }
-  if (!error.empty()) {
-    return {ExitCode::environment, error.text};
+  if (!bytes) {
+    return {ExitCode::environment, bytes.error().text};
   }
-  const std::string why = decode_checkpoint(bytes, key, state);
+  const std::string why = decode_checkpoint(*bytes, key, state);
   return why.empty() ? Outcome() : refusal(options, why);
 }
 
@@ -80,10 +78,10 @@ Outcome open_checkpoint(const Options& options, const LoadedScene& scene,
   Outcome error = resume(options, key, checkpoints.resume);
   checkpoints.save = [path = options.checkpoint, key,
                       said = std::make_shared<bool>(false)](const std::string& state) {
-    const IoError failed = write_file(path, encode_checkpoint(key, state));
-    if (!failed.empty() && !*said) {
+    const Result<void> written = write_file(path, encode_checkpoint(key, state));
+    if (!written && !*said) {
       *said = true;
-      say_error(fmt::format("warning: no checkpoint: {}", failed.text));
+      say_error(fmt::format("warning: no checkpoint: {}", written.error().text));
     }
   };
   return error;

@@ -1,7 +1,7 @@
 #pragma once
 // --checkpoint: the state of a render in a file.
 
-#include "app/tracing.h"
+#include "app/load.h"
 #include "scenefile/io/checkpoint.h"
 #include "scenefile/trace/render.h"
 

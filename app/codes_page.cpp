@@ -1,7 +1,7 @@
 #include "app/codes_page.h"
 
-#include "app/codes.h"
 #include "app/wrap.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 

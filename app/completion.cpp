@@ -1,9 +1,9 @@
 #include "app/completion.h"
 
-#include "app/codes.h"
 #include "app/command.h"
 #include "app/help.h"
 #include "app/option_table.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

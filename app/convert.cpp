@@ -1,7 +1,5 @@
 #include "app/carry_files.h"
-#include "app/codes.h"
 #include "app/command.h"
-#include "app/findings.h"
 #include "app/import_model.h"
 #include "app/json.h"
 #include "app/load.h"
@@ -14,6 +12,7 @@
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 
@@ -37,8 +36,8 @@ ExitCode check_target(const std::string& input, const std::string& output) {
     say_error("the output would replace the scene; choose another name");
     return ExitCode::usage;
   }
-  if (const IoError error = check_writable(output); !error.empty()) {
-    say_error(error.text);
+  if (const Result<void> writable = check_writable(output); !writable) {
+    say_error(writable.error().text);
     return ExitCode::environment;
   }
   return ExitCode::fine;
@@ -82,7 +81,8 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
   context.phase = "looking for textures and meshes";
   carry_files(scene, options.arguments[1], options);
   context.phase = "writing the scene";
-  return write_scene(scene.written, scene_format(*options.to), options.limits, scene.diagnostics);
+  return write_scene(scene.written, scene_format(*options.to), options.load.limits,
+                     scene.diagnostics);
 }
 
 // POV-Ray opens the textures itself, so it is told where they were found.
@@ -205,7 +205,7 @@ ExitCode run_convert(const Options& options, Context& context) {
                          /*allow_missing=*/true, context);
   std::string text;
   if (status_of(scene) == ExitCode::fine) {
-    text = model ? write_scene(scene.written, scene_format(report.format), options.limits,
+    text = model ? write_scene(scene.written, scene_format(report.format), options.load.limits,
                                scene.diagnostics)
                  : convert(scene, options, files, context);
   }
@@ -214,7 +214,7 @@ ExitCode run_convert(const Options& options, Context& context) {
   }
   context.phase = "writing the file";
   ExitCode status = status_of(scene);
-  report.error = status == ExitCode::fine ? write_model(report.output, text, files).text
+  report.error = status == ExitCode::fine ? error_text(write_model(report.output, text, files))
                                           : "the scene cannot be used";
   report.bytes = text.size();
   if (status == ExitCode::fine && !report.error.empty()) {

@@ -1,7 +1,5 @@
 #include "app/diff.h"
-#include "app/findings.h"
-#include "app/json.h"
-#include "app/judgement.h"
+#include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -9,6 +7,8 @@
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
+#include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
@@ -41,20 +41,20 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
       threshold, m.ssim, m.flip_mean, m.flip_max);
 }
 
-std::string verdict_text(const Judgement& judgement) {
-  if (judgement.measures.difference.max == 0 && judgement.measures.same_size) {
+std::string verdict_text(const PictureComparison& found) {
+  if (found.measures.difference.max == 0 && found.measures.same_size) {
     return "equal\n";
   }
   std::string text;
-  for (const std::string& clause : judgement.broken) {
+  for (const std::string& clause : found.broken) {
     text += fmt::format("different: {}\n", clause);
   }
-  return text.empty() ? "the same within the thresholds\n" : text + causes_text(judgement);
+  return text.empty() ? "the same within the thresholds\n" : text + causes_text(found);
 }
 
-// `scene`: of --scene, or null. `judgement`: null when something cannot be used.
+// `scene`: of --scene, or null. `found`: null when something cannot be used.
 std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
-                      const Judgement* judgement) {
+                      const PictureComparison* found) {
   Json json;
   begin_document(json, "diff");
   for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
@@ -72,22 +72,22 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
     json.key("scene");
     json.raw(scene_json(*scene));
   }
-  if (judgement != nullptr) {
-    add_judgement(json, *judgement);
+  if (found != nullptr) {
+    add_comparison(json, *found);
   }
   json.end_object();
   return json.text();
 }
 
 ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
-                    const Judgement& judgement, Context& context) {
+                    const PictureComparison& found, Context& context) {
   ExitCode status = ExitCode::fine;
   const Texture heat = heat_map(a, b);
   if (!options.heatmap.empty()) {
     status = save_picture(options.heatmap, heat, context);
   }
   if (!options.sheet.empty()) {
-    const Texture flip = flip_picture(judgement.flip_errors, a.width, a.height);
+    const Texture flip = flip_picture(found.flip_errors, a.width, a.height);
     std::vector<const Texture*> pictures{&a, &b, &heat};
     if (!flip.empty()) {
       pictures.push_back(&flip);
@@ -116,19 +116,19 @@ ExitCode check_targets(const Options& options) {
       say_error("the output would replace a picture that is compared");
       return ExitCode::usage;
     }
-    if (const IoError error = check_writable(target); !error.empty()) {
-      say_error(error.text);
+    if (const Result<void> writable = check_writable(target); !writable) {
+      say_error(writable.error().text);
       return ExitCode::environment;
     }
   }
   return ExitCode::fine;
 }
 
-Judgement judge_pictures(const Texture& a, const Texture& b, const LoadedScene* scene,
-                         const Options& options, Context& context) {
+PictureComparison compare(const Texture& a, const Texture& b, const LoadedScene* scene,
+                          const Options& options, Context& context) {
   context.phase = "comparing the pictures";
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  return judge(a, b, scene, options, [&](double done) {
+  return compare_pictures(a, b, scene, compare_settings(options), [&](double done) {
     bar.update(done);
     return true;
   });
@@ -160,16 +160,16 @@ ExitCode diff_images(const Options& options, Context& context) {
     }
   }
   const LoadedScene* const shown = scene ? &*scene : nullptr;
-  const Judgement judgement = judge_pictures(a.picture, b.picture, shown, options, context);
+  const PictureComparison found = compare(a.picture, b.picture, shown, options, context);
   // What is said is ready before something is written, so that nothing can fail afterwards.
-  const std::string text = options.json ? json_text(a, b, shown, &judgement)
+  const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet
                                ? std::string()
                                : heading(a, b) + "\n" +
-                                     measures_text(judgement.measures, options.pixel_threshold) +
-                                     verdict_text(judgement);
-  ExitCode status = judgement.broken.empty() ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_maps(options, a.picture, b.picture, judgement, context));
+                                     measures_text(found.measures, options.pixel_threshold) +
+                                     verdict_text(found);
+  ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
+  status = worse(status, write_maps(options, a.picture, b.picture, found, context));
   return text.empty() ? status : worse(status, answer(text));
 }
 

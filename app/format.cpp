@@ -1,5 +1,4 @@
 #include "app/command.h"
-#include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
@@ -7,6 +6,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/io/file.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
@@ -18,19 +18,23 @@ struct Formatted {
   LoadedScene file;  // nothing but its text and findings
   std::optional<std::string> text;
   bool changed = false;
-  IoError unwritable = {};
+  std::string unwritable = {};  // why not; empty: it was, where it had to be
 };
 
 Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& context) {
   Formatted result;
   result.file.path = file.path;
   context.phase = "reading the file";
-  result.file.unreadable = file.unreadable.empty()
-                               ? read_file(file.path, limits.file_bytes, result.file.text)
-                               : file.unreadable;
-  if (result.file.unreadable.empty()) {
-    context.phase = "laying out the file";
-    result.text = lay_out(result.file.text, limits, result.file.diagnostics);
+  result.file.unreadable = file.unreadable;
+  if (!file.unreadable) {
+    Result<std::string> text = read_file(file.path, limits.file_bytes);
+    if (text) {
+      context.phase = "laying out the file";
+      result.file.text = *std::move(text);
+      result.text = lay_out(result.file.text, limits, result.file.diagnostics);
+    } else {
+      result.file.unreadable = text.error();
+    }
   }
   result.changed = result.text.has_value() && *result.text != result.file.text;
   return result;
@@ -38,7 +42,7 @@ Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& con
 
 ExitCode status_of(const Formatted& result, const Options& options) {
   if (!result.text.has_value()) {
-    return status_of(result.file);
+    return app::status_of(result.file);
   }
   if (!result.unwritable.empty()) {
     return ExitCode::environment;
@@ -52,14 +56,14 @@ void write(Formatted& result, const Options& options, Context& context) {
     return;
   }
   context.phase = "writing the file";
-  result.unwritable = write_file(result.file.path, *result.text);
+  result.unwritable = error_text(write_file(result.file.path, *result.text));
 }
 
 void report(const Formatted& result, const Options& options) {
   if (!result.text.has_value()) {
     say(findings_text(result.file, Verbosity::errors, wants_color(Stream::chatter)));
   } else if (!result.unwritable.empty()) {
-    say_error(result.unwritable.text);
+    say_error(result.unwritable);
   } else if (result.changed && !options.quiet && result.file.path != "-") {
     say_afterwards([&] { return fmt::format("{}: formatted\n", escaped(result.file.path, 4096)); });
   }
@@ -72,11 +76,11 @@ ExitCode run_format(const Options& options, Context& context) {
   std::vector<FormatReport> reports;
   std::string would_change;
   for (const SceneFile& file : scene_files(options, context)) {
-    Formatted result = lay_out_file(file, options.limits, context);
+    Formatted result = lay_out_file(file, options.load.limits, context);
     write(result, options, context);
     status = worse(status, status_of(result, options));
     if (options.json) {
-      reports.push_back({scene_json(result.file), result.changed, result.unwritable.text});
+      reports.push_back({scene_json(result.file), result.changed, result.unwritable});
     } else if (!options.check || !result.text.has_value()) {
       report(result, options);
     } else if (result.changed) {

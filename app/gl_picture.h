@@ -1,7 +1,7 @@
 #pragma once
 // Drawing with OpenGL instead of tracing, without a window.
 
-#include "app/tracing.h"
+#include "app/load.h"
 #include "scenefile/asset/image.h"
 
 #include <cstdint>

@@ -1,7 +1,5 @@
 #include "app/command.h"
 #include "app/grade_files.h"
-#include "app/json.h"
-#include "app/judgement.h"
 #include "app/load_picture.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -9,6 +7,8 @@
 #include "scenefile/compare/sheet.h"
 #include "scenefile/grade/gradebook.h"
 #include "scenefile/io/file.h"
+#include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
@@ -61,7 +61,14 @@ class Grader {
  public:
   /// `by_causes`: a picture passes by what is wrong with it, not by a threshold alone.
   Grader(const Options& options, bool by_causes, Context& context)
-      : options_(options), by_causes_(by_causes), context_(context) {}
+      : options_(options),
+        settings_(compare_settings(options)),
+        by_causes_(by_causes),
+        context_(context) {
+    if (by_causes) {
+      settings_.look = LookForCauses::always;
+    }
+  }
 
   std::size_t matched() const { return matched_; }
 
@@ -162,15 +169,15 @@ class Grader {
       return result;
     }
     context_.phase = "comparing the pictures";
-    const Judgement judgement = judge(
-        reference.picture.picture, picture.picture, reference.scene ? &*reference.scene : nullptr,
-        options_, progress, by_causes_ ? LookForCauses::always : LookForCauses::where_broken);
-    result.measures = judgement.measures;
-    result.reasons = judgement.broken;
-    result.causes = judgement.causes.claims;
-    result.verdict = judgement.broken.empty() ? Verdict::passed : Verdict::differs;
-    if (by_causes_ && judgement.measures.same_size) {
-      follow_causes(judgement, result);
+    const PictureComparison compared =
+        compare_pictures(reference.picture.picture, picture.picture,
+                         reference.scene ? &*reference.scene : nullptr, settings_, progress);
+    result.measures = compared.measures;
+    result.reasons = compared.broken;
+    result.causes = compared.causes.claims;
+    result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
+    if (by_causes_ && compared.measures.same_size) {
+      follow_causes(compared, result);
     }
     if (result.verdict == Verdict::differs && !options_.report.empty()) {
       result.png = thumbnail(reference.picture.picture, picture.picture);
@@ -180,8 +187,8 @@ class Grader {
 
   // Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges
   // and rounding alone pass.
-  static void follow_causes(const Judgement& judgement, PictureResult& result) {
-    const CauseReport& report = judgement.causes;
+  static void follow_causes(const PictureComparison& compared, PictureResult& result) {
+    const CauseReport& report = compared.causes;
     const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),
                                      [](const Claim& c) { return c.cause != Cause::rounding; });
     if (mistake) {
@@ -189,7 +196,7 @@ class Grader {
       if (result.reasons.empty()) {
         result.reasons = {
             fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
-                        judgement.measures.difference.psnr_db)};
+                        compared.measures.difference.psnr_db)};
       }
     } else if (report.partial.empty() && report.share_different < 0.001) {
       result.verdict = Verdict::passed;
@@ -208,6 +215,7 @@ class Grader {
   }
 
   const Options& options_;
+  CompareSettings settings_;
   bool by_causes_;
   Context& context_;
   std::vector<FoundFile> files_;  // of the references
@@ -260,11 +268,11 @@ ExitCode write_text(const std::string& path, const std::string& text) {
   if (path.empty()) {
     return ExitCode::fine;
   }
-  const IoError error = write_file(path, text);
-  if (!error.empty()) {
-    say_error(error.text);
+  const Result<void> written = write_file(path, text);
+  if (!written) {
+    say_error(written.error().text);
   }
-  return error.empty() ? ExitCode::fine : ExitCode::environment;
+  return written ? ExitCode::fine : ExitCode::environment;
 }
 
 ExitCode check_places(const Options& options) {
@@ -277,8 +285,9 @@ ExitCode check_places(const Options& options) {
     }
   }
   for (const std::string& target : {options.report, options.junit}) {
-    if (const IoError error = target.empty() ? IoError{} : check_writable(target); !error.empty()) {
-      say_error(error.text);
+    if (const Result<void> writable = target.empty() ? Result<void>() : check_writable(target);
+        !writable) {
+      say_error(writable.error().text);
       return ExitCode::environment;
     }
   }

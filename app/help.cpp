@@ -1,6 +1,5 @@
 #include "app/help.h"
 
-#include "app/codes.h"
 #include "app/codes_page.h"
 #include "app/json.h"
 #include "app/limit_table.h"
@@ -10,6 +9,7 @@
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
 #include "scenefile/grade/cause_help.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 

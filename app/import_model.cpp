@@ -39,36 +39,40 @@ bool is_model(const std::string& path) {
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
                          std::vector<ImportedFile>& files, Context& context) {
   LoadedScene scene;
-  scene.diagnostics = Diagnostics(options.limits);
+  scene.diagnostics = Diagnostics(options.load.limits);
   scene.path = path;
   context.phase = "reading the file";
-  std::string bytes;
-  scene.unreadable = read_file(path, options.limits.file_bytes, bytes);
-  if (!scene.unreadable.empty()) {
+  const Result<std::string> bytes = read_file(path, options.load.limits.file_bytes);
+  if (!bytes) {
+    scene.unreadable = bytes.error();
     return scene;
   }
   context.phase = "reading the model";
   AssetRoots roots(asset_roots_options(path, options));
-  ImportOptions import{.stem = file_stem(output), .limits = options.limits};
+  ImportOptions import{.stem = file_stem(output), .limits = options.load.limits};
   import.fetch = [&](const std::string& name) { FileContents contents;
-  IoError error = roots.read(name, contents.bytes);
-  contents.error = std::move(error.text);
-  contents.over_limit = error.over_limit;
+  Result<std::string> read = roots.read(name);
+  if (read) {
+    contents.bytes = *std::move(read);
+  } else {
+    contents.error = read.error().text;
+    contents.over_limit = read.error().kind == ErrorKind::limit;
+  }
   return contents;
 };
 ImportedScene imported = extension_of(path) == ".obj"
-                               ? read_obj_scene(bytes, import, scene.diagnostics)
-                               : read_gltf(bytes, import, scene.diagnostics);
+                               ? read_obj_scene(*bytes, import, scene.diagnostics)
+                               : read_gltf(*bytes, import, scene.diagnostics);
 scene.written = std::move(imported.scene);
 files = std::move(imported.files);
 if (!scene.diagnostics.has_errors()) {
   context.phase = "checking the scene";
-  check(scene.written, options.limits, scene.diagnostics);
+  check(scene.written, options.load.limits, scene.diagnostics);
 }
 return scene;
 }  // namespace scenefile::app
 
-IoError write_model(const std::string& output, const std::string& text,
+Result<void> write_model(const std::string& output, const std::string& text,
                     const std::vector<ImportedFile>& files) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::vector<OutputFile> list;

@@ -21,7 +21,7 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
                          std::vector<ImportedFile>& files, Context& context);
 
 /// Writes the scene and the files beside it: all, or none.
-IoError write_model(const std::string& output, const std::string& text,
+Result<void> write_model(const std::string& output, const std::string& text,
                     const std::vector<ImportedFile>& files);
 
 }  // namespace scenefile::app

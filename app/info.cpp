@@ -1,5 +1,4 @@
 #include "app/command.h"
-#include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/names.h"
@@ -126,7 +125,7 @@ std::string file_text(const AssetFile& file) {
   if (resolved.error.empty()) {
     return fmt::format("{}{}: {}\n", head, rule_text(resolved.rule), escaped(resolved.path, 4096));
   }
-  std::string text = head + resolved.error.text + "\n";
+  std::string text = head + resolved.error + "\n";
   for (const std::string& place : resolved.tried) {
     text += fmt::format("    looked for {}\n", escaped(place, 4096));
   }

@@ -1,14 +1,10 @@
 #include "app/json.h"
 
-#include "app/codes.h"
-#include "app/findings.h"
-#include "app/json_writer.h"
 #include "app/limit_table.h"
 #include "app/names.h"
-#include "scenefile/base/report.h"
 #include "scenefile/explain/object_names.h"
-#include "scenefile/trace/layers.h"
-#include "scenefile/trace/visit_options.h"
+#include "scenefile/verbs/codes.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <algorithm>
 #include <array>
@@ -17,100 +13,6 @@
 namespace scenefile::app {
 
 namespace {
-
-void add_location(Json& json, Location location) {
-  if (location.known()) {
-    json.add("line", location.line);
-    json.add("column", location.column);
-  }
-}
-
-void add_finding(Json& json, const Diagnostic& d) {
-  json.begin_object();
-  json.add("code", d.code->name);
-  json.add("severity", severity_name(d.severity));
-  json.add("message", d.message);
-  if (!d.file.empty()) {
-    json.add("file", d.file);
-  }
-  add_location(json, d.location);
-  json.end_object();
-}
-
-// In the order of the enumerators.
-constexpr std::array<std::string_view, 4> verdict_words{"fine", "warnings", "errors", "unreadable"};
-
-void add_scene(Json& json, const LoadedScene& scene) {
-  json.begin_object();
-  json.add("file", scene.path);
-  if (!scene.unreadable.empty()) {
-    json.add("error", scene.unreadable.text);
-  }
-  json.add("verdict", verdict_words[static_cast<std::size_t>(verdict_of(scene))]);
-  json.add("errors", scene.diagnostics.count(Severity::error));
-  json.add("warnings", scene.diagnostics.count(Severity::warning));
-  json.add("notes", scene.diagnostics.count(Severity::note));
-  json.add("not_listed", scene.diagnostics.dropped());
-  json.begin_array("findings");
-  for (const Diagnostic* d : by_place(scene.diagnostics)) {
-    add_finding(json, *d);
-  }
-  json.end_array();
-  json.end_object();
-}
-
-// The value of an option.
-void add_option(Json& json, int value) {
-  json.value(value);
-}
-void add_option(Json& json, std::uint64_t value) {
-  json.value(value);
-}
-void add_option(Json& json, bool value) {
-  json.value(value);
-}
-void add_option(Json& json, Profile profile) {
-  json.value(profile_word(profile));
-}
-void add_option(Json& json, Mode mode) {
-  json.value(mode_word(mode));
-}
-void add_option(Json& json, const Features& features) {
-  json.begin_array();
-  visit_options(features, [&](const OptionField& field, bool on) {
-    if (on) {
-      json.value(field.name);
-    }
-  });
-  json.end_array();
-}
-void add_option(Json& json, const std::optional<PixelRegion>& crop) {
-  json.begin_array();
-  visit_options(*crop, [&](const OptionField&, int side) { json.value(side); });
-  json.end_array();
-}
-void add_option(Json& json, const std::vector<Layer>& layers) {
-  json.begin_array();
-  for (const Layer& layer : layers) {
-    json.value(layer_name(layer));
-  }
-  json.end_array();
-}
-void add_option(Json& /*json*/, const Mistakes& /*mistakes*/) {}
-
-bool is_set(bool value) {
-  return value;
-}
-bool is_set(const std::optional<PixelRegion>& crop) {
-  return crop.has_value();
-}
-bool is_set(const std::vector<Layer>& layers) {
-  return !layers.empty();
-}
-template <typename T>
-bool is_set(const T&) {
-  return true;
-}
 
 void add_camera(Json& json, const Scene& scene) {
   const Camera camera = scene.camera.value_or(Camera{});
@@ -163,7 +65,7 @@ void add_file(Json& json, const AssetFile& file) {
   if (file.resolved.error.empty()) {
     json.add("path", file.resolved.path);
   } else {
-    json.add("error", file.resolved.error.text);
+    json.add("error", file.resolved.error);
   }
   json.begin_array("tried");
   for (const std::string& path : file.resolved.tried) {
@@ -180,17 +82,6 @@ void add_bounds(Json& json, const std::optional<Bounds>& bounds) {
     json.add("max", bounds->max);
     json.end_object();
   }
-}
-
-// One scene's part of a difference; left out where the scene has no such thing.
-void add_side(Json& json, std::string_view name, const std::string& text, Location location) {
-  if (text.empty()) {
-    return;
-  }
-  json.begin_object(name);
-  json.add("text", text);
-  add_location(json, location);
-  json.end_object();
 }
 
 void add_code(Json& json, const Code& code) {
@@ -228,30 +119,6 @@ void add_command(Json& json, const Command& command) {
 }
 
 }  // namespace
-
-void begin_document(Json& json, std::string_view command) {
-  json.begin_object();
-  json.add("scenefile", SCENEFILE_VERSION);
-  json.add("command", command);
-}
-
-std::string scene_json(const LoadedScene& scene) {
-  Json json;
-  add_scene(json, scene);
-  return json.text();
-}
-
-std::string check_json(const std::vector<std::string>& scenes) {
-  Json json;
-  begin_document(json, "check");
-  json.begin_array("scenes");
-  for (const std::string& scene : scenes) {
-    json.raw(scene);
-  }
-  json.end_array();
-  json.end_object();
-  return json.text();
-}
 
 namespace {
 
@@ -314,17 +181,6 @@ void add_work(Json& json, const RenderReport& report) {
 }
 
 }  // namespace
-
-void add_render_options(Json& json, const RenderOptions& options) {
-  visit_options(options, [&](const OptionField& field, const auto& value) {
-    const bool said = field.answers == InAnswers::always ||
-                      (field.answers == InAnswers::when_set && is_set(value));
-    if (said && knows_option(options.profile, field.known)) {
-      json.key(field.name);
-      add_option(json, value);
-    }
-  });
-}
 
 std::string render_json(const LoadedScene& scene, const RenderReport& report) {
   const RenderOptions& options = report.options;
@@ -414,30 +270,6 @@ std::string format_json(const std::vector<FormatReport>& files, bool check) {
     json.end_object();
   }
   json.end_array();
-  json.end_object();
-  return json.text();
-}
-
-std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff) {
-  Json json;
-  begin_document(json, "diff");
-  json.key("a");
-  add_scene(json, a);
-  json.key("b");
-  add_scene(json, b);
-  if (diff != nullptr) {
-    json.add("equal", diff->equal);
-    json.add("same_meaning", diff->same_meaning);
-    json.begin_array("differences");
-    for (const SceneDifference& difference : diff->differences) {
-      json.begin_object();
-      json.add("where", difference.where);
-      add_side(json, "a", difference.a, difference.in_a);
-      add_side(json, "b", difference.b, difference.in_b);
-      json.end_object();
-    }
-    json.end_array();
-  }
   json.end_object();
   return json.text();
 }

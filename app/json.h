@@ -2,33 +2,18 @@
 // The answers of the commands as JSON documents.
 
 #include "app/gl_picture.h"
-#include "app/load.h"
 #include "app/option_table.h"
 #include "app/realtime.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"
-#include "scenefile/scene/diff.h"
 #include "scenefile/scene/summary.h"
+#include "scenefile/verbs/load_file.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace scenefile::app {
-
-class Json;
-
-/// The version and the name of the command; the document's object stays open.
-void begin_document(Json& json, std::string_view command);
-
-/// Size, profile, features and so on, into the object that is open.
-void add_render_options(Json& json, const RenderOptions& options);
-
-/// A scene with its findings, as a part of a document.
-std::string scene_json(const LoadedScene& scene);
-
-/// `scenes` are texts of scene_json().
-std::string check_json(const std::vector<std::string>& scenes);
 
 /// What a render came to.
 struct RenderReport {
@@ -68,9 +53,6 @@ struct FormatReport {
   std::string error = {};  ///< empty: it was written, where it had to be
 };
 std::string format_json(const std::vector<FormatReport>& files, bool check);
-
-/// `diff`: null when one of the scenes cannot be used.
-std::string diff_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
 
 std::string command_json(const Command& command);
 std::string code_json(const Code& code);

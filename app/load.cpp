@@ -1,113 +1,80 @@
 #include "app/load.h"
 
-#include "scenefile/base/hash.h"
-#include "scenefile/format/read_scene.h"
-#include "scenefile/io/file.h"
-#include "scenefile/io/memory.h"
+#include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
-#include "scenefile/scene/check.h"
+#include "scenefile/verbs/render_error.h"
 
-#include <cstdlib>
-#include <utility>
+#include <fmt/format.h>
+
+#include <csignal>
 
 namespace scenefile::app {
 
-AssetRootsOptions asset_roots_options(const std::string& path, const Options& options) {
-  AssetRootsOptions roots{.scene_path = path,
-                          .asset_roots = options.asset_roots,
-                          .allow_outside = options.allow_outside,
-                          .max_bytes = options.limits.file_bytes};
-  // What /course/cs123/data was on the course's machines.
-  if (const char* const data = std::getenv("CS123_DATA"); data != nullptr && *data != '\0') {
-    roots.asset_roots.emplace_back(data);
-  }
-  return roots;
-}
-
-namespace {
-
-void load_files(LoadedScene& scene, const Options& options, bool textures, bool allow_missing) {
-  AssetRoots roots(asset_roots_options(scene.path, options));
-  Hash hash;
-  const FetchFile fetch = [&](const std::string& name) {
-    FileContents contents;
-    IoError error = roots.read(name, contents.bytes);
-    contents.error = std::move(error.text);
-    contents.over_limit = error.over_limit;
-    hash.add(name);
-    hash.add(contents.bytes);
-    return contents;
-  };
-  LoadOptions load;
-  load.textures = textures;
-  load.allow_missing = allow_missing;
-  load.limits = options.limits;
-  load.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
-    for_each_index(count, options.render.threads, work);
-  };
-  scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files, fetch,
-                             load, scene.diagnostics);
-  scene.asset_fingerprint = hash.value();
-}
-
-void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>& references,
-            std::vector<AssetFile>& files) {
-  for (const FileReference& reference : references) {
-    files.push_back({kind, reference, roots.resolve(reference.name)});
-  }
-}
-
-}  // namespace
-
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context) {
-  const Limits& limits = options.limits;
-  LoadedScene scene;
-  scene.diagnostics = Diagnostics(limits);
-  scene.path = path;
-  context.phase = "reading the file";
-  scene.unreadable = read_file(path, limits.file_bytes, scene.text);
-  if (!scene.unreadable.empty()) {
-    return scene;
-  }
-  context.phase = "reading the scene";
-  scene.written = read_scene(scene.text, {.compat_course = options.compat_course, .limits = limits},
-                             scene.diagnostics);
-  context.phase = "checking the scene";
-  check(scene.written, limits, scene.diagnostics);
-  context.phase = "preparing the scene";
-  scene.ready = prepare(scene.written, limits);
-  if (depth != LoadDepth::prepared) {
-    context.phase = "loading textures and meshes";
-    load_files(scene, options, depth == LoadDepth::with_all_assets, allow_missing);
-  }
+  LoadSettings settings = options.load;
+  settings.depth = depth;
+  settings.allow_missing = allow_missing;
+  settings.entering = [&](const char* phase) { context.phase = phase; };
+  settings.for_each = [&](std::size_t count, const std::function<void(std::size_t)>& work) {
+    for_each_index(count, options.render.threads, work);
+  };
+  return load_scene_file(path, settings, options.access);
+}
+
+LoadedScene load_for_tracing(const Options& options, Context& context) {
+  LoadedScene scene = load_scene(options.arguments.front(), options, depth_for(options.render),
+                                 options.load.allow_missing, context);
+  check_picture(scene, options.render);
   return scene;
 }
 
-void check_picture(LoadedScene& scene, ViewQuestion question) {
-  if (scene.diagnostics.has_errors()) {
-    return;
-  }
-  if (scene.written.camera) {
-    question.camera = scene.written.camera->location;
-  }
-  question.place_of = [&](std::uint32_t source) { return scene.ready.sources[source].location; };
-  check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
-}
-
-void forget_file(LoadedScene& scene) {
-  std::string().swap(scene.text);  // an assignment would keep the memory
-  scene.written = {};
-  scene.ready.sources = {};
-  return_free_memory();
+AssetRootsOptions asset_roots_options(const std::string& path, const Options& options) {
+  return asset_roots_options(path, options.access, options.load.limits);
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options) {
-  AssetRoots roots(asset_roots_options(scene.path, options));
-  std::vector<AssetFile> files;
-  locate(roots, AssetKind::texture, scene.ready.scene.texture_files, files);
-  locate(roots, AssetKind::mesh, scene.ready.scene.mesh_files, files);
-  return files;
+  return locate_files(scene, options.access, options.load.limits);
+}
+
+ExitCode exit_code(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::environment:
+      return ExitCode::environment;
+    case ErrorKind::limit:
+      return ExitCode::limit;
+    case ErrorKind::input:
+      return ExitCode::findings;
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::cancelled:
+      return DeferredSignals::pending() == SIGTERM ? ExitCode::terminated : ExitCode::interrupted;
+  }
+  return ExitCode::fine;
+}
+
+ExitCode status_of(const LoadedScene& scene) {
+  const std::optional<ErrorKind> failure = failure_of(scene);
+  return failure ? exit_code(*failure) : ExitCode::fine;
+}
+
+Outcome outcome_of(const Result<void>& result) {
+  return result ? Outcome() : Outcome{exit_code(result.error().kind), result.error().text};
+}
+
+Outcome judge(RenderStatus status, const Context& context) {
+  const std::optional<Error> error = render_error(status);
+  return error ? judge(*error, context) : Outcome();
+}
+
+Outcome judge(const Error& error, const Context& context) {
+  if (error.kind == ErrorKind::environment && context.max_memory != 0) {
+    return {ExitCode::limit,
+            fmt::format("more memory than --max-memory {} is needed for building the "
+                        "acceleration structure",
+                        context.max_memory)};
+  }
+  return {exit_code(error.kind), error.text};
 }
 
 }  // namespace scenefile::app

@@ -1,55 +1,40 @@
 #pragma once
-// The way from a path to a scene that can be drawn, as all commands go it.
+// Loading scenes as the command line asks, and what became of them as exit statuses.
 
 #include "app/command.h"
-#include "scenefile/asset/load_assets.h"
-#include "scenefile/io/asset_roots.h"
-#include "scenefile/scene/prepare.h"
-#include "scenefile/trace/check_view.h"
+#include "scenefile/trace/render.h"
+#include "scenefile/verbs/findings.h"
+#include "scenefile/verbs/load_file.h"
 
 #include <string>
-#include <vector>
 
 namespace scenefile::app {
 
-/// How far to go.
-enum class LoadDepth { prepared, with_meshes, with_all_assets };
-
-/// What became of a file that the scene names.
-struct AssetFile {
-  AssetKind kind = AssetKind::texture;
-  FileReference reference;
-  ResolvedAsset resolved;
+/// Nothing went wrong where the error is empty.
+struct Outcome {
+  ExitCode status = ExitCode::fine;
+  std::string error;
 };
 
-struct LoadedScene {
-  std::string path;  ///< as given
-  std::string text;
-  IoError unreadable;  ///< why there is no text; empty: there is
-  Scene written;
-  Prepared ready;  ///< not to be drawn when there are errors
-  Assets assets;
-  std::uint64_t asset_fingerprint = 0;  ///< of names and bytes of all files that were loaded
-  Diagnostics diagnostics;
-};
-
-/// Reads, checks, prepares and loads. Goes on until the depth is reached or errors were found.
-/// `allow_missing`: a mesh that cannot be used is a warning.
+/// load_scene_file() with the options.
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
+/// Loads the scene with the files that a render with the options looks at, and adds warnings of
+/// what only the way of rendering makes doubtful.
+LoadedScene load_for_tracing(const Options& options, Context& context);
+
 /// Where the files may be that a scene at `path` names.
 AssetRootsOptions asset_roots_options(const std::string& path, const Options& options);
-
-/// Adds what check_view() finds about the picture, where there is one. `question` need not say
-/// where things are in the file.
-void check_picture(LoadedScene& scene, ViewQuestion question);
-
-/// Gives up what only messages about the file need (text, written scene, sources), for work that
-/// needs the memory.
-void forget_file(LoadedScene& scene);
-
-/// Where each file of the scene is.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
+
+ExitCode exit_code(ErrorKind kind);
+/// The exit status that the scene has earned so far.
+ExitCode status_of(const LoadedScene& scene);
+Outcome outcome_of(const Result<void>& result);
+/// What the tracer's status means to the program.
+Outcome judge(RenderStatus status, const Context& context);
+/// The same of an error that the tracer is behind.
+Outcome judge(const Error& error, const Context& context);
 
 }  // namespace scenefile::app

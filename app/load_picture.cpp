@@ -1,7 +1,9 @@
 #include "app/load_picture.h"
 
+#include "app/load.h"
 #include "app/output.h"
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 
@@ -14,16 +16,16 @@ LoadedPicture load_picture(const std::string& path, Context& context) {
   const Limits limits;
   LoadedPicture loaded;
   loaded.path = path;
-  std::string bytes;
-  if (const IoError error = read_file(path, limits.file_bytes, bytes); !error.empty()) {
-    loaded.error = error.text;
-    loaded.status = error.over_limit ? ExitCode::limit : ExitCode::environment;
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  if (!bytes) {
+    loaded.error = bytes.error().text;
+    loaded.status = exit_code(bytes.error().kind);
     return loaded;
   }
   std::uint64_t budget = limits.texture_bytes;
   std::string error;
   bool over_limit = false;
-  loaded.picture = decode_image(bytes, limits, budget, error, &over_limit);
+  loaded.picture = decode_image(*bytes, limits, budget, error, &over_limit);
   if (!error.empty()) {
     loaded.error = fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), error);
     loaded.status = over_limit ? ExitCode::limit : ExitCode::findings;
@@ -31,10 +33,37 @@ LoadedPicture load_picture(const std::string& path, Context& context) {
   return loaded;
 }
 
+LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,
+                                   Context& context) {
+  LoadedScene scene = load_scene(path, options, LoadDepth::with_all_assets, true, context);
+  if (!options.json) {
+    say(findings_text(scene, Verbosity::errors, wants_color(Stream::chatter)));
+    // Without its textures the scene is not what the reference shows, and causes are guessed wrong.
+    for (const Diagnostic* const finding : by_place(scene.diagnostics)) {
+      if (finding->code->name.starts_with("texture.")) {
+        say(fmt::format("{}: warning: {} [{}]\n", escaped(path, 4096),
+                        escaped(finding->message, 4096), finding->code->name));
+      }
+    }
+  }
+  return scene;
+}
+
+CompareSettings compare_settings(const Options& options) {
+  std::vector<RenderOptions> profiles{options.render};
+  if (!was_given(options, "--profile")) {
+    profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
+  }
+  return {options.thresholds, options.pixel_threshold,
+          possible_ways(profiles, was_given(options, "--features"))};
+}
+
 bool is_picture_file(const std::string& path) {
-  std::string bytes;
-  return path != "-" && !path.starts_with("/dev/") && !path.starts_with("/proc/") &&
-         read_file(path, Limits{}.file_bytes, bytes).empty() && is_image(bytes);
+  if (path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/")) {
+    return false;
+  }
+  const Result<std::string> bytes = read_file(path, Limits{}.file_bytes);
+  return bytes && is_image(*bytes);
 }
 
 std::string png_of(const Texture& picture, std::string& error) {
@@ -45,7 +74,7 @@ ExitCode save_picture(const std::string& path, const Texture& picture, Context& 
   context.phase = "writing a picture";
   std::string error;
   const std::string bytes = png_of(picture, error);
-  error = error.empty() ? write_file(path, bytes).text
+  error = error.empty() ? error_text(write_file(path, bytes))
                         : fmt::format("{}: cannot encode: {}", escaped(path, 4096), error);
   if (!error.empty()) {
     say_error(error);

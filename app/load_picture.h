@@ -3,6 +3,7 @@
 
 #include "app/command.h"
 #include "scenefile/asset/image.h"
+#include "scenefile/verbs/compare_pictures.h"
 
 namespace scenefile::app {
 
@@ -14,6 +15,13 @@ struct LoadedPicture {
 };
 
 LoadedPicture load_picture(const std::string& path, Context& context);
+
+/// The scene of --scene, said and without assets where it cannot be used.
+LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,
+                                   Context& context);
+
+/// What diff and grade ask of pictures.
+CompareSettings compare_settings(const Options& options);
 
 /// Whether the file holds a picture, by its first bytes; what cannot be read, and standard input,
 /// does not.

@@ -7,11 +7,10 @@
 
 namespace scenefile::app {
 
-inline constexpr std::array<std::string_view, 9> face_names{"side", "top", "bottom", "+x", "-x",
-                                                            "+y",   "-y",  "+z",     "-z"};
 inline constexpr std::array<std::string_view, 2> milestone_names{"lights-camera", "action"};
 inline constexpr std::array<std::string_view, 5> filter_names{"none", "invert", "grayscale", "blur",
                                                               "sharpen"};
+
 /// What scenes are written as, also the extensions of such files.
 inline constexpr std::array<std::string_view, 6> format_words{"xml", "json", "pov",
                                                               "glb", "gltf", "obj"};

@@ -1,6 +1,5 @@
 #include "app/option_table.h"
 
-#include "app/codes.h"
 #include "app/limit_table.h"
 #include "app/names.h"
 #include "scenefile/asset/image_file.h"
@@ -11,6 +10,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -79,7 +79,7 @@ std::string set_output(Options& options, const std::string& value) {
 }
 
 std::string set_size(Options& options, const std::string& value) {
-  constexpr int most = 1 << 20;  // options.limits has the real one, once it is complete
+  constexpr int most = 1 << 20;  // options.load.limits has the real one, once it is complete
   const std::size_t cross = value.find_first_of("xX");
   if (cross == std::string::npos) {
     return fmt::format("{} is not a size such as 1024x768", quoted(value));
@@ -203,7 +203,7 @@ std::string set_compat(Options& options, const std::string& value) {
   static constexpr std::array<std::string_view, 1> words{"course"};
   std::size_t index = 0;
   std::string wrong = set_choice("dialect", value, words, index);
-  options.compat_course = wrong.empty();
+  options.load.compat_course = wrong.empty();
   return wrong;
 }
 
@@ -216,9 +216,9 @@ std::string set_completion(Options& options, const std::string& value) {
 
 std::string set_deny(Options& options, const std::string& value) {
   if (value == "warnings") {
-    options.deny_warnings = true;
+    options.policy.deny_warnings = true;
   } else if (const Code* const code = find_code(value); code != nullptr) {
-    options.denied_codes.emplace_back(code->name);
+    options.policy.denied.emplace_back(code->name);
   } else {
     return fmt::format("{} is neither warnings nor a code{}", quoted(value),
                        did_you_mean(value, code_names()));
@@ -234,12 +234,12 @@ std::string set_allow(Options& options, const std::string& value) {
   if (code->severity == Severity::error) {
     return fmt::format("{} is an error: a scene that has it cannot be used", value);
   }
-  options.allowed_codes.emplace_back(code->name);
+  options.policy.allowed.emplace_back(code->name);
   return {};
 }
 
 std::string set_limit_option(Options& options, const std::string& value) {
-  return set_limit(options.limits, value);
+  return set_limit(options.load.limits, value);
 }
 
 std::string set_max_memory(Options& options, const std::string& value) {
@@ -308,7 +308,7 @@ std::string set_preview(Options& options, const std::string& value) {
 }
 
 std::string add_asset_root(Options& options, const std::string& value) {
-  options.asset_roots.push_back(value);
+  options.access.roots.push_back(value);
   return is_folder(value) ? std::string() : fmt::format("there is no folder {}", quoted(value));
 }
 
@@ -356,9 +356,9 @@ std::string set_flag(Options& options, const std::string& /*value*/) {
   return {};
 }
 
-template <bool RenderOptions::*flag>
-std::string set_render_flag(Options& options, const std::string& /*value*/) {
-  options.render.*flag = true;
+template <auto part, auto flag>
+std::string set_flag_of(Options& options, const std::string& /*value*/) {
+  options.*part.*flag = true;
   return {};
 }
 
@@ -426,7 +426,7 @@ constexpr std::array table{
     OptionRow{
         "--fresnel", "", "",
         "Glass reflects the share of light that Fresnel's equations give, for the profile fine.",
-        for_tracing, set_render_flag<&RenderOptions::fresnel>, "fresnel"},
+        for_tracing, set_flag_of<&Options::render, &RenderOptions::fresnel>, "fresnel"},
     OptionRow{
         "--max-depth", "", "N",
         "Largest number of reflections and refractions in a row (default: fine 16, course 4).",
@@ -508,7 +508,7 @@ constexpr std::array table{
     OptionRow{
         "--denoise", "", "",
         "Remove the noise that few samples of area lights and lenses leave, for the profile fine.",
-        for_render, set_render_flag<&RenderOptions::denoise>, "denoise"},
+        for_render, set_flag_of<&Options::render, &RenderOptions::denoise>, "denoise"},
     OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
               set_window},
     OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
@@ -538,13 +538,13 @@ constexpr std::array table{
     OptionRow{"--allow-outside", "", "",
               "Open textures and meshes wherever the scene says, not only in its folder, the "
               "folders for images and meshes next to it, and the asset roots.",
-              for_all_readers | for_pictures | for_view, set_flag<&Options::allow_outside>},
+              for_all_readers | for_pictures | for_view, set_flag_of<&Options::access, &AssetAccess::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw the scene without meshes that cannot be used.",
-              for_tracing | for_check | for_view, set_flag<&Options::allow_missing>},
+              for_tracing | for_check | for_view, set_flag_of<&Options::load, &LoadSettings::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
               set_flag<&Options::assets, false>},
     OptionRow{"--strict", "", "", "Treat spellings that only some programs accept as errors.",
-              for_check, set_flag<&Options::strict>},
+              for_check, set_flag_of<&Options::policy, &FindingPolicy::strict>},
     OptionRow{
         "--deny", "", "WHAT",
         "warnings: every warning is an error. A code: findings of this code are errors. May be "

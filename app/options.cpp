@@ -242,7 +242,7 @@ std::string check_together(const Command& command, Options& options) {
   if (options.json && options.sarif) {
     return "--json and --sarif are two answers: choose one";
   }
-  if (const int most = static_cast<int>(options.limits.image_side);
+  if (const int most = static_cast<int>(options.load.limits.image_side);
       options.render.width > most || options.render.height > most) {
     return fmt::format("--size: {}x{} is more than the limit of {} pixels a side",
                        options.render.width, options.render.height, most);
@@ -287,8 +287,8 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (options.realtime) {
     options.engine = Engine::gl;
   }
-  options.compat_course =
-      options.compat_course || options.render.profile == Profile::course || options.realtime;
+  options.load.compat_course =
+      options.load.compat_course || options.render.profile == Profile::course || options.realtime;
   return check_together(command, options);
 }
 

@@ -2,9 +2,10 @@
 // The command line as data.
 
 #include "app/completion.h"
-#include "scenefile/base/limits.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/visit_options.h"
+#include "scenefile/verbs/findings.h"
+#include "scenefile/verbs/load_file.h"
 #include "scenefile/view/realtime.h"
 
 #include <array>
@@ -47,7 +48,9 @@ struct Options {
   std::string checkpoint;          ///< a file; empty: none
   std::string preview;             ///< a file; empty: none
 
-  Limits limits;
+  LoadSettings load;
+  AssetAccess access;
+  FindingPolicy policy;                     ///< of check
   std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is
   std::optional<double> timeout;            ///< seconds
 
@@ -72,16 +75,7 @@ struct Options {
   int frames = 1;
   std::string script;
 
-  bool compat_course = false;
-  std::vector<std::string> asset_roots;
-  bool allow_outside = false;
-  bool allow_missing = false;
   bool assets = true;
-
-  bool strict = false;
-  bool deny_warnings = false;
-  std::vector<std::string> denied_codes;
-  std::vector<std::string> allowed_codes;
 
   bool check = false;  ///< change nothing, say what would be changed
   bool files = false;

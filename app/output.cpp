@@ -45,8 +45,8 @@ std::size_t terminal_width(Stream stream) {
 }
 
 ExitCode answer(const std::string& text) {
-  if (const IoError error = write_file("-", text); !error.empty()) {
-    say_error(error.text);
+  if (const Result<void> written = write_file("-", text); !written) {
+    say_error(written.error().text);
     return ExitCode::environment;
   }
   return ExitCode::fine;
@@ -60,10 +60,6 @@ void say_error(std::string_view text) {
   say("scenefile: ");
   say(text);
   say("\n");
-}
-
-std::string shown_name(const std::string& path) {
-  return path == "-" ? "<stdin>" : path;
 }
 
 }  // namespace scenefile::app

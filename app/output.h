@@ -42,7 +42,4 @@ void say_afterwards(const Text& text) {
   }
 }
 
-/// The name of a scene in messages.
-std::string shown_name(const std::string& path);
-
 }  // namespace scenefile::app

@@ -36,8 +36,7 @@ Outcome write(const std::string& path, const std::string& bytes, const std::stri
     return {ExitCode::environment, "cannot encode the picture: " + error};
   }
   context.phase = "writing the picture";
-  const IoError written = write_file(path, bytes);
-  return {written.empty() ? ExitCode::fine : ExitCode::environment, written.text};
+  return outcome_of(write_file(path, bytes));
 }
 
 Outcome write_image(const std::string& path, const Image& image, Rounding rounding,

@@ -1,7 +1,7 @@
 #pragma once
 // The files that a render leaves.
 
-#include "app/tracing.h"
+#include "app/load.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "app/projects_ray.h"
 
-#include "app/findings.h"
+#include "app/load.h"
 #include "app/output.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
@@ -61,7 +61,7 @@ Options options_of(const CourseConfig& config) {
   options.render.mode = config.only_render_normals ? Mode::normals : Mode::ray;
   options.render.features = features_of(config);
   options.render.max_depth = config.maximum_recursive_depth.value_or(options.render.max_depth);
-  options.compat_course = true;
+  options.load.compat_course = true;
   return options;
 }
 
@@ -98,9 +98,11 @@ ExitCode run_projects_ray(std::span<const char* const> words, Context& context) 
   context.phase = "reading the configuration";
   LoadedScene config;
   config.path = path;
-  config.unreadable = read_file(config.path, Limits{}.value_bytes, config.text);
   CourseConfig read;
-  if (config.unreadable.empty()) {
+  if (Result<std::string> text = read_file(config.path, Limits{}.value_bytes); !text) {
+    config.unreadable = text.error();
+  } else {
+    config.text = *std::move(text);
     read = read_config(config.text, Limits{}, config.diagnostics);
     check_picture_format(read, config.diagnostics);
   }

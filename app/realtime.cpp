@@ -1,8 +1,8 @@
 #include "app/realtime.h"
 
-#include "app/codes.h"
 #include "app/names.h"
 #include "app/option_table.h"
+#include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,14 +2,12 @@
 
 #include "app/checkpoint.h"
 #include "app/command.h"
-#include "app/findings.h"
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
-#include "app/tracing.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
@@ -66,8 +64,8 @@ ExitCode check_targets(const Options& options) {
       say_error(fmt::format("the {} would replace the {}", target.role, same->role));
       return ExitCode::usage;
     }
-    if (const IoError error = check_writable(target.path); !error.empty()) {
-      say_error(error.text);
+    if (const Result<void> writable = check_writable(target.path); !writable) {
+      say_error(writable.error().text);
       return ExitCode::environment;
     }
     files.push_back(std::move(target));
@@ -157,7 +155,7 @@ ExitCode run_render(const Options& options, Context& context) {
   RenderReport report;
   report.options = options.render;
   report.output = options.output;
-  LoadedScene scene = load_for_tracing(options, report.options, context);
+  LoadedScene scene = load_for_tracing(options, context);
   Outcome outcome{status_of(scene), {}};
   if (const auto realtime = realtime_options(options);
       realtime && outcome.status == ExitCode::fine) {

@@ -16,8 +16,8 @@ namespace {
 
 // What cannot be read is for the command to report.
 bool is_of_another_program(const std::string& path, const Limits& limits) {
-  std::string bytes;
-  return read_file(path, limits.file_bytes, bytes).empty() && !may_be_scene(bytes);
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  return bytes && !may_be_scene(*bytes);
 }
 
 void say_left_out(const std::string& folder, const std::vector<std::string>& left_out) {
@@ -28,25 +28,25 @@ void say_left_out(const std::string& folder, const std::vector<std::string>& lef
 }
 
 void add_folder(const std::string& folder, const Options& options, std::vector<SceneFile>& files) {
-  std::vector<IoError> errors;
+  std::vector<Error> errors;
   std::vector<std::string> left_out;
   const std::size_t before = files.size();
   for (std::string& path : files_below(folder, errors)) {
     if (!is_scene_name(path)) {
       continue;
     }
-    if (is_of_another_program(path, options.limits)) {
+    if (is_of_another_program(path, options.load.limits)) {
       left_out.push_back(std::move(path));
     } else {
       files.push_back({std::move(path), {}});
     }
   }
-  for (IoError& error : errors) {
+  for (Error& error : errors) {
     files.push_back({folder, std::move(error)});
   }
   if (files.size() == before) {
-    files.push_back(
-        {folder, {fmt::format("{}: there is no scene in this folder", escaped(folder, 4096))}});
+    files.push_back({folder, Error{fmt::format("{}: there is no scene in this folder",
+                                               escaped(folder, 4096))}});
   }
   if (!left_out.empty() && !options.quiet && !options.json && !options.sarif) {
     say_left_out(folder, left_out);

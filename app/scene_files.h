@@ -5,14 +5,15 @@
 #include "app/command.h"
 #include "scenefile/io/file.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace scenefile::app {
 
 struct SceneFile {
-  std::string path;    ///< a scene, or the folder that cannot be used
-  IoError unreadable;  ///< why not; empty: the path is to be read
+  std::string path;                 ///< a scene, or the folder that cannot be used
+  std::optional<Error> unreadable;  ///< why not; none: the path is to be read
 };
 
 /// The arguments in their order; in place of a folder the scenes in it and in the folders below, by

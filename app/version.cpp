@@ -1,7 +1,7 @@
 #include "app/command.h"
-#include "app/json_writer.h"
 #include "app/output.h"
 #include "scenefile/trace/backend.h"
+#include "scenefile/verbs/json_writer.h"
 
 #include <fmt/format.h>
 

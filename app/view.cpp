@@ -1,5 +1,4 @@
 #include "app/command.h"
-#include "app/findings.h"
 #include "app/load.h"
 #include "app/output.h"
 #include "app/realtime.h"
@@ -21,19 +20,17 @@ namespace {
 viewer::OpenedScene open_for_view(const std::string& path, const Options& options) {
   Context context;
   LoadedScene loaded =
-      load_scene(path, options, LoadDepth::with_all_assets, options.allow_missing, context);
-  if (loaded.unreadable.empty()) {
-    check_picture(loaded, {});
-  }
+      load_scene(path, options, LoadDepth::with_all_assets, options.load.allow_missing, context);
+  check_picture(loaded);
   viewer::OpenedScene opened;
-  if (status_of(loaded) == ExitCode::fine) {
+  if (loaded.usable()) {
     for (const AssetFile& file : locate_files(loaded, options)) {
       opened.files.push_back(file.resolved.path);
     }
   }
   opened.path = path;
   opened.text = std::move(loaded.text);
-  opened.unreadable = std::move(loaded.unreadable.text);
+  opened.unreadable = loaded.unreadable ? loaded.unreadable->text : "";
   opened.written = std::move(loaded.written);
   opened.ready = std::move(loaded.ready);
   opened.assets = std::move(loaded.assets);
@@ -66,7 +63,12 @@ viewer::ScriptStep& add_step(viewer::Script& script, viewer::StepKind kind) {
 viewer::Script script_of(const Options& options, std::string& error) {
   std::string text;
   if (!options.script.empty()) {
-    error = read_file(options.script, options.limits.file_bytes, text).text;
+    Result<std::string> read = read_file(options.script, options.load.limits.file_bytes);
+    if (read) {
+      text = *std::move(read);
+    } else {
+      error = read.error().text;
+    }
   }
   viewer::Script script = viewer::parse_script(text);
   if (!options.screenshot.empty()) {
@@ -86,7 +88,7 @@ viewer::Script script_of(const Options& options, std::string& error) {
 viewer::WindowOptions window_options(const Options& options, viewer::Script script) {
   viewer::WindowOptions window;
   window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
-  window.setup.read = {.compat_course = options.compat_course, .limits = options.limits};
+  window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
   window.setup.trace = options.render;
   window.setup.realtime = realtime_options(options);
   window.scene = options.arguments.front();

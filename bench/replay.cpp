@@ -151,12 +151,12 @@ bool copy_out(const RenderScene& scene, std::vector<bench::BareObject>& objects)
 }
 
 RenderScene load(const char* path) {
-  std::string text;
-  if (!read_file(path, std::uint64_t{1} << 32, text).empty()) {
+  const Result<std::string> text = read_file(path, std::uint64_t{1} << 32);
+  if (!text) {
     std::exit(3);
   }
   Diagnostics diagnostics;
-  return prepare(read_scene(text, {.compat_course = true, .limits = {}}, diagnostics), {}).scene;
+  return prepare(read_scene(*text, {.compat_course = true, .limits = {}}, diagnostics), {}).scene;
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::string write_picture(const std::string& path, const Texture& picture) {
   std::string error;
   const std::string bytes =
       encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  return error.empty() ? write_file(path, bytes).text : error;
+  return error.empty() ? error_text(write_file(path, bytes)) : error;
 }
 
 std::string html(std::string_view text) {
@@ -74,7 +74,7 @@ std::string write_page(const std::string& folder, const std::vector<Result>& res
     }
     page += "</tr>\n";
   }
-  return write_file(folder + "/index.html", page + "</table>\n").text;
+  return error_text(write_file(folder + "/index.html", page + "</table>\n"));
 }
 
 }  // namespace scenefile::conformance

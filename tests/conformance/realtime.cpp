@@ -72,7 +72,11 @@ void save(const std::string& folder, const std::string& reference, std::string_v
   std::string error;
   const std::string bytes =
       encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
+  if (const Result<void> written =
+          write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
+      !written) {
+    std::fprintf(stderr, "%s\n", written.error().text.c_str());
+  }
 }
 
 Texture amplified(const Texture& a, const Texture& b) {

@@ -56,7 +56,7 @@ class PovPicture : public testing::Test {
     std::string error;
     const std::string png =
         encode_image(to_float(compass()), ImageFormat::png8, Rounding::nearest, error);
-    EXPECT_EQ(write_file(path, png).text, "");
+    EXPECT_EQ(error_text(write_file(path, png)), "");
     scene_.scene.texture_files.push_back({"compass.png", {}});
     paths_.push_back(path);
     return scene_.material(m);
@@ -73,22 +73,25 @@ class PovPicture : public testing::Test {
     Diagnostics diagnostics;
     const std::string pov =
         write_pov(scene_.scene, scene_.assets.meshes, paths_, options_, diagnostics);
-    EXPECT_EQ(write_file((folder_ / "scene.pov").string(), pov).text, "");
+    EXPECT_EQ(error_text(write_file((folder_ / "scene.pov").string(), pov)), "");
     const std::string command = "cd '" + folder_.string() +
                                 "' && '" POVRAY "' +Iscene.pov +Oscene.png +W" +
                                 std::to_string(width) + " +H" + std::to_string(height) +
                                 " -A -D +WT1 File_Gamma=1.0 > log.txt 2>&1";
-    std::string text;
     if (std::system(command.c_str()) != 0) {
-      (void)read_file((folder_ / "log.txt").string(), 1 << 20, text);
-      ADD_FAILURE() << text;
+      const Result<std::string> log = read_file((folder_ / "log.txt").string(), 1 << 20);
+      ADD_FAILURE() << (log ? *log : log.error().text);
       return {};
     }
-    EXPECT_EQ(read_file((folder_ / "scene.png").string(), 1 << 24, text).text, "");
+    const Result<std::string> png = read_file((folder_ / "scene.png").string(), 1 << 24);
+    if (!png) {
+      ADD_FAILURE() << png.error().text;
+      return {};
+    }
     const Limits limits;
     std::uint64_t budget = limits.texture_bytes;
     std::string error;
-    return decode_image(text, limits, budget, error);
+    return decode_image(*png, limits, budget, error);
   }
 
   void expect_alike(double least_db) {

@@ -61,13 +61,13 @@ TEST_P(GoldenPicture, IsAsAccepted) {
     const std::string bytes =
         encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest, error);
     ASSERT_EQ(error, "");
-    ASSERT_EQ(write_file(path, bytes).text, "");
+    ASSERT_EQ(error_text(write_file(path, bytes)), "");
   }
-  std::string bytes;
   const Limits limits;
   std::uint64_t budget = limits.texture_bytes;
-  ASSERT_EQ(read_file(path, limits.file_bytes, bytes).text, "");
-  const Texture accepted = decode_image(bytes, limits, budget, error);
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  ASSERT_EQ(error_text(bytes), "");
+  const Texture accepted = decode_image(*bytes, limits, budget, error);
   ASSERT_EQ(accepted.width, ours.width) << error;
   ASSERT_EQ(accepted.height, ours.height);
   EXPECT_GE(compare_images(ours, accepted).psnr_db, least_db);

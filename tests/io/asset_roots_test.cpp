@@ -33,12 +33,12 @@ struct Layout : ::testing::Test {
   // Expects that the name leads to the file by the rule.
   void finds(AssetRoots& roots, const std::string& name, const std::string& file, AssetRule rule) {
     const ResolvedAsset asset = roots.resolve(name);
-    EXPECT_EQ(asset.path, home.path(file)) << name << ": " << asset.error.text;
+    EXPECT_EQ(asset.path, home.path(file)) << name << ": " << asset.error;
     EXPECT_EQ(rule_text(asset.rule), rule_text(rule)) << name;
-    EXPECT_EQ(asset.error.text, "");
-    std::string bytes;
-    EXPECT_EQ(roots.read(name, bytes).text, "");
-    EXPECT_EQ(bytes, home.read(file));
+    EXPECT_EQ(asset.error, "");
+    const Result<std::string> bytes = roots.read(name);
+    ASSERT_EQ(error_text(bytes), "");
+    EXPECT_EQ(*bytes, home.read(file));
   }
   void finds(const std::string& name, const std::string& file, AssetRule rule) {
     AssetRoots roots = roots_of(home);
@@ -49,11 +49,9 @@ struct Layout : ::testing::Test {
     const ResolvedAsset asset = roots.resolve(name);
     EXPECT_EQ(asset.path, "") << name;
     EXPECT_EQ(asset.rule, AssetRule::not_found) << name;
-    EXPECT_THAT(asset.error.text, Not(IsEmpty())) << name;
-    std::string bytes = "old";
-    EXPECT_EQ(roots.read(name, bytes).text, asset.error.text);
-    EXPECT_EQ(bytes, "");
-    return asset.error.text;
+    EXPECT_THAT(asset.error, Not(IsEmpty())) << name;
+    EXPECT_EQ(error_text(roots.read(name)), asset.error);
+    return asset.error;
   }
   std::string misses(const std::string& name) {
     AssetRoots roots = roots_of(home);
@@ -268,8 +266,8 @@ TEST_F(Layout, SaysWhereItLooked) {
   const ResolvedAsset asset = roots_of(home).resolve("image/no.png");
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("image/no.png")));
-  EXPECT_THAT(asset.error.text, HasSubstr("looked for image/no.png, ../image/no.png"));
-  EXPECT_THAT(asset.error.text,
+  EXPECT_THAT(asset.error, HasSubstr("looked for image/no.png, ../image/no.png"));
+  EXPECT_THAT(asset.error,
               HasSubstr("; files elsewhere need --asset-root DIR or --allow-outside"));
 }
 
@@ -278,8 +276,9 @@ TEST_F(Layout, TheSizeIsBounded) {
   AssetRootsOptions options;
   options.scene_path = home.path("scenes/s.xml");
   options.max_bytes = 4;
-  std::string bytes;
-  EXPECT_TRUE(AssetRoots(options).read("a.png", bytes).over_limit);
+  const Result<std::string> bytes = AssetRoots(options).read("a.png");
+  ASSERT_FALSE(bytes);
+  EXPECT_EQ(bytes.error().kind, ErrorKind::limit);
 }
 
 TEST_F(Layout, AMissNamesAllPlacesAsSeenFromTheScene) {

@@ -44,7 +44,7 @@ TEST(Folder, FilesBelowAreInNaturalOrder) {
   }
   std::filesystem::create_directory_symlink("..", folder.path("a/up"));
   std::filesystem::create_symlink("../b9", folder.path("a/link"));
-  std::vector<IoError> errors;
+  std::vector<Error> errors;
   const std::string at = folder.path() + "/";
   EXPECT_EQ(
       files_below(folder.path(), errors),
@@ -54,7 +54,7 @@ TEST(Folder, FilesBelowAreInNaturalOrder) {
 
 TEST(Folder, WhatCannotBeListedIsReported) {
   const TempFolder folder;
-  std::vector<IoError> errors;
+  std::vector<Error> errors;
   EXPECT_TRUE(files_below(folder.path("none"), errors).empty());
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_NE(errors[0].text.find("none: cannot list the folder: "), std::string::npos);
@@ -77,11 +77,11 @@ TEST(Folder, PartsOfPaths) {
 
 TEST(Folder, IsMadeWithThoseAboveIt) {
   const TempFolder folder;
-  EXPECT_TRUE(make_folder(folder.path("x/y/z")).empty());
-  EXPECT_TRUE(make_folder(folder.path("x/y/z")).empty());
+  EXPECT_EQ(error_text(make_folder(folder.path("x/y/z"))), "");
+  EXPECT_EQ(error_text(make_folder(folder.path("x/y/z"))), "");
   EXPECT_TRUE(is_folder(folder.path("x/y/z")));
   folder.write("file");
-  EXPECT_FALSE(make_folder(folder.path("file/z")).empty());
+  EXPECT_NE(error_text(make_folder(folder.path("file/z"))), "");
 }
 
 }  // namespace

@@ -15,56 +15,59 @@ using testing_support::TempFolder;
 
 constexpr std::uint64_t plenty = 1 << 20;
 
+// The bytes, and why there are none.
+std::string bytes_of(const std::string& path, std::uint64_t most = plenty) {
+  const Result<std::string> read = read_file(path, most);
+  EXPECT_EQ(error_text(read), "");
+  return read ? *read : std::string();
+}
+std::string why_not(const std::string& path) {
+  return error_text(read_file(path, plenty));
+}
+
 TEST(ReadFile, GivesTheBytesAsTheyAre) {
   const TempFolder folder;
   const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'z');
-  std::string read = "old";
-  EXPECT_EQ(read_file(folder.write("a file", bytes), plenty, read).text, "");
-  EXPECT_EQ(read, bytes);
-  EXPECT_EQ(read_file(folder.write("empty", ""), plenty, read).text, "");
-  EXPECT_EQ(read, "");
+  EXPECT_EQ(bytes_of(folder.write("a file", bytes)), bytes);
+  EXPECT_EQ(bytes_of(folder.write("empty", "")), "");
 }
 
 TEST(ReadFile, SaysWhyNotAndLeavesNothing) {
   const TempFolder folder;
-  std::string bytes = "old";
-  EXPECT_THAT(read_file(folder.path("nosuch"), plenty, bytes).text,
+  EXPECT_THAT(why_not(folder.path("nosuch")),
               ::testing::AllOf(HasSubstr(folder.path("nosuch")), HasSubstr("No such file")));
-  EXPECT_EQ(bytes, "");
-  EXPECT_THAT(read_file(folder.path(), plenty, bytes).text, HasSubstr("is a directory"));
-  EXPECT_THAT(read_file("/dev/zero", plenty, bytes).text, HasSubstr("is a device"));
-  EXPECT_THAT(read_file("", plenty, bytes).text, HasSubstr("No such file"));
+  EXPECT_THAT(why_not(folder.path()), HasSubstr("is a directory"));
+  EXPECT_THAT(why_not("/dev/zero"), HasSubstr("is a device"));
+  EXPECT_THAT(why_not(""), HasSubstr("No such file"));
 }
 
 TEST(ReadFile, DoesNotBlockOnAPipe) {
   const TempFolder folder;
   ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
-  std::string bytes;
-  EXPECT_THAT(read_file(folder.path("pipe"), plenty, bytes).text, HasSubstr("is a pipe"));
+  EXPECT_THAT(why_not(folder.path("pipe")), HasSubstr("is a pipe"));
 }
 
 TEST(ReadFile, RefusesMoreThanTheLimit) {
   const TempFolder folder;
-  std::string bytes;
   const std::string file = folder.write("f", "12345");
-  EXPECT_EQ(read_file(file, 5, bytes).text, "");
-  const IoError error = read_file(file, 4, bytes);
-  EXPECT_TRUE(error.over_limit);
-  EXPECT_THAT(error.text, HasSubstr("limit of 4 bytes"));
-  EXPECT_EQ(bytes, "");
+  EXPECT_EQ(bytes_of(file, 5), "12345");
+  const Result<std::string> refused = read_file(file, 4);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::limit);
+  EXPECT_THAT(refused.error().text, HasSubstr("limit of 4 bytes"));
 }
 
 TEST(ReadFile, RefusesASparseGiantWithoutReading) {
   const TempFolder folder;
   const std::string file = folder.write("giant");
   ASSERT_EQ(::truncate(file.c_str(), off_t{1} << 36), 0);
-  std::string bytes;
-  EXPECT_TRUE(read_file(file, plenty, bytes).over_limit);
+  const Result<std::string> refused = read_file(file, plenty);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::limit);
 }
 
 TEST(ReadFile, EscapesThePath) {
-  std::string bytes;
-  EXPECT_EQ(read_file("no\x1b[31m", plenty, bytes).text.find('\x1b'), std::string::npos);
+  EXPECT_EQ(why_not("no\x1b[31m").find('\x1b'), std::string::npos);
 }
 
 // Runs `use` with a pipe that holds `content` as standard input.
@@ -84,20 +87,16 @@ void with_standard_input(const std::string& content, Use use) {
 
 TEST(ReadFile, ReadsStandardInputEvenFromAPipe) {
   for (const std::string name : {"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"}) {
-    with_standard_input("hello", [&] {
-      std::string bytes;
-      EXPECT_EQ(read_file(name, plenty, bytes).text, "") << name;
-      EXPECT_EQ(bytes, "hello") << name;
-    });
+    with_standard_input("hello", [&] { EXPECT_EQ(bytes_of(name), "hello") << name; });
   }
 }
 
 TEST(ReadFile, BoundsStandardInputToo) {
   with_standard_input("hello", [] {
-    std::string bytes;
-    const IoError error = read_file("-", 4, bytes);
-    EXPECT_TRUE(error.over_limit);
-    EXPECT_THAT(error.text, HasSubstr("standard input"));
+    const Result<std::string> refused = read_file("-", 4);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::limit);
+    EXPECT_THAT(refused.error().text, HasSubstr("standard input"));
   });
 }
 

@@ -20,9 +20,9 @@ using testing_support::TempFolder;
 TEST(WriteFile, WritesAllAndNothingElse) {
   const TempFolder folder;
   const std::string bytes(300'000, 'q');
-  EXPECT_EQ(check_writable(folder.path("out")).text, "");
+  EXPECT_EQ(error_text(check_writable(folder.path("out"))), "");
   EXPECT_THAT(folder.list(), ElementsAre());
-  EXPECT_EQ(write_file(folder.path("out"), bytes).text, "");
+  EXPECT_EQ(error_text(write_file(folder.path("out"), bytes)), "");
   EXPECT_EQ(folder.read("out"), bytes);
   EXPECT_THAT(folder.list(), ElementsAre("out"));
 }
@@ -31,7 +31,7 @@ TEST(WriteFile, KeepsTheModeOfTheOldFile) {
   const TempFolder folder;
   const std::string file = folder.write("out", "old");
   ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
-  EXPECT_EQ(write_file(file, "new").text, "");
+  EXPECT_EQ(error_text(write_file(file, "new")), "");
   struct stat status {};
   ASSERT_EQ(::stat(file.c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 07777, 0640U);
@@ -44,7 +44,7 @@ TEST(WriteFile, WritesThroughLinks) {
   ASSERT_EQ(::symlink("real/old", folder.path("to_old").c_str()), 0);
   ASSERT_EQ(::symlink("real/none", folder.path("to_none").c_str()), 0);
   for (const std::string name : {"old", "none"}) {
-    EXPECT_EQ(write_file(folder.path("to_" + name), "new").text, "");
+    EXPECT_EQ(error_text(write_file(folder.path("to_" + name), "new")), "");
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path("to_" + name)));
     EXPECT_EQ(folder.read("real/" + name), "new");
   }
@@ -53,7 +53,7 @@ TEST(WriteFile, WritesThroughLinks) {
 TEST(WriteFile, ALoopOfLinksIsAnError) {
   const TempFolder folder;
   ASSERT_EQ(::symlink("loop", folder.path("loop").c_str()), 0);
-  EXPECT_THAT(write_file(folder.path("loop"), "x").text, HasSubstr("cannot write"));
+  EXPECT_THAT(error_text(write_file(folder.path("loop"), "x")), HasSubstr("cannot write"));
 }
 
 TEST(WriteFile, FailsBeforeWorkWhereItWouldFailAfter) {
@@ -62,17 +62,17 @@ TEST(WriteFile, FailsBeforeWorkWhereItWouldFailAfter) {
   for (const std::string& path :
        {folder.path(), folder.path("no/such/out"), folder.path("file/out"), std::string(),
         folder.path(std::string(300, 'n'))}) {
-    const IoError before = check_writable(path);
-    EXPECT_THAT(before.text, HasSubstr("cannot write")) << path;
-    EXPECT_EQ(before.text, write_file(path, "x").text);
+    const Result<void> before = check_writable(path);
+    EXPECT_THAT(error_text(before), HasSubstr("cannot write")) << path;
+    EXPECT_EQ(error_text(before), error_text(write_file(path, "x")));
   }
 }
 
 TEST(WriteFile, WritesADeviceInPlace) {
-  EXPECT_EQ(check_writable("/dev/null").text, "");
-  EXPECT_EQ(write_file("/dev/null", "x").text, "");
+  EXPECT_EQ(error_text(check_writable("/dev/null")), "");
+  EXPECT_EQ(error_text(write_file("/dev/null", "x")), "");
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-  EXPECT_THAT(write_file("/dev/full", "x").text, HasSubstr("No space left"));
+  EXPECT_THAT(error_text(write_file("/dev/full", "x")), HasSubstr("No space left"));
 }
 
 TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
@@ -85,10 +85,10 @@ TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
   rlimit small = old_limit;
   small.rlim_cur = 100;
   ::setrlimit(RLIMIT_FSIZE, &small);
-  const IoError error = write_file(file, std::string(1000, 'n'));
+  const Result<void> failed = write_file(file, std::string(1000, 'n'));
   ::setrlimit(RLIMIT_FSIZE, &old_limit);
   std::signal(SIGXFSZ, old_handler);
-  EXPECT_THAT(error.text, HasSubstr("File too large"));
+  EXPECT_THAT(error_text(failed), HasSubstr("File too large"));
   EXPECT_EQ(folder.read("out"), "old");
   EXPECT_THAT(folder.list(), ElementsAre("out"));
 }
@@ -100,8 +100,8 @@ TEST(WriteFile, RespectsAProtectedTarget) {
   const TempFolder folder;
   const std::string file = folder.write("out", "old");
   ASSERT_EQ(::chmod(file.c_str(), 0444), 0);
-  EXPECT_THAT(check_writable(file).text, HasSubstr("Permission denied"));
-  EXPECT_THAT(write_file(file, "new").text, HasSubstr("Permission denied"));
+  EXPECT_THAT(error_text(check_writable(file)), HasSubstr("Permission denied"));
+  EXPECT_THAT(error_text(write_file(file, "new")), HasSubstr("Permission denied"));
   EXPECT_EQ(folder.read("out"), "old");
 }
 

@@ -33,10 +33,11 @@ struct Totals {
 };
 
 void try_file(const std::string& path, Totals& totals) {
-  std::string text;
-  if (!read_file(path, Limits{}.file_bytes, text).empty()) {
+  const Result<std::string> read = read_file(path, Limits{}.file_bytes);
+  if (!read) {
     return;
   }
+  const std::string& text = *read;
   laws::Breaches breaches;
   laws::try_text_laws(text, breaches);
   for (const bool compat : {false, true}) {

@@ -59,14 +59,14 @@ void draw_and_write(const testing_support::LoadedScene& scene) {
 }
 
 void decode_alone(const std::string& path) {
-  std::string bytes;
   const Limits limits;
-  if (!read_file(path, limits.file_bytes, bytes).empty()) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  if (!bytes) {
     return;
   }
   std::uint64_t budget = limits.texture_bytes;
   std::string error;
-  decode_image(bytes, limits, budget, error);
+  decode_image(*bytes, limits, budget, error);
 }
 
 void take(const std::string& path) {

@@ -51,9 +51,9 @@ int main(int count, char** words) {
   std::string error;
   const std::string bytes =
       encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  const IoError written = write_file(words[2], bytes);
-  if (!error.empty() || !written.empty()) {
-    std::fprintf(stderr, "%s%s\n", error.c_str(), written.text.c_str());
+  const Result<void> written = write_file(words[2], bytes);
+  if (!error.empty() || !written) {
+    std::fprintf(stderr, "%s%s\n", error.c_str(), error_text(written).c_str());
     return 3;
   }
   return 0;

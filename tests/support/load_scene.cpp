@@ -6,13 +6,19 @@
 #include "scenefile/io/file.h"
 #include "scenefile/scene/check.h"
 
+#include <utility>
+
 namespace scenefile::testing_support {
 
 Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
   AssetRoots roots({.scene_path = path, .asset_roots = {}});
   const FetchFile fetch = [&](const std::string& name) {
     FileContents contents;
-    contents.error = roots.read(name, contents.bytes).text;
+    if (Result<std::string> bytes = roots.read(name); bytes) {
+      contents.bytes = *std::move(bytes);
+    } else {
+      contents.error = bytes.error().text;
+    }
     return contents;
   };
   return load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
@@ -21,11 +27,12 @@ Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics
 LoadedScene load_scene(const std::string& path, bool compat_course) {
   LoadedScene loaded;
   const Limits limits;
-  std::string text;
-  loaded.error = read_file(path, limits.file_bytes, text).text;
-  if (!loaded.error.empty()) {
+  const Result<std::string> read = read_file(path, limits.file_bytes);
+  if (!read) {
+    loaded.error = read.error().text;
     return loaded;
   }
+  const std::string& text = *read;
   loaded.written =
       read_scene(text, {.compat_course = compat_course, .limits = limits}, loaded.diagnostics);
   if (!loaded.diagnostics.has_errors()) {

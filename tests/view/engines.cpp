@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -69,7 +70,11 @@ void save(const std::string& folder, const std::string& path, std::string_view w
   std::replace(name.begin(), name.end(), '/', '_');
   std::string error;
   const std::string bytes = encode_image(image, ImageFormat::png8, Rounding::nearest, error);
-  write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
+  if (const Result<void> written =
+          write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
+      !written) {
+    std::fprintf(stderr, "%s\n", written.error().text.c_str());
+  }
 }
 
 class Comparison {

@@ -141,14 +141,17 @@ TEST_F(BothEngines, OpenGlDrawsTheAcceptedPictures) {
                  Rounding::nearest);
     const std::string path = fmt::format("{}/{}-gl.png", SCENEFILE_GOLDEN, name);
     if (std::getenv("SCENEFILE_ACCEPT_GOLDEN") != nullptr) {
-      write_file(path, encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest, error));
+      const std::string png =
+          encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest, error);
+      ASSERT_EQ(error_text(write_file(path, png)), "");
     }
-    std::string bytes;
     const Limits limits;
     std::uint64_t budget = limits.texture_bytes;
-    ASSERT_EQ(read_file(path, limits.file_bytes, bytes).text, "");
+    const Result<std::string> bytes = read_file(path, limits.file_bytes);
+    ASSERT_EQ(error_text(bytes), "");
     // Other drivers place samples and round elsewhere.
-    EXPECT_GE(compare_images(ours, decode_image(bytes, limits, budget, error)).psnr_db, 32) << name;
+    EXPECT_GE(compare_images(ours, decode_image(*bytes, limits, budget, error)).psnr_db, 32)
+        << name;
   }
 }
 

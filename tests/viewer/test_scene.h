@@ -46,10 +46,12 @@ inline const std::string scene_text = R"(<scenefile>
 inline OpenedScene open_file(const std::string& path) {
   OpenedScene opened;
   opened.path = path;
-  opened.unreadable = read_file(path, Limits{}.file_bytes, opened.text).text;
-  if (!opened.unreadable.empty()) {
+  const Result<std::string> text = read_file(path, Limits{}.file_bytes);
+  if (!text) {
+    opened.unreadable = text.error().text;
     return opened;
   }
+  opened.text = *text;
   opened.written = read_scene(opened.text, {}, opened.diagnostics);
   if (!opened.diagnostics.has_errors()) {
     check(opened.written, {}, opened.diagnostics);

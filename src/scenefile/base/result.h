@@ -22,6 +22,8 @@ enum class ErrorKind : std::uint8_t {
   environment,  ///< cannot read or write something (3)
   limit,        ///< the input is larger than the limits allow (4)
   input,        ///< the bytes are invalid (1)
+  usage,        ///< what is asked for makes no sense (2)
+  cancelled,    ///< stopped at the request of the caller (130)
 };
 
 struct Error {
@@ -73,5 +75,11 @@ class [[nodiscard]] Result<void> {
   bool failed_ = false;
   Error error_;
 };
+
+/// Why it failed; empty where it did not.
+template <typename T>
+std::string error_text(const Result<T>& result) {
+  return result ? std::string() : result.error().text;
+}
 
 }  // namespace scenefile

@@ -265,7 +265,7 @@ class AssetSearch {
     if (!roots_.options_.allow_outside) {
       why += "; files elsewhere need --asset-root DIR or --allow-outside";
     }
-    result_.error.text = why;
+    result_.error = why;
   }
 
   std::string places() const {
@@ -296,28 +296,25 @@ class AssetSearch {
 ResolvedAsset AssetRoots::resolve(const std::string& name) {
   if (const std::string_view why = reject_name(name); !why.empty()) {
     ResolvedAsset rejected;
-    rejected.error.text = why;
+    rejected.error = why;
     return rejected;
   }
   return AssetSearch(*this, name).run();
 }
 
-IoError AssetRoots::read(const std::string& name, std::string& bytes) {
-  bytes.clear();
-  const ResolvedAsset asset = resolve(name);
+Result<std::string> AssetRoots::read(const std::string& name) {
+  ResolvedAsset asset = resolve(name);
   if (!asset.error.empty()) {
-    return asset.error;
+    return Error{std::move(asset.error)};
   }
-  std::uint64_t size = 0;
-  IoError error;
-  const Descriptor file = open_regular(asset.path, false, options_.max_bytes, size, error);
-  if (!file.open()) {
-    return error;
+  const Result<OpenFile> file = open_regular(asset.path, false, options_.max_bytes);
+  if (!file) {
+    return file.error();
   }
-  if (opened_path(file, asset.path) != asset.path) {
+  if (opened_path(file->descriptor, asset.path) != asset.path) {
     return io_error(asset.path, "changed while it was opened");
   }
-  return read_all(file.get(), asset.path, size, options_.max_bytes, bytes);
+  return read_all(file->descriptor.get(), asset.path, file->size, options_.max_bytes);
 }
 
 }  // namespace scenefile

@@ -38,7 +38,7 @@ struct ResolvedAsset {
   AssetRule rule = AssetRule::not_found;
   std::string path;                ///< the file, with links resolved; empty if not found
   std::vector<std::string> tried;  ///< candidates in order, without duplicates
-  IoError error;                   ///< why it cannot be used; empty if found
+  std::string error;               ///< why it cannot be used; empty if found
 };
 
 class AssetIndex;
@@ -55,7 +55,7 @@ class AssetRoots {
   ResolvedAsset resolve(const std::string& name);
 
   /// Resolves a name and reads the file. Only regular files; the check is made on the opened file.
-  IoError read(const std::string& name, std::string& bytes);
+  Result<std::string> read(const std::string& name);
 
  private:
   friend class AssetSearch;

@@ -28,11 +28,11 @@ int Descriptor::close() {
   return fd < 0 || ::close(fd) == 0 || errno == EINTR ? 0 : errno;
 }
 
-IoError io_error(std::string_view path, std::string_view what) {
-  return {.text = fmt::format("{}: {}", escaped(path, 4096), what)};
+Error io_error(std::string_view path, std::string_view what) {
+  return Error{fmt::format("{}: {}", escaped(path, 4096), what)};
 }
 
-IoError system_error(std::string_view path, std::string_view what, int error) {
+Error system_error(std::string_view path, std::string_view what, int error) {
   return io_error(path, fmt::format("{}: {}", what, std::generic_category().message(error)));
 }
 
@@ -78,14 +78,14 @@ int own_descriptor(const std::string& path, int dash) {
 
 namespace {
 
-IoError too_large(std::string_view path, std::uint64_t max_bytes) {
-  IoError error = io_error(path, fmt::format("larger than the limit of {} bytes", max_bytes));
-  error.over_limit = true;
+Error too_large(std::string_view path, std::uint64_t max_bytes) {
+  Error error = io_error(path, fmt::format("larger than the limit of {} bytes", max_bytes));
+  error.kind = ErrorKind::limit;
   return error;
 }
 
-// Returns an empty error if the file may be read.
-IoError judge(const std::string& path, const struct stat& status, std::uint64_t max_bytes) {
+// Whether the file may be read.
+Result<void> judge(const std::string& path, const struct stat& status, std::uint64_t max_bytes) {
   if (!S_ISREG(status.st_mode)) {
     return io_error(path, fmt::format("is {}, not a regular file", kind_of(status)));
   }
@@ -103,33 +103,30 @@ bool is_regular(int fd) {
 
 }  // namespace
 
-Descriptor open_regular(const std::string& path, bool follow, std::uint64_t max_bytes,
-                        std::uint64_t& size, IoError& error) {
+Result<OpenFile> open_regular(const std::string& path, bool follow, std::uint64_t max_bytes) {
   // Checked before opening, because opening a device can already have an effect, and again
   // afterwards, because only the opened file counts.
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
-    error = system_error(path, "cannot open", errno);
-    return Descriptor();
+    return system_error(path, "cannot open", errno);
   }
-  if (error = judge(path, status, max_bytes); !error.empty()) {
-    return Descriptor();
+  if (const Result<void> readable = judge(path, status, max_bytes); !readable) {
+    return readable.error();
   }
   Descriptor file(::open(path.c_str(),
                          O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | (follow ? 0 : O_NOFOLLOW)));
   if (!file.open() || ::fstat(file.get(), &status) != 0) {
-    error = system_error(path, "cannot open", errno);
-    return Descriptor();
+    return system_error(path, "cannot open", errno);
   }
-  if (error = judge(path, status, max_bytes); !error.empty()) {
-    return Descriptor();
+  if (const Result<void> readable = judge(path, status, max_bytes); !readable) {
+    return readable.error();
   }
-  size = static_cast<std::uint64_t>(status.st_size);
-  return file;
+  return OpenFile{std::move(file), static_cast<std::uint64_t>(status.st_size)};
 }
 
-IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uint64_t max_bytes,
-                 std::string& bytes) {
+Result<std::string> read_all(int fd, std::string_view path, std::uint64_t expected,
+                             std::uint64_t max_bytes) {
+  std::string bytes;
   constexpr std::uint64_t step = 1 << 16;
   std::size_t used = 0;
   bytes.resize(std::min(expected, max_bytes) + 1);  // one more, to detect the end
@@ -141,7 +138,7 @@ IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uin
     const ssize_t got = ::read(fd, bytes.data() + used, bytes.size() - used);
     if (got == 0) {
       bytes.resize(used);
-      return {};
+      return bytes;
     }
     if (got > 0) {
       used += static_cast<std::size_t>(got);
@@ -149,12 +146,9 @@ IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uin
       pollfd wait{fd, POLLIN, 0};
       ::poll(&wait, 1, -1);
     } else if (errno != EINTR) {
-      const int error = errno;
-      bytes.clear();
-      return system_error(path, "cannot read", error);
+      return system_error(path, "cannot read", errno);
     }
     if (used > max_bytes) {
-      bytes.clear();
       return too_large(path, max_bytes);
     }
   }

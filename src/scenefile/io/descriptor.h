@@ -32,9 +32,9 @@ class Descriptor {
 };
 
 /// "PATH: what: strerror(error)", with the path escaped.
-IoError system_error(std::string_view path, std::string_view what, int error);
+Error system_error(std::string_view path, std::string_view what, int error);
 /// "PATH: what".
-IoError io_error(std::string_view path, std::string_view what);
+Error io_error(std::string_view path, std::string_view what);
 
 /// "a folder", "a device", ... if it is not a regular file.
 std::string_view kind_of(const struct stat& status);
@@ -43,14 +43,18 @@ std::string_view kind_of(const struct stat& status);
 /// /dev/stdout, /dev/stderr, /dev/fd/N), or -1.
 int own_descriptor(const std::string& path, int dash);
 
-/// Opens a regular file for reading, without blocking, and returns its size. If `follow` is false,
-/// rejects a symbolic link as the last component.
-Descriptor open_regular(const std::string& path, bool follow, std::uint64_t max_bytes,
-                        std::uint64_t& size, IoError& error);
+struct OpenFile {
+  Descriptor descriptor;
+  std::uint64_t size = 0;  ///< in bytes, when it was opened
+};
+
+/// Opens a regular file for reading, without blocking. If `follow` is false, rejects a symbolic
+/// link as the last component.
+Result<OpenFile> open_regular(const std::string& path, bool follow, std::uint64_t max_bytes);
 
 /// Reads until the end of the file, at most `max_bytes`. `expected` is a size hint.
-IoError read_all(int fd, std::string_view path, std::uint64_t expected, std::uint64_t max_bytes,
-                 std::string& bytes);
+Result<std::string> read_all(int fd, std::string_view path, std::uint64_t expected,
+                             std::uint64_t max_bytes);
 
 /// Writes all bytes. Returns 0 or errno.
 int write_all(int fd, const std::string& bytes);

@@ -128,7 +128,7 @@ bool natural_less(const std::string& first, const std::string& second) {
   return a.empty() != b.empty() ? a.empty() : first < second;
 }
 
-std::vector<std::string> files_below(const std::string& folder, std::vector<IoError>& errors) {
+std::vector<std::string> files_below(const std::string& folder, std::vector<Error>& errors) {
   std::vector<std::string> files;
   std::vector<std::string> waiting{folder};
   while (!waiting.empty()) {
@@ -144,7 +144,7 @@ std::vector<std::string> files_below(const std::string& folder, std::vector<IoEr
   return files;
 }
 
-IoError make_folder(const std::string& path) {
+Result<void> make_folder(const std::string& path) {
   std::error_code error;
   fs::path made;
   for (const fs::path& part : fs::path(path)) {
@@ -154,7 +154,7 @@ IoError make_folder(const std::string& path) {
     }
   }
   if (!is_folder(path)) {
-    return {path + ": the folder cannot be made: " + error.message()};
+    return Error{path + ": the folder cannot be made: " + error.message()};
   }
   return {};
 }

@@ -38,9 +38,9 @@ bool natural_less(const std::string& first, const std::string& second);
 /// Paths of the regular files in a folder and its subfolders, in natural order, files before
 /// folders. Follows links to files, but not to folders. Skips names that start with a dot, and
 /// __MACOSX, which macOS adds to ZIP archives. Folders that cannot be listed are added to `errors`.
-std::vector<std::string> files_below(const std::string& folder, std::vector<IoError>& errors);
+std::vector<std::string> files_below(const std::string& folder, std::vector<Error>& errors);
 
 /// Creates the folder and missing parents, accessible only to the user.
-IoError make_folder(const std::string& path);
+Result<void> make_folder(const std::string& path);
 
 }  // namespace scenefile

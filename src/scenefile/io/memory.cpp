@@ -21,12 +21,12 @@ constexpr std::uint64_t max_text = 1 << 16;
 
 // Kernel files have no size to query. Returns an empty text if the file cannot be read.
 std::string kernel_text(const std::string& path) {
-  std::string text;
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.open()) {
-    read_all(file.get(), path, 0, max_text, text);
+  if (!file.open()) {
+    return {};
   }
-  return text;
+  const Result<std::string> text = read_all(file.get(), path, 0, max_text);
+  return text ? *text : std::string();
 }
 
 // "max" and an absent file mean no limit.

@@ -4,18 +4,15 @@
 
 namespace scenefile {
 
-IoError read_file(const std::string& path, std::uint64_t max_bytes, std::string& bytes) {
-  bytes.clear();
+Result<std::string> read_file(const std::string& path, std::uint64_t max_bytes) {
   if (const int own = own_descriptor(path, STDIN_FILENO); own >= 0) {
-    return read_all(own, own == STDIN_FILENO ? "standard input" : path, 1 << 16, max_bytes, bytes);
+    return read_all(own, own == STDIN_FILENO ? "standard input" : path, 1 << 16, max_bytes);
   }
-  std::uint64_t size = 0;
-  IoError error;
-  const Descriptor file = open_regular(path, true, max_bytes, size, error);
-  if (!file.open()) {
-    return error;
+  const Result<OpenFile> file = open_regular(path, true, max_bytes);
+  if (!file) {
+    return file.error();
   }
-  return read_all(file.get(), path, size, max_bytes, bytes);
+  return read_all(file->descriptor.get(), path, file->size, max_bytes);
 }
 
 }  // namespace scenefile

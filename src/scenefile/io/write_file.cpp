@@ -53,7 +53,7 @@ std::string place_of(const std::string& path) {
   return error ? std::string() : (folder / target.filename()).string();
 }
 
-IoError find_target(const std::string& path, Target& target) {
+Result<void> find_target(const std::string& path, Target& target) {
   target.path = follow_links(path);
   target.folder = folder_of(target.path);
   target.exists = ::stat(target.path.c_str(), &target.status) == 0;
@@ -69,7 +69,7 @@ IoError find_target(const std::string& path, Target& target) {
   return {};
 }
 
-IoError check_folder(const std::string& path, const Target& target) {
+Result<void> check_folder(const std::string& path, const Target& target) {
   struct stat status {};
   if (::stat(target.folder.c_str(), &status) != 0) {
     return system_error(path, fmt::format("cannot write: the directory {}", target.folder), errno);
@@ -84,12 +84,13 @@ IoError check_folder(const std::string& path, const Target& target) {
   return {};
 }
 
-IoError write_error(std::string_view path, int error) {
-  return error == 0 ? IoError() : system_error(path, "cannot write", error);
+Result<void> write_error(std::string_view path, int error) {
+  return error == 0 ? Result<void>() : system_error(path, "cannot write", error);
 }
 
 // Devices and pipes cannot be replaced, so they are written directly.
-IoError write_special(const std::string& path, const Target& target, const std::string& bytes) {
+Result<void> write_special(const std::string& path, const Target& target,
+                           const std::string& bytes) {
   Descriptor file(::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY));
   if (!file.open()) {
     return system_error(path, "cannot write", errno);
@@ -155,7 +156,7 @@ class TemporaryGuard {
   bool kept_ = false;
 };
 
-IoError replace(const std::string& path, const Target& target, const std::string& bytes) {
+Result<void> replace(const std::string& path, const Target& target, const std::string& bytes) {
   // Otherwise a signal between the rename and the end of the program would report a completed write
   // as failed.
   const DeferredSignals deferred;
@@ -191,17 +192,18 @@ struct Pending {
 
 }  // namespace
 
-IoError check_writable(const std::string& path) {
+Result<void> check_writable(const std::string& path) {
   if (const int own = own_descriptor(path, STDOUT_FILENO); own >= 0) {
     const int flags = ::fcntl(own, F_GETFL);
     if (flags < 0) {
       return system_error(path, "cannot write", errno);
     }
-    return (flags & O_ACCMODE) == O_RDONLY ? system_error(path, "cannot write", EBADF) : IoError();
+    return (flags & O_ACCMODE) == O_RDONLY ? system_error(path, "cannot write", EBADF)
+                                           : Result<void>();
   }
   Target target;
-  if (IoError error = find_target(path, target); !error.empty()) {
-    return error;
+  if (const Result<void> found = find_target(path, target); !found) {
+    return found;
   }
   if (target.exists && !S_ISREG(target.status.st_mode)) {
     return {};
@@ -209,24 +211,24 @@ IoError check_writable(const std::string& path) {
   return check_folder(path, target);
 }
 
-IoError write_file(const std::string& path, const std::string& bytes) {
+Result<void> write_file(const std::string& path, const std::string& bytes) {
   if (const int own = own_descriptor(path, STDOUT_FILENO); own >= 0) {
     return write_error(own == STDOUT_FILENO ? "standard output" : path, write_all(own, bytes));
   }
   Target target;
-  if (IoError error = find_target(path, target); !error.empty()) {
-    return error;
+  if (const Result<void> found = find_target(path, target); !found) {
+    return found;
   }
   if (target.exists && !S_ISREG(target.status.st_mode)) {
     return write_special(path, target, bytes);
   }
-  if (IoError error = check_folder(path, target); !error.empty()) {
-    return error;
+  if (const Result<void> checked = check_folder(path, target); !checked) {
+    return checked;
   }
   return replace(path, target, bytes);
 }
 
-IoError write_files(std::span<const OutputFile> files) {
+Result<void> write_files(std::span<const OutputFile> files) {
   if (files.size() == 1) {
     return write_file(files[0].path, *files[0].bytes);
   }
@@ -234,14 +236,14 @@ IoError write_files(std::span<const OutputFile> files) {
   std::deque<Pending> pending;
   for (const OutputFile& file : files) {
     Pending& next = pending.emplace_back();
-    if (IoError error = find_target(file.path, next.target); !error.empty()) {
-      return error;
+    if (const Result<void> found = find_target(file.path, next.target); !found) {
+      return found;
     }
     if (next.target.exists && !S_ISREG(next.target.status.st_mode)) {
       return io_error(file.path, "cannot write: it is not a regular file");
     }
-    if (IoError error = check_folder(file.path, next.target); !error.empty()) {
-      return error;
+    if (const Result<void> checked = check_folder(file.path, next.target); !checked) {
+      return checked;
     }
     next.temporary = temporary_name(next.target.folder);
     if (const int error = write_temporary(next.temporary, next.target, *file.bytes); error != 0) {

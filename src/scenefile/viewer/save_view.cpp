@@ -7,47 +7,47 @@ namespace scenefile::viewer {
 
 namespace {
 
-// Why the file must not be overwritten; empty if it may. `now`: its contents.
-std::string refusal(const std::string& path, std::string_view known, const ReadOptions& options,
-                    std::string& now) {
+// The contents of the file, if it has not changed since it was read.
+Result<std::string> read_unchanged(const std::string& path, std::string_view known,
+                                   const ReadOptions& options) {
   if (path == "-") {
-    return "the scene came from standard input and has no file";
+    return Error{"the scene came from standard input and has no file"};
   }
-  if (const IoError error = read_file(path, options.limits.file_bytes, now); !error.empty()) {
-    return error.text;
+  Result<std::string> now = read_file(path, options.limits.file_bytes);
+  if (now && *now != known) {
+    return Error{"the file has changed since it was read; look at it first"};
   }
-  return now == known ? "" : "the file has changed since it was read; look at it first";
+  return now;
 }
 
 }  // namespace
 
 SavedView save_view(const std::string& path, std::string_view known, const Camera& camera,
                     const ReadOptions& options) {
-  std::string now;
-  if (std::string refused = refusal(path, known, options, now); !refused.empty()) {
-    return {{}, std::move(refused)};
+  const Result<std::string> now = read_unchanged(path, known, options);
+  if (!now) {
+    return {{}, now.error().text};
   }
-  CameraEdit edit = edit_camera(now, camera, options);
+  CameraEdit edit = edit_camera(*now, camera, options);
   if (!edit.refused.empty()) {
     return {{}, std::move(edit.refused)};
   }
-  if (edit.bytes == now) {
+  if (edit.bytes == *now) {
     return {std::move(edit.bytes), {}};
   }
-  if (const IoError error = write_file(path, edit.bytes); !error.empty()) {
-    return {{}, error.text};
+  if (const Result<void> written = write_file(path, edit.bytes); !written) {
+    return {{}, written.error().text};
   }
   return {std::move(edit.bytes), {}};
 }
 
 SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,
                        const ReadOptions& options) {
-  std::string now;
-  if (std::string refused = refusal(path, known, options, now); !refused.empty()) {
-    return {{}, std::move(refused)};
+  if (const Result<std::string> now = read_unchanged(path, known, options); !now) {
+    return {{}, now.error().text};
   }
-  if (const IoError error = write_file(path, before); !error.empty()) {
-    return {{}, error.text};
+  if (const Result<void> written = write_file(path, before); !written) {
+    return {{}, written.error().text};
   }
   return {before, {}};
 }

@@ -203,13 +203,13 @@ void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
 // Returns false if the file is not a picture.
 bool read_reference(Session& session, const std::string& path, std::string& error) {
   const Limits limits;
-  std::string bytes;
-  error = read_file(path, limits.file_bytes, bytes).text;
-  if (!error.empty()) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  if (!bytes) {
+    error = bytes.error().text;
     return false;
   }
   std::uint64_t budget = limits.texture_bytes;
-  Texture picture = decode_image(bytes, limits, budget, error);
+  Texture picture = decode_image(*bytes, limits, budget, error);
   if (picture.empty()) {
     error = fmt::format("{}: {}", path, error);
     return false;
@@ -222,9 +222,8 @@ bool read_reference(Session& session, const std::string& path, std::string& erro
 }
 
 bool is_picture(const std::string& path) {
-  std::string bytes;
-  return read_file(path, std::numeric_limits<std::uint64_t>::max(), bytes).empty() &&
-         is_image(bytes);
+  const Result<std::string> bytes = read_file(path, std::numeric_limits<std::uint64_t>::max());
+  return bytes && is_image(*bytes);
 }
 
 }  // namespace

@@ -121,10 +121,10 @@ Settings load_settings(const std::string& path, std::string& note) {
   if (path.empty() || !stamp_of(path).exists) {
     return settings;
   }
-  std::string text;
-  if (const IoError error = read_file(path, most, text); !error.empty()) {
-    note = "the settings cannot be read: " + error.text;
-  } else if (!parse_settings(text, settings)) {
+  const Result<std::string> text = read_file(path, most);
+  if (!text) {
+    note = "the settings cannot be read: " + text.error().text;
+  } else if (!parse_settings(*text, settings)) {
     note = path + " is damaged; the settings are the defaults";
   }
   return settings;
@@ -134,11 +134,10 @@ std::string save_settings(const std::string& path, const Settings& settings) {
   if (path.empty()) {
     return {};
   }
-  IoError error = make_folder(folder_of(path));
-  if (error.empty()) {
-    error = write_file(path, settings_text(settings));
+  if (const Result<void> made = make_folder(folder_of(path)); !made) {
+    return made.error().text;
   }
-  return error.text;
+  return error_text(write_file(path, settings_text(settings)));
 }
 
 }  // namespace scenefile::viewer

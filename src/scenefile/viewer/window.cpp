@@ -327,13 +327,9 @@ void Window::on_drop(const std::vector<std::string>& paths) {
 
 // Replaces a file like an editor that renames a new one into place.
 bool Window::copy_file(const ScriptStep& step) {
-  std::string bytes;
-  IoError error = read_file(step.text, options_.setup.read.limits.file_bytes, bytes);
-  if (error.empty()) {
-    error = write_file(step.other, bytes);
-  }
-  failure_ = error.text;
-  return error.empty();
+  const Result<std::string> bytes = read_file(step.text, options_.setup.read.limits.file_bytes);
+  failure_ = bytes ? error_text(write_file(step.other, *bytes)) : bytes.error().text;
+  return failure_.empty();
 }
 
 // Returns true if the step is done.
@@ -507,7 +503,7 @@ bool Window::write_screenshot(const std::string& path) {
   const std::string bytes =
       encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
   if (error.empty()) {
-    error = write_file(path, bytes).text;
+    error = error_text(write_file(path, bytes));
   }
   if (!error.empty()) {
     say(session_, error, true);

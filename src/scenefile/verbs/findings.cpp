@@ -1,13 +1,12 @@
-#include "app/findings.h"
+#include "scenefile/verbs/findings.h"
 
-#include "app/output.h"
 #include "scenefile/base/report.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -23,49 +22,64 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 
 }  // namespace
 
-void apply_policy(const Options& options, Diagnostics& diagnostics) {
+void apply_policy(const FindingPolicy& policy, Diagnostics& diagnostics) {
   diagnostics.rewrite([&](const Code& code, Severity severity) -> std::optional<Severity> {
     if (severity == Severity::error) {
       return severity;
     }
-    if (contains(options.allowed_codes, code.name)) {
+    if (contains(policy.allowed, code.name)) {
       return std::nullopt;
     }
-    const bool strict = options.deny_warnings || (options.strict && code.kind == CodeKind::dialect);
+    const bool strict = policy.deny_warnings || (policy.strict && code.kind == CodeKind::dialect);
     const bool raised =
-        (severity == Severity::warning && strict) || contains(options.denied_codes, code.name);
+        (severity == Severity::warning && strict) || contains(policy.denied, code.name);
     return raised ? Severity::error : severity;
   });
 }
 
-ExitCode status_of(const LoadedScene& scene) {
-  if (!scene.unreadable.empty()) {
-    return scene.unreadable.over_limit ? ExitCode::limit : ExitCode::environment;
+std::optional<ErrorKind> failure_of(const LoadedScene& scene) {
+  if (scene.unreadable) {
+    return scene.unreadable->kind;
   }
   const std::vector<Diagnostic>& list = scene.diagnostics.list();
   if (std::any_of(list.begin(), list.end(), is_limit)) {
-    return ExitCode::limit;
+    return ErrorKind::limit;
   }
-  return scene.diagnostics.has_errors() ? ExitCode::findings : ExitCode::fine;
+  return scene.diagnostics.has_errors() ? std::optional(ErrorKind::input) : std::nullopt;
 }
 
-Verdict verdict_of(const LoadedScene& scene) {
-  if (!scene.unreadable.empty()) {
-    return Verdict::unreadable;
+std::string_view verdict_word(SceneVerdict verdict) {
+  switch (verdict) {
+    case SceneVerdict::fine:
+      return "fine";
+    case SceneVerdict::warnings:
+      return "warnings";
+    case SceneVerdict::errors:
+      return "errors";
+    case SceneVerdict::unreadable:
+      return "unreadable";
+  }
+  return {};
+}
+
+SceneVerdict verdict_of(const LoadedScene& scene) {
+  if (scene.unreadable) {
+    return SceneVerdict::unreadable;
   }
   if (scene.diagnostics.has_errors()) {
-    return Verdict::errors;
+    return SceneVerdict::errors;
   }
-  return scene.diagnostics.count(Severity::warning) != 0 ? Verdict::warnings : Verdict::fine;
+  return scene.diagnostics.count(Severity::warning) != 0 ? SceneVerdict::warnings
+                                                         : SceneVerdict::fine;
 }
 
-void Tally::add(const LoadedScene& scene) {
+void VerdictCounts::add(const LoadedScene& scene) {
   ++counts_[static_cast<std::size_t>(verdict_of(scene))];
 }
 
-std::string Tally::text() const {
-  static constexpr std::array<std::string_view, 4> words{"fine", "with warnings", "with errors",
-                                                         "unreadable"};
+std::string VerdictCounts::text() const {
+  static constexpr std::array<std::string_view, scene_verdict_count> words{
+      "fine", "with warnings", "with errors", "unreadable"};
   std::size_t total = 0;
   std::string parts;
   for (std::size_t i = 0; i < counts_.size(); ++i) {
@@ -79,8 +93,8 @@ std::string Tally::text() const {
 
 std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool color) {
   const std::string name = shown_name(scene.path);
-  if (!scene.unreadable.empty()) {
-    return "scenefile: " + scene.unreadable.text + "\n";
+  if (scene.unreadable) {
+    return "scenefile: " + scene.unreadable->text + "\n";
   }
   Diagnostics shown = scene.diagnostics;
   if (verbosity == Verbosity::errors) {
@@ -100,4 +114,4 @@ std::string findings_text(const LoadedScene& scene, Verbosity verbosity, bool co
   return text;
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

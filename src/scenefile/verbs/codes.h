@@ -1,12 +1,12 @@
 #pragma once
-// All codes of all rooms, and those of the program itself.
+// All codes of all rooms, and those of the verbs themselves.
 
 #include "scenefile/base/diagnostics.h"
 
 #include <span>
 #include <string_view>
 
-namespace scenefile::app {
+namespace scenefile {
 
 inline constexpr Code render_no_directional_light{
     "render.no-directional-light", Severity::warning, "no light counts in this mode",
@@ -57,4 +57,4 @@ const Code* find_code(std::string_view name);
 /// "note", "warning" or "error".
 std::string_view severity_name(Severity severity);
 
-}  // namespace scenefile::app
+}  // namespace scenefile

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace scenefile::app {
+namespace scenefile {
 
 class Json {
  public:
@@ -62,4 +62,4 @@ class Json {
   std::unique_ptr<Library> library_;
 };
 
-}  // namespace scenefile::app
+}  // namespace scenefile

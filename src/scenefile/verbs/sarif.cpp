@@ -1,19 +1,17 @@
-#include "app/sarif.h"
+#include "scenefile/verbs/sarif.h"
 
-#include "app/codes.h"
-#include "app/json_writer.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/report.h"
+#include "scenefile/verbs/codes.h"
+#include "scenefile/verbs/json_writer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <iterator>
-#include <system_error>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -89,24 +87,16 @@ void add_locations(Json& json, const std::string& scene, const std::string& file
   }
 }
 
-// The path as seen from the working directory, where it lies in that.
-std::string shown_path(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path here = std::filesystem::current_path(error);
-  const std::string relative = std::filesystem::path(path).lexically_relative(here).string();
-  return error || relative.empty() || relative.starts_with("..") ? path : relative;
-}
-
-// The file that a finding is in, where there is one.
-const AssetFile* file_of(const Diagnostic& d, const std::vector<AssetFile>& files) {
-  const auto found = std::find_if(files.begin(), files.end(), [&](const AssetFile& file) {
-    return !d.file.empty() && file.reference.name == d.file && !file.resolved.path.empty();
-  });
-  return found == files.end() ? nullptr : &*found;
-}
-
-bool is_in_a_file(const Diagnostic& d) {
-  return !d.file.empty();
+// Where the scene names a file.
+Location used_at(const RenderScene& scene, const std::string& name) {
+  for (const auto* references : {&scene.texture_files, &scene.mesh_files}) {
+    for (const FileReference& reference : *references) {
+      if (reference.name == name) {
+        return reference.location;
+      }
+    }
+  }
+  return {};
 }
 
 // Findings inside a mesh name it and its line.
@@ -163,11 +153,11 @@ void add_driver(Json& json, const std::map<std::string_view, const Code*>& rules
   json.end_object();
 }
 
-void add_invocation(Json& json, const std::vector<std::string>& unreadable, ExitCode status) {
+void add_invocation(Json& json, const std::vector<std::string>& unreadable, int exit_status) {
   json.begin_array("invocations");
   json.begin_object();
   json.add("executionSuccessful", unreadable.empty());
-  json.add("exitCode", static_cast<int>(status));
+  json.add("exitCode", exit_status);
   json.begin_array("toolExecutionNotifications");
   for (const std::string& text : unreadable) {
     json.begin_object();
@@ -182,27 +172,23 @@ void add_invocation(Json& json, const std::vector<std::string>& unreadable, Exit
 
 }  // namespace
 
-void SarifLog::add(const LoadedScene& scene, const Options& options) {
-  if (!scene.unreadable.empty()) {
-    unreadable_.push_back(scene.unreadable.text);
+void SarifLog::add(const LoadedScene& scene, const FindPath& find_path) {
+  if (scene.unreadable) {
+    unreadable_.push_back(scene.unreadable->text);
   }
-  const std::vector<Diagnostic>& findings = scene.diagnostics.list();
-  const std::vector<AssetFile> files = std::any_of(findings.begin(), findings.end(), is_in_a_file)
-                                           ? locate_files(scene, options)
-                                           : std::vector<AssetFile>();
   Lines lines(scene.text);
   std::map<std::string, int> seen;
   for (const Diagnostic* d : by_place(scene.diagnostics)) {
     const std::string fingerprint = fingerprint_of(*d, lines);
-    const AssetFile* const file = file_of(*d, files);
-    results_.push_back({scene.path, file != nullptr ? shown_path(file->resolved.path) : "",
-                        file != nullptr ? file->reference.location : Location{}, *d,
+    const std::string file = d->file.empty() ? std::string() : find_path(d->file);
+    entries_.push_back({scene.path, file,
+                        file.empty() ? Location{} : used_at(scene.ready.scene, d->file), *d,
                         fmt::format("{}:{}", fingerprint, ++seen[fingerprint])});
     rules_.emplace(d->code->name, d->code);
   }
 }
 
-std::string SarifLog::text(ExitCode status) const {
+std::string SarifLog::text(int exit_status) const {
   Json json;
   json.begin_object();
   json.add("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
@@ -210,10 +196,10 @@ std::string SarifLog::text(ExitCode status) const {
   json.begin_array("runs");
   json.begin_object();
   add_driver(json, rules_);
-  add_invocation(json, unreadable_, status);
+  add_invocation(json, unreadable_, exit_status);
   json.add("columnKind", "unicodeCodePoints");
   json.begin_array("results");
-  for (const Result& result : results_) {
+  for (const Entry& result : entries_) {
     const std::string_view name = result.finding.code->name;
     json.begin_object();
     json.add("ruleId", name);
@@ -236,4 +222,4 @@ std::string SarifLog::text(ExitCode status) const {
   return json.text();
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

@@ -1,4 +1,4 @@
-#include "app/json_writer.h"
+#include "scenefile/verbs/json_writer.h"
 
 #include "scenefile/base/text.h"
 
@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::string Json::text() const {
   return std::string(library_->buffer.GetString(), library_->buffer.GetSize()) + "\n";
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

@@ -1,9 +1,7 @@
-#include "app/explain_report.h"
-#include "app/names.h"
-#include "app/output.h"
 #include "scenefile/base/components.h"
 #include "scenefile/base/text.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/verbs/explain.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -232,7 +230,7 @@ class Explanation {
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     add(s.shape == Shape::mesh
             ? fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name))
-            : fmt::format("face {}", face_names[static_cast<std::size_t>(s.face)]));
+            : fmt::format("face {}", face_words[static_cast<std::size_t>(s.face)]));
     add("point  " + vector_text(s.position) + ", in object space " +
         vector_text(s.object_position));
     add(fmt::format("normal {}{}, in object space {}", vector_text(s.normal),
@@ -366,4 +364,4 @@ std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
   return Explanation(scene, report, style).text();
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

@@ -1,4 +1,4 @@
-#include "app/codes.h"
+#include "scenefile/verbs/codes.h"
 
 #include "scenefile/asset/codes.h"
 #include "scenefile/export/codes.h"
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string_view severity_name(Severity severity) {
   return names[static_cast<std::size_t>(severity)];
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

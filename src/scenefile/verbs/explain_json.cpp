@@ -1,12 +1,10 @@
-#include "app/explain_report.h"
-#include "app/json.h"
-#include "app/json_writer.h"
-#include "app/names.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/verbs/explain.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <array>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
 
@@ -161,7 +159,7 @@ class Document {
       json_.add("mesh", scene_.mesh_files[s.mesh].name);
       json_.add("triangle", s.triangle);
     } else {
-      json_.add("face", name_of(face_names, s.face));
+      json_.add("face", name_of(face_words, s.face));
     }
     json_.add("t", s.t);
     add_line("ray", s.ray);
@@ -278,7 +276,7 @@ std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
   Json json;
   begin_document(json, "explain");
   json.key("scene");
-  json.raw(scene_json(scene));
+  add_scene(json, scene);
   if (!error.empty()) {
     json.add("error", error);
   }
@@ -290,4 +288,4 @@ std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
   return json.text();
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

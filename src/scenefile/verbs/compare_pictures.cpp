@@ -1,0 +1,184 @@
+#include "scenefile/verbs/compare_pictures.h"
+
+#include <fmt/format.h>
+
+namespace scenefile {
+
+namespace {
+
+std::string_view profile_option(Profile profile) {
+  return profile == Profile::course ? "--profile course" : "--profile fine";
+}
+
+// What references in use were drawn with.
+void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
+  const std::string_view profile = profile_option(render.profile);
+  const auto add = [&](const char* words, const Features& features) {
+    render.features = features;
+    ways.push_back({render, fmt::format("{} --features {}", profile, words)});
+  };
+  Features f = render.features;
+  f.super_sample = false;
+  f.texture_filter = false;
+  add("shadows,reflect,refract,texture,depthoffield", f);
+  f.depthoffield = false;
+  add("shadows,reflect,refract,texture", f);
+  f.refract = false;
+  add("shadows,reflect,texture", f);
+  f.texture = false;
+  add("shadows,reflect", f);
+  f.reflect = false;
+  add("shadows", f);
+  f = {true, false, false, true, false, false, false};
+  add("shadows,texture", f);
+  f = {false, true, false, true, false, false, false};
+  add("reflect,texture", f);
+  f = {false, false, false, true, false, false, false};
+  add("texture", f);
+  f = {false, false, false, true, true, false, false};
+  add("texture,texture-filter", f);
+  f = {true, true, false, true, true, false, false};
+  add("shadows,reflect,texture,texture-filter", f);
+  add("none", Features{false, false, false, false, false, false, false});
+  if (render.mode == Mode::ray) {
+    render.features = Features{false, false, false, false, false, false, false};
+    for (const Mode mode : {Mode::intersect, Mode::normals}) {
+      render.mode = mode;
+      ways.push_back({render, fmt::format("{} --mode {}", profile, mode_word(mode))});
+    }
+  }
+}
+
+SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
+  return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
+}
+
+// Finds what makes the difference; the scene is used where it can be.
+void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
+                     const std::vector<DrawnWay>& ways,
+                     const std::function<bool(double)>& go_on, PictureComparison& found) {
+  if (scene == nullptr || !scene->usable()) {
+    found.causes = find_causes(reference, test, nullptr, go_on);
+    return;
+  }
+  found.scene_used = true;
+  std::vector<SceneView> views;
+  for (const DrawnWay& way : ways) {
+    views.push_back(view_of(*scene, way));
+  }
+  if (views.empty()) {
+    views.push_back(view_of(*scene, {}));
+  }
+  const SceneView view = most_alike(reference, views);
+  found.drawn_with = view.said;
+  found.causes = find_causes(reference, test, &view, go_on);
+}
+
+}  // namespace
+
+std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known) {
+  std::vector<DrawnWay> ways;
+  for (const RenderOptions& render : profiles) {
+    ways.push_back({render, std::string(profile_option(render.profile))});
+    if (!features_known) {
+      add_feature_sets(render, ways);
+    }
+  }
+  return ways;
+}
+
+PictureComparison compare_pictures(const Texture& reference, const Texture& test,
+                                   const LoadedScene* scene, const CompareSettings& settings,
+                                   const std::function<bool(double)>& go_on) {
+  PictureComparison found;
+  found.measures = measure(reference, test, settings.pixel_threshold, &found.flip_errors);
+  found.broken = broken_thresholds(settings.thresholds, found.measures);
+  const bool wanted =
+      !found.broken.empty() ||
+      (settings.look == LookForCauses::always && found.measures.difference.max > 0);
+  if (wanted && found.measures.same_size) {
+    look_for_causes(reference, test, scene, settings.ways, go_on, found);
+  }
+  return found;
+}
+
+std::string causes_text(const PictureComparison& found) {
+  const CauseReport& report = found.causes;
+  std::string text;
+  for (const Claim& claim : report.claims) {
+    text += fmt::format("cause: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
+                        claim.evidence);
+  }
+  for (const Claim& claim : report.rivals) {
+    text += fmt::format("   or: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
+                        claim.evidence);
+  }
+  for (const Claim& claim : report.partial) {
+    text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
+                        claim.evidence);
+  }
+  if (found.scene_used && report.share_scene_unlike <= 0.1 && !found.drawn_with.empty()) {
+    text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
+  }
+  if (found.scene_used && report.share_scene_unlike > 0.1) {
+    text += fmt::format(
+        "the scene is not what the reference shows: our picture of it differs in {:.0f} % of the "
+        "pixels; give --profile and --features as the reference was made\n",
+        100 * report.share_scene_unlike);
+  } else if (report.claims.empty() && found.measures.same_size) {
+    text += report.share_different < 0.001
+                ? "cause: none known; they differ by edges and rounding alone\n"
+            : found.scene_used
+                ? "cause: none that is known explains the difference\n"
+                : "cause: none that shows in the pictures alone; most causes are looked for only "
+                  "with --scene SCENE, the scene of the pictures\n";
+  }
+  return text;
+}
+
+void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims) {
+  json.begin_array(name);
+  for (const Claim& claim : claims) {
+    json.begin_object();
+    json.add("cause", name_of(claim.cause));
+    json.add("what", claim.what);
+    json.add("evidence", claim.evidence);
+    json.add("explained", claim.explained);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_clauses(Json& json, std::string_view name, const std::vector<std::string>& clauses) {
+  json.begin_array(name);
+  for (const std::string& clause : clauses) {
+    json.value(std::string_view(clause));
+  }
+  json.end_array();
+}
+
+void add_measures(Json& json, const PictureMeasures& m) {
+  json.add("same_size", m.same_size);
+  json.add("psnr_db", m.difference.psnr_db);
+  json.add("mean_difference", m.difference.mean);
+  json.add("max_difference", m.difference.max);
+  json.add("share_over", m.difference.share_over);
+  json.add("ssim", m.ssim);
+  json.add("flip_mean", m.flip_mean);
+  json.add("flip_max", m.flip_max);
+}
+
+void add_comparison(Json& json, const PictureComparison& found) {
+  json.add("same", found.broken.empty());
+  add_measures(json, found.measures);
+  add_clauses(json, "broken", found.broken);
+  add_claims(json, "causes", found.causes.claims);
+  add_claims(json, "rivals", found.causes.rivals);
+  add_claims(json, "partial", found.causes.partial);
+  if (found.scene_used) {
+    json.add("share_scene_unlike", found.causes.share_scene_unlike);
+    json.add("reference_drawn_with", found.drawn_with);
+  }
+}
+
+}  // namespace scenefile

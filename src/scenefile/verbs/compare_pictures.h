@@ -1,0 +1,63 @@
+#pragma once
+// A picture against its reference: how far apart they are, and which known mistake makes the
+// difference, as data, for people and for programs.
+
+#include "scenefile/compare/measure.h"
+#include "scenefile/grade/causes.h"
+#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/load_scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scenefile {
+
+/// A way in which a reference may have been drawn from its scene.
+struct DrawnWay {
+  RenderOptions options;
+  std::string words;  ///< as options of the program, such as "--profile course"
+};
+
+enum class LookForCauses : std::uint8_t { where_broken, always };
+
+struct CompareSettings {
+  Thresholds thresholds;       ///< none: the pictures must be equal
+  int pixel_threshold = 8;     ///< when a pixel counts as off, in 1/255
+  std::vector<DrawnWay> ways;  ///< the one most like the reference is taken
+  LookForCauses look = LookForCauses::where_broken;  ///< of two pictures that are not equal
+};
+
+/// Each of `profiles` alone where the features are known, else also with the sets of features that
+/// references are usually made with.
+std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
+
+struct PictureComparison {
+  PictureMeasures measures;
+  std::vector<float> flip_errors;   ///< of the pixels; empty for pictures of different sizes
+  std::vector<std::string> broken;  ///< thresholds; empty: the same
+  CauseReport causes;               ///< nothing where none were looked for
+  std::string drawn_with;           ///< DrawnWay::words of the reference; empty: not known
+  bool scene_used = false;          ///< whether a scene was there to look for causes with
+};
+
+/// Compares; looks for causes as settings.look says. `scene`: what the reference shows, with
+/// all assets; may be null. `go_on` as for find_causes().
+PictureComparison compare_pictures(const Texture& reference, const Texture& test,
+                                   const LoadedScene* scene = nullptr,
+                                   const CompareSettings& settings = {},
+                                   const std::function<bool(double done)>& go_on = {});
+
+/// The causes as lines for people.
+std::string causes_text(const PictureComparison& found);
+
+/// Members of the object that is open.
+void add_measures(Json& json, const PictureMeasures& measures);
+void add_clauses(Json& json, std::string_view name, const std::vector<std::string>& clauses);
+void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims);
+void add_comparison(Json& json, const PictureComparison& found);
+
+}  // namespace scenefile

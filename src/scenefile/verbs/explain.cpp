@@ -1,0 +1,30 @@
+#include "scenefile/verbs/explain.h"
+
+#include "scenefile/verbs/render_error.h"
+
+#include <fmt/format.h>
+
+namespace scenefile {
+
+Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOptions& options, int x,
+                                    int y, std::optional<std::uint32_t> sample) {
+  const Explainer explainer(scene.ready.scene, scene.assets, options);
+  if (const std::optional<Error> error = render_error(explainer.status())) {
+    return *error;
+  }
+  ExplainReport report;
+  report.pixel = explainer.explain(x, y, sample);
+  if (const std::optional<Error> error = render_error(explainer.status())) {
+    return *error;
+  }
+  const std::size_t taken = report.pixel.samples.size();
+  if (sample.value_or(0) >= taken) {
+    return Error{
+        fmt::format("there is no sample {}: the pixel has {}, counted from 0", *sample, taken),
+        ErrorKind::usage};
+  }
+  report.remarks = remarks(scene.ready.scene, report.pixel);
+  return report;
+}
+
+}  // namespace scenefile

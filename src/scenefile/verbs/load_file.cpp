@@ -1,0 +1,78 @@
+#include "scenefile/verbs/load_file.h"
+
+#include "scenefile/io/file.h"
+#include "scenefile/io/memory.h"
+
+#include <cstdlib>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>& references,
+            std::vector<AssetFile>& files) {
+  for (const FileReference& reference : references) {
+    files.push_back({kind, reference, roots.resolve(reference.name)});
+  }
+}
+
+}  // namespace
+
+AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
+                                      const Limits& limits) {
+  AssetRootsOptions roots{.scene_path = path,
+                          .asset_roots = access.roots,
+                          .allow_outside = access.allow_outside,
+                          .max_bytes = limits.file_bytes};
+  if (const char* const data = std::getenv("CS123_DATA"); data != nullptr && *data != '\0') {
+    roots.asset_roots.emplace_back(data);
+  }
+  return roots;
+}
+
+LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings,
+                            const AssetAccess& access) {
+  if (settings.entering) {
+    settings.entering("reading the file");
+  }
+  Result<std::string> text = read_file(path, settings.limits.file_bytes);
+  if (!text) {
+    LoadedScene scene;
+    scene.diagnostics = Diagnostics(settings.limits);
+    scene.path = path;
+    scene.unreadable = text.error();
+    return scene;
+  }
+  AssetRoots roots(asset_roots_options(path, access, settings.limits));
+  const FetchFile fetch = [&](const std::string& name) {
+    FileContents contents;
+    Result<std::string> bytes = roots.read(name);
+    if (bytes) {
+      contents.bytes = *std::move(bytes);
+    } else {
+      contents.error = bytes.error().text;
+      contents.over_limit = bytes.error().kind == ErrorKind::limit;
+    }
+    return contents;
+  };
+  return load_scene(path, *std::move(text), fetch, settings);
+}
+
+std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
+                                    const Limits& limits) {
+  AssetRoots roots(asset_roots_options(scene.path, access, limits));
+  std::vector<AssetFile> files;
+  locate(roots, AssetKind::texture, scene.ready.scene.texture_files, files);
+  locate(roots, AssetKind::mesh, scene.ready.scene.mesh_files, files);
+  return files;
+}
+
+void forget_file(LoadedScene& scene) {
+  std::string().swap(scene.text);  // an assignment would keep the memory
+  scene.written = {};
+  scene.ready.sources = {};
+  return_free_memory();
+}
+
+}  // namespace scenefile

@@ -1,0 +1,120 @@
+#include "scenefile/verbs/load_scene.h"
+
+#include "scenefile/base/hash.h"
+#include "scenefile/format/read_scene.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/codes.h"
+#include "scenefile/trace/check_view.h"
+#include "scenefile/verbs/codes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings) {
+  Hash hash;
+  const FetchFile hashed = [&](const std::string& name) {
+    FileContents contents = fetch(name);
+    hash.add(name);
+    hash.add(contents.bytes);
+    return contents;
+  };
+  LoadOptions load;
+  load.textures = settings.depth == LoadDepth::with_all_assets;
+  load.allow_missing = settings.allow_missing;
+  load.limits = settings.limits;
+  load.for_each = settings.for_each;
+  scene.assets = load_assets(scene.ready.scene.texture_files, scene.ready.scene.mesh_files,
+                             fetch ? hashed : fetch, load, scene.diagnostics);
+  scene.asset_fingerprint = hash.value();
+}
+
+// Asks about a scene without errors. `question` need not say where things are in the file.
+void ask(LoadedScene& scene, ViewQuestion question) {
+  if (scene.written.camera) {
+    question.camera = scene.written.camera->location;
+  }
+  question.place_of = [&](std::uint32_t source) { return scene.ready.sources[source].location; };
+  check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
+}
+
+// Whether the course's ray caster would see no light at all.
+bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
+  return options.profile == Profile::course && options.mode == Mode::intersect &&
+         !scene.lights.empty() &&
+         std::none_of(scene.lights.begin(), scene.lights.end(),
+                      [](const RenderLight& l) { return l.type == LightType::directional; });
+}
+
+// Whether the picture depends on what an absent transparentcoeff means.
+bool guesses_transparency(const RenderOptions& options) {
+  return options.profile == Profile::fine && options.mode == Mode::ray && options.features.refract;
+}
+
+}  // namespace
+
+LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetch,
+                       const LoadSettings& settings) {
+  const auto enter = [&](const char* phase) {
+    if (settings.entering) {
+      settings.entering(phase);
+    }
+  };
+  const Limits& limits = settings.limits;
+  LoadedScene scene;
+  scene.diagnostics = Diagnostics(limits);
+  scene.path = std::move(path);
+  scene.text = std::move(text);
+  enter("reading the scene");
+  scene.written = read_scene(
+      scene.text, {.compat_course = settings.compat_course, .limits = limits}, scene.diagnostics);
+  enter("checking the scene");
+  check(scene.written, limits, scene.diagnostics);
+  enter("preparing the scene");
+  scene.ready = prepare(scene.written, limits);
+  if (settings.depth != LoadDepth::prepared) {
+    enter("loading textures and meshes");
+    load_files(scene, fetch, settings);
+  }
+  return scene;
+}
+
+LoadDepth depth_for(const RenderOptions& options) {
+  return options.mode == Mode::ray && options.features.texture ? LoadDepth::with_all_assets
+                                                               : LoadDepth::with_meshes;
+}
+
+void check_picture(LoadedScene& scene) {
+  if (scene.usable()) {
+    ask(scene, {});
+  }
+}
+
+void check_picture(LoadedScene& scene, const RenderOptions& options) {
+  if (!scene.usable()) {
+    return;
+  }
+  ViewQuestion question;
+  question.aspect = static_cast<double>(options.width) / options.height;
+  question.shadows = options.mode == Mode::ray && options.features.shadows;
+  ask(scene, question);
+  if (dark_in_caster(options, scene.ready.scene)) {
+    scene.diagnostics.report(render_no_directional_light, {},
+                             "the scene has no directional light, and the course's ray caster "
+                             "knows no other");
+  }
+  if (!guesses_transparency(options)) {
+    scene.diagnostics.rewrite([](const Code& code, Severity severity) {
+      return &code == &global_transparent_default ? std::nullopt : std::optional(severity);
+    });
+  }
+}
+
+std::string shown_name(const std::string& path) {
+  return path == "-" ? "<stdin>" : path;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,140 @@
+#include "scenefile/verbs/scene_json.h"
+
+#include "scenefile/base/report.h"
+#include "scenefile/trace/layers.h"
+#include "scenefile/trace/visit_options.h"
+#include "scenefile/verbs/codes.h"
+#include "scenefile/verbs/findings.h"
+
+#include <optional>
+#include <type_traits>
+
+namespace scenefile {
+
+namespace {
+
+void add_finding(Json& json, const Diagnostic& d) {
+  json.begin_object();
+  json.add("code", d.code->name);
+  json.add("severity", severity_name(d.severity));
+  json.add("message", d.message);
+  if (!d.file.empty()) {
+    json.add("file", d.file);
+  }
+  add_location(json, d.location);
+  json.end_object();
+}
+
+// The value of an option.
+template <typename T>
+requires std::is_arithmetic_v<T>
+void add_option(Json& json, T value) {
+  json.value(value);
+}
+void add_option(Json& json, Profile profile) {
+  json.value(profile_word(profile));
+}
+void add_option(Json& json, Mode mode) {
+  json.value(mode_word(mode));
+}
+void add_option(Json& json, const Features& features) {
+  json.begin_array();
+  visit_options(features, [&](const OptionField& field, bool on) {
+    if (on) {
+      json.value(field.name);
+    }
+  });
+  json.end_array();
+}
+void add_option(Json& json, const std::optional<PixelRegion>& crop) {
+  json.begin_array();
+  visit_options(*crop, [&](const OptionField&, int side) { json.value(side); });
+  json.end_array();
+}
+void add_option(Json& json, const std::vector<Layer>& layers) {
+  json.begin_array();
+  for (const Layer& layer : layers) {
+    json.value(layer_name(layer));
+  }
+  json.end_array();
+}
+void add_option(Json& /*json*/, const Mistakes& /*mistakes*/) {}
+
+bool is_set(bool value) {
+  return value;
+}
+bool is_set(const std::optional<PixelRegion>& crop) {
+  return crop.has_value();
+}
+bool is_set(const std::vector<Layer>& layers) {
+  return !layers.empty();
+}
+template <typename T>
+bool is_set(const T&) {
+  return true;
+}
+
+}  // namespace
+
+void begin_document(Json& json, std::string_view command) {
+  json.begin_object();
+  json.add("scenefile", SCENEFILE_VERSION);
+  json.add("command", command);
+}
+
+void add_location(Json& json, Location location) {
+  if (location.known()) {
+    json.add("line", location.line);
+    json.add("column", location.column);
+  }
+}
+
+void add_scene(Json& json, const LoadedScene& scene) {
+  json.begin_object();
+  json.add("file", scene.path);
+  if (scene.unreadable) {
+    json.add("error", scene.unreadable->text);
+  }
+  json.add("verdict", verdict_word(verdict_of(scene)));
+  json.add("errors", scene.diagnostics.count(Severity::error));
+  json.add("warnings", scene.diagnostics.count(Severity::warning));
+  json.add("notes", scene.diagnostics.count(Severity::note));
+  json.add("not_listed", scene.diagnostics.dropped());
+  json.begin_array("findings");
+  for (const Diagnostic* d : by_place(scene.diagnostics)) {
+    add_finding(json, *d);
+  }
+  json.end_array();
+  json.end_object();
+}
+
+std::string scene_json(const LoadedScene& scene) {
+  Json json;
+  add_scene(json, scene);
+  return json.text();
+}
+
+std::string check_json(const std::vector<std::string>& scenes) {
+  Json json;
+  begin_document(json, "check");
+  json.begin_array("scenes");
+  for (const std::string& scene : scenes) {
+    json.raw(scene);
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+void add_render_options(Json& json, const RenderOptions& options) {
+  visit_options(options, [&](const OptionField& field, const auto& value) {
+    const bool said = field.answers == InAnswers::always ||
+                      (field.answers == InAnswers::when_set && is_set(value));
+    if (said && knows_option(options.profile, field.known)) {
+      json.key(field.name);
+      add_option(json, value);
+    }
+  });
+}
+
+}  // namespace scenefile

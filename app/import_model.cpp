@@ -49,31 +49,25 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
   }
   context.phase = "reading the model";
   AssetRoots roots(asset_roots_options(path, options));
-  ImportOptions import{.stem = file_stem(output), .limits = options.load.limits};
-  import.fetch = [&](const std::string& name) { FileContents contents;
-  Result<std::string> read = roots.read(name);
-  if (read) {
-    contents.bytes = *std::move(read);
-  } else {
-    contents.error = read.error().text;
-    contents.over_limit = read.error().kind == ErrorKind::limit;
-  }
-  return contents;
-};
-ImportedScene imported = extension_of(path) == ".obj"
+  const ImportOptions import{
+      .stem = file_stem(output),
+      .fetch = [&](const std::string& name) { return contents_of(roots.read(name)); },
+      .limits = options.load.limits,
+  };
+  ImportedScene imported = extension_of(path) == ".obj"
                                ? read_obj_scene(*bytes, import, scene.diagnostics)
                                : read_gltf(*bytes, import, scene.diagnostics);
-scene.written = std::move(imported.scene);
-files = std::move(imported.files);
-if (!scene.diagnostics.has_errors()) {
-  context.phase = "checking the scene";
-  check(scene.written, options.load.limits, scene.diagnostics);
+  scene.written = std::move(imported.scene);
+  files = std::move(imported.files);
+  if (!scene.diagnostics.has_errors()) {
+    context.phase = "checking the scene";
+    check(scene.written, options.load.limits, scene.diagnostics);
+  }
+  return scene;
 }
-return scene;
-}  // namespace scenefile::app
 
 Result<void> write_model(const std::string& output, const std::string& text,
-                    const std::vector<ImportedFile>& files) {
+                         const std::vector<ImportedFile>& files) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::vector<OutputFile> list;
   for (const ImportedFile& file : files) {

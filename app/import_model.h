@@ -22,6 +22,6 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
 
 /// Writes the scene and the files beside it: all, or none.
 Result<void> write_model(const std::string& output, const std::string& text,
-                    const std::vector<ImportedFile>& files);
+                         const std::vector<ImportedFile>& files);
 
 }  // namespace scenefile::app

@@ -267,8 +267,7 @@ TEST_F(Layout, SaysWhereItLooked) {
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("image/no.png")));
   EXPECT_THAT(asset.error, HasSubstr("looked for image/no.png, ../image/no.png"));
-  EXPECT_THAT(asset.error,
-              HasSubstr("; files elsewhere need --asset-root DIR or --allow-outside"));
+  EXPECT_THAT(asset.error, HasSubstr("; files elsewhere need --asset-root DIR or --allow-outside"));
 }
 
 TEST_F(Layout, TheSizeIsBounded) {

@@ -55,8 +55,8 @@ SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
 
 // Finds what makes the difference; the scene is used where it can be.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const std::vector<DrawnWay>& ways,
-                     const std::function<bool(double)>& go_on, PictureComparison& found) {
+                     const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
+                     PictureComparison& found) {
   if (scene == nullptr || !scene->usable()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
     return;
@@ -93,9 +93,8 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
   PictureComparison found;
   found.measures = measure(reference, test, settings.pixel_threshold, &found.flip_errors);
   found.broken = broken_thresholds(settings.thresholds, found.measures);
-  const bool wanted =
-      !found.broken.empty() ||
-      (settings.look == LookForCauses::always && found.measures.difference.max > 0);
+  const bool wanted = !found.broken.empty() ||
+                      (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
     look_for_causes(reference, test, scene, settings.ways, go_on, found);
   }

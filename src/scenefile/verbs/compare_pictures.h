@@ -25,9 +25,9 @@ struct DrawnWay {
 enum class LookForCauses : std::uint8_t { where_broken, always };
 
 struct CompareSettings {
-  Thresholds thresholds;       ///< none: the pictures must be equal
-  int pixel_threshold = 8;     ///< when a pixel counts as off, in 1/255
-  std::vector<DrawnWay> ways;  ///< the one most like the reference is taken
+  Thresholds thresholds;                             ///< none: the pictures must be equal
+  int pixel_threshold = 8;                           ///< when a pixel counts as off, in 1/255
+  std::vector<DrawnWay> ways;                        ///< the one most like the reference is taken
   LookForCauses look = LookForCauses::where_broken;  ///< of two pictures that are not equal
 };
 

@@ -31,6 +31,17 @@ AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess
   return roots;
 }
 
+FileContents contents_of(Result<std::string> bytes) {
+  FileContents contents;
+  if (bytes) {
+    contents.bytes = *std::move(bytes);
+  } else {
+    contents.error = bytes.error().text;
+    contents.over_limit = bytes.error().kind == ErrorKind::limit;
+  }
+  return contents;
+}
+
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings,
                             const AssetAccess& access) {
   if (settings.entering) {
@@ -45,17 +56,7 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
     return scene;
   }
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
-  const FetchFile fetch = [&](const std::string& name) {
-    FileContents contents;
-    Result<std::string> bytes = roots.read(name);
-    if (bytes) {
-      contents.bytes = *std::move(bytes);
-    } else {
-      contents.error = bytes.error().text;
-      contents.over_limit = bytes.error().kind == ErrorKind::limit;
-    }
-    return contents;
-  };
+  const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
   return load_scene(path, *std::move(text), fetch, settings);
 }
 

@@ -33,6 +33,9 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
                                       const Limits& limits);
 
+/// What was read of an asset, as load_assets() and the importers ask for it.
+FileContents contents_of(Result<std::string> bytes);
+
 /// Where each file of the scene is, textures first.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);

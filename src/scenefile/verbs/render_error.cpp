@@ -11,8 +11,7 @@ std::optional<Error> render_error(RenderStatus status) {
     case RenderStatus::not_resumed:
       return Error{"the checkpoint is of another picture", ErrorKind::input};
     case RenderStatus::limit_reached:
-      return Error{"templates are nested deeper than can be traced",
-                   ErrorKind::limit};
+      return Error{"templates are nested deeper than can be traced", ErrorKind::limit};
     case RenderStatus::failed:
       return Error{"out of memory while building the acceleration structure",
                    ErrorKind::environment};

@@ -24,10 +24,10 @@ deps: ## install the packages that are missing
 	@scripts/install-deps core tests
 
 .PHONY: build
-build: ## build the program: build/release/scenefile
+build: ## build the program and its window: build/release/scenefile, scenefile-window
 	@scripts/install-deps core
 	@$(MAKE) $(QUIET) configure
-	$(call compile,scenefile)
+	$(call compile,scenefile scenefile-window)
 
 # Without the tests until someone asks for them: the program needs none of their packages.
 .PHONY: configure configure-tests
@@ -42,8 +42,11 @@ $(BUILD)/build.ninja: CMakePresets.json
 
 .PHONY: demo
 demo: ## install what is missing, build, render scenes/showcase.xml to out/showcase.png
-	@$(MAKE) $(QUIET) build
+	@scripts/install-deps core
+	@$(MAKE) $(QUIET) configure
+	$(call compile,scenefile)
 	@$(MAKE) $(QUIET) out/showcase.png
+	@echo "out/showcase.png is the picture. 'make build' adds the window of scenefile view."
 
 out/showcase.png: $(BUILD)/scenefile scenes/showcase.xml $(wildcard scenes/image/* scenes/mesh/*)
 	@mkdir -p out

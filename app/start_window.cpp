@@ -37,8 +37,10 @@ ExitCode run_view(const Options& /*options*/, Context& context) {
     ::execv(path.c_str(), context.command_line);
   }
   const std::error_code error(errno, std::generic_category());
-  say_error(fmt::format("view: {}, the program with the window, cannot be started: {}",
-                        path.empty() ? window_program : path.string(), error.message()));
+  say_error(fmt::format(
+      "view: {}, the program with the window, cannot be started: {}{}",
+      path.empty() ? window_program : path.string(), error.message(),
+      error == std::errc::no_such_file_or_directory ? "; in a clone, 'make build' builds it" : ""));
   return ExitCode::environment;
 }
 

@@ -1,7 +1,7 @@
-# Precompiled headers, with the option SCENEFILE_PRECOMPILE: reading the headers of others takes most
-# of the time that a source takes to compile. Sources still include what they use: the presets for
-# sanitizers and portability build without it. With it, tests are compiled with less optimization, too. Headers of our own are never among them, so an edit
-# of one builds what includes it, and no more.
+# Precompiled headers, with the option SCENEFILE_PRECOMPILE: reading other libraries' headers is most of
+# the time of compiling a source. Our own headers are never precompiled, so an edit of one rebuilds only
+# what includes it. Sources still include what they use: the presets for sanitizers and portability build
+# without this option.
 #
 # scenefile_precompile(TARGET KIND [HEADERS...]): the targets of one KIND share what the first of them
 # makes, so they must be compiled alike. HEADERS: beside those that every kind has.

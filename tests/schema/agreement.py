@@ -64,8 +64,9 @@ def findings(program, files):
 
 def make_variants(side, files, folder):
     made = {}
+    tried = set()
     for file in files:
-        for what, variant in side.variants(file.read_bytes()):
+        for what, variant in side.variants(file.read_bytes(), tried):
             path = folder / f"{len(made)}{side.SUFFIX}"
             path.write_bytes(variant)
             made[path] = f"{file}, {what}"

@@ -55,7 +55,7 @@ def without_stricter(_):
     return None
 
 
-def variants(data):
+def variants(data, _tried):
     """Scenes that differ from this one in one place."""
     try:
         scene = json.loads(data)

@@ -1,6 +1,7 @@
 """RELAX NG validators, and variants of XML scenes."""
 
 import copy
+import functools
 import pathlib
 import re
 import shutil
@@ -29,16 +30,25 @@ def refusals(paths, validate):
     result = {}
     together = []
     for path in paths:
-        data = pathlib.Path(path).read_bytes()
-        if not is_well_formed(data):
-            result[path] = "not well-formed"
-        elif b"<!DOCTYPE" in data:
-            result |= validate([path])
-        else:
-            together.append(path)
+        match kind_of(path):
+            case "broken":
+                result[path] = "not well-formed"
+            case "with a DTD":
+                result |= validate([path])
+            case _:
+                together.append(path)
     for i in range(0, len(together), FILES_AT_ONCE):
         result |= validate(together[i:i + FILES_AT_ONCE])
     return result
+
+
+@functools.cache
+def kind_of(path):
+    """Every validator asks for the same files again."""
+    data = pathlib.Path(path).read_bytes()
+    if not is_well_formed(data):
+        return "broken"
+    return "with a DTD" if b"<!DOCTYPE" in data else "plain"
 
 
 def without_stricter(data):
@@ -118,13 +128,13 @@ def xsd_refusals(paths):
     return result
 
 
-def variants(data):
-    """Scenes that differ from this one in one place; of each kind of place one."""
+def variants(data, tried):
+    """Scenes that differ from this one in one place; of each kind of place one. `tried` holds the kinds
+    that other files have had, and gets those of this one."""
     try:
         root = ElementTree.fromstring(data)
     except ElementTree.ParseError:
         return
-    tried = set()
     for i, (element, kind) in enumerate(with_kinds(root)):
         if kind in tried:
             continue

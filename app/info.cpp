@@ -126,8 +126,8 @@ std::string file_text(const AssetFile& file) {
     return fmt::format("{}{}: {}\n", head, rule_text(resolved.rule), escaped(resolved.path, 4096));
   }
   std::string text = head + resolved.error + "\n";
-  for (const std::string& place : resolved.tried) {
-    text += fmt::format("    looked for {}\n", escaped(place, 4096));
+  for (const std::string& note : resolved.notes) {
+    text += fmt::format("    {}\n", escaped(note, 4096));
   }
   return text;
 }

@@ -85,17 +85,20 @@ class TextureLoader {
 
   void report(const Waiting& one) {
     if (!one.contents.error.empty()) {
-      warn(one.contents.over_limit ? texture_limit : texture_missing, one.file, one.contents.error);
+      warn(one.contents.over_limit ? texture_limit : texture_missing, one.file, one.contents.error,
+           one.contents.notes);
     } else if (!one.error.empty()) {
       warn(one.over_limit ? texture_limit : texture_undecodable, one.file,
-           "cannot decode: " + one.error);
+           "cannot decode: " + one.error, {});
     }
   }
 
-  void warn(const Code& code, const FileReference& file, const std::string& why) {
+  void warn(const Code& code, const FileReference& file, const std::string& why,
+            const std::vector<std::string>& notes) {
     diagnostics_.report(
-        code, file.location,
-        fmt::format("texture {}: {}; shading with the diffuse color", quoted(file.name, 200), why));
+        code, code.severity, file.location,
+        fmt::format("texture {}: {}; shading with the diffuse color", quoted(file.name, 200), why),
+        notes);
   }
 
   const FetchFile& fetch_;
@@ -120,7 +123,7 @@ class MeshLoader {
   Mesh load(const FileReference& file) {
     const FileContents contents = fetch_(file.name);
     if (!contents.error.empty()) {
-      report(contents.over_limit ? mesh_limit : mesh_missing, file, contents.error);
+      report(contents.over_limit ? mesh_limit : mesh_missing, file, contents.error, contents.notes);
       return {};
     }
     Diagnostics findings(options_.limits);
@@ -131,7 +134,7 @@ class MeshLoader {
     }
     if (const std::size_t errors = findings.count(Severity::error); errors > 0) {
       report(mesh_unusable, file,
-             fmt::format("{} error{} in the file", errors, errors == 1 ? "" : "s"));
+             fmt::format("{} error{} in the file", errors, errors == 1 ? "" : "s"), {});
     }
     return mesh;
   }
@@ -141,10 +144,12 @@ class MeshLoader {
     return options_.allow_missing && severity == Severity::error ? Severity::warning : severity;
   }
 
-  void report(const Code& code, const FileReference& file, const std::string& why) {
+  void report(const Code& code, const FileReference& file, const std::string& why,
+              const std::vector<std::string>& notes) {
     const char* consequence = options_.allow_missing ? "; drawing without it" : "";
     diagnostics_.report(code, softened(code.severity), file.location,
-                        fmt::format("mesh {}: {}{}", quoted(file.name, 200), why, consequence));
+                        fmt::format("mesh {}: {}{}", quoted(file.name, 200), why, consequence),
+                        notes);
   }
 
   const FetchFile& fetch_;

@@ -26,8 +26,9 @@ struct Assets {
 /// The bytes of a file, or why it could not be read.
 struct FileContents {
   std::string bytes;
-  std::string error;        ///< empty on success
-  bool over_limit = false;  ///< the error is that the file is larger than allowed
+  std::string error;                    ///< empty on success
+  bool over_limit = false;              ///< the error is that the file is larger than allowed
+  std::vector<std::string> notes = {};  ///< more lines about the error, such as the places searched
 };
 
 /// Fetches a file by its name as written in the scene. The caller decides how names are resolved

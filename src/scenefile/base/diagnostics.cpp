@@ -14,15 +14,18 @@ void Diagnostics::report(const Code& code, Location location, std::string messag
 }
 
 void Diagnostics::report(const Code& code, Severity severity, Location location,
-                         std::string message) {
-  add({&code, severity, location, {}, std::move(message)});
+                         std::string message, std::vector<std::string> notes) {
+  add({&code, severity, location, {}, std::move(message), std::move(notes)});
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
   Tally& tally = tallies_[diagnostic.code];
   const auto severity = static_cast<std::size_t>(diagnostic.severity);
   ++counts_[severity];
-  const std::size_t bytes = diagnostic.message.size() + diagnostic.file.size();
+  std::size_t bytes = diagnostic.message.size() + diagnostic.file.size();
+  for (const std::string& note : diagnostic.notes) {
+    bytes += note.size();
+  }
   // The first of each code is always kept, so that no code goes unmentioned.
   const bool fits = tally.kept < max_per_code_ && bytes_ + bytes <= max_bytes_;
   if (tally.kept != 0 && !fits) {

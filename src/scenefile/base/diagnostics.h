@@ -47,6 +47,7 @@ struct Diagnostic {
   Location location;    ///< in `file`
   std::string file;     ///< empty: the scene file itself; else the mesh or texture as named there
   std::string message;  ///< one line of UTF-8; may hold input text, so escape it before a terminal
+  std::vector<std::string> notes = {};  ///< more lines, such as the places searched for a file
 };
 
 /// An append-only list of findings with bounded memory: at most `limits.messages_per_code` of each
@@ -58,7 +59,8 @@ class Diagnostics {
   /// Adds a finding with the severity of its code.
   void report(const Code& code, Location location, std::string message);
   /// Adds a finding with another severity.
-  void report(const Code& code, Severity severity, Location location, std::string message);
+  void report(const Code& code, Severity severity, Location location, std::string message,
+              std::vector<std::string> notes = {});
   /// Adds a complete finding, for example one about another file.
   void add(Diagnostic diagnostic);
 

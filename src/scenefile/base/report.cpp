@@ -136,6 +136,9 @@ void append_heading(std::string& out, const Diagnostic& d, std::string_view file
   fmt::format_to(std::back_inserter(out), "{}{}: {}{}{}:{} {} [{}]\n", on(bold), place, on(plain),
                  on(color_of(d.severity)), name_of(d.severity), on(plain), escaped(d.message, 4000),
                  d.code->name);
+  for (const std::string& note : d.notes) {
+    fmt::format_to(std::back_inserter(out), "    {}\n", escaped(note, 4000));
+  }
 }
 
 void append_dropped(std::string& out, const Diagnostics& diagnostics) {

@@ -27,8 +27,8 @@ std::vector<const Diagnostic*> by_place(const Diagnostics& diagnostics);
 ///           |         ^
 ///
 /// `file` is the name of the scene, `text` its bytes for the excerpts (at most 80 characters of a
-/// line, escaped). Findings about other files have no excerpt. Ends with how many of each code were
-/// not shown.
+/// line, escaped). Notes of a finding follow its first line, indented. Findings about other files
+/// have no excerpt. Ends with how many of each code were not shown.
 std::string report_text(const Diagnostics& diagnostics, std::string_view file,
                         std::string_view text, const ReportStyle& style);
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace scenefile {
 
@@ -29,6 +30,7 @@ enum class ErrorKind : std::uint8_t {
 struct Error {
   std::string text;  ///< one line for people, without the name of the program
   ErrorKind kind = ErrorKind::environment;
+  std::vector<std::string> notes = {};  ///< more lines, such as the places searched
 };
 
 /// A value or an error. Converts to true if it holds a value; only then may it be dereferenced.

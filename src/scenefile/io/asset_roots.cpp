@@ -255,25 +255,22 @@ class AssetSearch {
   // The message does not reveal whether a file outside the roots exists, so that scenes cannot be
   // used to probe a machine.
   void explain() {
-    std::string why = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
-    if (why.empty()) {
-      why = "no such file; looked for " + places();
+    result_.error = name_.parts.empty() ? "it is the name of a folder" : obstacle_;
+    if (result_.error.empty()) {
+      result_.error = "no such file";
+      for (const std::string& path : result_.tried) {
+        result_.notes.push_back("looked for " + from_scene(path));
+      }
+      if (result_.tried.empty()) {
+        result_.notes.emplace_back("looked nowhere, for want of an asset root");
+      }
       for (const std::string& root : roots_.index().skipped()) {
-        why += fmt::format("; {} has too many files to search by name", escaped(root, PATH_MAX));
+        result_.notes.push_back(root + " has too many files to search by name");
       }
     }
     if (!roots_.options_.allow_outside) {
-      why += "; files elsewhere need --asset-root DIR or --allow-outside";
+      result_.notes.emplace_back("files elsewhere need --asset-root DIR or --allow-outside");
     }
-    result_.error = why;
-  }
-
-  std::string places() const {
-    std::string text;
-    for (const std::string& path : result_.tried) {
-      text += (text.empty() ? "" : ", ") + escaped(from_scene(path), PATH_MAX);
-    }
-    return text.empty() ? "it nowhere, for want of an asset root" : text;
   }
 
   // The path relative to the scene, if it is nearby.
@@ -305,7 +302,7 @@ ResolvedAsset AssetRoots::resolve(const std::string& name) {
 Result<std::string> AssetRoots::read(const std::string& name) {
   ResolvedAsset asset = resolve(name);
   if (!asset.error.empty()) {
-    return Error{std::move(asset.error)};
+    return Error{std::move(asset.error), ErrorKind::environment, std::move(asset.notes)};
   }
   const Result<OpenFile> file = open_regular(asset.path, false, options_.max_bytes);
   if (!file) {

@@ -38,7 +38,8 @@ struct ResolvedAsset {
   AssetRule rule = AssetRule::not_found;
   std::string path;                ///< the file, with links resolved; empty if not found
   std::vector<std::string> tried;  ///< candidates in order, without duplicates
-  std::string error;               ///< why it cannot be used; empty if found
+  std::string error;               ///< why it cannot be used, in one line; empty if found
+  std::vector<std::string> notes;  ///< about the error: places searched, as seen from the scene
 };
 
 class AssetIndex;

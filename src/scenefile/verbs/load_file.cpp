@@ -38,6 +38,7 @@ FileContents contents_of(Result<std::string> bytes) {
   } else {
     contents.error = bytes.error().text;
     contents.over_limit = bytes.error().kind == ErrorKind::limit;
+    contents.notes = bytes.error().notes;
   }
   return contents;
 }

@@ -101,11 +101,15 @@ Location used_at(const RenderScene& scene, const std::string& name) {
 
 // Findings inside a mesh name it and its line.
 std::string message_of(const Diagnostic& d) {
-  if (d.file.empty()) {
-    return d.message;
+  std::string text = d.message;
+  if (!d.file.empty()) {
+    text = d.location.known() ? fmt::format("{}:{}: {}", d.file, d.location.line, d.message)
+                              : fmt::format("{}: {}", d.file, d.message);
   }
-  return d.location.known() ? fmt::format("{}:{}: {}", d.file, d.location.line, d.message)
-                            : fmt::format("{}: {}", d.file, d.message);
+  for (const std::string& note : d.notes) {
+    text += "\n" + note;
+  }
+  return text;
 }
 
 // Goes forward through the lines of a text.

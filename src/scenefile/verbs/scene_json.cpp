@@ -18,6 +18,13 @@ void add_finding(Json& json, const Diagnostic& d) {
   json.add("code", d.code->name);
   json.add("severity", severity_name(d.severity));
   json.add("message", d.message);
+  if (!d.notes.empty()) {
+    json.begin_array("notes");
+    for (const std::string& note : d.notes) {
+      json.value(note);
+    }
+    json.end_array();
+  }
   if (!d.file.empty()) {
     json.add("file", d.file);
   }

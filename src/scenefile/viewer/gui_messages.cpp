@@ -75,6 +75,9 @@ void build_finding(const OpenedScene& scene, const Diagnostic& finding, bool exc
   ImGui::SameLine();
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(escaped(finding.message, 600).c_str());
+  for (const std::string& note : finding.notes) {
+    ImGui::TextDisabled("    %s", escaped(note, 600).c_str());
+  }
   ImGui::PopTextWrapPos();
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", std::string(finding.code->help).c_str());

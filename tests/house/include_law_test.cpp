@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
@@ -102,6 +103,41 @@ TEST(IncludeLaw, RoomsKnowOnlyTheRoomsBelowThem) {
     EXPECT_TRUE(to == from || known.contains(to) || known.contains(target))
         << i.file << " includes " << i.name;
     EXPECT_TRUE(fs::exists(root / "src" / i.name)) << i.file << " includes " << i.name;
+  }
+}
+
+// A room's CMakeLists.txt lists the headers that are installed.
+std::set<std::string> installed_headers() {
+  const std::regex list_pattern(R"(HEADERS\s+([^)]*?)\s(PUBLIC|PRIVATE|PROGRAM_ONLY))");
+  const std::regex header_pattern(R"([\w/]+\.h)");
+  std::set<std::string> headers;
+  for (const auto& [room, known] : may_know) {
+    std::ifstream file(root / "src/scenefile" / room / "CMakeLists.txt");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::smatch list;
+    if (text.find("PROGRAM_ONLY") != std::string::npos ||
+        !std::regex_search(text, list, list_pattern)) {
+      continue;
+    }
+    const std::string names = list[1];
+    for (std::sregex_iterator name(names.begin(), names.end(), header_pattern), end; name != end;
+         ++name) {
+      headers.insert(room + "/" + name->str());
+    }
+  }
+  return headers;
+}
+
+TEST(IncludeLaw, InstalledHeadersIncludeInstalledHeaders) {
+  const std::string prefix = "scenefile/";
+  const std::set<std::string> installed = installed_headers();
+  EXPECT_TRUE(installed.contains("base/diagnostics.h"));
+  EXPECT_TRUE(installed.contains("verbs/load_scene.h"));
+  for (const Include& i : all_includes()) {
+    if (installed.contains(i.file.generic_string()) && i.name.starts_with(prefix)) {
+      EXPECT_TRUE(installed.contains(i.name.substr(prefix.size())))
+          << i.file << " is installed and includes " << i.name;
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 # The installed package of the library: find_package(scenefile), and pkg-config scenefile.
 include(CMakePackageConfigHelpers)
-if(SCENEFILE_TRACE)
+if(SCENEFILE_TRACE AND SCENEFILE_EMBREE)
   get_directory_property(SCENEFILE_EMBREE_VERSION
     DIRECTORY ${PROJECT_SOURCE_DIR}/src/scenefile/trace DEFINITION embree_VERSION)
 endif()

@@ -11,7 +11,7 @@
 namespace scenefile {
 
 struct Accelerator::Structure {
-  EmbreeScenes scenes;
+  RayScenes scenes;
   Parts parts;
   Instances instances = Instances::unnamed;
   AcceleratorStatus status = AcceleratorStatus::ready;

@@ -1,6 +1,6 @@
 #include "scenefile/trace/backend.h"
 
-#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/wave.h"
 
 namespace scenefile {

@@ -7,7 +7,7 @@
 namespace scenefile {
 
 struct TraceBackend {
-  std::string embree;      ///< version of the library that is loaded, "4.3.3"; empty: unknown
+  std::string embree;      ///< version of the library that is loaded, "4.3.3"; empty: unknown; "none": not built with it
   std::string_view lanes;  ///< instruction set in use, "AVX2"
 };
 

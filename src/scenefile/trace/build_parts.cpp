@@ -9,7 +9,7 @@ namespace {
 
 class Builder {
  public:
-  Builder(const RenderScene& scene, Instances instances, EmbreeScenes& scenes, Parts& parts)
+  Builder(const RenderScene& scene, Instances instances, RayScenes& scenes, Parts& parts)
       : scene_(scene), instances_(instances), scenes_(scenes), parts_(parts) {}
 
   void run(const MergePlan& plan, const Assets& assets) {
@@ -114,14 +114,14 @@ class Builder {
 
   const RenderScene& scene_;
   Instances instances_;
-  EmbreeScenes& scenes_;
+  RayScenes& scenes_;
   Parts& parts_;
 };
 
 }  // namespace
 
 AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets, Instances instances,
-                              EmbreeScenes& scenes, Parts& parts) {
+                              RayScenes& scenes, Parts& parts) {
   const MergePlan plan = plan_merge(scene);
   if (plan.nesting > max_instance_nesting) {
     return AcceleratorStatus::too_deep;

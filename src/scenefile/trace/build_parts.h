@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scenefile/trace/accelerator.h"
-#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/parts.h"
 
 namespace scenefile {
@@ -9,6 +9,6 @@ namespace scenefile {
 /// The parts of a scene with their structures in `scenes`. What is returned is complete when that
 /// is good() and the scene is not too deep.
 AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets, Instances instances,
-                              EmbreeScenes& scenes, Parts& parts);
+                              RayScenes& scenes, Parts& parts);
 
 }  // namespace scenefile

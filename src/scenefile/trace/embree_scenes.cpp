@@ -1,10 +1,13 @@
-// The only file that knows Embree.
+// The only file that knows Embree. A scene of it holds one user geometry whose primitives are the
+// group's parts, or the triangles of a mesh, in single precision and with padded boxes. Its own
+// instances are not used: common builds allow one level of them and abort at the second.
 
-#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/ray_scenes.h"
 
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
 #include "scenefile/trace/ray_box.h"
+#include "scenefile/trace/triangle.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4
 #include <embree4/rtcore.h>
@@ -168,35 +171,6 @@ void group_occluded_callback(const RTCOccludedFunctionNArguments* arguments) {
   }
 }
 
-std::uint32_t triangle_of(const MeshScene& mesh, std::uint32_t primitive) {
-  return mesh.triangles.empty() ? primitive : mesh.triangles[primitive];
-}
-
-struct TriangleHit {
-  double t = 0;
-  double b1 = 0;
-  double b2 = 0;
-};
-
-// Where the ray meets the triangle's plane; Embree has found that it is inside. Weights are
-// clamped because at an edge the two precisions disagree.
-bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, TriangleHit& hit) {
-  const auto& corners = mesh.triangles[index];
-  const glm::dvec3 p0(mesh.positions[corners[0]]);
-  const glm::dvec3 e1 = glm::dvec3(mesh.positions[corners[1]]) - p0;
-  const glm::dvec3 e2 = glm::dvec3(mesh.positions[corners[2]]) - p0;
-  const glm::dvec3 normal = glm::cross(e1, e2);
-  const double facing = glm::dot(normal, ray.direction);
-  hit.t = glm::dot(normal, p0 - ray.origin) / facing;
-  if (!std::isfinite(hit.t)) {
-    return false;
-  }
-  const glm::dvec3 q = glm::cross(p0 - ray.origin, ray.direction);
-  hit.b1 = glm::clamp(glm::dot(q, e2) / facing, 0.0, 1.0);
-  hit.b2 = glm::clamp(-glm::dot(q, e1) / facing, 0.0, 1.0 - hit.b1);
-  return true;
-}
-
 void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   Search& s = search_of(arguments->context);
   Query& q = *s.query;
@@ -286,7 +260,7 @@ RTCGeometry mesh_geometry(RTCDevice device, MeshScene& mesh) {
 
 }  // namespace
 
-struct EmbreeScenes::State {
+struct RayScenes::State {
   RTCDevice device = nullptr;
   std::vector<RTCScene> scenes;
   bool failed = false;
@@ -314,13 +288,13 @@ struct EmbreeScenes::State {
 };
 
 // Eight-wide trees: measured up to a quarter faster than the default.
-EmbreeScenes::EmbreeScenes() : state_(std::make_unique<State>()) {
+RayScenes::RayScenes() : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice("frequency_level=simd256");
 }
 
 // What failed is left to the end of the process: releasing it may wait for a task that could not be
 // made, for ever.
-EmbreeScenes::~EmbreeScenes() {
+RayScenes::~RayScenes() {
   if (!state_->good()) {
     return;
   }
@@ -340,18 +314,18 @@ std::string embree_version() {
   return fmt::format("{}.{}.{}", number / 10000, number / 100 % 100, number % 100);
 }
 
-bool EmbreeScenes::good() const {
+bool RayScenes::good() const {
   return state_->good();
 }
 
-void EmbreeScenes::add(Group& group) {
+void RayScenes::add(Group& group) {
   if (state_->good()) {
     group.scene = state_->commit(parts_geometry(state_->device, group), RTC_SCENE_FLAG_NONE);
   }
 }
 
 // Robust: without it rays slip through between triangles.
-void EmbreeScenes::add(MeshScene& mesh) {
+void RayScenes::add(MeshScene& mesh) {
   if (state_->good()) {
     mesh.scene = state_->commit(mesh_geometry(state_->device, mesh), RTC_SCENE_FLAG_ROBUST);
   }
@@ -363,7 +337,7 @@ void search_group_scene(Query& q, const Group& group, const Ray& ray) {
   RTCRay start;
   const double t_min = q.mesh_distances ? 0 : q.t_min;
   if (start_in_box(t_min, q.best * q.reach, ray, group.extent, search.level, start)) {
-    search_scene(search, group.scene, start);
+    search_scene(search, static_cast<RTCScene>(group.scene), start);
   }
 }
 
@@ -375,7 +349,7 @@ bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray) {
   RTCRay start;
   if (start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.extent, search.level,
                    start)) {
-    search_scene(search, mesh.scene, start);
+    search_scene(search, static_cast<RTCScene>(mesh.scene), start);
   }
   return search.mesh_crossed;
 }

@@ -15,8 +15,8 @@ Bounds widened(const Bounds& box) {
   return {box.min - pad, box.max + pad};
 }
 
-// Brings coordinates that are too large for Embree to about one.
-double embree_scale(const Bounds& box) {
+// Brings coordinates that are too large for single precision, or Embree, to about one.
+double scale_of(const Bounds& box) {
   const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double largest = std::max({reach.x, reach.y, reach.z});
   return largest > 1e12 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
@@ -53,7 +53,7 @@ Extent extent_of(const Bounds& box) {
   if (box.empty()) {
     return {};
   }
-  return {widened(box), glm::length(box.max - box.min), embree_scale(box)};
+  return {widened(box), glm::length(box.max - box.min), scale_of(box)};
 }
 
 double mesh_reach(const std::vector<Group>& groups, std::uint32_t root) {

@@ -10,8 +10,6 @@
 #include <cstdint>
 #include <vector>
 
-struct RTCSceneTy;  // of the ray library
-
 namespace scenefile {
 
 enum class PartKind : std::uint8_t { shape, mesh, group };
@@ -37,7 +35,7 @@ struct FloatBox {
 struct Extent {
   Bounds bounds;
   double diagonal = 0;
-  double scale = 1;  ///< of the ray library's copy, a power of two: enormous scenes fit its range
+  double scale = 1;  ///< of the copy that is searched, a power of two: enormous scenes fit its range
 };
 
 struct Group {
@@ -45,14 +43,14 @@ struct Group {
   std::vector<FloatBox> boxes;                        ///< of the parts, unless they are very many
   std::vector<std::vector<std::uint32_t>> instances;  ///< by part, where they have names
   Extent extent;
-  RTCSceneTy* scene = nullptr;  ///< none for a few parts
+  void* scene = nullptr;  ///< of RayScenes; none for a few parts
 };
 
 struct MeshScene {
   const Mesh* mesh = nullptr;
-  std::vector<std::uint32_t> triangles;  ///< in the mesh, by that of the library; empty: all
+  std::vector<std::uint32_t> triangles;  ///< in the mesh, by that of the scene; empty: all
   Extent extent;
-  RTCSceneTy* scene = nullptr;
+  void* scene = nullptr;  ///< of RayScenes
 };
 
 /// All of them.

@@ -1,6 +1,6 @@
 #include "scenefile/trace/search.h"
 
-#include "scenefile/trace/embree_scenes.h"
+#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/next_above.h"
 
 #include <algorithm>

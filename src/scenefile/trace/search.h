@@ -1,6 +1,6 @@
 #pragma once
-// One ray among the parts of a scene. Which parts it may meet is asked of the ray library
-// (embree_scenes.h); what it meets is decided here, in double precision. Distances are those of
+// One ray among the parts of a scene. Which parts it may meet is asked of ray_scenes.h;
+// what it meets is decided here, in double precision. Distances are those of
 // the world's ray everywhere, because no transformed direction is normalized.
 
 #include "scenefile/trace/accelerator.h"

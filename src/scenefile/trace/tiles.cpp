@@ -1,14 +1,6 @@
-// The only file that knows TBB.
-
 #include "scenefile/trace/tiles.h"
 
-#include "scenefile/trace/hand_over.h"
-#include "scenefile/trace/no_denormals.h"
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/scalable_allocator.h>
-#include <tbb/task_arena.h>
+#include "scenefile/trace/tasks.h"
 
 #include <algorithm>
 #include <atomic>
@@ -21,46 +13,7 @@ namespace {
 
 constexpr auto between_calls = std::chrono::milliseconds(20);
 
-// Calls work(i) for 0 to count - 1 from all threads.
-template <typename Work>
-void for_each_index(std::size_t count, const Work& work) {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::task_arena arena(static_cast<int>(threads));
-  const auto piece = [&work](std::size_t i) {
-    const HandOver hand_over;
-    const NoDenormals no_denormals;
-    work(i);
-  };
-  HandOver::give();
-  arena.execute([&] { tbb::parallel_for(std::size_t(0), count, piece); });
-  HandOver::collect();
-}
-
-// TBB gets to know the thread that asks for work. Where memory runs out in that, it counts the
-// thread in but never out, and the end of a global_control waits for ever: so none may live yet.
-void join_tbb() {
-  // Names its allocator, so that it comes with the program: else TBB opens it now, and where memory
-  // runs out in that, dlopen of glibc 2.36 crashes.
-  scalable_free(nullptr);
-  tbb::parallel_for(0, 1, [](int) {});
-}
-
 }  // namespace
-
-struct ThreadLimit::State {
-  tbb::global_control control;
-};
-
-ThreadLimit::ThreadLimit(int threads) {
-  join_tbb();
-  if (threads > 0) {
-    state_.reset(new State{
-        {tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}});
-  }
-}
-
-ThreadLimit::~ThreadLimit() = default;
 
 struct Watch::State {
   const Progress& progress;
@@ -110,7 +63,7 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
   const int height = pieces.height();
   const int columns = tiles_across(width);
   const double pixel_share = (share.end - share.begin) / (double(width) * height);
-  for_each_index(pieces.count(), [&](std::size_t index) {
+  for_each_task(pieces.count(), [&](std::size_t index) {
     const int x0 = static_cast<int>(index % columns) * tile_side;
     const int y0 = static_cast<int>(index / columns) * tile_side;
     const Tile tile{x0, y0, std::min(width, x0 + tile_side), std::min(height, y0 + tile_side)};
@@ -127,7 +80,7 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
 }
 
 void for_each_line(int count, const std::function<void(int)>& work) {
-  for_each_index(static_cast<std::size_t>(count),
+  for_each_task(static_cast<std::size_t>(count),
                  [&](std::size_t line) { work(static_cast<int>(line)); });
 }
 

@@ -3,25 +3,12 @@
 
 #include "scenefile/trace/pieces.h"
 #include "scenefile/trace/render.h"
+#include "scenefile/trace/tasks.h"
 
 #include <functional>
 #include <memory>
 
 namespace scenefile {
-
-/// Allows so many threads to all parallel work of the process while it lives, that of the ray
-/// library included; 0: one a processor. The smallest of several counts.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
 
 /// Part of a picture: x0 <= x < x1, y0 <= y < y1.
 struct Tile {

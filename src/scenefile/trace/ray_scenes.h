@@ -1,10 +1,9 @@
 #pragma once
-// The ray library's structures over parts and triangles.
+// Structures over parts and triangles, which say what a ray may meet: Embree's (embree_scenes.cpp)
+// or our own (box_scenes.cpp), as the build has it. Both find the same.
 //
-// Each kept group is one scene of it with one user geometry whose primitives are the group's
-// parts: analytic shapes, meshes, instances of other groups. The library only finds candidates, in
-// single precision and with padded boxes; search.h decides. Its own instances are not used: common
-// builds allow one level of them and abort at the second.
+// Each kept group is one scene, of its parts: analytic shapes, meshes, instances of other groups.
+// So is each mesh. They only find candidates; search.h decides.
 
 #include "scenefile/trace/search.h"
 
@@ -13,15 +12,15 @@
 
 namespace scenefile {
 
-class EmbreeScenes {
+class RayScenes {
  public:
-  EmbreeScenes();
-  ~EmbreeScenes();
-  EmbreeScenes(const EmbreeScenes&) = delete;
-  EmbreeScenes& operator=(const EmbreeScenes&) = delete;
+  RayScenes();
+  ~RayScenes();
+  RayScenes(const RayScenes&) = delete;
+  RayScenes& operator=(const RayScenes&) = delete;
 
   /// Nothing has failed so far. Once something has, no more are made: when memory runs out at one
-  /// place of a build, the library's next build in that thread would wait for ever.
+  /// place of a build, Embree's next build in that thread would wait for ever.
   bool good() const;
   /// Makes the scene of a group, by its parts and boxes. `group` must stay where it is.
   void add(Group& group);
@@ -33,7 +32,7 @@ class EmbreeScenes {
   std::unique_ptr<State> state_;
 };
 
-/// Of the library that is loaded, "4.3.3"; empty when it cannot be asked.
+/// Of the library that is loaded, "4.3.3"; empty when it cannot be asked, "none" without it.
 std::string embree_version();
 
 /// Offers the query the parts that the ray may meet, ray and parts in the space of the group.

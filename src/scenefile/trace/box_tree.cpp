@@ -1,0 +1,166 @@
+#include "scenefile/trace/box_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t bins = 16;
+constexpr std::uint32_t most_in_leaf = 4;
+
+FloatBox empty_box() {
+  constexpr float far = std::numeric_limits<float>::max();
+  return {{far, far, far}, {-far, -far, -far}};
+}
+
+void grow(FloatBox& box, const FloatBox& other) {
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = std::min(box.min[axis], other.min[axis]);
+    box.max[axis] = std::max(box.max[axis], other.max[axis]);
+  }
+}
+
+double middle(const FloatBox& box, int axis) {
+  return 0.5 * (double{box.min[axis]} + double{box.max[axis]});
+}
+
+// Half of its surface.
+double area(const FloatBox& box) {
+  const double x = double{box.max[0]} - double{box.min[0]};
+  const double y = double{box.max[1]} - double{box.min[1]};
+  const double z = double{box.max[2]} - double{box.min[2]};
+  return x * y + y * z + z * x;
+}
+
+struct Bin {
+  FloatBox box = empty_box();
+  std::uint32_t count = 0;
+
+  void add(const Bin& other) {
+    grow(box, other.box);
+    count += other.count;
+  }
+  double cost() const { return count == 0 ? 0 : area(box) * count; }
+};
+
+// An axis, cut where the middles of boxes lie.
+struct Cuts {
+  int axis = 0;
+  double low = 0;
+  double high = 0;
+
+  std::size_t bin_of(const FloatBox& box) const {
+    const double share = (middle(box, axis) - low) / (high - low);
+    return std::min(static_cast<std::size_t>(share * bins), bins - 1);
+  }
+};
+
+struct Split {
+  double cost = std::numeric_limits<double>::infinity();
+  Cuts cuts;
+  std::size_t bin = 0;  // the first of the second half
+
+  bool found() const { return std::isfinite(cost); }
+};
+
+}  // namespace
+
+struct BoxTree::Work {
+  const std::vector<FloatBox>& boxes;
+
+  FloatBox box(const std::uint32_t* first, const std::uint32_t* last) const {
+    FloatBox whole = empty_box();
+    for (const std::uint32_t* i = first; i < last; ++i) {
+      grow(whole, boxes[*i]);
+    }
+    return whole;
+  }
+
+  // False: the middles are all in one place.
+  bool find_cuts(const std::uint32_t* first, const std::uint32_t* last, Cuts& cuts) const {
+    cuts.low = std::numeric_limits<double>::infinity();
+    cuts.high = -cuts.low;
+    for (const std::uint32_t* i = first; i < last; ++i) {
+      const double at = middle(boxes[*i], cuts.axis);
+      cuts.low = std::min(cuts.low, at);
+      cuts.high = std::max(cuts.high, at);
+    }
+    return cuts.low < cuts.high;
+  }
+
+  void improve(const std::uint32_t* first, const std::uint32_t* last, const Cuts& cuts,
+               Split& best) const {
+    std::array<Bin, bins> all;
+    for (const std::uint32_t* i = first; i < last; ++i) {
+      Bin& bin = all[cuts.bin_of(boxes[*i])];
+      grow(bin.box, boxes[*i]);
+      ++bin.count;
+    }
+    std::array<double, bins> behind{};  // what this bin and those behind it cost
+    Bin sum;
+    for (std::size_t b = bins; b-- > 1;) {
+      sum.add(all[b]);
+      behind[b] = sum.cost();
+    }
+    sum = {};
+    for (std::size_t b = 1; b < bins; ++b) {
+      sum.add(all[b - 1]);
+      if (const double cost = sum.cost() + behind[b]; cost < best.cost) {
+        best = {cost, cuts, b};
+      }
+    }
+  }
+
+  Split best_split(const std::uint32_t* first, const std::uint32_t* last) const {
+    Split best;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (Cuts cuts{axis, 0, 0}; find_cuts(first, last, cuts)) {
+        improve(first, last, cuts, best);
+      }
+    }
+    return best;
+  }
+
+  // The first of the second half.
+  std::uint32_t* parted(std::uint32_t* first, std::uint32_t* last, bool by_cost) const {
+    const Split best = by_cost ? best_split(first, last) : Split();
+    if (best.found()) {
+      std::uint32_t* const half = std::partition(first, last, [&](std::uint32_t i) {
+        return best.cuts.bin_of(boxes[i]) < best.bin;
+      });
+      if (half != first && half != last) {
+        return half;
+      }
+    }
+    return first + (last - first) / 2;
+  }
+};
+
+BoxTree::BoxTree(const std::vector<FloatBox>& boxes) : items_(boxes.size()) {
+  std::iota(items_.begin(), items_.end(), 0u);
+  Work work{boxes};
+  whole_ = work.box(items_.data(), items_.data() + items_.size());
+  nodes_.reserve(boxes.size() / 2);
+  root_ = make(work, 0, static_cast<std::uint32_t>(boxes.size()), 0);
+}
+
+BoxTree::Child BoxTree::make(Work& work, std::uint32_t first, std::uint32_t last, int level) {
+  if (last - first <= most_in_leaf) {
+    return {first, last - first};
+  }
+  std::uint32_t* const items = items_.data();
+  const auto half = static_cast<std::uint32_t>(
+      work.parted(items + first, items + last, level < most_levels) - items);
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back(
+      {{work.box(items + first, items + half), work.box(items + half, items + last)}, {}});
+  const Child before = make(work, first, half, level + 1);
+  const Child behind = make(work, half, last, level + 1);
+  nodes_[index].child[0] = before;
+  nodes_[index].child[1] = behind;
+  return {index, 0};
+}
+
+}  // namespace scenefile

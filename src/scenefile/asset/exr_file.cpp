@@ -2,12 +2,10 @@
 // "OpenEXR File Layout" and ImfZip.cpp of OpenEXR.
 
 #include "scenefile/asset/image_file.h"
-
-#include <zlib.h>
+#include "scenefile/asset/zlib_bytes.h"
 
 #include <algorithm>
 #include <bit>
-#include <new>
 
 namespace scenefile {
 
@@ -135,17 +133,8 @@ std::string made_compressible(std::string_view raw) {
 }
 
 // Data that would not become shorter is stored uncompressed; readers recognize that by its length.
-std::string deflated(std::string raw) {
-  const std::string sorted = made_compressible(raw);
-  uLongf size = compressBound(static_cast<uLong>(sorted.size()));
-  std::string packed(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                               reinterpret_cast<const Bytef*>(sorted.data()),
-                               static_cast<uLong>(sorted.size()), level);
-  if (status != Z_OK) {
-    throw std::bad_alloc();  // the only possible reason: the buffer has the size that zlib requires
-  }
-  packed.resize(size);
+std::string packed_block(std::string raw) {
+  const std::string packed = deflated(made_compressible(raw), level);
   return packed.size() < raw.size() ? packed : raw;
 }
 
@@ -158,7 +147,7 @@ std::string block_of(int width, int y, int end, const std::vector<Channel>& chan
       append_row(raw, channel, static_cast<std::size_t>(width), static_cast<std::size_t>(row));
     }
   }
-  return deflated(std::move(raw));
+  return packed_block(std::move(raw));
 }
 
 }  // namespace

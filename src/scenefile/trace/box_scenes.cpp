@@ -52,9 +52,10 @@ std::vector<FloatBox> triangle_boxes(const MeshScene& scene) {
 }
 
 // Whether the ray's line passes through a triangle, by the side on which it passes each edge. What
-// two triangles share is computed alike for both, so that no ray slips through between them (compare
-// Davidovic et al., "3D rasterization: a bridge between rasterization and ray casting", 2012).
-// Slivers that are thinner than rounding are not met; the slack of their neighbors covers them.
+// two triangles share is computed alike for both, so that no ray slips through between them
+// (compare Davidovic et al., "3D rasterization: a bridge between rasterization and ray casting",
+// 2012). Slivers that are thinner than rounding are not met; the slack of their neighbors covers
+// them.
 bool passes_through(const Mesh& mesh, std::uint32_t index, const Ray& ray) {
   const auto& corners = mesh.triangles[index];
   const glm::dvec3 a = glm::dvec3(mesh.positions[corners[0]]) - ray.origin;

@@ -127,9 +127,8 @@ struct BoxTree::Work {
   std::uint32_t* parted(std::uint32_t* first, std::uint32_t* last, bool by_cost) const {
     const Split best = by_cost ? best_split(first, last) : Split();
     if (best.found()) {
-      std::uint32_t* const half = std::partition(first, last, [&](std::uint32_t i) {
-        return best.cuts.bin_of(boxes[i]) < best.bin;
-      });
+      std::uint32_t* const half = std::partition(
+          first, last, [&](std::uint32_t i) { return best.cuts.bin_of(boxes[i]) < best.bin; });
       if (half != first && half != last) {
         return half;
       }

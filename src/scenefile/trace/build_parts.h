@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scenefile/trace/accelerator.h"
-#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/parts.h"
+#include "scenefile/trace/ray_scenes.h"
 
 namespace scenefile {
 

@@ -2,11 +2,10 @@
 // group's parts, or the triangles of a mesh, in single precision and with padded boxes. Its own
 // instances are not used: common builds allow one level of them and abort at the second.
 
-#include "scenefile/trace/ray_scenes.h"
-
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
 #include "scenefile/trace/ray_box.h"
+#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/triangle.h"
 
 #if SCENEFILE_EMBREE_MAJOR == 4

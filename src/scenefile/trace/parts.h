@@ -35,7 +35,8 @@ struct FloatBox {
 struct Extent {
   Bounds bounds;
   double diagonal = 0;
-  double scale = 1;  ///< of the copy that is searched, a power of two: enormous scenes fit its range
+  double scale =
+      1;  ///< of the copy that is searched, a power of two: enormous scenes fit its range
 };
 
 struct Group {

@@ -1,7 +1,7 @@
 #include "scenefile/trace/search.h"
 
-#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/next_above.h"
+#include "scenefile/trace/ray_scenes.h"
 
 #include <algorithm>
 

@@ -81,7 +81,7 @@ void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
 
 void for_each_line(int count, const std::function<void(int)>& work) {
   for_each_task(static_cast<std::size_t>(count),
-                 [&](std::size_t line) { work(static_cast<int>(line)); });
+                [&](std::size_t line) { work(static_cast<int>(line)); });
 }
 
 }  // namespace scenefile

@@ -17,6 +17,16 @@
 #include <numeric>
 #include <utility>
 
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+// What Highway says, for the one instruction set of simd128-inl.h.
+#define HWY_NAMESPACE N_SIMD128
+#define HWY_BEFORE_NAMESPACE() static_assert(true)
+#define HWY_AFTER_NAMESPACE() static_assert(true)
+#define HWY_STATIC_DISPATCH(function) HWY_NAMESPACE::function
+#define HWY_TARGETS 0
+#define HWY_ONCE 1
+#else
 // What is left out is older than any machine with 64 bits that still runs, or nothing new to this
 // code.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
@@ -26,13 +36,18 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 // clang-format on
+#endif
 
 #undef SCENEFILE_LANES
 #define SCENEFILE_LANES HWY_NAMESPACE
 
 HWY_BEFORE_NAMESPACE();
 // clang-format off
+#if defined(__wasm_simd128__)
+#include "scenefile/trace/simd128-inl.h"
+#else
 #include "scenefile/trace/wide-inl.h"
+#endif
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/geometry/crossings-inl.h"
 #include "scenefile/geometry/normals-inl.h"
@@ -184,6 +199,12 @@ namespace scenefile {
 
 namespace {
 
+#if defined(__wasm_simd128__)
+constexpr const char* baseline = "SIMD128";
+#else
+constexpr const char* baseline = "baseline";
+#endif
+
 // The widest first. Highway's own choice is in a library that measures the clock when it is loaded,
 // for two milliseconds of each run of the program.
 constexpr WaveKernel kernels[] = {
@@ -209,7 +230,7 @@ constexpr WaveKernel kernels[] = {
      [] { return __builtin_cpu_supports("sse4.2") != 0 && __builtin_cpu_supports("pclmul") != 0; },
      N_SSE4::trace},
 #endif
-    {"baseline", [] { return true; }, HWY_STATIC_DISPATCH(trace)}};
+    {baseline, [] { return true; }, HWY_STATIC_DISPATCH(trace)}};
 
 void put(const Color& color, double (&to)[3]) {
   std::copy_n(&color.x, 3, to);

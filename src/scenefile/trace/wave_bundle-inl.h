@@ -49,13 +49,6 @@ inline F coordinate(const V3& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-inline double least_lane(F x) {
-  return hn::GetLane(hn::MinOfLanes(D(), x.v));
-}
-inline double greatest_lane(F x) {
-  return hn::GetLane(hn::MaxOfLanes(D(), x.v));
-}
-
 /// A chunk of a wave that is to be searched.
 struct Chunk {
   Rays rays;
@@ -101,8 +94,7 @@ Heading heading_of(int first, int last, const ChunkOf& chunk) {
     const Chunk one = chunk(c);
     sum = sum + select(one.mask, one.rays.direction, V3{splat(0), splat(0), splat(0)});
   }
-  const auto total = [](F x) { return hn::GetLane(hn::SumOfLanes(D(), x.v)); };
-  const double sums[3] = {total(sum.x), total(sum.y), total(sum.z)};
+  const double sums[3] = {sum_of_lanes(sum.x), sum_of_lanes(sum.y), sum_of_lanes(sum.z)};
   Heading heading;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::abs(sums[axis]) > std::abs(sums[heading.main])) {
@@ -131,11 +123,6 @@ struct Candidates {
   alignas(64) float min[3][most + BoxNode::width];
   alignas(64) float max[3][most + BoxNode::width];
 };
-
-inline F load_floats(const float* from) {
-  const hn::Rebind<float, D> floats;
-  return {hn::PromoteTo(D(), hn::Load(floats, from))};
-}
 
 // Which of the boxes at `at` the bundle may touch; `boxes` has them as BoxNode has.
 template <typename Boxes>

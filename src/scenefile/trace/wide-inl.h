@@ -151,6 +151,21 @@ inline F above(F x) {
   const F next{hn::BitCast(D(), hn::Add(hn::BitCast(integers, x.v), hn::Set(integers, 1)))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
 }
+inline double least_lane(F x) {
+  return hn::GetLane(hn::MinOfLanes(D(), x.v));
+}
+inline double greatest_lane(F x) {
+  return hn::GetLane(hn::MaxOfLanes(D(), x.v));
+}
+/// In any order.
+inline double sum_of_lanes(F x) {
+  return hn::GetLane(hn::SumOfLanes(D(), x.v));
+}
+/// From memory that is aligned for it.
+inline F load_floats(const float* from) {
+  const hn::Rebind<float, D> floats;
+  return {hn::PromoteTo(D(), hn::Load(floats, from))};
+}
 template <typename Function>
 F each(M m, const Function& f, F x, F y) {
   alignas(64) double xs[lanes];

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace scenefile {
+
+/// A zlib stream of the bytes; levels 1 to 9, the last the smallest. Throws std::bad_alloc.
+std::string deflated(std::string_view bytes, int level);
+
+/// The CRC-32 of gzip and PNG.
+std::uint32_t zlib_crc(std::string_view bytes);
+
+}  // namespace scenefile

@@ -6,6 +6,7 @@
 #include "app/manual.h"
 #include "app/option_table.h"
 #include "app/output.h"
+#include "app/program_folder.h"
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
 #include "scenefile/grade/cause_help.h"
@@ -160,9 +161,14 @@ std::string overview_text() {
        {std::pair("COMMAND", "a command with its options and examples"),
         {"CODE", "a finding, such as xml.number; or a family of them, such as xml"},
         {"codes", "the codes of all findings"},
-        {"limits", "what a file may cost"}}) {
+        {"CAUSE", "a mistake of a ray tracer that diff and grade name, such as normals"},
+        {"causes", "all of these mistakes"},
+        {"limits", "how large a file may be, how deeply nested, and so on"}}) {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
+  }
+  if (const std::filesystem::path folder = documentation_folder(); !folder.empty()) {
+    text += fmt::format("\nDocumentation (docs/ in these texts): {}\n", escaped(folder.string()));
   }
   return text + "\n" + wrapped("- in place of a file is standard input or output.", 0, 0, width) +
          "\n\n" +

@@ -2,6 +2,7 @@
 
 #include "app/command.h"
 #include "app/output.h"
+#include "app/program_folder.h"
 
 #include <fmt/format.h>
 #include <sys/time.h>
@@ -17,17 +18,11 @@ namespace {
 
 constexpr const char* window_program = "scenefile-window";
 
-// Where the program lies, not the link that it was called by.
-std::filesystem::path beside_this_program() {
-  std::error_code none;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
-  return none ? std::filesystem::path() : self.parent_path() / window_program;
-}
-
 }  // namespace
 
 ExitCode run_view(const Options& /*options*/, Context& context) {
-  const std::filesystem::path path = beside_this_program();
+  const std::filesystem::path folder = program_folder();
+  const std::filesystem::path path = folder.empty() ? folder : folder / window_program;
   // Timers outlive this program, what they call does not; the next one sets its own.
   const itimerval no_timer{};
   ::setitimer(ITIMER_REAL, &no_timer, nullptr);

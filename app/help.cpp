@@ -167,8 +167,8 @@ std::string overview_text() {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
   }
-  if (const std::filesystem::path folder = documentation_folder(); !folder.empty()) {
-    text += fmt::format("\nDocumentation (docs/ in these texts): {}\n", escaped(folder.string()));
+  if (const std::string folder = documentation_folder(); !folder.empty()) {
+    text += fmt::format("\nDocumentation (docs/ in these texts): {}\n", escaped(folder));
   }
   return text + "\n" + wrapped("- in place of a file is standard input or output.", 0, 0, width) +
          "\n\n" +

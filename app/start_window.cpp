@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <filesystem>
+#include <string>
 #include <system_error>
 
 namespace scenefile::app {
@@ -21,8 +21,8 @@ constexpr const char* window_program = "scenefile-window";
 }  // namespace
 
 ExitCode run_view(const Options& /*options*/, Context& context) {
-  const std::filesystem::path folder = program_folder();
-  const std::filesystem::path path = folder.empty() ? folder : folder / window_program;
+  const std::string folder = program_folder();
+  const std::string path = folder.empty() ? folder : folder + "/" + window_program;
   // Timers outlive this program, what they call does not; the next one sets its own.
   const itimerval no_timer{};
   ::setitimer(ITIMER_REAL, &no_timer, nullptr);
@@ -34,7 +34,7 @@ ExitCode run_view(const Options& /*options*/, Context& context) {
   const std::error_code error(errno, std::generic_category());
   say_error(fmt::format(
       "view: {}, the program with the window, cannot be started: {}{}",
-      path.empty() ? window_program : path.string(), error.message(),
+      path.empty() ? window_program : path.c_str(), error.message(),
       error == std::errc::no_such_file_or_directory ? "; in a clone, 'make build' builds it" : ""));
   return ExitCode::environment;
 }

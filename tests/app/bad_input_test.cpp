@@ -112,6 +112,14 @@ TEST(BadInput, AMisspelledFileAttributeIsUsedOrAnError) {
   EXPECT_THAT(texture.out, HasSubstr("texture \"no.png\": no such file"));
 }
 
+TEST(BadInput, AMissingFileIsAShortLineAndAListOfPlaces) {
+  const ProgramRun run = check(replaced("\"sphere\"", R"("mesh" filename="mesh/no.obj")"));
+  EXPECT_THAT(run.out, HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
+                                 "    looked for mesh/no.obj\n    looked for ../mesh/no.obj\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("\n    files elsewhere need --asset-root DIR or --allow-outside\n"));
+}
+
 TEST(BadInput, WordsInOddOrder) {
   const auto told = [](const std::vector<std::string>& words) {
     const ProgramRun run = run_program(words);

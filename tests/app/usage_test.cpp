@@ -173,6 +173,8 @@ TEST(Usage, HelpHasNoDoubleBlanksInItsFirstLine) {
 TEST(Usage, HelpCoversCommandsAndCodes) {
   EXPECT_THAT(run_program({"help"}).out, HasSubstr("scenefile check SCENE..."));
   EXPECT_EQ(run_program({"--help"}).out, run_program({"help"}).out);
+  EXPECT_THAT(run_program({"help"}).out,
+              HasSubstr("Documentation (docs/ in these texts): " SCENEFILE_SOURCE "/docs\n"));
   const ProgramRun render = run_program({"help", "render"});
   EXPECT_EQ(render.status, 0);
   EXPECT_THAT(render.out, AllOf(HasSubstr("--features LIST"), HasSubstr("Examples:")));

@@ -61,6 +61,15 @@ TEST(Report, OtherFilesGetNoExcerptOfTheScene) {
   EXPECT_EQ(report(d, "scene text"), "m.obj:1: error: index 9 [test.bad]\n");
 }
 
+TEST(Report, NotesFollowOnLinesOfTheirOwn) {
+  Diagnostics d;
+  d.report(bad, Severity::error, {1, 1}, "no such file", {"looked for a", "looked for b\x1b[1m\n"});
+  EXPECT_EQ(report(d, "x"),
+            "s.xml:1:1: error: no such file [test.bad]\n"
+            "    looked for a\n    looked for b\\x1B[1m\\x0A\n"
+            "    1 | x\n      | ^\n");
+}
+
 TEST(Report, ColorsOnlyOnRequest) {
   Diagnostics d;
   d.report(bad, {1, 1}, "here");

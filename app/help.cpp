@@ -6,7 +6,6 @@
 #include "app/manual.h"
 #include "app/option_table.h"
 #include "app/output.h"
-#include "app/program_folder.h"
 #include "app/wrap.h"
 #include "scenefile/base/text.h"
 #include "scenefile/grade/cause_help.h"
@@ -167,10 +166,11 @@ std::string overview_text() {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
   }
-  if (const std::string folder = documentation_folder(); !folder.empty()) {
-    text += fmt::format("\nDocumentation (docs/ in these texts): {}\n", escaped(folder));
-  }
-  return text + "\n" + wrapped("- in place of a file is standard input or output.", 0, 0, width) +
+  return text + "\n" +
+         wrapped(
+             "- in place of a file is standard input or output. \"scenefile version\" says "
+             "where the documentation is, docs/ in these texts.",
+             0, 0, width) +
          "\n\n" +
          wrapped(
              "Exit status: 0 fine (warnings included), 1 errors in the input, 2 wrong usage, 3 "

@@ -1,9 +1,13 @@
 #include "app/command.h"
 #include "app/output.h"
+#include "app/program_folder.h"
+#include "scenefile/base/text.h"
 #include "scenefile/trace/backend.h"
 #include "scenefile/verbs/json_writer.h"
 
 #include <fmt/format.h>
+
+#include <string>
 
 namespace scenefile::app {
 
@@ -11,13 +15,18 @@ ExitCode run_version(const Options& options, Context& context) {
   context.phase = "asking Embree for its version";
   const TraceBackend backend = trace_backend();
   const std::string embree = backend.embree.empty() ? "unknown" : backend.embree;
+  const std::string documentation = documentation_folder();
   if (!options.json) {
-    return answer(fmt::format(
+    std::string text = fmt::format(
         "scenefile {}\n"
         "  build   {}, {}\n"
         "  Embree  {}\n"
         "  lanes   {}\n",
-        SCENEFILE_VERSION, SCENEFILE_BUILD_TYPE, SCENEFILE_COMPILER, embree, backend.lanes));
+        SCENEFILE_VERSION, SCENEFILE_BUILD_TYPE, SCENEFILE_COMPILER, embree, backend.lanes);
+    if (!documentation.empty()) {
+      text += fmt::format("  docs    {}\n", escaped(documentation));
+    }
+    return answer(text);
   }
   Json json;
   json.begin_object();
@@ -26,6 +35,9 @@ ExitCode run_version(const Options& options, Context& context) {
   json.add("compiler", SCENEFILE_COMPILER);
   json.add("embree", embree);
   json.add("lanes", backend.lanes);
+  if (!documentation.empty()) {
+    json.add("docs", documentation);
+  }
   json.end_object();
   return answer(json.text());
 }

@@ -145,7 +145,8 @@ TEST(Usage, VersionIsAnAnswer) {
     EXPECT_THAT(run.out, ::testing::MatchesRegex("scenefile " SCENEFILE_VERSION "\n"
                                                  "  build   [A-Za-z]+, [A-Za-z]+ [0-9.]+\n"
                                                  "  Embree  [34][.][0-9]+[.][0-9]+\n"
-                                                 "  lanes   [A-Z0-9-]+\n"));
+                                                 "  lanes   [A-Z0-9-]+\n"
+                                                 "  docs    .*/docs\n"));
     EXPECT_EQ(run.err, "");
   }
   EXPECT_STREQ(parse_json(run_program({"version", "--json"}).out)["scenefile"].GetString(),
@@ -173,8 +174,6 @@ TEST(Usage, HelpHasNoDoubleBlanksInItsFirstLine) {
 TEST(Usage, HelpCoversCommandsAndCodes) {
   EXPECT_THAT(run_program({"help"}).out, HasSubstr("scenefile check SCENE..."));
   EXPECT_EQ(run_program({"--help"}).out, run_program({"help"}).out);
-  EXPECT_THAT(run_program({"help"}).out,
-              HasSubstr("Documentation (docs/ in these texts): " SCENEFILE_SOURCE "/docs\n"));
   const ProgramRun render = run_program({"help", "render"});
   EXPECT_EQ(render.status, 0);
   EXPECT_THAT(render.out, AllOf(HasSubstr("--features LIST"), HasSubstr("Examples:")));

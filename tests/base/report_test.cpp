@@ -66,7 +66,7 @@ TEST(Report, NotesFollowOnLinesOfTheirOwn) {
   d.report(bad, Severity::error, {1, 1}, "no such file", {"looked for a", "looked for b\x1b[1m\n"});
   EXPECT_EQ(report(d, "x"),
             "s.xml:1:1: error: no such file [test.bad]\n"
-            "    looked for a\n    looked for b\\x1B[1m\\x0A\n"
+            "    looked for a\n    looked for b\\u{1b}[1m\\n\n"
             "    1 | x\n      | ^\n");
 }
 

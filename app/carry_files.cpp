@@ -23,7 +23,7 @@ bool has_folder(const std::string& output) {
   return output != "-" && !output.starts_with("/dev/");
 }
 
-// Decides for each name once.
+// Decides once for each name.
 class Carrier {
  public:
   Carrier(LoadedScene& scene, const std::string& output, const Options& options)
@@ -32,7 +32,7 @@ class Carrier {
         here_(asset_roots_options(scene.path, options)),
         there_(asset_roots_options(output, options)) {}
 
-  // The name there.
+  // The name for the new folder.
   const std::string& carry(const std::string& name, Location location) {
     const auto [entry, is_new] = names_.try_emplace(name, name);
     if (is_new) {
@@ -49,7 +49,7 @@ class Carrier {
     }
     const ResolvedAsset there = there_.resolve(name);
     const bool same = there.error.empty() && there.path == here.path;
-    // A search finds what other programs would not.
+    // A search may find files that other programs would not.
     if (same && (there.rule < AssetRule::path_suffix || there.rule <= here.rule)) {
       return name;
     }

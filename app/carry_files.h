@@ -1,5 +1,5 @@
 #pragma once
-// Textures and meshes of a scene that is written into another folder.
+// Textures and meshes of a scene that is written to another folder.
 
 #include "app/load.h"
 
@@ -7,10 +7,10 @@
 
 namespace scenefile::app {
 
-/// Looks for each file of the scene from the folder of `output` as well. One that is found only
-/// from where the scene is now is named anew, relative to the folder of `output`, when it is found
-/// so, with a note; where it is not (what lies outside the roots is never opened), a warning says
-/// that the file stays behind. Does nothing for outputs without a folder, such as a pipe.
+/// Looks for each file of the scene from the folder of `output`. If a file is only found from the
+/// scene's current folder, it gets a path relative to the folder of `output`, with a note, provided
+/// that it is found that way. Otherwise (files outside the roots are never opened) a warning says
+/// that the file stays behind. Does nothing for outputs without a folder, such as pipes.
 void carry_files(LoadedScene& scene, const std::string& output, const Options& options);
 
 }  // namespace scenefile::app

@@ -23,12 +23,12 @@ std::string path_from_here(const std::string& path) {
   return error || relative.empty() || relative.starts_with("..") ? path : relative;
 }
 
-// Where the findings of one scene after the other go.
+// Collects the findings of the scenes.
 class Report {
  public:
   Report(const Options& options, std::size_t scenes) : options_(options), scenes_(scenes) {}
 
-  // Not fine when nothing more can be said.
+  // Returns an error if nothing more can be printed.
   ExitCode add(const LoadedScene& scene) {
     tally_.add(scene);
     if (options_.json) {
@@ -64,7 +64,7 @@ class Report {
     return ExitCode::fine;
   }
 
-  // Where a file of the scene was found, as seen from the working directory where it lies in that.
+  // The path of a file of the scene, relative to the working directory if it is inside.
   std::string path_of(const LoadedScene& scene, const std::string& name) const {
     for (const AssetFile& file : locate_files(scene, options_)) {
       if (file.reference.name == name && !file.resolved.path.empty()) {

@@ -27,12 +27,12 @@ constexpr std::string_view introduction =
     "- **sometimes a warning** (an error, a note): the text says when.\n\n"
     "`--allow CODE` silences a warning or a note.\n";
 
-// "camera" of "camera.look-zero".
+// "camera" for "camera.look-zero".
 std::string_view family_of(const Code& code) {
   return code.name.substr(0, code.name.find('.'));
 }
 
-// As text: what Markdown would take for its own is escaped.
+// Escapes text for Markdown.
 std::string markdown(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -1,5 +1,5 @@
 #pragma once
-// All codes on one page.
+// The pages of diagnostic codes.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -10,13 +10,13 @@
 
 namespace scenefile::app {
 
-/// A line a code, for a terminal of that width: of all codes, or of a family.
+/// One line per code, wrapped for the terminal: all codes, or those of a family.
 std::string codes_text(std::size_t terminal_width, std::string_view family = {});
-/// What stands in front of the points of codes, sorted: "camera" of "camera.look-zero".
+/// The prefixes of codes before the first point, sorted: "camera" for "camera.look-zero".
 std::span<const std::string_view> code_families();
-/// "error, sometimes a warning", and what is special about the kind.
+/// "error, sometimes a warning", and properties of its kind.
 std::string severities_text(const Code& code);
-/// docs/diagnostics.md.
+/// The contents of docs/diagnostics.md.
 std::string codes_markdown();
 
 }  // namespace scenefile::app

@@ -14,7 +14,7 @@ namespace scenefile::app {
 
 namespace {
 
-// In single quotes, for every shell.
+// Single quotes work in all shells.
 std::string shell_quoted(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
@@ -120,7 +120,7 @@ complete -o bashdefault -o default -F _scenefile scenefile
       shell_quoted(fmt::format("{}", fmt::join(help_topics(), " "))));
 }
 
-// Brackets, colons and backslashes end parts of a specification of _arguments.
+// Brackets, colons and backslashes are special in specifications for _arguments.
 std::string zsh_text(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -1,5 +1,5 @@
 #pragma once
-// Completion of the command line in shells, from the same tables as the help.
+// Shell completion, from the same tables as the help.
 
 #include <array>
 #include <string>
@@ -9,10 +9,10 @@ namespace scenefile::app {
 
 enum class Shell : unsigned char { bash, zsh, fish };
 
-/// In the order of the enumerators.
+/// Indexed by Shell.
 inline constexpr std::array<std::string_view, 3> shell_words{"bash", "zsh", "fish"};
 
-/// The script that the shell reads to complete commands, options and their values.
+/// The script that completes commands, options and their values.
 std::string completion_script(Shell shell);
 
 }  // namespace scenefile::app

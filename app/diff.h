@@ -1,14 +1,14 @@
 #pragma once
-// What `scenefile diff` compares: options.arguments holds the two names.
+// `scenefile diff`; options.arguments contains the two paths.
 
 #include "app/command.h"
 
 namespace scenefile::app {
 
-/// Two scenes, by meaning.
+/// Compares two scenes by meaning.
 ExitCode diff_scenes(const Options& options, Context& context);
 
-/// Two pictures, the reference first.
+/// Compares two pictures, the reference first.
 ExitCode diff_images(const Options& options, Context& context);
 
 }  // namespace scenefile::app

@@ -15,10 +15,10 @@ namespace scenefile::app {
 namespace {
 
 struct Formatted {
-  LoadedScene file;  // nothing but its text and findings
+  LoadedScene file;  // only its text and findings
   std::optional<std::string> text;
   bool changed = false;
-  std::string unwritable = {};  // why not; empty: it was, where it had to be
+  std::string unwritable = {};  // an error text; empty: success
 };
 
 Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& context) {
@@ -50,7 +50,7 @@ ExitCode status_of(const Formatted& result, const Options& options) {
   return options.check && result.changed ? ExitCode::findings : ExitCode::fine;
 }
 
-// Standard input is written out again, even when nothing changed; a file only when something did.
+// Standard input is always written out, a file only if it changed.
 void write(Formatted& result, const Options& options, Context& context) {
   if (options.check || !result.text.has_value() || (!result.changed && result.file.path != "-")) {
     return;

@@ -1,5 +1,5 @@
 #pragma once
-// Drawing with OpenGL instead of tracing, without a window.
+// Draws with OpenGL instead of tracing, without a window.
 
 #include "app/load.h"
 #include "scenefile/asset/image.h"
@@ -9,17 +9,17 @@
 
 namespace scenefile::app {
 
-/// What OpenGL took.
+/// Statistics of drawing with OpenGL.
 struct GlReport {
-  std::string renderer;  ///< in the driver's words; empty: OpenGL did not draw
+  std::string renderer;  ///< the driver's name; empty: OpenGL did not draw
   std::uint32_t draw_calls = 0;
   std::uint32_t shadow_maps = 0;
   std::uint64_t objects = 0;
   std::uint64_t triangles = 0;
-  int samples = 0;  ///< of each pixel
+  int samples = 0;  ///< per pixel
 };
 
-/// Draws the scene; adds to its diagnostics what OpenGL leaves out.
+/// Draws the scene; adds what OpenGL leaves out to its diagnostics.
 Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, GlReport& report,
                      Context& context);
 

@@ -7,16 +7,16 @@
 
 namespace scenefile::app {
 
-/// What the program can do.
+/// The overview of all commands.
 std::string overview_text();
 /// A command with its options and examples.
 std::string command_text(const Command& command);
-/// A code of a finding.
+/// A diagnostic code.
 std::string code_text(const Code& code);
 
-/// The command of that name, or null.
+/// The command with that name, or null.
 const Command* find_command(std::string_view name);
-/// Names of all commands.
+/// The names of all commands.
 std::span<const std::string_view> command_names();
 
 }  // namespace scenefile::app

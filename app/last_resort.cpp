@@ -1,5 +1,6 @@
-// An exception that nothing can catch: thrown before main, by the constructors of a shared library
-// (memory can run out there), or on a thread of one. The program still ends with a status.
+// Handles exceptions that cannot be caught: thrown before main by the constructors of a shared
+// library (which can run out of memory), or on a library's thread. The program still ends with a
+// status.
 
 #include <unistd.h>
 
@@ -10,7 +11,7 @@
 namespace {
 
 void write_text(std::string_view text) {
-  // Nobody is left to tell about a failure.
+  // There is nowhere to report a failure.
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -36,8 +37,8 @@ void install() {
   std::set_terminate(end_process);
 }
 
-// What stands in this section runs before the constructors of shared libraries. Sanitizers start
-// there too, and no code of ours may run before them.
+// This section runs before the constructors of shared libraries. Sanitizers also start there, and
+// none of our code may run before them.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 __attribute__((section(".preinit_array"), used)) void (*const preinit)() = install;
 #else

@@ -13,9 +13,9 @@ namespace scenefile::app {
 
 struct LimitRow {
   std::string_view name;  ///< "file-bytes"
-  std::string_view help;  ///< what is counted
-  bool bytes;             ///< K, M and G may stand behind the number
-  std::uint64_t most;     ///< that may be asked for
+  std::string_view help;  ///< what is limited
+  bool bytes;             ///< accepts the suffixes K, M and G
+  std::uint64_t most;     ///< maximum value
   std::uint64_t (*get)(const Limits&);
   void (*set)(Limits&, std::uint64_t);
 };
@@ -23,15 +23,15 @@ struct LimitRow {
 /// In the order of the struct.
 std::span<const LimitRow> limit_table();
 
-/// Takes "name=value" over. Returns what is wrong with it in words; empty: nothing.
+/// Parses "name=value". Returns an error text; empty on success.
 std::string set_limit(Limits& limits, const std::string& assignment);
 
-/// A whole number of bytes from `min` to `max`; K, M or G behind it stand for 2^10, 2^20 and 2^30.
-/// Returns what is wrong with the text in words; empty: nothing.
+/// Parses a number of bytes from `min` to `max`; the suffixes K, M and G mean 2^10, 2^20 and 2^30.
+/// Returns an error text; empty on success.
 std::string parse_bytes(const std::string& text, std::uint64_t min, std::uint64_t max,
                         std::uint64_t& bytes);
 
-/// What `scenefile help limits` says, in lines of that width.
+/// The text of `scenefile help limits`, wrapped to that width.
 std::string limits_text(std::size_t width);
 
 }  // namespace scenefile::app

@@ -1,5 +1,5 @@
 #pragma once
-// Loading scenes as the command line asks, and what became of them as exit statuses.
+// Loads scenes with the options of the command line, and converts results to exit statuses.
 
 #include "app/command.h"
 #include "scenefile/trace/render.h"
@@ -10,7 +10,7 @@
 
 namespace scenefile::app {
 
-/// Nothing went wrong where the error is empty.
+/// An empty error means success.
 struct Outcome {
   ExitCode status = ExitCode::fine;
   std::string error;
@@ -20,21 +20,21 @@ struct Outcome {
 LoadedScene load_scene(const std::string& path, const Options& options, LoadDepth depth,
                        bool allow_missing, Context& context);
 
-/// Loads the scene with the files that a render with the options looks at, and adds warnings of
-/// what only the way of rendering makes doubtful.
+/// Loads the scene with the assets that a render with these options needs, and adds findings that
+/// depend on the options.
 LoadedScene load_for_tracing(const Options& options, Context& context);
 
-/// Where the files may be that a scene at `path` names.
+/// Where the files of a scene at `path` may be.
 AssetRootsOptions asset_roots_options(const std::string& path, const Options& options);
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
 
 ExitCode exit_code(ErrorKind kind);
-/// The exit status that the scene has earned so far.
+/// The exit status for the scene so far.
 ExitCode status_of(const LoadedScene& scene);
 Outcome outcome_of(const Result<void>& result);
-/// What the tracer's status means to the program.
+/// Converts the tracer's status.
 Outcome judge(RenderStatus status, const Context& context);
-/// The same of an error that the tracer is behind.
+/// The same for errors from the tracer.
 Outcome judge(const Error& error, const Context& context);
 
 }  // namespace scenefile::app

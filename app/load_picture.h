@@ -1,5 +1,5 @@
 #pragma once
-// Pictures from files and into files, for commands that compare them.
+// Reads and writes pictures, for commands that compare them.
 
 #include "app/command.h"
 #include "scenefile/asset/image.h"
@@ -10,27 +10,27 @@ namespace scenefile::app {
 struct LoadedPicture {
   std::string path;  ///< as given
   Texture picture;
-  std::string error;  ///< why there is no picture, with the path; empty: there is
+  std::string error;  ///< an error text with the path; empty: success
   ExitCode status = ExitCode::fine;
 };
 
 LoadedPicture load_picture(const std::string& path, Context& context);
 
-/// The scene of --scene, said and without assets where it cannot be used.
+/// Loads the scene of --scene. If it is not usable, reports that and returns it without assets.
 LoadedScene load_scene_of_pictures(const std::string& path, const Options& options,
                                    Context& context);
 
-/// What diff and grade ask of pictures.
+/// The settings of diff and grade.
 CompareSettings compare_settings(const Options& options);
 
-/// Whether the file holds a picture, by its first bytes; what cannot be read, and standard input,
-/// does not.
+/// Whether the file is a picture, by its first bytes; false for files that cannot be read, and for
+/// standard input.
 bool is_picture_file(const std::string& path);
 
-/// The bytes of a PNG; none, and why, for a picture that is too large for one.
+/// The bytes of a PNG file; empty, with an error text, if the picture is too large.
 std::string png_of(const Texture& picture, std::string& error);
 
-/// Writes a PNG. Says what went wrong.
+/// Writes a PNG file. Reports failures.
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);
 
 }  // namespace scenefile::app

@@ -11,8 +11,8 @@ namespace scenefile::app {
 
 namespace {
 
-// Text as it is: in man(7) a backslash starts an escape, a hyphen may become a dash, and a point or
-// an apostrophe at the start of a line makes it a request.
+// Escapes text for man(7), where a backslash starts an escape, a hyphen may become a dash, and a
+// point or an apostrophe at the start of a line makes it a request.
 std::string plain(std::string_view text) {
   std::string result;
   bool line_start = true;

@@ -1,6 +1,5 @@
 #pragma once
-// Words for closed sets, in the order of their enumerators. Those of the format are in
-// base/shape.h.
+// Names of enumerators, indexed by enumerator. Those of the format are in base/shape.h.
 
 #include <array>
 #include <string_view>
@@ -11,7 +10,7 @@ inline constexpr std::array<std::string_view, 2> milestone_names{"lights-camera"
 inline constexpr std::array<std::string_view, 5> filter_names{"none", "invert", "grayscale", "blur",
                                                               "sharpen"};
 
-/// What scenes are written as, also the extensions of such files.
+/// Output formats, which are also their file name extensions.
 inline constexpr std::array<std::string_view, 6> format_words{"xml", "json", "pov",
                                                               "glb", "gltf", "obj"};
 

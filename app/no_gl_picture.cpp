@@ -1,4 +1,4 @@
-// In place of gl_picture.cpp where the program is built without the room view.
+// Replaces gl_picture.cpp if the program is built without the room view.
 
 #include "app/gl_picture.h"
 

@@ -1,4 +1,4 @@
-// In place of view.cpp where the program is built without the room viewer.
+// Replaces view.cpp if the program is built without the room viewer.
 
 #include "app/command.h"
 #include "app/output.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What the program says. Answers go to standard output, everything else to standard error.
+// Output of the program. Results go to standard output, everything else to standard error.
 
 #include "app/command.h"
 
@@ -12,27 +12,28 @@ namespace scenefile::app {
 
 enum class Stream : int { answer = 1, chatter = 2 };
 
-/// Whether a person looks on: a terminal that understands colors, and NO_COLOR is not set.
+/// Whether to use colors: a terminal that supports them, and NO_COLOR is not set.
 bool wants_color(Stream stream);
-/// Whether it shows colors of 24 bits as well: COLORTERM says so.
+/// Whether the terminal supports 24-bit colors, according to COLORTERM.
 bool wants_swatches(Stream stream);
-/// Whether a progress bar makes sense: standard error is a terminal, and no CI job's.
+/// Whether to show a progress bar: standard error is a terminal, and not in a CI job.
 bool wants_progress();
 
-/// How many characters a line of the terminal holds; 0: it is none, or does not say.
+/// The width of the terminal in characters; 0: not a terminal, or unknown.
 std::size_t terminal_width(Stream stream);
 
-/// Writes to standard output at once. A failure (closed, full) is said and is
+/// Writes to standard output immediately. A failure (closed, full) is reported and returned as
 /// ExitCode::environment.
 ExitCode answer(const std::string& text);
 
 /// Writes to standard error.
 void say(std::string_view text);
 
-/// "scenefile: " and the text, as one line.
+/// Prints "scenefile: " and the text on one line.
 void say_error(std::string_view text);
 
-/// Says what `text` makes after the work is done: no lack of memory may turn that into a failure.
+/// Prints the result of `text` after the work is done; running out of memory here must not cause a
+/// failure.
 template <typename Text>
 void say_afterwards(const Text& text) {
   try {

@@ -4,8 +4,8 @@
 
 namespace scenefile::app {
 
-/// A line on the terminal that says how much is done and how long the rest will take; it goes away
-/// with the object. Rate-limited.
+/// A progress line on the terminal with the estimated remaining time, removed by the destructor.
+/// Rate-limited.
 class ProgressBar {
  public:
   explicit ProgressBar(bool shown) : shown_(shown), start_(Clock::now()) {}

@@ -1,5 +1,5 @@
 #pragma once
-// The program as the course's own ray tracer: `projects_ray CONFIG.ini`.
+// A replacement for the course's ray tracer: `projects_ray CONFIG.ini`.
 
 #include "app/command.h"
 
@@ -8,11 +8,11 @@
 
 namespace scenefile::app {
 
-/// Whether the program was started under the name of the course's.
+/// Whether the program was started under the name of the course's program.
 bool is_projects_ray(std::string_view program);
 
-/// Draws what the configuration says, with the profile `course`, to where it says. `words`: the
-/// arguments.
+/// Renders according to the configuration, with the profile `course`, to the output that it names.
+/// `words`: the arguments.
 ExitCode run_projects_ray(std::span<const char* const> words, Context& context);
 
 }  // namespace scenefile::app

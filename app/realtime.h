@@ -1,5 +1,5 @@
 #pragma once
-// What --profile realtime asks for, and what it makes of a scene.
+// --profile realtime: its options, and its effect on a scene.
 
 #include "app/load.h"
 #include "app/options.h"
@@ -12,7 +12,7 @@
 
 namespace scenefile::app {
 
-/// A light that the milestone does not know.
+/// A light that the milestone does not support.
 struct SkippedLight {
   LightType type = LightType::point;
   Location location;
@@ -21,21 +21,21 @@ struct SkippedLight {
 /// What the assignment draws of a scene.
 struct RealtimeReport {
   RealtimeOptions options;
-  std::size_t lights = 0;  ///< that shine
+  std::size_t lights = 0;  ///< number of lights that are used
   std::vector<SkippedLight> skipped_lights;
   double triangles = 0;  ///< of all shapes after instancing, without meshes
 };
 
-/// The panel of the assignment as the options set it; none: another profile.
+/// The assignment's settings from the options; nullopt for other profiles.
 std::optional<RealtimeOptions> realtime_options(const Options& options);
 
 RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene& scene);
 
-/// Adds what the assignment does not draw of the scene.
+/// Adds findings about what the assignment does not draw.
 void check_realtime(const RealtimeOptions& options, LoadedScene& scene);
 
-/// The mistakes that only several options together are, in words that follow "scenefile: "; empty:
-/// none.
+/// Checks combinations of options. Returns an error text, in words that follow "scenefile: "; empty
+/// on success.
 std::string check_realtime_options(const Options& options, unsigned command);
 
 }  // namespace scenefile::app

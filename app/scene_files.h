@@ -1,6 +1,6 @@
 #pragma once
-// The scenes that `check` and `format` work on: folders among the arguments stand for the scenes in
-// them.
+// The input files of `check` and `format`: folders on the command line are replaced by the scenes
+// in them.
 
 #include "app/command.h"
 #include "scenefile/io/file.h"
@@ -12,12 +12,13 @@
 namespace scenefile::app {
 
 struct SceneFile {
-  std::string path;                 ///< a scene, or the folder that cannot be used
-  std::optional<Error> unreadable;  ///< why not; none: the path is to be read
+  std::string path;                 ///< a scene, or a folder that cannot be used
+  std::optional<Error> unreadable;  ///< the reason; nullopt: the path can be read
 };
 
-/// The arguments in their order; in place of a folder the scenes in it and in the folders below, by
-/// is_scene_name() and may_be_scene(). Says how many files of such a name it left out.
+/// The arguments in order; folders are replaced by the scenes in them and in their subfolders,
+/// according to is_scene_name() and may_be_scene(). Reports how many files with such a name were
+/// skipped.
 std::vector<SceneFile> scene_files(const Options& options, Context& context);
 
 }  // namespace scenefile::app

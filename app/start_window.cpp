@@ -1,4 +1,4 @@
-// In place of view.cpp in the program itself: the window is a program beside it.
+// Replaces view.cpp in the main program, because the window is a separate program.
 
 #include "app/command.h"
 #include "app/output.h"
@@ -23,7 +23,7 @@ constexpr const char* window_program = "scenefile-window";
 ExitCode run_view(const Options& /*options*/, Context& context) {
   const std::string folder = program_folder();
   const std::string path = folder.empty() ? folder : folder + "/" + window_program;
-  // Timers outlive this program, what they call does not; the next one sets its own.
+  // Timers survive exec, but their handlers do not; the next program sets its own.
   const itimerval no_timer{};
   ::setitimer(ITIMER_REAL, &no_timer, nullptr);
   if (path.empty()) {

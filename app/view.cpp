@@ -16,7 +16,7 @@ namespace scenefile::app {
 
 namespace {
 
-// In a thread of the window.
+// Runs on a thread of the window.
 viewer::OpenedScene open_for_view(const std::string& path, const Options& options) {
   Context context;
   LoadedScene loaded =
@@ -38,7 +38,7 @@ viewer::OpenedScene open_for_view(const std::string& path, const Options& option
   return opened;
 }
 
-// Why there is nothing to look at; empty: there may be.
+// What is missing to open the window; empty: nothing.
 std::string missing(const Options& options) {
   const std::string& scene = options.arguments.front();
   if (scene != "-" && viewer::scene_at(scene).empty()) {
@@ -59,7 +59,7 @@ viewer::ScriptStep& add_step(viewer::Script& script, viewer::StepKind kind) {
   return script.steps.emplace_back(std::move(step));
 }
 
-// What is done without a user, and then the window closes.
+// The scripted steps, after which the window closes.
 viewer::Script script_of(const Options& options, std::string& error) {
   std::string text;
   if (!options.script.empty()) {

@@ -14,7 +14,7 @@ constexpr std::size_t usual_width = 80;
 constexpr std::size_t least_width = 40;
 constexpr std::size_t most_width = 100;
 
-// 0: not known.
+// 0: unknown.
 std::size_t given_width() {
   const char* const columns = std::getenv("COLUMNS");
   const std::string_view text = columns == nullptr ? "" : columns;

@@ -8,7 +8,7 @@ namespace scenefile::bench {
 
 namespace {
 
-// Numbers of the length that exporters write.
+// Numbers as long as those that exporters write.
 float coordinate(std::size_t i, unsigned salt) {
   return static_cast<float>((i * 7919 + salt * 104729) % 200000) / 1000.0f - 100.0f;
 }
@@ -51,7 +51,7 @@ std::string json_scene(std::size_t count) {
   return text + "  ]\n}\n";
 }
 
-// Copies on a circle, each half as large as the whole.
+// Instances on a circle, each half as large as the whole.
 std::string nested_scene(int levels) {
   constexpr int copies = 10;
   std::string text =

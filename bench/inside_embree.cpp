@@ -1,7 +1,6 @@
-// libscenefile_bench_inside.so, to be preloaded: which share of a program's CPU time passes inside
-// Embree's ray queries, our callbacks in them included. A timer of CPU time interrupts the program;
-// what counts is whether a query was under way. Writes "SAMPLES INSIDE QUERIES" to the file that
-// SCENEFILE_BENCH_INSIDE names.
+// libscenefile_bench_inside.so, for preloading: measures the share of a program's CPU time inside
+// Embree's ray queries, including our callbacks. A CPU timer samples whether a query is running.
+// Writes "SAMPLES INSIDE QUERIES" to the file named by SCENEFILE_BENCH_INSIDE.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -15,7 +14,7 @@
 
 namespace {
 
-thread_local volatile int depth = 0;  // queries inside each other: instances ask again
+thread_local volatile int depth = 0;  // nested queries: instances query again
 std::atomic<unsigned long> samples{0};
 std::atomic<unsigned long> inside{0};
 std::atomic<unsigned long> queries{0};
@@ -65,7 +64,7 @@ Function* next(const char* name) {
 
 }  // namespace
 
-// Embree 3 and 4 differ in what they are given, not in how much: pointers.
+// Embree 3 and 4 have different argument types, but the same number of pointers.
 #define QUERY(name)                                                  \
   extern "C" void name(void* a, void* b, void* c) {                  \
     static const auto real = next<void(void*, void*, void*)>(#name); \

@@ -1,5 +1,5 @@
-// scenefile_bench_kernels: what the parts of a render cost by themselves, with Google Benchmark.
-// --benchmark_filter=REGEX chooses, --benchmark_format=json answers for programs.
+// scenefile_bench_kernels: measures the parts of a render separately, with Google Benchmark.
+// --benchmark_filter=REGEX selects, --benchmark_format=json prints JSON.
 
 #include "generated_scene.h"
 #include "scenefile/asset/image_file.h"
@@ -33,7 +33,7 @@ glm::dvec3 draw_point(std::mt19937& random) {
   return {draw(random), draw(random), draw(random)};
 }
 
-// From around the shape through its box: about half of them hit.
+// Rays from around the shape through its bounding box; about half of them hit.
 std::vector<Ray> rays_at_shape() {
   std::mt19937 random(1);
   std::vector<Ray> rays(4096);
@@ -174,7 +174,7 @@ BENCHMARK(check_scene)->Unit(benchmark::kMillisecond);
 BENCHMARK(prepare_scene)->Unit(benchmark::kMillisecond);
 BENCHMARK(build_structure)->Unit(benchmark::kMillisecond);
 
-// Rays from the camera of the scene, one at a time.
+// Camera rays of the scene, one at a time.
 template <typename Ask>
 void ask_rays(benchmark::State& state, Ask ask) {
   const RenderScene scene = prepare(read(xml_scene(objects)), {}).scene;
@@ -206,7 +206,7 @@ void occluded_by_100000(benchmark::State& state) {
 BENCHMARK(closest_of_100000);
 BENCHMARK(occluded_by_100000);
 
-// A sphere that fills the picture: camera rays, hits and the lighting equation with so many lights.
+// A sphere that fills the picture: camera rays, hits, and lighting with a varying number of lights.
 void shade_sphere(benchmark::State& state) {
   Scene scene;
   Node& root = scene.nodes[scene.root];

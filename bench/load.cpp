@@ -1,7 +1,7 @@
-// scenefile_bench_load xml|json|nested [TRANSBLOCKS [FILE]]: the time to read and to check a
-// generated scene of so many objects (default: a million), against that of the XML or JSON library
-// alone, which turns the text into tokens and forgets them. All in turns, of each the least of
-// five. With FILE: writes the scene there, for measuring the program; "nested" with so many levels.
+// scenefile_bench_load xml|json|nested [TRANSBLOCKS [FILE]]: the time to read and check a generated
+// scene with that many objects (default: a million), compared with only tokenizing the text with
+// the XML or JSON library. Interleaved; the minimum of five runs each. With FILE: writes the scene
+// there, for measuring the program; for "nested", the number is that of levels.
 
 #include "generated_scene.h"
 #include "scenefile/format/read_scene.h"
@@ -40,7 +40,7 @@ void tokenize_xml(std::string& text) {
   XML_ParserFree(parser);
 }
 
-// In place, as the reader does it: overwrites the text.
+// In place, like the reader: overwrites the text.
 template <unsigned numbers>
 void tokenize_json(std::string& text) {
   rapidjson::InsituStringStream stream(text.data());
@@ -71,7 +71,7 @@ struct Contestant {
   double seconds = 1e30;
 };
 
-// Of the processor, so that other programs do not count. The copy is there to be overwritten.
+// CPU time, so that other programs do not count. `text` is a copy because it is overwritten.
 double seconds(const Contestant& contestant, std::string text) {
   const std::clock_t start = std::clock();
   contestant.run(text);

@@ -1,4 +1,4 @@
-"""What the programs of this folder measure with."""
+"""Helpers of the programs in this folder."""
 import datetime
 import os
 import pathlib
@@ -8,7 +8,7 @@ import sys
 import tempfile
 import time
 
-# What POV-Ray is asked for too: no super-sampling, no lenses.
+# Options that POV-Ray is compared with: no super-sampling, no lenses.
 FEATURES = "shadows,reflect,refract,texture,texture-filter"
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -30,7 +30,7 @@ def run(command, folder=".", environment=None):
 
 
 def least(results):
-    """Of several runs of one command: other programs on the machine add to time, nothing takes away."""
+    """The minimum of several runs of a command, because other programs can only add to its time."""
     return {"cpu_seconds": round(min(cpu for cpu, _, _ in results), 3),
             "peak_mb": round(max(mb for _, mb, _ in results), 1)}
 

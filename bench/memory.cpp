@@ -1,6 +1,6 @@
-// scenefile_bench_memory [COUNT]: what a scene of so many cubes, each of its own color, takes in
-// memory once it can be drawn, by part and in bytes a primitive. Heap and mapped memory in use
-// (mallinfo2), and what the ray library says that it holds.
+// scenefile_bench_memory [COUNT]: the memory of a drawable scene of COUNT cubes with different
+// colors, by part and in bytes per primitive: heap and mapped memory in use (mallinfo2), and what
+// Embree reports.
 
 #include "generated_scene.h"
 #include "scenefile/format/read_scene.h"
@@ -18,7 +18,7 @@ namespace {
 
 using namespace scenefile;
 
-// Bytes of the process: those that malloc gave out, and all that are resident.
+// Bytes of the process: allocated by malloc, and resident.
 struct Use {
   double allocated = 0;
   double resident = 0;

@@ -1,10 +1,10 @@
-// scenefile_bench_replay SCENE [RUNS]: the physical limit of a render. Records the rays that a
-// picture of 1024 x 768 with the profile course asks about, and asks Embree about them again, with
-// nothing between: all objects in one user geometry of one structure, their inverses in 48 bytes,
-// callbacks in single precision. They are asked about one by one, and in packets of 8 and 16 of
-// those of a tile that are alike (camera rays; shadow rays to one light; mirrored rays of one
-// depth); the least of RUNS counts. Prints "RAYS PACKETS ONES OBJECTS": CPU seconds with that width
-// for each kind of ray that takes least, and one by one.
+// scenefile_bench_replay SCENE [RUNS]: a lower bound for the time of a render. Records the ray
+// queries of a 1024 x 768 picture with the profile course, and repeats them in Embree with nothing
+// around them: all objects in a single user geometry, their inverses in 48 bytes, callbacks in
+// single precision. Queries run one by one, and in packets of 8 and 16 similar rays of a tile
+// (camera rays; shadow rays to the same light; reflected rays of the same depth); the minimum of
+// RUNS counts. Prints "RAYS PACKETS ONES OBJECTS": CPU seconds with the fastest packet width for
+// each kind of ray, and one by one.
 
 #include "replay_shapes.h"
 #include "scenefile/format/read_scene.h"
@@ -32,16 +32,16 @@ constexpr int width = 1024;
 constexpr int height = 768;
 constexpr int tile = 16;
 
-// Rays that are asked about in one way, cut into runs of such as are near each other.
+// Rays of one kind, divided into runs of neighbors.
 struct Kind {
   std::vector<RayRecord> rays;
-  std::vector<std::size_t> runs{0};  // where each ends
+  std::vector<std::size_t> runs{0};  // the end of each
   bool shadow = false;
 };
 
 enum { camera_rays, other_rays, camera_shadows, other_shadows, kinds };
 
-// Writes down what the accelerator is asked about in a tile.
+// Records the queries of a tile.
 class RayLog final : public Recorder {
  public:
   void begin_ray(RayKind kind, int depth, const Ray& ray, double start) override {
@@ -90,7 +90,7 @@ void record(const Tracer& tracer, Kind (&all)[kinds]) {
   for (int y0 = 0; y0 < height; y0 += tile) {
     for (int x0 = 0; x0 < width; x0 += tile) {
       for (int i = 0; i < tile * tile; ++i) {
-        // Blocks of 4 x 4, so that a packet of 16 is as narrow as can be.
+        // Blocks of 4 x 4, so that a packet of 16 is as narrow as possible.
         const int x = x0 + i / 16 % 4 * 4 + i % 4;
         const int y = y0 + i / 64 * 4 + i / 4 % 4;
         course_pixel(tracer, camera, x, y, counts);
@@ -124,7 +124,7 @@ struct Placed {
   DAffine world_from_group;
 };
 
-// All objects, templates copied out. False: more than fit.
+// All objects, with instances expanded. Returns false if there are too many.
 bool copy_out(const RenderScene& scene, std::vector<bench::BareObject>& objects) {
   constexpr std::size_t most = 4'000'000;
   std::vector<Placed> stack{{scene.root, {}}};

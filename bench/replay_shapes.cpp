@@ -1,4 +1,4 @@
-// Compiled for the machine that it is measured on (bench/CMakeLists.txt): a limit may be unfair.
+// Compiled for the machine that runs it (bench/CMakeLists.txt), because this is a lower bound.
 
 #include "replay_shapes.h"
 
@@ -28,7 +28,7 @@ inline float inside(const Line& ray, float t) {
   return t > ray.near && t < ray.far ? t : none;
 }
 
-// Where a x^2 + 2 b x + c crosses zero, and the height y there is between the caps.
+// The roots of a x^2 + 2 b x + c, with the height y there between the caps.
 inline float between_caps(const Line& ray, float t) {
   const float y = ray.oy + t * ray.dy;
   return y >= -0.5f && y <= 0.5f ? inside(ray, t) : none;

@@ -1,5 +1,5 @@
 #pragma once
-// Embree with as little around it as can be: for scenefile_bench_replay.
+// Embree with minimal code around it, for scenefile_bench_replay.
 
 #include "scenefile/geometry/shapes.h"
 
@@ -21,13 +21,13 @@ struct BareObject {
 
 class BareScene {
  public:
-  /// Objects without meshes.
+  /// Objects other than meshes.
   explicit BareScene(const std::vector<BareObject>& objects);
   ~BareScene();
   BareScene(const BareScene&) = delete;
   BareScene& operator=(const BareScene&) = delete;
 
-  /// Asks about the rays in packets of 1, 8 or 16.
+  /// Traces the rays in packets of 1, 8 or 16.
   void ask(const RayRecord* rays, std::size_t count, int lanes, bool shadow) const;
 
  private:

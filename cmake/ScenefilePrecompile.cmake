@@ -3,8 +3,9 @@
 # what includes it. Sources still include what they use: the presets for sanitizers and portability build
 # without this option.
 #
-# scenefile_precompile(TARGET KIND [HEADERS...]): the targets of one KIND share what the first of them
-# makes, so they must be compiled alike. HEADERS: beside those that every kind has.
+# scenefile_precompile(TARGET KIND [HEADERS...]): the targets of a KIND share the precompiled header
+# of the first, so they must have the same compile options. HEADERS: in addition to those of every
+# kind.
 include_guard(GLOBAL)
 
 set(SCENEFILE_COMMON_HEADERS
@@ -15,9 +16,9 @@ function(scenefile_precompile target kind)
   if(NOT SCENEFILE_PRECOMPILE)
     return()
   endif()
-  # What these headers depend on has to be the same everywhere.
+  # The compile definitions of these headers must be the same everywhere.
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
-  # ccache asks for this.
+  # Required by ccache.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   get_property(first GLOBAL PROPERTY scenefile_precompiled_${kind})
   if(first)

@@ -1,15 +1,16 @@
 # scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY])
-# PROGRAM_ONLY: not part of the installed library. One folder of src/scenefile is one room is one static library target scenefile::NAME. HEADERS are
-# the public ones, which are installed; all others are the room's own business.
+# A room is one folder of src/scenefile and one static library target scenefile::NAME. HEADERS are
+# the public headers, which are installed; others are private to the room. PROGRAM_ONLY: not part of
+# the installed library.
 include_guard(GLOBAL)
 
 add_library(scenefile_options INTERFACE)
 target_compile_features(scenefile_options INTERFACE cxx_std_20)
 target_compile_options(scenefile_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
-  # What is written for any number of lanes joins masks by &, which for one lane are bool.
+  # Code for any number of lanes combines masks with &; with one lane they are bool.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
-  # The same bytes from every build: no fused multiply-add that one compiler finds and another not.
+  # No fused multiply-add, so that all compilers give the same bytes.
   -ffp-contract=off
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
 

@@ -1,6 +1,6 @@
-// Every code that the program knows has something that gives it and a near miss that does not.
-// Those that `check` gives scene files are in codes_test.cpp; here are the other commands', the
-// limits, and proof that none is left out.
+// For every code of the program: an input that causes it, and a similar one that does not. Codes
+// that `check` reports for scene files are in codes_test.cpp; here are those of other commands, the
+// limits, and a test that none is missing.
 
 #include "app/run_program.h"
 
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 const fs::path fixtures = SCENEFILE_FIXTURES;
 
-// A command without and with a near miss of what gives the code.
+// A command that causes the code, and a similar one that does not.
 struct Recipe {
   std::function<ProgramRun()> gives;
   std::function<ProgramRun()> near_miss;
@@ -31,7 +31,7 @@ struct Recipe {
 
 class AllCodes : public ::testing::Test {
  protected:
-  // The file of the code in tests/fixtures/commands.
+  // The file for the code in tests/fixtures/commands.
   static std::string file(const std::string& code, const std::string& ending) {
     for (const std::string syntax : {".xml", ".json", ".ini", ".gltf"}) {
       const fs::path path = fixtures / "commands" / (code + ending + syntax);
@@ -65,7 +65,7 @@ class AllCodes : public ::testing::Test {
     return run_program({"convert", path, folder.path(out)});
   }
 
-  // The scene of the code copied to IN/, converted to OUT/.
+  // The scene for the code, copied to IN/ and converted to OUT/.
   ProgramRun convert_away(const std::string& code, const std::string& out) const {
     fs::remove_all(folder.path("in"));
     fs::create_directories(folder.path("away"));
@@ -98,8 +98,9 @@ class AllCodes : public ::testing::Test {
         {"convert.file-left-behind",
          {[=, this] { return convert_away("convert.file-left-behind", "away/out.json"); },
           [=, this] { return convert_away("convert.file-left-behind", "in/out.json"); }}},
-        {"import.limit", {[=, this] { return import("mesh-bytes=100"); },
-                          [=, this] { return import("mesh-bytes=10000"); }}},
+        {"import.limit",
+         {[=, this] { return import("mesh-bytes=100"); },
+          [=, this] { return import("mesh-bytes=10000"); }}},
         {"json.limit", limited("format_json/json.comment.ok.json", "nesting=2")},
         {"light.count-limit", limited("commands/light.count-limit.json", "lights=1")},
         {"mesh.limit", limited("codes/mesh.degenerate.ok.xml", "mesh-triangles=1")},
@@ -130,7 +131,7 @@ std::vector<std::string> all_codes() {
   return codes;
 }
 
-// Codes that no file of a fit size gives a command; the tests that give them.
+// Codes that no file of reasonable size can cause in a command, and where they are tested.
 const std::map<std::string, std::string> in_rooms{
     {"gl.copies-left-out", "tests/view"},
     {"gl.not-drawn", "tests/view"},
@@ -186,8 +187,7 @@ TEST_F(AllCodes, FilesAreOfCodesThatExist) {
   }
 }
 
-// What `help` says of the severities of a code is what reports say: each report has one of them,
-// and each of them is in a report.
+// The severities that `help` lists for a code are exactly those in reports.
 TEST_F(AllCodes, SeveritiesAreThoseThatHelpNames) {
   std::map<std::string, std::set<std::string>> named;
   const rapidjson::Document help = parse_json(run_program({"help", "--json"}).out);

@@ -1,5 +1,5 @@
-// Where textures and meshes are found, rule by rule, as `info --files` tells it; what lies outside
-// the roots stays shut.
+// The rules for finding textures and meshes, as reported by `info --files`; nothing outside the
+// roots is opened.
 
 #include "app/run_program.h"
 
@@ -20,7 +20,7 @@ using ::testing::Not;
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-// A scene with a mesh of that name in the folder "fun".
+// A scene in the folder "fun" that uses a mesh of that name.
 struct AssetRules : ::testing::Test {
   void SetUp() override { folder.write("fun/sub/a.obj", triangle); }
 

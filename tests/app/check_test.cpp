@@ -177,7 +177,7 @@ TEST_F(Check, SeveralScenesEndWithACount) {
 }
 
 TEST_F(Check, FindingsAreSortedByPlace) {
-  // The reader sees line 15 first, check() line 4 after it.
+  // The reader reports line 15 before check() reports line 4.
   std::string text = scene_with("<frobnicate/>");
   text.replace(text.find("<up "), 3, "<up a=\"1\"");
   const std::string scene = folder.write("s.xml", text);

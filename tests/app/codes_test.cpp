@@ -1,5 +1,5 @@
-// Every code of the program has a file that gives it to a user of `check`, and a near miss that
-// does not: CODE.xml and CODE.ok.xml (or .json) in a folder of tests/fixtures.
+// For every code of the program: a file for which `check` reports it, and a similar one for which
+// it does not: CODE.xml and CODE.ok.xml (or .json) in a folder of tests/fixtures.
 
 #include "app/run_program.h"
 
@@ -19,16 +19,16 @@ namespace {
 using namespace testing_support;
 namespace fs = std::filesystem;
 
-// Codes that no scene file of a fit size can give to check, and the tests that give them.
+// Codes that no scene file of reasonable size can cause in check, and where they are tested.
 bool is_given_elsewhere(const std::string& code) {
   static const std::set<std::string> by_programs{
       "scene.bad-index", "scene.not-finite", "scene.shared-node", "tree.instance-with-contents"};
-  // Limits: the tests of their rooms, which lower them.
+  // Limits are tested in their rooms, with lower limits.
   const bool limit = code.ends_with("limit");
   return limit || by_programs.contains(code);
 }
 
-// Families of other commands, with tests that walk through them.
+// Codes of other commands, which have separate tests.
 bool is_of_check(const std::string& code) {
   static const std::set<std::string> others{"config", "convert",  "export", "gl",   "import",
                                             "pov",    "realtime", "render", "write"};
@@ -47,7 +47,7 @@ std::vector<std::string> codes_of_check() {
   return codes;
 }
 
-// The file of the code, or nothing.
+// The file for the code; empty if there is none.
 std::string fixture(const std::string& code, const std::string& ending) {
   for (const std::string folder : {"codes", "format", "format_json"}) {
     for (const std::string syntax : {".xml", ".json"}) {
@@ -60,7 +60,7 @@ std::string fixture(const std::string& code, const std::string& ending) {
   return {};
 }
 
-// The codes that check gives each file.
+// The codes that check reports for each file.
 std::map<std::string, std::set<std::string>> given(const std::vector<std::string>& files,
                                                    const std::vector<std::string>& options) {
   std::vector<std::string> words{"check", "--json"};
@@ -119,7 +119,7 @@ TEST(Codes, FilesAreOfCodesThatExist) {
   }
 }
 
-// Near misses of what check() and the files say have no findings at all.
+// Near misses have no findings at all.
 TEST(Codes, NearMissesAreFine) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(SCENEFILE_FIXTURES "/codes")) {

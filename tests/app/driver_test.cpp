@@ -42,7 +42,7 @@ struct Driver : ::testing::Test {
     return run_program({config}, {.folder = working_folder, .program = projects_ray});
   }
 
-  // The picture of the driver is that of the command line.
+  // The driver's picture equals that of the command line.
   void compare(const std::string& scene, const std::string& features) const {
     const std::string driven = folder.path("driven.png");
     const std::string asked = folder.path("asked.png");
@@ -96,8 +96,8 @@ TEST_F(Driver, PicturesOfTheCorpusAreThoseOfRender) {
   }
 }
 
-// A textured glass sphere with a mirror finish in front of a wall on which its shadow falls, seen
-// through a lens: each feature changes some pixel.
+// A textured glass sphere that also reflects, in front of a wall with its shadow, seen through a
+// lens: each feature changes some pixel.
 const char* const scene_of_all_features = R"(<scenefile>
   <globaldata>
     <ambientcoeff v="0.5"/> <diffusecoeff v="0.5"/> <specularcoeff v="0.5"/>

@@ -102,7 +102,7 @@ TEST_F(Explain, ABrokenSceneIsAFinding) {
   EXPECT_EQ(report["scene"]["errors"].GetInt(), 1);
 }
 
-// Colors out of a document, with all their digits.
+// A color from a JSON document, with all digits.
 struct Rgb {
   double v[3] = {0, 0, 0};
 

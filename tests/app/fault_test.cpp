@@ -1,4 +1,4 @@
-// What goes wrong around the program.
+// Failures of the program's environment.
 
 #include "app/run_program.h"
 
@@ -87,7 +87,7 @@ TEST(Faults, EveryLongCommandStopsAtOnce) {
     const ProgramRun run =
         run_program(words, {.folder = folder.path(), .signal = SIGTERM, .delay_ms = 60});
     EXPECT_LT(run.seconds_to_stop, 1) << words[0];
-    // The system itself ends what has not come to main() yet.
+    // A signal before main() ends the process directly.
     EXPECT_THAT((std::vector{0, 1, 143, 1000 + SIGTERM}), ::testing::Contains(run.status))
         << words[0];
     if (run.status == 143) {

@@ -1,4 +1,4 @@
-// render --engine gl: options, answers, and scenes that are too much.
+// render --engine gl: options, output, and scenes that are too large.
 
 #include "app/run_program.h"
 #include "scenefile/asset/compare_images.h"
@@ -115,7 +115,7 @@ TEST_F(RenderWithGl, FloatsAreThePixels) {
     GTEST_SKIP() << run.err;
   }
   ASSERT_EQ(draw({"-o", folder.path("gl.pfm")}).status, 0);
-  // "PF", the size, the order of bytes; then rows from below.
+  // "PF", the size, the byte order; then rows from bottom to top.
   const std::string bytes = folder.read("gl.pfm");
   const Texture pixels = picture("gl.png");
   const std::size_t row = std::size_t{3} * 64;
@@ -130,7 +130,7 @@ TEST_F(RenderWithGl, FloatsAreThePixels) {
   }
 }
 
-// Sixteen point lights take the 96 images there are.
+// Sixteen point lights use all 96 layers.
 std::string with_point_lights(int count) {
   std::string text = good_scene;
   const std::size_t at = text.find("  <lightdata>");
@@ -152,7 +152,7 @@ TEST_F(RenderWithGl, LightsWithoutShadowsAreCounted) {
       GTEST_SKIP() << run.err;
     }
     EXPECT_EQ(run.status, 0);
-    // And the directional light of the scene.
+    // Plus the directional light of the scene.
     EXPECT_EQ(run.err.find("2 of 18 throw no shadows") != std::string::npos, lights == 17)
         << run.err;
     EXPECT_EQ(run.err.find("[gl.shadows-left-out]") != std::string::npos, lights == 17);
@@ -160,7 +160,7 @@ TEST_F(RenderWithGl, LightsWithoutShadowsAreCounted) {
   EXPECT_EQ(draw({"--features", "texture"}).err.find("gl.shadows"), std::string::npos);
 }
 
-// Each template holds the one before it twice.
+// Each template instantiates the previous one twice.
 std::string bomb(int levels) {
   std::string text = R"(<scenefile><cameradata><pos x="0" y="0" z="9"/><look x="0" y="0" z="-1"/>
 <up x="0" y="1" z="0"/><heightangle v="45"/></cameradata>

@@ -1,4 +1,4 @@
-// What a run may cost.
+// Limits on time and memory.
 
 #include "app/run_program.h"
 
@@ -30,7 +30,7 @@ std::string deep_scene(int levels) {
   return text + "</object></scenefile>";
 }
 
-// A scene with ten copies of ten copies of ... a sphere.
+// A scene with ten instances of ten instances of ... a sphere.
 std::string template_bomb(int levels) {
   std::string text = "<scenefile>";
   std::string last = "<object type=\"primitive\" name=\"sphere\"/>";
@@ -47,7 +47,7 @@ std::string template_bomb(int levels) {
          "</transblock></object></scenefile>";
 }
 
-// A template that holds one copy of the next, a thousand times.
+// A chain of templates, each with one instance of the next.
 std::string template_chain(int levels) {
   std::string text = "<scenefile>";
   std::string last = "<object type=\"primitive\" name=\"sphere\"/>";
@@ -60,7 +60,7 @@ std::string template_chain(int levels) {
   return text + "</scenefile>";
 }
 
-// Every command that takes a scene, with the outputs that it can write.
+// Every command that reads a scene, with each kind of output.
 std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
   return {{"check", scene},
           {"check", "--json", scene},
@@ -84,15 +84,14 @@ std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
 TEST(Limits, NestingUpToThemNeedsNoStack) {
   const TempFolder folder;
   folder.write("good.xml", good_scene);
-  // 1,024 elements inside each other, and 1,000 templates.
+  // 1,024 nested elements, and 1,000 nested templates.
   folder.write("deep.xml", deep_scene(510));
   folder.write("chain.xml", template_chain(1000));
   for (const std::string scene : {"deep.xml", "chain.xml"}) {
     for (const std::vector<std::string>& words : all_uses(scene)) {
       const ProgramRun run = run_program(words, {.folder = folder.path(), .stack_kilobytes = 256});
-      // What differs and what could be laid out better is status 1; what JSON would have to nest
-      // deeper than a file may is 4.
-      // 3: no OpenGL on this machine.
+      // 1: the files differ, or could be formatted better. 3: this machine has no OpenGL. 4: JSON
+      // would need deeper nesting than allowed.
       EXPECT_THAT((std::set{0, 1, 3, 4}), ::testing::Contains(run.status))
           << ::testing::PrintToString(words) << run.err;
     }
@@ -104,7 +103,7 @@ TEST(Limits, TemplateBombsEndEveryCommand) {
   folder.write("good.xml", good_scene);
   folder.write("bomb.xml", template_bomb(40));
   for (std::vector<std::string> words : all_uses("bomb.xml")) {
-    // The driver of OpenGL needs memory of its own.
+    // The OpenGL driver needs additional memory.
     const bool gl = words.back() == "gl";
     words.insert(words.end(), {"--max-memory", gl ? "2G" : "512M", "--timeout", "100"});
     const ProgramRun run = run_program(words, {.folder = folder.path()});

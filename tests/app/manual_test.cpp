@@ -1,4 +1,4 @@
-// Manual pages and shell completion, which are made from the tables behind the help.
+// Manual pages and shell completion, which are generated from the tables of the help.
 
 #include "app/run_program.h"
 #include "io/temp_folder.h"
@@ -70,7 +70,7 @@ TEST(Manual, EscapesWhatRoffWouldTakeForRequests) {
   }
 }
 
-// What bash proposes for the last of the words.
+// bash's completions for the last of the words.
 std::string proposals(const std::string& words) {
   const TempFolder folder;
   const std::string script = folder.path("completion.bash");

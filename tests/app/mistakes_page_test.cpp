@@ -1,4 +1,4 @@
-// docs/mistakes.md is what the program prints, and every cause has a page.
+// docs/mistakes.md is the program's output, and every cause has a page.
 
 #include "app/run_program.h"
 #include "scenefile/grade/cause_help.h"

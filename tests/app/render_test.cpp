@@ -26,7 +26,7 @@ Texture decode(const std::string& bytes) {
 struct Render : ::testing::Test {
   Render() { scene = folder.write("scene.xml", good_scene); }
 
-  // Renders at a small size to out.png.
+  // Renders a small picture to out.png.
   ProgramRun render(std::vector<std::string> more, const RunSettings& settings = {}) const {
     std::vector<std::string> words{"render", scene,  "-o", folder.path("out.png"),
                                    "--size", "32x24"};

@@ -23,7 +23,7 @@ void redirect(const std::string& path, int to, int flags) {
   ::close(fd);
 }
 
-// A pseudo-terminal: what programs write to `name` can be read here.
+// A pseudo-terminal: output that programs write to `name` can be read here.
 class Terminal {
  public:
   Terminal() : fd_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
@@ -41,7 +41,7 @@ class Terminal {
 
   std::string name() const { return ::ptsname(fd_); }
 
-  // Until the last program has closed it.
+  // Reads until the last program has closed it.
   std::string read_all() const {
     std::string text;
     std::array<char, 4096> part{};

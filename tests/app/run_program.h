@@ -1,5 +1,5 @@
 #pragma once
-// Runs the built program as a user would.
+// Runs the program like a user.
 
 #include "io/temp_folder.h"
 
@@ -33,12 +33,12 @@ struct RunSettings {
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const RunSettings& settings = {});
 
-/// The document, after a check that it is one and nothing else.
+/// Parses the document, and checks that it is valid and complete.
 rapidjson::Document parse_json(const std::string& text);
 
-/// A scene that is fine: a lit sphere. Lines 1 to 19.
+/// A valid scene: a lit sphere. 19 lines.
 extern const char* const good_scene;
-/// The same with other text in place of the sphere's diffuse color, line 15.
+/// The same with the sphere's diffuse color, line 15, replaced.
 std::string scene_with(const std::string& material);
 
 }  // namespace scenefile::testing_support

@@ -1,4 +1,4 @@
-// check --sarif: what SARIF 2.1.0 demands of a log, and what code hosts demand beyond it.
+// check --sarif: the requirements of SARIF 2.1.0, and additional ones of code hosts.
 
 #include "app/run_program.h"
 
@@ -90,7 +90,7 @@ TEST_F(Sarif, FindingsHaveLevelsAndPlaces) {
   EXPECT_STREQ(run["results"][0]["level"].GetString(), "error");
 }
 
-// So that a code host knows a finding again when lines come and go around it.
+// Code hosts use them to recognize findings when lines are added or removed before them.
 TEST_F(Sarif, FingerprintsDoNotDependOnTheLine) {
   const std::string twice = "<blend v=\"1\"/><difuse/>\n<shine v=\"a\"/>";
   folder.write("s.xml", scene_with(twice));

@@ -1,4 +1,4 @@
-// What a person at a terminal sees, and what logs are spared.
+// Output on terminals, and in logs.
 
 #include "app/run_program.h"
 

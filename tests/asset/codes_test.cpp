@@ -1,4 +1,4 @@
-// Every code of the room: an input that gives it, and a near miss that does not.
+// For every code of the room: an input that causes it, and a similar one that does not.
 
 #include "scenefile/asset/codes.h"
 
@@ -22,7 +22,7 @@ struct Case {
   std::string near_miss;
 };
 
-// An empty `bytes` of a texture stands for a file that is not there.
+// A texture with empty `bytes` means a missing file.
 Diagnostics load(bool mesh, const std::string& bytes, bool missing) {
   LoadOptions options;
   options.limits.mesh_triangles = 3;

@@ -44,7 +44,7 @@ TEST(CompareImages, BlackAndWhite) {
   EXPECT_EQ(d.share_over, 1);
 }
 
-// One step in one of 3 million values is over 99 dB by the formula.
+// By the formula, a difference of 1 in one of 3 million values exceeds 99 dB.
 TEST(CompareImages, IsNeverOver99) {
   Texture a = picture(1000, 1000, std::vector<std::uint8_t>(3'000'000, 7));
   Texture b = a;

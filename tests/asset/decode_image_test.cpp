@@ -111,7 +111,7 @@ TEST(DecodeImage, GrayOfFewBitsIsStretched) {
       (Color{85, 85, 85}));
 }
 
-// Alpha does not darken: the color under full transparency stays.
+// Alpha does not darken: fully transparent pixels keep their color.
 TEST(DecodeImage, AlphaIsDropped) {
   const std::string row("\x0a\x14\x1e\x00\x28\x32\x3c\x80", 8);
   const Decoded d = decode(test::make_png(2, 1, 8, PNG_COLOR_TYPE_RGB_ALPHA, false, {row}));
@@ -149,7 +149,7 @@ TEST(DecodeImage, TgaPaletteThatBeginsLater) {
   std::string bytes = tga(1, 2, 1, 8, 0x20, "");
   bytes[1] = 1;
   bytes[3] = 100;  // the first index
-  bytes[5] = 2;    // how many
+  bytes[5] = 2;    // the number of them
   bytes[7] = 24;
   bytes += std::string("\x01\x02\x03\x04\x05\x06", 6);
   EXPECT_EQ(color_at(decode(bytes + "\x65\x64").texture, 0, 0), (Color{6, 5, 4}));
@@ -171,7 +171,7 @@ TEST(DecodeImage, BmpTopDownMasksAndHalfBytes) {
   const std::string two_rows = std::string("\x01\x02\x03\0\x04\x05\x06\0", 8);
   EXPECT_EQ(color_at(decode(bmp(1, 2, 24, 0, "", two_rows)).texture, 0, 0), (Color{6, 5, 4}));
   EXPECT_EQ(color_at(decode(bmp(1, 0u - 2, 24, 0, "", two_rows)).texture, 0, 0), (Color{3, 2, 1}));
-  // 5 6 5 bits under masks, and 10 bits of each in 32.
+  // 565 color masks, and masks of 10 bits each in 32.
   const std::string masks = u32(0xf800) + u32(0x07e0) + u32(0x001f);
   EXPECT_EQ(color_at(decode(bmp(1, 1, 16, 3, masks, u16(0xf800 | 32 << 5) + u16(0))).texture, 0, 0),
             (Color{255, 130, 0}));
@@ -192,7 +192,7 @@ TEST(DecodeImage, BmpTopDownMasksAndHalfBytes) {
 
 TEST(DecodeImage, TheBytesDecideNotTheName) {
   const std::string bytes = fixture("rgb.jpg");
-  EXPECT_EQ(decode(bytes).error, "");  // there is no name to go by
+  EXPECT_EQ(decode(bytes).error, "");  // the file name does not matter
   EXPECT_EQ(decode("\n" + bytes).error, "this is not a PNG, JPEG, GIF, TGA or BMP image");
   EXPECT_EQ(decode("").error, "the file is empty");
 }

@@ -40,8 +40,8 @@ TEST(EncodeImage, Png8HoldsTheQuantizedPixels) {
   }
 }
 
-// Each block that is kept, and never touched, moves what the next call allocates: ISA-L's lower
-// levels packed one picture in a thousand in other bytes then.
+// Each allocation that is kept moves the addresses of the next call; with ISA-L's lower levels,
+// that changed the bytes of one picture in a thousand.
 TEST(EncodeImage, PngIsTheSameWhereverItsMemoryLies) {
   std::string error;
   const Image image(40, 30);
@@ -53,7 +53,7 @@ TEST(EncodeImage, PngIsTheSameWhereverItsMemoryLies) {
   }
 }
 
-// Reads 16 bits with libpng's simple API.
+// Reads 16-bit values with libpng's simplified API.
 std::vector<std::uint16_t> read_png16(const std::string& bytes) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;

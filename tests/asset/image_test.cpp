@@ -34,7 +34,7 @@ TEST(Quantize, Clamps) {
   }
 }
 
-// Truncation must not lose a step of what an 8-bit file held.
+// Truncation must not change the values of an 8-bit file.
 TEST(Quantize, InvertsToFloat) {
   Texture texture;
   texture.width = 256;

@@ -16,7 +16,7 @@ namespace {
 using test::findings;
 using ::testing::HasSubstr;
 
-// A folder in memory that counts how often a file is opened.
+// An in-memory folder that counts how often each file is opened.
 class Folder {
  public:
   std::map<std::string, std::string> files;
@@ -105,7 +105,7 @@ TEST(LoadAssets, TheTextureLimitHoldsForAllTogether) {
   EXPECT_THAT(findings(diagnostics), HasSubstr("2:1 texture.limit texture \"b.png\""));
 }
 
-// Textures and findings with some limit, where all are decoded one after the other or not.
+// Textures and findings with a limit, decoded sequentially or not.
 std::pair<std::vector<Texture>, std::string> load_with(std::uint64_t limit,
                                                        const ForEach& for_each) {
   Folder folder;
@@ -207,7 +207,7 @@ TEST(LoadAssets, WithoutTexturesNothingIsOpened) {
   EXPECT_TRUE(diagnostics.list().empty());
 }
 
-// A name from a file cannot forge a line or reach the terminal.
+// A file name cannot forge a line or send an escape sequence to the terminal.
 TEST(LoadAssets, NamesAreEscaped) {
   Folder folder;
   const std::vector<FileReference> textures = {{"a\n\x1b[31m.png", {3, 4}}};

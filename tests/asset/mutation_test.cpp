@@ -1,5 +1,5 @@
-// Damages small valid files at random, the same way each time. Nothing may crash, and what is
-// accepted must be whole. Most useful in the build with sanitizers.
+// Damages small valid files at random, with fixed seeds. Nothing may crash, and whatever is
+// accepted must be complete. Most useful with sanitizers.
 
 #include "asset/sample_files.h"
 
@@ -11,13 +11,13 @@
 namespace scenefile {
 namespace {
 
-// More rounds by hand: SCENEFILE_MUTATIONS=100000.
+// For more rounds, set SCENEFILE_MUTATIONS=100000.
 int rounds() {
   const char* wish = std::getenv("SCENEFILE_MUTATIONS");
   return wish != nullptr ? std::atoi(wish) : 300;
 }
 
-// Overwrites, inserts, removes, doubles or cuts.
+// Overwrites, inserts, removes, duplicates or truncates.
 void mutate(std::string& bytes, std::mt19937& random) {
   if (bytes.empty()) {
     return;
@@ -78,7 +78,7 @@ TEST(Mutation, Images) {
   EXPECT_GT(accepted, 0);
 }
 
-// PNG checks every chunk; with the sums repaired, damage gets to the parts behind them.
+// PNG has a checksum for every chunk; repairing them lets damage reach the code after the check.
 TEST(Mutation, PngBehindItsChecksums) {
   std::mt19937 random(21);
   for (const char* name : {"rgb.png", "palette.png", "two.png", "gray16.png"}) {

@@ -231,7 +231,7 @@ std::string grid(int side) {
   return text;
 }
 
-// A tenth of what is allowed: machines of tests are slow, quadratic behavior is slower.
+// A tenth of the limit, because test machines can be slow; quadratic behavior would still fail.
 TEST(ReadObj, TimeIsLinear) {
   EXPECT_LT(seconds_of(grid(224)), 2) << "100,000 triangles";
   std::string line = triangle + "f";
@@ -248,7 +248,7 @@ TEST(ReadObj, TimeIsLinear) {
   EXPECT_LT(cpu_seconds() - start, 2);
 }
 
-// The column of a finding far to the right costs no walk along the line.
+// Finding a column far to the right must not scan the line.
 TEST(ReadObj, FindingsInALongLine) {
   std::string text = triangle + "f" + std::string(40'000'000, ' ');
   for (int i = 0; i < 100; ++i) {
@@ -260,7 +260,7 @@ TEST(ReadObj, FindingsInALongLine) {
   EXPECT_EQ(r.diagnostics.list().front().location, (Location{4, 40'000'003}));
 }
 
-// Any mesh written out is read back as it was.
+// Reading what was written gives the same mesh.
 RC_GTEST_PROP(ReadObjLaw, InvertsWriting, ()) {
   const auto vertices = *rc::gen::inRange(3, 30);
   std::string text;
@@ -287,7 +287,7 @@ RC_GTEST_PROP(ReadObjLaw, InvertsWriting, ()) {
   const ReadObj r = read(text);
   RC_ASSERT(!r.diagnostics.has_errors());
   RC_ASSERT(r.mesh.positions == positions);
-  RC_ASSERT(r.mesh.triangles == triangles);  // y = i * i: no three of them are on a line
+  RC_ASSERT(r.mesh.triangles == triangles);  // y = i * i: no three are collinear
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Small files to read, and the reading of them.
+// Small files to read, and helpers to read them.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/asset/read_obj.h"
@@ -13,12 +13,12 @@ namespace scenefile::test {
 
 using Color = std::array<int, 3>;
 
-/// The bytes of a file of tests/fixtures/asset.
+/// The contents of a file in tests/fixtures/asset.
 std::string fixture(const std::string& name);
 /// The names of the images there.
 std::vector<std::string> image_fixtures();
 
-/// The pictures that the fixtures hold; make_images.py has the same formulas.
+/// The size of the fixtures' pictures; make_images.py uses the same formulas.
 inline constexpr int fixture_width = 17;
 inline constexpr int fixture_height = 11;
 Color sharp(int x, int y);
@@ -35,11 +35,11 @@ struct Decoded {
 Decoded decode(std::string_view bytes, const Limits& limits = {});
 Color color_at(const Texture& texture, int x, int y);
 
-/// A PNG by libpng: `depth` and `color_type` as there, rows of packed samples.
+/// A PNG written by libpng: `depth` and `color_type` as there, rows of packed samples.
 std::string make_png(int width, int height, int depth, int color_type, bool interlaced,
                      const std::vector<std::string>& rows,
                      const std::vector<std::array<std::uint8_t, 3>>& palette = {});
-/// The checksum of a chunk, so that tests can forge valid ones.
+/// A chunk with its checksum, so that tests can forge valid chunks.
 std::string png_chunk(std::string_view type, std::string_view data);
 
 /// Little-endian bytes.
@@ -52,7 +52,7 @@ struct ReadObj {
   Diagnostics diagnostics;
 };
 ReadObj read(std::string_view text, const Limits& limits = {});
-/// All findings as "line:column code message", one a line.
+/// All findings as "line:column code message", one per line.
 std::string findings(const Diagnostics& diagnostics);
 
 }  // namespace scenefile::test

@@ -18,7 +18,7 @@ TEST(Text, BytesThatAreNotUtf8AreSpelled) {
   EXPECT_EQ(escaped("\xff"), "\\xff");
   EXPECT_EQ(escaped("\xc0\xaf"), "\\xc0\\xaf");           // overlong
   EXPECT_EQ(escaped("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // surrogate
-  EXPECT_EQ(escaped("\xe4\xb8"), "\\xe4\\xb8");           // cut
+  EXPECT_EQ(escaped("\xe4\xb8"), "\\xe4\\xb8");           // truncated
 }
 
 TEST(Text, LongTextIsCutByCharacters) {

@@ -1,5 +1,5 @@
-// The expected values come from a second implementation, written from the paper and the constants
-// of its authors' program, with whole two-dimensional kernels in double precision.
+// The expected values come from an independent implementation, written from the paper and the
+// constants of its authors' program, with full two-dimensional kernels in double precision.
 
 #include "scenefile/compare/flip.h"
 
@@ -23,7 +23,7 @@ TEST(Flip, ColorsWithoutEdges) {
     return flip(blank(4, 4, a), blank(4, 4, b)).mean;
   };
   EXPECT_NEAR(between({0, 0, 0}, {255, 255, 255}), 0.967380, tolerance);
-  // The largest error that the paper knows, by definition.
+  // The largest possible error, by definition.
   EXPECT_NEAR(between({0, 255, 0}, {0, 0, 255}), 1, tolerance);
   EXPECT_NEAR(between({255, 0, 0}, {0, 255, 0}), 0.986662, tolerance);
   EXPECT_NEAR(between({128, 128, 128}, {130, 130, 130}), 0.048476, tolerance);
@@ -32,7 +32,7 @@ TEST(Flip, ColorsWithoutEdges) {
 struct Expected {
   double mean;
   double max;
-  double at;  // a fifth from the left and the top
+  double at;  // one fifth from the left and the top
 };
 
 void expect_flip(const Texture& a, const Texture& b, const Expected& expected) {

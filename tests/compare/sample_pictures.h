@@ -1,5 +1,5 @@
 #pragma once
-// Pictures by formula, so that other programs can make the same.
+// Pictures defined by formulas, so that other programs can create the same.
 
 #include "scenefile/asset/image.h"
 
@@ -19,7 +19,7 @@ inline Texture blank(int width, int height, std::initializer_list<int> color = {
   return t;
 }
 
-/// Ramps that wrap, and rings.
+/// Repeating ramps, and rings.
 inline Texture pattern(int width, int height, int seed) {
   Texture t = blank(width, height);
   for (int y = 0; y < height; ++y) {

@@ -1,8 +1,8 @@
-// Renders every reference of a corpus and says how near we come.
+// Renders every reference scene of a corpus and reports how close the pictures are.
 //
 //     scenefile_conformance CORPUS [PAGE_FOLDER [FILTER]]
 //
-// CORPUS/references.tsv lists scene, reference, mode and features. FILTER keeps the rows whose
+// CORPUS/references.tsv lists scene, reference, mode and features. FILTER selects the rows whose
 // reference contains it.
 
 #include "page.h"

@@ -1,9 +1,9 @@
-// Explains random pixels of every scene below a folder, in both profiles, and holds the sums
-// against the picture, to the last bit.
+// Explains random pixels of every scene below a folder, in both profiles, and checks that the sums
+// equal the pixels of the picture exactly.
 //
 //     scenefile_explained FOLDER [PIXELS]
 //
-// PIXELS (default 50) of each picture. Scenes that cannot be drawn are named and not counted.
+// PIXELS (default 50) per picture. Scenes that cannot be drawn are listed but not counted.
 
 #include "scenefile/trace/explain.h"
 #include "support/load_scene.h"

@@ -7,8 +7,8 @@
 
 namespace scenefile::conformance {
 
-/// Writes FOLDER/index.html with ours, theirs and the difference (times 8) side by side, worst
-/// first, and the pictures beside it. Returns what went wrong, empty when nothing did.
+/// Writes FOLDER/index.html with our picture, the reference and the difference (times 8) side by
+/// side, worst first, and the pictures themselves. Returns an error text; empty on success.
 std::string write_page(const std::string& folder, const std::vector<Result>& results,
                        const std::vector<Exception>& exceptions);
 

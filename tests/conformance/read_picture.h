@@ -6,7 +6,7 @@
 
 namespace scenefile::conformance {
 
-/// Reads and decodes a picture. Returns why that failed, or an empty text.
+/// Reads and decodes a picture. Returns an error text; empty on success.
 std::string read_picture(const std::string& path, Texture& picture);
 
 }  // namespace scenefile::conformance

@@ -1,11 +1,11 @@
-// Draws every reference of the assignment Realtime and says how near we come.
+// Draws every reference of the assignment Realtime and reports how close the pictures are.
 //
 //     scenefile_realtime FOLDER [PICTURES [FILTER]]
 //
 // FOLDER/references.tsv lists scene, reference, assignment, parameter1, parameter2, near, far and
-// filter. PICTURES is a folder for our pictures. FILTER keeps the rows whose reference contains it.
-// A row passes at 45 dB (Action: 40 dB), or where each pixel that is off by more than 8/255 lies
-// within one pixel of a triangle's edge; realtime.tsv has the exceptions.
+// filter. PICTURES is an output folder for our pictures. FILTER selects the rows whose reference
+// contains it. A row passes at 45 dB (Action: 40 dB), or if each pixel that differs by more than
+// 8/255 is within one pixel of a triangle's edge; realtime.tsv lists exceptions.
 
 #include "manifest.h"
 #include "read_picture.h"
@@ -40,9 +40,9 @@ struct RealtimeRow {
 struct Measured {
   std::string error;
   ImageDifference ours;
-  ImageDifference software;  // of the picture without OpenGL
+  ImageDifference software;  // of the picture drawn without OpenGL
   long over = 0;             // pixels
-  long over_inside = 0;      // of them, farther than a pixel from an edge
+  long over_inside = 0;      // those farther than a pixel from any edge
 };
 
 template <typename T, std::size_t count>

@@ -7,7 +7,7 @@
 
 namespace scenefile::conformance {
 
-/// A row, rendered and compared.
+/// A rendered and compared row.
 struct Result {
   Row row;
   std::string error;  ///< why there is no picture; empty when there is one
@@ -17,7 +17,7 @@ struct Result {
   double cpu_seconds = 0;  ///< of rendering
 };
 
-/// Renders a row of the corpus at the size of its reference, in the course profile.
+/// Renders a row of the corpus at the size of its reference, with the course profile.
 Result run_row(const std::string& corpus, const Row& row);
 
 }  // namespace scenefile::conformance

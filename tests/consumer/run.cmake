@@ -1,5 +1,6 @@
-# Installs the build to a fresh folder, builds the consumer against it as a stranger would, and
-# renders scenes with it, one of them with textures and meshes.  cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -DFLAGS=... -DCXX=... -DLIBDIR=... -P run.cmake
+# Installs the build to an empty folder, builds the consumer against it as a separate project, and
+# renders scenes with it, including one with textures and meshes.
+# cmake -DBUILD=... -DSOURCE=... -DSCENES=... -DWORK=... -DFLAGS=... -DCXX=... -DLIBDIR=... -P run.cmake
 function(must)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)

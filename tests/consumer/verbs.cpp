@@ -1,4 +1,4 @@
-// The verbs as a page or a binding uses them: a scene from memory, without any file.
+// Uses the verbs like a web page or a language binding: a scene from memory, without files.
 
 #include <scenefile/trace/render.h>
 #include <scenefile/verbs/compare_pictures.h>

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-// What the ray through the middle of the picture meets.
+// The object hit by the ray through the center of the picture.
 std::string seen(const Scene& scene) {
   const Prepared ready = prepare(scene, {});
   RenderOptions options = default_options(Profile::course);
@@ -57,7 +57,7 @@ TEST(ObjectNames, GoThroughEveryCopy) {
   EXPECT_EQ(seen(scene), "root/#2 > chair/#2 > leg/#1");
 }
 
-// Enough copies that the tracer keeps the template apart, and has no instance twice.
+// Enough instances that the tracer does not flatten the template.
 TEST(ObjectNames, GoThroughTemplatesThatAreKeptApart) {
   Scene scene = empty_scene();
   const NodeId wall = add_template(scene, "wall");

@@ -19,7 +19,7 @@ using trace_test::translate;
 
 using Names = std::multiset<std::string_view>;
 
-// What is said about the pixel in the middle.
+// The remarks about the center pixel.
 Names said(const SceneBuilder& b, RenderOptions options = default_options(Profile::course)) {
   options.width = options.height = 1;
   options.samples = 1;
@@ -42,7 +42,7 @@ RenderMaterial gray() {
   return m;
 }
 
-// A ball in front of the camera, and a light beside the camera.
+// A sphere in front of the camera, and a light next to the camera.
 SceneBuilder ball(const RenderMaterial& m) {
   SceneBuilder b;
   b.add(Shape::sphere, translate({0, 0, -5}) * scale(glm::vec3(2)), b.material(m));
@@ -147,7 +147,7 @@ TEST(Remarks, LightBehindTheSurface) {
 }
 
 TEST(Remarks, HighlightFromBehind) {
-  // Light a little below the horizon of a wall that is seen at a slant.
+  // A light slightly below the horizon of a wall seen at an angle.
   RenderMaterial m = gray();
   m.specular = glm::vec3(1);
   m.shininess = 1;
@@ -161,7 +161,7 @@ TEST(Remarks, HighlightFromBehind) {
 }
 
 TEST(Remarks, ShadowByItself) {
-  // A tent of two triangles: one stands in the light of the other.
+  // A tent of two triangles, one of which shadows the other.
   Mesh m;
   m.positions = {{-2, -2, 0}, {2, -2, 0}, {0, 2, 0}, {0.5f, -2, 0}, {0.5f, -2, 2}, {0.5f, 2, 1}};
   m.triangles = {{0, 1, 2}, {3, 4, 5}};
@@ -174,7 +174,7 @@ TEST(Remarks, ShadowByItself) {
   EXPECT_THAT(said(b), IsEmpty());
 }
 
-// The tracer has no acne on solids; a record says what a worse one would.
+// The tracer has no shadow acne on solids, so the record is changed to show some.
 TEST(Remarks, ShadowAcne) {
   const SceneBuilder b = ball(gray());
   RenderOptions options = default_options(Profile::course);

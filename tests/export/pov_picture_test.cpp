@@ -1,4 +1,4 @@
-// What POV-Ray draws of our scenes is what we draw of them.
+// POV-Ray draws exported scenes like the tracer does.
 
 #include "scenefile/asset/compare_images.h"
 #include "scenefile/asset/image_file.h"
@@ -24,7 +24,7 @@ using trace_test::translate;
 constexpr int width = 200;
 constexpr int height = 150;
 
-// Different in every corner, so that a flipped or turned image shows.
+// Different in every corner, to detect flipped or rotated images.
 Texture compass() {
   Texture t;
   t.width = t.height = 64;
@@ -104,7 +104,7 @@ class PovPicture : public testing::Test {
   fs::path folder_;
 };
 
-// Nine tenths of what differs are single pixels at silhouettes and edges of texels.
+// Most differences are single pixels at silhouettes and texel edges.
 TEST_F(PovPicture, TextureCoordinatesOfEveryShape) {
   const std::uint32_t m = textured(1, 2);
   scene_.add(Shape::sphere, translate({-1.4f, .8f, 0}), m);

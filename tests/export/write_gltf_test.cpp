@@ -31,7 +31,7 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-// Writes a scene as GLB and takes that apart.
+// Writes a scene as GLB and parses the result.
 void write(const std::string& xml, Written& w, Assets assets = {}) {
   const Scene scene = read_scene(xml, {}, w.diagnostics);
   ASSERT_FALSE(w.diagnostics.has_errors());

@@ -1,9 +1,9 @@
-// Preloaded into a program: makes the Nth call of a kind fail, as a full disk, lack of memory or a
-// limit of the system would.
+// Preloaded into a program: makes the Nth call of a kind fail, like a full disk, lack of memory
+// or a system limit.
 //
-//   FAIL_CALL=KIND:N    the Nth call alone; KIND:N+ for all from the Nth on
+//   FAIL_CALL=KIND:N    only the Nth call; KIND:N+ for all calls from the Nth
 //   FAIL_COUNT=FILE     nothing fails; the number of calls is written to FILE
-//   FAIL_TRACE=1        shows where the first of them is
+//   FAIL_TRACE=1        prints where the first failure is
 //
 // KIND is memory, read, write, open, sync, rename or thread.
 

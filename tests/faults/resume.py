@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Renders that are killed, and checkpoints that are damaged.
+"""Kills renders, and damages checkpoints.
 
     resume.py PROGRAM SCENE [--kills 5] [--damages 20] [--size 160x120] [--samples 256]
 
-Kills a render at random times with SIGKILL until it is done: the picture must be, byte for byte, that of a render left alone, and
-no other file may stay. Cuts and changes a checkpoint at random places: each must be refused with status 1 and a message,
-without a picture.
+Kills a render at random times with SIGKILL until it is done: the picture must equal that of an
+uninterrupted render, and no other file may remain. Truncates and modifies a checkpoint at random
+places: each must be rejected with status 1 and a message, without a picture.
 """
 import argparse
 import os
@@ -37,7 +37,7 @@ def start(folder, output):
 
 
 def cut_short(folder, seconds, number):
-    """The status of a render that gets the signal after so long."""
+    """The status of a render that receives the signal after this time."""
     process = start(folder, "out.png")
     try:
         process.communicate(timeout=seconds)
@@ -68,7 +68,8 @@ with tempfile.TemporaryDirectory() as folder:
     seconds = time.monotonic() - began
     good = read(os.path.join(folder, "good.png"))
 
-    # SIGTERM keeps the state at once, SIGKILL what was kept before; both must end in the same bytes.
+    # SIGTERM saves the state, SIGKILL leaves the last saved state; both must lead to the same
+    # bytes.
     killed = 0
     while killed < args.kills:
         for number in (signal.SIGTERM, signal.SIGKILL):
@@ -77,7 +78,7 @@ with tempfile.TemporaryDirectory() as folder:
             failures.append("the picture after kill %d is another" % killed)
         left = sorted(os.listdir(folder))
         if left != ["good.png", "out.png"]:
-            # A temporary file may stay when the kill came while it was written; nothing else.
+            # A temporary file may remain if the kill came while it was written; nothing else.
             failures += ["left %s" % name for name in left if name not in ("good.png", "out.png") and not name.endswith(".tmp")]
         for name in os.listdir(folder):
             if name != "good.png":

@@ -1,5 +1,5 @@
 #pragma once
-// The codes of the format room, by what they are about.
+// The codes of the format room by prefix.
 
 #include "scenefile/format/codes.h"
 

@@ -1,4 +1,4 @@
-// Every kind of finding has a file that gives it and a near miss that does not.
+// For every code: a file that causes it, and a similar one that does not.
 
 #include "scenefile/format/codes.h"
 
@@ -39,7 +39,7 @@ std::string fixture_of(const Code& code, const std::string& ending) {
   return fixtures + std::string(code.name) + ending;
 }
 
-// Those of JSON and of writing have tests of their own.
+// Codes of JSON and of the writers have separate tests.
 std::vector<const Code*> xml_codes() {
   std::vector<const Code*> codes(format_codes().begin(), format_codes().end());
   std::erase_if(codes, [](const Code* code) {
@@ -83,7 +83,7 @@ TEST(FormatCodes, HaveNamesOfTheirOwn) {
   }
 }
 
-// A near miss is a scene in good order, but for findings that it cannot do without.
+// Near misses are valid scenes, except for findings that they cannot avoid.
 TEST(FormatCodes, NearMissesHaveNoErrors) {
   for (const Code* code : xml_codes()) {
     const Reading reading = read(file_text(fixture_of(*code, ".ok.xml")), options_for(*code));

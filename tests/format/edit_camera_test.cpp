@@ -138,7 +138,7 @@ TEST(EditCamera, LatinLettersStay) {
   EXPECT_EQ(edit_camera(text, camera_at({1, 2, 4}), {}).bytes, replaced(text, "3.50", "4"));
 }
 
-// Whatever the camera, it is what the file says afterwards, and back again gives the same bytes.
+// The file gets any camera it is given, and setting the old camera restores the same bytes.
 RC_GTEST_PROP(EditCamera, ThereAndBack, ()) {
   const auto part = [] { return static_cast<float>(*rc::gen::inRange(-9999, 9999)) / 64; };
   Camera camera = camera_at({part(), part(), part()}, {part(), part(), part()});

@@ -1,4 +1,4 @@
-// Each code of the JSON reader has a file that gives it and a near miss that does not.
+// For every code of the JSON reader: a file that causes it, and a similar one that does not.
 
 #include "format/codes_of.h"
 #include "scenefile/format/read_scene.h"

@@ -1,5 +1,5 @@
-// Laws of lay_out(): done twice it is done once; the scene and what is said of it stay; what is
-// written is laid out already; only white space changes.
+// Laws of lay_out(): it is idempotent; it keeps the scene and its findings; the writers' output is
+// already formatted; only white space changes.
 
 #include "format/reading.h"
 #include "format/write_random_scene.h"
@@ -39,7 +39,7 @@ const std::string& any_of(std::mt19937& random, const std::vector<std::string>& 
   return choices[random() % choices.size()];
 }
 
-// Other blanks inside the tags of XML, or around the marks of JSON, where they mean nothing.
+// Changes insignificant white space inside XML tags, or around JSON punctuation.
 std::string disordered_inside(const std::string& text, SceneFormat format, std::mt19937& random) {
   const bool xml = format == SceneFormat::xml;
   std::string result;
@@ -60,8 +60,8 @@ std::string disordered_inside(const std::string& text, SceneFormat format, std::
   return result;
 }
 
-// The same text as an author might have left it: other blanks, empty lines and comments between
-// the tokens of XML, other blanks between those of JSON, and other blanks inside tags.
+// The same text as an author could have left it: different white space, empty lines and comments
+// between XML tokens, different white space between JSON tokens and inside tags.
 std::string disordered(const std::string& text, SceneFormat format) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const std::vector<std::string> xml_gaps = {
@@ -83,7 +83,7 @@ std::string disordered(const std::string& text, SceneFormat format) {
   return result;
 }
 
-// All comments of XML with the blanks in them.
+// All XML comments, including their white space.
 std::vector<std::string> comments_of(const std::string& text) {
   std::vector<std::string> comments;
   for (std::size_t at = 0; (at = text.find("<!--", at)) != std::string::npos;) {

@@ -103,7 +103,7 @@ TEST(LayoutXml, TheEncodingStays) {
             mark + "<scenefile>\n  <a/>\n</scenefile>\n");
   const auto wide = [](std::string_view text, bool little, std::string out) {
     for (const char c : text) {
-      // A character beyond 16 bits in the place of '*'.
+      // '*' becomes a character that needs a surrogate pair.
       for (const unsigned unit : c == '*' ? std::vector<unsigned>{0xD83Du, 0xDE00u}
                                           : std::vector<unsigned>{static_cast<unsigned>(c)}) {
         out += static_cast<char>(little ? unit & 0xFF : unit >> 8);

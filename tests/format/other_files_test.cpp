@@ -1,4 +1,4 @@
-// Files that are given for scenes by mistake are told apart.
+// Files that are not scenes are recognized.
 
 #include "format/reading.h"
 
@@ -43,7 +43,7 @@ TEST(OtherFiles, ScenesAreScenes) {
   }
 }
 
-// The reader of the syntax that follows says what is wrong with the comment.
+// The reader of the detected syntax reports the comment.
 TEST(OtherFiles, CommentsInFrontAreReportedAsSuch) {
   for (const std::string_view text : {"// a\n{}", "/* a\n*/ {}", "  // a\r// b\r {}"}) {
     const Reading reading = read(text);

@@ -1,4 +1,4 @@
-// A file that was cut off anywhere is never taken for a whole one.
+// A file truncated anywhere is never accepted as complete.
 
 #include "format/reading.h"
 #include "format/write_random_scene.h"

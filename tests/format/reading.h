@@ -1,5 +1,5 @@
 #pragma once
-// Reading scene texts in tests.
+// Helpers for reading scene texts in tests.
 
 #include "scenefile/format/read_scene.h"
 
@@ -58,26 +58,26 @@ inline std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-/// A scene whose root holds `inside` from line 3 on.
+/// A scene whose root contains `inside`, starting on line 3.
 inline std::string in_root(std::string_view inside) {
   return fmt::format(
       "<scenefile>\n<object type=\"tree\" name=\"root\">\n{}\n</object>\n</scenefile>\n", inside);
 }
 
-/// A scene with a cube in a transblock with `transforms` in front of it, in line 4.
+/// A scene with a cube in a transblock after `transforms`, on line 4.
 inline std::string with_transforms(std::string_view transforms) {
   return in_root(fmt::format(
       "<transblock>\n{}\n<object type=\"primitive\" name=\"cube\"/>\n</transblock>", transforms));
 }
 
-/// A scene with a cube whose properties are `inside`, in line 5.
+/// A scene with a cube with the properties `inside`, on line 5.
 inline std::string with_material(std::string_view inside) {
   return in_root(fmt::format(
       "<transblock>\n<object type=\"primitive\" name=\"cube\">\n{}\n</object>\n</transblock>",
       inside));
 }
 
-/// A scene with `inside` in front of the root, in line 2.
+/// A scene with `inside` before the root, on line 2.
 inline std::string with_top(std::string_view inside) {
   return fmt::format("<scenefile>\n{}\n<object type=\"tree\" name=\"root\"/>\n</scenefile>\n",
                      inside);

@@ -1,4 +1,4 @@
-// After an error the rest is still checked, and nothing is said that would not be said without it.
+// After an error the rest is still checked, without false findings.
 
 #include "format/reading.h"
 #include "scenefile/format/codes.h"
@@ -99,7 +99,7 @@ constexpr std::string_view json_scene = R"({
 }
 )";
 
-// One mistake in a scene, and what it was made of.
+// A scene with one mistake, and a description of the mistake.
 struct Mistake {
   std::string text;
   std::string what;
@@ -121,7 +121,7 @@ bool is_number_part(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-';
 }
 
-// Each run of such characters that stands between two of `borders` and is long enough.
+// Calls `use` for each long enough run of such characters between two of `borders`.
 template <typename Is>
 void for_each_word(std::string_view text, Is is, std::size_t shortest, const auto& use) {
   for (std::size_t at = 0; at < text.size();) {
@@ -147,7 +147,7 @@ std::vector<Mistake> bad_numbers(std::string_view text, std::string_view bad) {
   return mistakes;
 }
 
-// Words without their last letter but one, so that what was meant is plain; not `kept` ones.
+// Removes the second last letter of each word, which keeps the meaning clear; not of `kept` words.
 std::vector<Mistake> misspellings(std::string_view text, const std::vector<std::string>& kept) {
   std::vector<Mistake> mistakes;
   for_each_word(text, is_letter, 4, [&](std::size_t at, std::size_t size) {
@@ -175,19 +175,19 @@ TEST(Recovery, TheScenesAreClean) {
 
 TEST(Recovery, OneBadNumberGivesOneFinding) {
   std::vector<Mistake> xml = bad_numbers(xml_scene, "1x");
-  // Ids have no effect, so a bad one is no error.
+  // Ids have no effect, so an invalid id is not an error.
   std::erase_if(xml, [](const Mistake& m) { return m.what.find("<id v=\"1x\"") != m.what.npos; });
   expect_one_finding(xml);
   for (const std::string_view bad : {"\"1\"", ".5", "NaN", "true", "null", "1e999"}) {
     std::vector<Mistake> json = bad_numbers(json_scene, bad);
-    // A repeat that is no number counts as 1.
+    // An invalid repeat counts as 1.
     std::erase_if(json, [](const Mistake& m) { return m.what.find("texture") != m.what.npos; });
     expect_one_finding(json);
   }
 }
 
 TEST(Recovery, OneMisspellingGivesOneFinding) {
-  // Elements that have end tags, and names that may be any word.
+  // Skips elements that have end tags, and arbitrary names.
   expect_one_finding(misspellings(xml_scene, {"scenefile", "globaldata", "cameradata", "lightdata",
                                               "object", "transblock", "matrix", "root", "wheel"}));
   expect_one_finding(misspellings(json_scene, {"wheel"}));
@@ -202,7 +202,7 @@ TEST(Recovery, OneMissingCommaGivesOneFinding) {
   expect_one_finding(mistakes);
 }
 
-// Each element without end tag is left out once: what needs it says so, and nothing else does.
+// Removes each element without an end tag: only findings about what needs it are reported.
 TEST(Recovery, CutOffFilesAreCheckedAsFarAsTheyGo) {
   for (std::size_t size = 1; size < xml_scene.size() - 1; ++size) {
     const Diagnostics found = all_findings(xml_scene.substr(0, size));

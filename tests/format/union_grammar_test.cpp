@@ -1,5 +1,5 @@
-// Every rule of the union of the XML dialects: what it is read as, what is said of it, and a near
-// miss that is read or reported otherwise.
+// Every rule of the union of the XML dialects: how it is read, what is reported, and a near miss
+// that is read or reported differently.
 
 #include "format/reading.h"
 
@@ -21,7 +21,7 @@ std::string in_camera(std::string_view part) {
   return with_top(fmt::format("<cameradata>{}</cameradata>", part));
 }
 
-// A camera that lacks nothing but `part`, one of its four.
+// A complete camera, except that `part` replaces one of its four values.
 std::string camera_with(std::string_view part) {
   std::string rest;
   const std::pair<std::string_view, std::string_view> parts[] = {
@@ -37,7 +37,7 @@ std::string camera_with(std::string_view part) {
   return in_camera(std::string(part) + rest);
 }
 
-// A point light that lacks nothing but `part`.
+// A complete point light, except for `part`.
 std::string light_with(std::string_view part) {
   std::string rest;
   const std::pair<std::string_view, std::string_view> parts[] = {
@@ -67,8 +67,8 @@ struct Rule {
   const char* name;
   Frame frame;
   const char* spelled;
-  const char* meant;  // the same scene, cleanly
-  Codes said;         // of what is spelled
+  const char* meant;  // the same scene in the standard dialect
+  Codes said;         // reported for `spelled`
   const char* near_miss;
   Codes said_of_near_miss;
 };
@@ -436,7 +436,7 @@ TEST_P(UnionGrammar, ANearMissIsNot) {
 INSTANTIATE_TEST_SUITE_P(All, UnionGrammar, ::testing::ValuesIn(rules),
                          [](const auto& rule) { return rule.param.name; });
 
-// What only some programs read, --strict refuses.
+// --strict rejects what only some programs accept.
 TEST(UnionGrammar, SpellingsOfSomeProgramsAreMarkedAsDialect) {
   const std::vector<std::string> dialects = {
       "xml.alias-attribute",       "xml.alias-element",

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes in which check() finds no error, made of everything that a Scene can hold.
+// Random scenes in which check() finds no error, using every feature of Scene.
 
 #include "scenefile/scene/scene.h"
 
@@ -13,8 +13,8 @@ namespace scenefile::testing {
 
 class RandomScene {
  public:
-  /// `size` bounds templates, nodes, lights and so on. `moved_area_lights`: also where XML cannot
-  /// place them.
+  /// `size` limits templates, nodes, lights and so on. `moved_area_lights`: allows transforms of
+  /// area lights that XML cannot represent.
   RandomScene(unsigned seed, int size, bool moved_area_lights)
       : random_(seed), size_(size), moved_area_lights_(moved_area_lights) {}
 
@@ -56,7 +56,7 @@ class RandomScene {
     }
   }
   float positive() { return std::abs(number()) + 0.25f; }
-  // Of both sides of 1, so that deep nesting ends neither in dust nor in infinity.
+  // On both sides of 1, so that deeply nested scales neither underflow nor overflow.
   float factor() { return std::uniform_real_distribution<float>(0.3f, 2.0f)(random_); }
   glm::vec3 vector() { return {number(), number(), number()}; }
   glm::vec3 direction() {
@@ -207,7 +207,7 @@ class RandomScene {
   std::mt19937 random_;
   int size_;
   bool moved_area_lights_;
-  int templates_ = 0;  // those that can be used already
+  int templates_ = 0;  // templates that can be used so far
   Scene scene_;
 };
 

@@ -1,4 +1,4 @@
-// What the elements of a file mean.
+// The meaning of the elements of a file.
 
 #include "format/reading.h"
 
@@ -382,7 +382,7 @@ TEST(XmlScene, TheCourseUsesAllOfABlock) {
   EXPECT_TRUE(std::holds_alternative<Scale>(transforms[1].map));
 }
 
-// A node that is an instance has nothing else, so instances beside other objects become children.
+// An instance node has no other contents, so instances next to other objects become children.
 TEST(XmlScene, InstancesInABlockOfSeveralObjects) {
   const std::string use = "<object type=\"master\" name=\"part\"/>";
   const std::string cube = "<object type=\"primitive\" name=\"cube\"/>";

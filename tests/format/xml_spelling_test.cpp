@@ -1,4 +1,4 @@
-// How a file is laid out does not change what it means.
+// The layout of a file does not change its meaning.
 
 #include "format/reading.h"
 #include "scenefile/format/codes.h"
@@ -23,7 +23,7 @@ struct Element {
   std::vector<Element> children;
 };
 
-// Layout by dice.
+// Writes with random layout.
 class Writer {
  public:
   explicit Writer(std::vector<int> dice) : dice_(std::move(dice)) {}
@@ -133,7 +133,7 @@ Element scene_of(const std::vector<int>& seeds) {
   return {"scenefile", {}, {std::move(camera), std::move(light), std::move(part), std::move(root)}};
 }
 
-// The first finding, but for those about the order of attributes; empty: none.
+// The first finding that is not about the order of attributes; empty if there is none.
 std::string other_finding(const Reading& reading) {
   for (const Diagnostic& d : reading.diagnostics.list()) {
     if (d.code != &xml_attribute_order) {

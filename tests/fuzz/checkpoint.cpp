@@ -1,4 +1,5 @@
-// Bytes as a checkpoint file, as the state inside one, and as a file with those bytes changed.
+// Tests bytes as a checkpoint file, as the state inside one, and as a file with those bytes
+// changed.
 
 #include "scenefile/io/checkpoint.h"
 
@@ -29,7 +30,7 @@ PictureState fresh_state(Profile profile) {
   return make_state(RenderScene{}, options);
 }
 
-// A picture goes on from whatever is of the right length, and is written as it was read.
+// Any state with the right length can be resumed, and is written as it was read.
 void read_as_state(std::string_view bytes) {
   for (const Profile profile : {Profile::course, Profile::fine}) {
     PictureState picture = fresh_state(profile);

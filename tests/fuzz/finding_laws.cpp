@@ -39,7 +39,7 @@ void require_bounded(const Diagnostics& diagnostics, const Limits& limits) {
   std::unordered_map<const Code*, std::size_t> kept;
   std::size_t bytes = 0;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    // The first of a kind is kept whatever its length.
+    // The first finding of each code is kept, whatever its length.
     if (kept[diagnostic.code]++ != 0) {
       bytes += diagnostic.message.size() + diagnostic.file.size();
     }

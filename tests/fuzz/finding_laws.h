@@ -1,5 +1,5 @@
 #pragma once
-// Laws of what is said about an input.
+// Laws about the findings for any input.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -8,11 +8,11 @@
 
 namespace scenefile::fuzz {
 
-/// Limits so narrow that small inputs meet them.
+/// Limits so low that small inputs exceed them.
 Limits narrow_limits();
 
-/// The list is bounded, each message is one short line of UTF-8 and points into the text, and the
-/// report shows nothing that could act on a terminal.
+/// The list is bounded, each message is one short line of UTF-8 with a place in the text, and the
+/// report contains no terminal control characters.
 void require_sound(const Diagnostics& diagnostics, const Limits& limits, std::string_view text);
 
 }  // namespace scenefile::fuzz

@@ -1,5 +1,5 @@
-// Bytes through read_gltf() and read_obj_scene(), with ample and with narrow limits. Files that they
-// name are the bytes again.
+// Feeds bytes to read_gltf() and read_obj_scene(), with high and low limits. Files that they refer
+// to have the same bytes.
 
 #include "finding_laws.h"
 #include "law.h"
@@ -18,7 +18,7 @@ namespace {
 using namespace scenefile;
 using fuzz::require;
 
-// What a scene names lies beside it, and can be read.
+// The files that the scene refers to exist and can be read.
 void require_files(const ImportedScene& imported) {
   std::set<std::string> names;
   for (const ImportedFile& file : imported.files) {
@@ -49,9 +49,7 @@ void judge(Read read, std::string_view bytes, const Limits& limits) {
   Diagnostics diagnostics(limits);
   ImportOptions options;
   options.limits = limits;
-  options.fetch = [&](const std::string&) {
-    return FileContents{std::string(bytes), {}, false};
-  };
+  options.fetch = [&](const std::string&) { return FileContents{std::string(bytes), {}, false}; };
   const ImportedScene imported = read(bytes, options, diagnostics);
   if (!diagnostics.has_errors()) {
     require_files(imported);

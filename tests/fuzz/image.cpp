@@ -1,5 +1,5 @@
-// Bytes through decode_image(). One target for each format: SCENEFILE_FUZZ_IMAGE names it, so that
-// a fuzzer does not wander off into the others.
+// Feeds bytes to decode_image(). SCENEFILE_FUZZ_IMAGE selects the format, so that a fuzzer does not
+// drift to other formats.
 
 #include "law.h"
 #include "scenefile/asset/image_file.h"
@@ -33,7 +33,7 @@ bool is_mine(std::string_view bytes) {
   if (bytes.substr(0, 2) == "BM") {
     return format == "bmp";
   }
-  return format == "tga";  // has no mark of its own
+  return format == "tga";  // has no signature
 }
 
 std::uint32_t crc32(std::string_view bytes) {
@@ -55,7 +55,7 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-// No fuzzer guesses a checksum: without this every change to a PNG would end at the first chunk.
+// No fuzzer guesses a checksum: without this, every change to a PNG would fail at the first chunk.
 std::string with_right_checksums(std::string_view png) {
   std::string fixed(png);
   std::size_t at = 8;
@@ -91,7 +91,7 @@ void judge(std::string_view bytes, const Limits& limits) {
   require(texture.rgb.size() <= limits.texture_bytes - budget, "bytes are counted");
 }
 
-// What was decoded survives encoding; for pictures small enough to try it on each input.
+// Decoded pictures survive encoding; only for pictures small enough to test each time.
 void judge_round_trip(std::string_view bytes) {
   const Limits limits;
   std::uint64_t budget = 4096;

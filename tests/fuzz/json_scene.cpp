@@ -1,4 +1,4 @@
-// JSON text through read_scene(), check() and prepare().
+// Feeds JSON text to read_scene(), check() and prepare().
 
 #include "read_and_judge.h"
 #include "target.h"

@@ -1,6 +1,6 @@
 #pragma once
-// What must hold for every input. A broken law ends the process the way a crash does, so that a
-// fuzzer and the replay both keep the input that broke it.
+// Properties that must hold for every input. A violation aborts like a crash, so that fuzzer and
+// replay keep the input.
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Teaches libFuzzer the structure of scenes; half of the changes stay its own.
+// Teaches libFuzzer the structure of scenes; half of the mutations are still libFuzzer's.
 
 #include "structure.h"
 

@@ -1,4 +1,4 @@
-// Text through read_obj(), with ample and with narrow limits.
+// Feeds text to read_obj(), with high and low limits.
 
 #include "finding_laws.h"
 #include "law.h"
@@ -18,7 +18,7 @@ bool in_range(const Corners& corners, std::size_t size) {
   return corners[0] < size && corners[1] < size && corners[2] < size;
 }
 
-// Of a list that triangles may lack.
+// For an index list that may be absent.
 void require_indices(const std::vector<Corners>& list, std::size_t triangles, std::size_t size) {
   require(list.empty() || list.size() == triangles, "an index list is empty or complete");
   for (const Corners& corners : list) {

@@ -1,4 +1,4 @@
-// The whole way: text to scene, checked, prepared, its files loaded, drawn at 4x4.
+// The whole pipeline: read, check, prepare, load the files, and draw at 4x4.
 
 #include "finding_laws.h"
 #include "law.h"
@@ -24,7 +24,7 @@ constexpr std::string_view triangle =
 constexpr std::string_view checker(
     "\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18\0\0\0\xff\0\xff\0\xff\0\0\xff\xff\xff", 30);
 
-// Two files exist; all others cannot be read.
+// Two files exist; all others are missing.
 FileContents fetch(const std::string& name) {
   if (name == "a.obj") {
     return {std::string(triangle), {}};

@@ -17,7 +17,7 @@ namespace scenefile::fuzz {
 
 namespace {
 
-// What no text can bring about, only a program that edits scenes.
+// Findings that only programs that edit scenes can cause, but no text.
 void require_well_built(const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
     require(diagnostic.code != &scene_bad_index && diagnostic.code != &scene_shared_node &&
@@ -31,7 +31,7 @@ void require_ready(const Scene& scene, const Limits& limits) {
   require_valid(prepared, limits);
   require(prepare(scene, limits).scene == prepared.scene, "preparing is a function");
   require(diff(scene, scene).empty(), "a scene does not differ from itself");
-  // Equal up to rounding: parts that are not invertible are left out of the ready scene alone.
+  // At most, up to rounding: the render scene leaves out objects that are not invertible.
   require(
       count_virtual_primitives(prepared.scene) <= summarize(scene).virtual_primitives * 1.000001,
       "the ready scene holds no more than the written one");
@@ -44,7 +44,7 @@ void judge(std::string_view text, const ReadOptions& options) {
   Diagnostics again(options.limits);
   const Scene same = read_scene(text, options, again);
   require(again.list().size() == diagnostics.list().size(), "reading is a function");
-  // Numbers that could not be read are equal to nothing.
+  // NaN, for numbers that could not be read, is not equal to itself.
   const bool no_root =
       std::any_of(diagnostics.list().begin(), diagnostics.list().end(),
                   [](const Diagnostic& diagnostic) { return diagnostic.code == &xml_no_root; });

@@ -4,8 +4,8 @@
 
 namespace scenefile::fuzz {
 
-/// Reads the text as a scene with ample and with narrow limits, checks, prepares and writes it, and
-/// judges what comes out at each step.
+/// Reads the text as a scene with high and low limits, checks, prepares and writes it, and verifies
+/// the result of each step.
 void read_and_judge(std::string_view text);
 
 }  // namespace scenefile::fuzz

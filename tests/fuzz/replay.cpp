@@ -1,9 +1,9 @@
-// Runs files through a target without a fuzzer, so that every build replays what is known:
+// Runs files through a fuzz target without a fuzzer, so that every build replays known inputs:
 //
 //     scenefile_replay_obj tests/fuzz/seeds/obj tests/fuzz/findings/obj
 //
-// Each file also cut short and damaged in single bytes, at up to `max_places` places each, and
-// scenes with as many changes of structure.
+// Also tests each file truncated and with single bytes damaged, at up to `max_places` places each,
+// and for scenes as many structural mutations.
 
 #include "structure.h"
 #include "target.h"
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t max_places = 96;
 
 void run(const std::string& bytes) {
-  // A copy of its own size, so that a sanitizer sees a read behind the end.
+  // An exact-size copy, so that sanitizers detect reads past the end.
   const std::vector<std::uint8_t> copy(bytes.begin(), bytes.end());
   LLVMFuzzerTestOneInput(copy.data(), copy.size());
 }
@@ -36,7 +36,7 @@ void run_damaged(const std::string& bytes) {
   }
 }
 
-// The same changes in every build and on every run.
+// The same mutations in every build and run.
 void run_restructured(const std::string& bytes) {
   scenefile::fuzz::Random random(1);
   std::string changed = bytes;
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
       continue;
     }
     for (const std::filesystem::path& file : files_of(argv[i])) {
-      // Known before it runs, should it be the last.
+      // Printed before it runs, in case it crashes.
       std::printf("%s\n", file.c_str());
       std::fflush(stdout);
       const std::string bytes = contents(file);

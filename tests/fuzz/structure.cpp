@@ -9,7 +9,7 @@ namespace scenefile::fuzz {
 
 namespace {
 
-// A part of the text that can be moved as a whole.
+// A part of the text that can be moved.
 struct Span {
   std::size_t begin;
   std::size_t end;
@@ -45,7 +45,7 @@ void add_xml_spans(std::string_view text, std::vector<Span>& spans) {
   }
 }
 
-// Objects and arrays, and with a member's key in front of them where they have one.
+// Objects and arrays, together with their keys.
 void add_json_spans(std::string_view text, std::vector<Span>& spans) {
   std::vector<std::size_t> open;
   std::size_t item = 0;
@@ -127,15 +127,15 @@ std::string restructured(const std::string& text, Random& random) {
   const std::string comma = is_json(text) ? "," : "";
   std::string changed = text;
   switch (way) {
-    case 0:  // left out, with a comma where one follows
+    case 0:  // removed, with the comma after it
       return changed.erase(a.begin, a.size() + (changed[a.end] == ',' ? 1 : 0));
-    case 1:  // doubled
+    case 1:  // duplicated
       return changed.insert(a.end, comma + text.substr(a.begin, a.size()));
     case 2:
       return swapped(text, a, b);
     case 3:  // replaced
       return changed.replace(a.begin, a.size(), text.substr(b.begin, b.size()));
-    default:  // put behind another, wherever that stands
+    default:  // inserted after another
       return changed.insert(b.end, comma + text.substr(a.begin, a.size()));
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Changes to the text of a scene that keep it one: random bytes seldom get behind the parser.
+// Structural mutations of scene texts, because random bytes rarely get past the parser.
 
 #include <cstdint>
 #include <random>
@@ -9,8 +9,9 @@ namespace scenefile::fuzz {
 
 using Random = std::minstd_rand;
 
-/// The text with one change: an element (JSON: object, array or member) left out, doubled, swapped
-/// with another, replaced by it or put into it, or a number replaced by one that is hard to bear.
+/// Mutates the text once: an element (JSON: object, array or member) is removed, duplicated,
+/// swapped with another, replaced by it or inserted into it, or a number is replaced by an extreme
+/// one.
 std::string restructured(const std::string& text, Random& random);
 
 }  // namespace scenefile::fuzz

@@ -1,5 +1,6 @@
 #pragma once
-// What libFuzzer and the replay call. Returns 0, or -1 for an input that is another target's.
+// The function that libFuzzer and the replay call. Returns 0, or -1 for inputs that belong to
+// another target.
 
 #include <cstddef>
 #include <cstdint>

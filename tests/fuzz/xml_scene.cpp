@@ -1,4 +1,4 @@
-// Any text but JSON through read_scene(), check() and prepare().
+// Feeds any text except JSON to read_scene(), check() and prepare().
 
 #include "finding_laws.h"
 #include "law.h"

@@ -23,7 +23,7 @@ DAffine random_map(std::mt19937_64& random) {
   return map;
 }
 
-// The support of a solid in a direction, by definition: the farthest of many surface points.
+// The support of a solid in a direction, by definition: the maximum over many surface points.
 double sampled_support(Shape shape, const dvec3& direction) {
   double best = -1e300;
   for (const Face face : test::faces_of(shape)) {
@@ -79,7 +79,7 @@ TEST(Bounds, OfTheUnitShapes) {
   EXPECT_TRUE(shape_bounds(Shape::mesh, {}).empty());
 }
 
-// Turned by 45 degrees about z the cylinder's extent is half of (1 + 1) / sqrt 2 in x and y.
+// Rotated by 45 degrees about z, the cylinder's extent is half of (1 + 1) / sqrt 2 in x and y.
 TEST(Bounds, OfATurnedCylinderAndCone) {
   const double h = std::sqrt(0.5);
   const DAffine turn(glm::dmat3(h, h, 0, -h, h, 0, 0, 0, 1), dvec3(1, 2, 3));

@@ -27,8 +27,8 @@ struct Crossing {
   double t = 0;
 };
 
-// Marches the membership test in small steps and bisects the first change: slow, and knows nothing
-// of quadratics.
+// Marches in small steps with a membership test and bisects the first change: slow, but independent
+// of the quadratics under test.
 Crossing march(Shape shape, const Ray& ray, double t_max, int steps) {
   const bool inside = implicit(shape, ray.origin) < 0;
   double low = 0;
@@ -46,7 +46,7 @@ Crossing march(Shape shape, const Ray& ray, double t_max, int steps) {
   return {};
 }
 
-// The length of the ray's path within a distance of the surface that marching may step over.
+// Whether the ray passes so close to the surface that marching may miss it.
 bool grazes(Shape shape, const Ray& ray, double t_max, int steps) {
   double least = 1;
   for (int i = 0; i <= steps; ++i) {
@@ -149,7 +149,7 @@ TEST(Intersect, NamesTheFace) {
   }
 }
 
-// Faces of neighboring cubes that lie in one plane must tie to the last bit.
+// Coplanar faces of adjacent cubes must give exactly equal distances.
 TEST(Intersect, DistanceToACubeIsOneDivision) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 1000; ++i) {
@@ -166,7 +166,8 @@ TEST(Intersect, DistanceToACubeIsOneDivision) {
 
 TEST(Intersect, TheMirrorHalfOfTheConeIsNotThere) {
   ShapeHit hit;
-  // Flat, through the mirror half alone; steep, through it on the way to the cone; along the axis.
+  // A flat ray, only through the mirrored half; a steep ray, through it and then the cone; and one
+  // along the axis.
   EXPECT_FALSE(intersect(Shape::cone, {{-2, 1, 0.1}, {1, 0, 0}}, 0, 100, hit));
   EXPECT_FALSE(intersect(Shape::cone, {{-2, 1, 0}, {1, 0.1, 0}}, 0, 100, hit));
   ASSERT_TRUE(intersect(Shape::cone, {{0.1, 2, 0}, {0, -1, 0}}, 0, 100, hit));
@@ -177,12 +178,12 @@ TEST(Intersect, TheMirrorHalfOfTheConeIsNotThere) {
   EXPECT_FALSE(intersect(Shape::cone, {{0.1, 0.6, 0}, {0, 1, 0}}, 0, 100, hit));
 }
 
-// Directions along a generator make the quadratic linear; neighbors of them nearly so.
+// Along a generator, the quadratic becomes linear; nearby directions are ill-conditioned.
 TEST(Intersect, RaysAlongAGeneratorOfTheCone) {
   for (const double tilt : {0.0, 1e-17, -1e-17, 1e-12, -1e-12, 1e-8, -1e-8, 1e-4, -1e-4}) {
     for (const double sign : {1.0, -1.0}) {
       const dvec3 direction = sign * dvec3(0.5 + tilt, -1, 0);
-      // Through (-0.2, 0, 0), inside; it leaves by the base one way and by the far side the other.
+      // Through (-0.2, 0, 0), inside; the ray leaves through the base or through the far side.
       const Ray ray{dvec3(-0.2, 0, 0) - 3.0 * direction, direction};
       ShapeHit first, second;
       ASSERT_TRUE(intersect(Shape::cone, ray, 0, 100, first)) << tilt << " " << sign;
@@ -191,7 +192,7 @@ TEST(Intersect, RaysAlongAGeneratorOfTheCone) {
       EXPECT_NEAR(implicit(Shape::cone, at(ray, second.t)), 0, 1e-14);
       EXPECT_GT(second.t - first.t, 0.5);
       EXPECT_LT(implicit(Shape::cone, at(ray, 0.5 * (first.t + second.t))), 0);
-      // The mirror of that line is in the mirror half alone, above.
+      // The mirror of that line is only in the mirrored half, above.
       const Ray above{dvec3(-0.2, 1, 0) - 3.0 * direction, direction};
       const dvec3 low = at(above, 3 + sign * 1.5);
       EXPECT_EQ(intersect(Shape::cone, above, 0, 100, first), implicit(Shape::cone, low) < 0);
@@ -217,7 +218,7 @@ TEST(Intersect, RaysInThePlaneOfAFaceTouchIt) {
   EXPECT_FALSE(intersect(Shape::cylinder, {{off, 5, 0}, {0, -1, 0}}, 0, 100, hit));
 }
 
-// A tangent ray moved in by 2^-k must hit and moved out must miss, down to rounding.
+// A tangent ray moved inward by 2^-k must hit, moved outward must miss, down to rounding.
 TEST(Intersect, DecidesGrazingRays) {
   for (int k = 1; k <= 50; ++k) {
     const double by = std::ldexp(1.0, -k);
@@ -242,7 +243,7 @@ TEST(Intersect, NearTheApexOfTheCone) {
   }
 }
 
-// Steep rays through the apex enter there; rounding must not open a hole.
+// Steep rays through the apex must hit; rounding must not cause a gap.
 TEST(Intersect, ThroughTheApexOfTheCone) {
   std::mt19937_64 random(4);
   for (int i = 0; i < 20000; ++i) {
@@ -256,7 +257,7 @@ TEST(Intersect, ThroughTheApexOfTheCone) {
   }
 }
 
-// From inside there is always a way out: no gap at edges, rims, seams.
+// From inside, every ray hits: no gap at edges, rims or seams.
 TEST(Intersect, NoRayEscapesThroughAnEdge) {
   const dvec3 edges[] = {{0.5, 0.5, 0},  {0.5, 0.5, 0.5}, {0, -0.5, 0.5},   {-0.5, 0.3, -0.5},
                          {0.5, -0.5, 0}, {0, 0.5, 0},     {0.3, -0.5, -0.4}};
@@ -340,7 +341,7 @@ RC_GTEST_PROP(IntersectLaw, HitPointsLieOnTheSurface, ()) {
   }
 }
 
-// The mirror images and turns under which each shape is its own image keep t.
+// The symmetries of each shape (reflections and rotations) preserve t.
 RC_GTEST_PROP(IntersectLaw, SymmetryOfTheShapes, ()) {
   const auto shape = *rc::gen::elementOf(
       std::vector<Shape>(std::begin(analytic_shapes), std::end(analytic_shapes)));

@@ -70,7 +70,7 @@ TEST(MeshSurface, SmoothFallsBackToFlat) {
   mesh.normals = {{0, 1, 0}, {0, -1, 0}};
   mesh.triangle_normals = {{mesh_no_index, mesh_no_index, mesh_no_index}};
   EXPECT_EQ(surface_at(mesh, 0, 0.2, 0.3, true).normal, dvec3(0, 0, 1));
-  mesh.triangle_normals = {{0, 1, 0}};  // opposite normals cancel halfway
+  mesh.triangle_normals = {{0, 1, 0}};  // opposite normals cancel in the middle
   EXPECT_EQ(surface_at(mesh, 0, 0.5, 0, true).normal, dvec3(0, 0, 1));
 }
 
@@ -93,8 +93,8 @@ TEST(MeshSurface, UvAndTangents) {
   mesh.triangle_uvs = {{0, 1, 2}};
   const Surface s = surface_at(mesh, 0, 0.25, 0.5, false);
   EXPECT_EQ(s.uv, dvec2(0.75, -0.75));
-  EXPECT_EQ(s.tangent_u, dvec3(2, 0, 0));     // u grows by 1 over 2 units of x
-  EXPECT_EQ(s.tangent_v, dvec3(0, -1.5, 0));  // v falls by 2 over 3 units of y
+  EXPECT_EQ(s.tangent_u, dvec3(2, 0, 0));     // u increases by 1 over 2 units of x
+  EXPECT_EQ(s.tangent_v, dvec3(0, -1.5, 0));  // v decreases by 2 over 3 units of y
 }
 
 TEST(MeshSurface, NoUvNoTangents) {

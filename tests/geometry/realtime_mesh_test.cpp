@@ -70,7 +70,7 @@ TEST(RealtimeMesh, IsClosedAndWoundOutward) {
             RC_ASSERT(count == 1);
             RC_ASSERT(edges.count({edge.second, edge.first}) == 1u);
           }
-          // Euler's formula for a surface without holes; all positions are used.
+          // Euler's formula for a surface of genus 0; all positions are used.
           RC_ASSERT(mesh.positions.size() + mesh.triangles.size() == edges.size() / 2 + 2);
           for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             RC_ASSERT(glm::dot(flat_normal(mesh, t), corner(mesh, t, 0)) > 0);
@@ -158,7 +158,7 @@ TEST(RealtimeMesh, QuadsAreSplitFromTheUpperLeftToTheLowerRight) {
     for (int k = 0; k < 3; ++k) {
       const dvec3 a = corner(sphere, t, k);
       const dvec3 b = corner(sphere, t, (k + 1) % 3);
-      const double turn = glm::cross(a, b).y;  // more than 0: b is to the right of a
+      const double turn = glm::cross(a, b).y;  // positive: b is to the right of a
       const bool at_pole =
           std::abs(std::abs(a.y) - 0.5) < 1e-6 || std::abs(std::abs(b.y) - 0.5) < 1e-6;
       if (!at_pole && std::abs(turn) > 1e-6 && std::abs(a.y - b.y) > 1e-6) {

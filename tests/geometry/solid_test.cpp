@@ -61,7 +61,7 @@ TEST(Solid, InsideIsWhereEveryRayMeetsTheSurface) {
     ShapeHit hit;
     const bool ahead = intersect(shape, ray, 1e-9, 1e9, hit);
     const bool behind = intersect(shape, {ray.origin, -ray.direction}, 1e-9, 1e9, hit);
-    // Near the surface the two may differ by their tolerances.
+    // Near the surface, the results may differ within their tolerances.
     const bool inner = contains(shape, ray.origin * (1 + 1e-5));
     const bool outer = contains(shape, ray.origin * (1 - 1e-5));
     if (inner && outer) {

@@ -32,8 +32,8 @@ FacePoint on_cube(Face face, double u, double v) {
   }
 }
 
-// a is the share of a turn by which the point stands clockwise from +x, seen from above; half of
-// it is where phi = atan2(z, x) jumps.
+// a is the angle of the point as a fraction of a turn, clockwise from +x seen from above; at 1/2,
+// phi = atan2(z, x) is discontinuous.
 FacePoint on_side(Shape shape, double a, double b) {
   const double phi = -2 * pi * a;
   double radius = 0.5;

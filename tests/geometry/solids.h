@@ -1,6 +1,6 @@
 #pragma once
-// The shapes once more, by definitions that share nothing with the library: a membership test, and
-// points on the faces by their parameters.
+// Independent definitions of the shapes, which share no code with the library: a membership test,
+// and parametric points on the faces.
 
 #include "scenefile/geometry/shapes.h"
 
@@ -14,20 +14,20 @@ inline constexpr Shape analytic_shapes[] = {Shape::cube, Shape::cone, Shape::cyl
 
 const char* name_of(Shape shape);
 
-/// Less than 0 inside, 0 on the surface, more outside; not a distance, but within a factor 3 of
-/// one near the surface.
+/// Negative inside, 0 on the surface, positive outside; not a distance, but within a factor of 3 of
+/// the distance near the surface.
 double implicit(Shape shape, const glm::dvec3& p);
 
 std::vector<Face> faces_of(Shape shape);
 
-/// A point of a face and the uv it must have by the format's formulas; a, b in [0, 1).
+/// A point of a face and its uv by the format's formulas; a, b in [0, 1).
 struct FacePoint {
   glm::dvec3 point;
   glm::dvec2 uv;
 };
 FacePoint point_on(Shape shape, Face face, double a, double b);
 
-/// A point spread over all faces.
+/// A random point on any face.
 struct RandomPoint {
   Face face;
   FacePoint at;

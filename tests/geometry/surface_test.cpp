@@ -18,7 +18,7 @@ using test::analytic_shapes;
 using test::implicit;
 using test::name_of;
 
-// u = 0 and u = 1 are one line of a round side.
+// u = 0 and u = 1 are the same line on a round side.
 double uv_distance(const dvec2& a, const dvec2& b) {
   const double du = std::abs(a.x - b.x);
   return std::hypot(std::min(du, 1 - du), a.y - b.y);
@@ -65,7 +65,7 @@ TEST(SurfaceAt, TangentsAreTheDerivativesByUv) {
   for (const Shape shape : analytic_shapes) {
     for (const Face face : test::faces_of(shape)) {
       if (shape != Shape::cube && face != Face::side) {
-        continue;  // caps: their uv is no polar coordinate, see below
+        continue;  // caps: their uv is not polar, see below
       }
       for (int i = 0; i < 2000; ++i) {
         const double u = test::uniform(random, 0.01, 0.99);
@@ -100,7 +100,8 @@ TEST(SurfaceAt, CapsAreFlatMaps) {
   }
 }
 
-// Points of the course's formulas by hand: u grows clockwise seen from above, from +x.
+// Points computed by hand from the course's formulas: u increases clockwise from +x, seen from
+// above.
 TEST(SurfaceAt, QuartersOfTheRoundSide) {
   for (const Shape shape : {Shape::cone, Shape::cylinder, Shape::sphere}) {
     const double r = shape == Shape::cone ? 0.25 : 0.5;

@@ -46,7 +46,7 @@ Measure exact(Shape shape) {
   }
 }
 
-// The face a triangle belongs to, from where its middle stands.
+// The face of a triangle, by its center.
 Face face_of(Shape shape, const dvec3& middle) {
   Face best = Face::side;
   double least = 1;
@@ -108,7 +108,7 @@ TEST(Tessellate, IsWatertightAndWoundOutward) {
         ASSERT_EQ(count, 1) << name_of(shape);
         ASSERT_EQ(edges.count({edge.second, edge.first}), 1u) << name_of(shape);
       }
-      // Euler: a closed surface without holes.
+      // Euler's formula for a closed surface of genus 0.
       ASSERT_EQ(mesh.positions.size() - edges.size() / 2 + mesh.triangles.size(), 2u);
       for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const dvec3 flat = surface_at(mesh, t, 0.3, 0.3, false).normal;
@@ -120,7 +120,8 @@ TEST(Tessellate, IsWatertightAndWoundOutward) {
   }
 }
 
-// No triangle may span the seam: u changes by at most one segment, or the texture runs backwards.
+// No triangle crosses the seam: u changes by at most one segment, or the texture would run
+// backward.
 TEST(Tessellate, UvSeamIsCut) {
   for (const Shape shape : {Shape::cone, Shape::cylinder, Shape::sphere}) {
     const Mesh mesh = tessellate(shape, 16);
@@ -147,7 +148,7 @@ TEST(Tessellate, AreaAndVolumeTendToTheExactOnes) {
   }
 }
 
-// Rays against the triangles, by Moeller and Trumbore, against the exact answer.
+// Compares ray-triangle tests (Moeller and Trumbore) with the exact shape.
 TEST(Tessellate, AFineOneIsHitWhereTheShapeIs) {
   std::mt19937_64 random(9);
   for (const Shape shape : analytic_shapes) {

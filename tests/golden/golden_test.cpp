@@ -1,5 +1,5 @@
-// Small pictures of our own scenes, looked at by a person before they were accepted. To accept
-// changed ones: run with SCENEFILE_ACCEPT_GOLDEN=1, look at them, commit them alone.
+// Small pictures of our own scenes, each inspected by a person before it was accepted. To accept
+// changes: run with SCENEFILE_ACCEPT_GOLDEN=1, inspect them, and commit them separately.
 
 #include "scenefile/asset/compare_images.h"
 #include "scenefile/asset/image_file.h"
@@ -23,12 +23,12 @@ struct Golden {
   Mode mode;
 };
 
-// Names the test's parameter in reports.
+// Prints the test's parameter in reports.
 void PrintTo(const Golden& golden, std::ostream* out) {
   *out << golden.name;
 }
 
-// Other processors round and fuse differently, and a last bit can move an edge by a sample.
+// Other processors round and fuse operations differently, which can move an edge by a sample.
 constexpr double least_db = 45;
 
 constexpr Golden goldens[] = {

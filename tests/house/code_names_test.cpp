@@ -1,5 +1,5 @@
-// Holds the constants of codes to their printed names, and the rooms' lists of codes to be
-// complete.
+// Checks that the constants of codes match their printed names, and that the rooms' lists of codes
+// are complete.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Holds the table of ARCHITECTURE.md: which room may know what. Reads the #include lines.
+// Enforces the table in ARCHITECTURE.md of which room may include which, by reading #include lines.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const fs::path root = SCENEFILE_ROOT;
 
-// A room may include the headers of these rooms, or single headers.
+// The rooms, or single headers, that each room may include.
 const std::map<std::string, std::set<std::string>> may_know = {
     {"base", {}},
     {"scene", {"base"}},
@@ -41,8 +41,8 @@ const std::map<std::string, std::set<std::string>> may_know = {
      {"base", "scene", "format", "geometry", "asset", "compare", "io", "trace", "view", "explain"}},
 };
 
-// Every library but the standard one and glm lives in one .cpp of one room. fmt, which only makes
-// text, is free to every .cpp; operating system headers belong to io.
+// Each library except the standard library and glm is used by a single .cpp file. fmt is allowed in
+// every .cpp; operating system headers only in io.
 const std::map<std::string, std::string> third_party = {
     {"expat.h", "format/xml_reader.cpp"},
     {"png.h", "asset/png_file.cpp"},
@@ -223,7 +223,7 @@ TEST(IncludeLaw, PortableRoomsUseNothingThatOldCompilersLack) {
   for (const Include& i : all_includes()) {
     if (portable.contains(room_of(i.file))) {
       EXPECT_FALSE(lacking.contains(i.name)) << i.file << " includes " << i.name;
-      // For floating point only the one; for whole numbers old libraries have it too.
+      // The single user for floating point; older standard libraries also support integers.
       EXPECT_TRUE(i.name != "charconv" || i.file == "base/number.cpp" ||
                   i.file == "format/read_config.cpp" || i.file == "asset/read_obj.cpp" ||
                   i.file == "asset/obj_corner.cpp")

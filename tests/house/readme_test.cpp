@@ -1,4 +1,4 @@
-// The example of the README is the program that the tests build against the installed package.
+// The README's example must be the program that the tests build against the installed package.
 
 #include <gtest/gtest.h>
 

@@ -122,7 +122,7 @@ TEST_P(RoundTrip, TexturesComeBackInLinearValues) {
   }
 }
 
-// A triangle, for changes.
+// A triangle to modify.
 std::string triangle(const std::string& accessor_count = "3", const std::string& more = "") {
   const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   const std::string_view bytes(reinterpret_cast<const char*>(corners), sizeof corners);
@@ -178,7 +178,7 @@ TEST(ReadGltf, ChecksTheTreeOfNodes) {
   EXPECT_EQ(first_error(start + "[{\"children\":[0]}]}"), &import_value);
   EXPECT_EQ(first_error(start + "[{\"children\":[1]}]}"), &import_value);
   EXPECT_EQ(first_error(start + "[{\"children\":[2]},{\"children\":[2]},{}]}"), &import_value);
-  // A loop apart from the scene is not reached.
+  // A loop that the scene does not contain is not reached.
   EXPECT_EQ(first_error(start + "[{\"children\":[1]},{\"children\":[0]},{}]}"), nullptr);
   EXPECT_EQ(
       first_error(start + "[{\"children\":[1]},{\"children\":[0]}],\"scenes\":[{\"nodes\":[0]}]}"),

@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using testing_support::TempFolder;
 
-// A scene at home/scenes/s.xml; `given` are folders below home.
+// The roots of a scene at home/scenes/s.xml; `given` are folders below home.
 AssetRoots roots_of(const TempFolder& home, const std::vector<std::string>& given = {}) {
   AssetRootsOptions options;
   options.scene_path = home.path("scenes/s.xml");
@@ -30,7 +30,7 @@ AssetRoots roots_of(const TempFolder& home, const std::vector<std::string>& give
 struct Layout : ::testing::Test {
   Layout() { home.write("scenes/s.xml"); }
 
-  // Expects that the name leads to the file by the rule.
+  // Expects the name to resolve to the file by the rule.
   void finds(AssetRoots& roots, const std::string& name, const std::string& file, AssetRule rule) {
     const ResolvedAsset asset = roots.resolve(name);
     EXPECT_EQ(asset.path, home.path(file)) << name << ": " << asset.error;
@@ -44,7 +44,7 @@ struct Layout : ::testing::Test {
     AssetRoots roots = roots_of(home);
     finds(roots, name, file, rule);
   }
-  // Expects that nothing is found, and returns why.
+  // Expects that nothing is found; returns the reason.
   std::string misses(AssetRoots& roots, const std::string& name) {
     const ResolvedAsset asset = roots.resolve(name);
     EXPECT_EQ(asset.path, "") << name;

@@ -165,8 +165,8 @@ TEST(DeferredSignals, LiveInsideEachOther) {
       ::testing::ExitedWithCode(0), "");
 }
 
-// The signal comes as soon as the temporary file is there; where it comes too late the write was
-// done.
+// The signal is sent as soon as the temporary file exists; if it comes too late, the write has
+// succeeded.
 TEST(DeferredSignals, AWriteIsFinishedAndSaidToBe) {
   const TempFolder folder;
   const std::string file = folder.path("output");

@@ -15,7 +15,7 @@ using testing_support::TempFolder;
 
 constexpr std::uint64_t plenty = 1 << 20;
 
-// The bytes, and why there are none.
+// The bytes, or the error.
 std::string bytes_of(const std::string& path, std::uint64_t most = plenty) {
   const Result<std::string> read = read_file(path, most);
   EXPECT_EQ(error_text(read), "");
@@ -70,7 +70,7 @@ TEST(ReadFile, EscapesThePath) {
   EXPECT_EQ(why_not("no\x1b[31m").find('\x1b'), std::string::npos);
 }
 
-// Runs `use` with a pipe that holds `content` as standard input.
+// Runs `use` with `content` on standard input, through a pipe.
 template <typename Use>
 void with_standard_input(const std::string& content, Use use) {
   int ends[2];

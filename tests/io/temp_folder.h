@@ -12,7 +12,7 @@
 
 namespace scenefile::testing_support {
 
-/// A fresh folder that goes away with the test.
+/// A new folder that is deleted after the test.
 class TempFolder {
  public:
   TempFolder() {
@@ -33,7 +33,7 @@ class TempFolder {
     return name.empty() ? path_.string() : (path_ / name).string();
   }
 
-  /// Writes a file, with the folders on the way.
+  /// Writes a file, creating its folders.
   std::string write(const std::string& name, const std::string& bytes = "x") const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());

@@ -1,5 +1,5 @@
-// scenefile_laws FOLDER...: tries the laws on every scene file below the folders, as the format
-// says and as the course's programs read. Prints what is broken, and a last line.
+// scenefile_laws FOLDER...: tests the laws on every scene file below the folders, read both
+// normally and with compat_course. Prints violations and a summary line.
 
 #include "laws/law.h"
 #include "scenefile/io/file.h"
@@ -28,7 +28,7 @@ std::vector<std::string> scene_files(const std::string& folder) {
 
 struct Totals {
   std::size_t files = 0;
-  std::size_t scenes = 0;  // each reading counts
+  std::size_t scenes = 0;  // counts each reading
   std::size_t broken = 0;
 };
 

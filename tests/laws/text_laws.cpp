@@ -32,7 +32,7 @@ std::optional<std::string> laid_out(std::string_view text) {
   return lay_out(text, {}, ignored);
 }
 
-// Of XML, with the blanks in them.
+// In XML, including their white space.
 std::vector<std::string_view> comments_of(std::string_view text) {
   std::vector<std::string_view> comments;
   for (std::size_t at = 0; (at = text.find("<!--", at)) != text.npos;) {
@@ -64,7 +64,7 @@ void try_text_laws(std::string_view text, Breaches& breaches) {
   }
   const Reading before = read(text);
   const Reading after = read(*once);
-  // Numbers that could not be read are equal to nothing.
+  // NaN, for numbers that could not be read, is not equal to itself.
   const bool same = before.scene.incomplete || before.scene == after.scene;
   if (!same || before.codes != after.codes) {
     breaches.push_back("laying it out changes the scene or what is said of it");

@@ -1,5 +1,5 @@
 #pragma once
-// Short ways to write scenes down in tests.
+// Shorthand for building scenes in tests.
 
 #include "scenefile/scene/scene.h"
 
@@ -69,7 +69,8 @@ inline std::string numbered(int number) {
   return name;
 }
 
-/// `levels` templates, each of `fan` copies of the one before; the first holds `leaf`, if wanted.
+/// `levels` templates, each with `fan` instances of the previous one; the first contains `leaf`, if
+/// set.
 inline Scene bomb(int levels, int fan, bool leaf) {
   Scene scene = fine_scene();
   const NodeId first = add_template(scene, "t0");

@@ -23,8 +23,8 @@ constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
 
 using Change = std::function<void(Scene&)>;
 
-// A finding: a change to fine_scene() that gives it, one close by that does not, and a word that
-// its message holds.
+// A finding: a change to fine_scene() that causes it, a similar one that does not, and a word in
+// its message.
 struct Case {
   const Code* code;
   Change gives;
@@ -478,7 +478,7 @@ std::string listed(const Diagnostics& diagnostics) {
 
 TEST(Check, FineScenesHaveNoFindings) {
   EXPECT_EQ(listed(checked(fine_scene())), "");
-  // Each of these occurs in good files and is no fault.
+  // These occur in valid files and are not mistakes.
   EXPECT_EQ(listed(checked(placed({scale(-1, 1, 1)}))), "");
   EXPECT_EQ(listed(checked(material([](Material& m) { m.diffuse = {2, 2, 2}; }))), "");
   EXPECT_EQ(listed(checked(lights(8))), "");

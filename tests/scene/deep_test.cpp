@@ -1,4 +1,4 @@
-// Depth of nesting must not be depth of calls: these overflow the stack of anything recursive.
+// Deeply nested scenes, which would overflow the stack of recursive functions.
 #include "builders.h"
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/codes.h"
@@ -25,7 +25,7 @@ Scene deep_chain() {
   return scene;
 }
 
-// Template i holds template i - 1.
+// Template i instantiates template i - 1.
 Scene template_chain() {
   Scene scene = fine_scene();
   add_primitive(scene, add_template(scene, "t0"));

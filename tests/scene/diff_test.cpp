@@ -129,8 +129,8 @@ TEST(Diff, StopsWhenAsked) {
 
 namespace {
 
-// The sample as another author would group it: each object in a group of its own, one more around
-// all, the light where it stands, nothing named that need not be.
+// The sample as another author would group it: each object in a separate group, one more group
+// around everything, the light at its place, and no unnecessary names.
 Scene regrouped() {
   Scene scene = fine_scene();
   scene.nodes[0].name.clear();
@@ -195,7 +195,7 @@ TEST(DiffMeaning, NamesOneChangeBetweenScenesThatAreGroupedApart) {
 
 namespace {
 
-// An area light of 2 by 1 in a group of its own, shining along `direction`.
+// An area light of 2 by 1 in a separate group, shining along `direction`.
 Scene area_light(std::vector<Transform> place, glm::vec3 direction = {-1, -2, -0.5f}) {
   Scene scene = fine_scene();
   scene.nodes[0].lights.clear();
@@ -210,7 +210,7 @@ Scene area_light(std::vector<Transform> place, glm::vec3 direction = {-1, -2, -0
   return scene;
 }
 
-// The same light at the root, of the size given.
+// The same light at the root, with the given size.
 Scene lit_at_root(float width, float height, glm::vec3 direction = {-1, -2, -0.5f}) {
   Scene scene = area_light({}, direction);
   scene.nodes[0].lights = scene.nodes[1].lights;
@@ -235,12 +235,12 @@ TEST(DiffMeaning, NamesATurnOfAnAreaLight) {
   EXPECT_THAT(meaning_texts(turned, lit_at_root(2, 1, down)),
               ElementsAre("area light 1: turned: width along 0.866 0 -0.5, height along -0.5 0 "
                           "-0.866 -> no"));
-  // Half a turn leaves the rectangle where it is.
+  // Half a turn does not change the rectangle.
   EXPECT_THAT(meaning_texts(area_light({rotate({0, 1, 0}, 180)}, down), lit_at_root(2, 1, down)),
               IsEmpty());
 }
 
-// Scenes built in memory have no places in a file that could tell lights apart.
+// Scenes built in memory have no file places to tell lights apart.
 TEST(DiffMeaning, LightsOfOneGroupNeedNoPlacesInAFile) {
   const auto two_spots = [](float second_angle, bool grouped) {
     Scene scene = fine_scene();

@@ -125,7 +125,7 @@ TEST(PrepareLights, AreaLightIsTransformedAsARectangle) {
   expect_near(turned.half_u, {0, 0, -3});
   expect_near(turned.half_v, {0, 1, 0});
   expect_near(turned.direction, {-1, 0, 0});
-  // A shear keeps the plane of the rectangle but moves its old normal out of it.
+  // A shear maps the rectangle's plane to itself, but not its normal.
   glm::mat4 shear(1);
   shear[2][0] = 1;
   const RenderLight sheared = placed(area, {matrix(shear)});

@@ -1,4 +1,4 @@
-// Laws of prepare() and diff() on generated scenes, against an expansion by plain recursion that
+// Laws of prepare() and diff() on random scenes, compared with a plain recursive expansion that
 // shares no code with them.
 #include "builders.h"
 #include "scenefile/scene/check.h"
@@ -48,7 +48,7 @@ Transform random_transform(Random& random) {
   }
 }
 
-// Templates refer to earlier ones alone; few names, so that they meet.
+// Templates only use earlier ones; few names, so that they collide.
 Scene random_scene(Random& random) {
   Scene scene;
   scene.nodes[0].name = "root";
@@ -151,7 +151,7 @@ bool near(const glm::dmat4& a, const glm::dmat4& b) {
   return error <= 1e-5 * size;
 }
 
-// Whether the two lists hold the same things, in any order: every one finds its own partner.
+// Whether the two lists are equal as multisets.
 template <typename T, typename Same>
 bool same_set(const std::vector<T>& a, std::vector<T> b, Same same) {
   for (const T& item : a) {
@@ -166,7 +166,7 @@ bool same_set(const std::vector<T>& a, std::vector<T> b, Same same) {
   return b.empty();
 }
 
-// Puts a nameless group without transforms around a random child.
+// Puts an unnamed group without transforms around a random child.
 void insert_identity_group(Scene& scene, Random& random) {
   const auto parent = static_cast<NodeId>(draw(random, int(scene.nodes.size())));
   if (scene.nodes[parent].children.empty()) {
@@ -181,7 +181,7 @@ void insert_identity_group(Scene& scene, Random& random) {
   scene.nodes[parent].children[place] = group;
 }
 
-// Moves the rear part of a node's transforms, and all its contents, into a new child.
+// Moves the last transforms of a node, with its contents, into a new child.
 void cut_transforms(Scene& scene, Random& random) {
   const auto id = static_cast<NodeId>(draw(random, int(scene.nodes.size())));
   const auto inner = static_cast<NodeId>(scene.nodes.size());

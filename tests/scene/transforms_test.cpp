@@ -78,7 +78,7 @@ TEST(Storable, RefusesWhatCannotBeDrawn) {
   EXPECT_FALSE(ok(std::vector<Transform>(400, scale(10, 10, 10))));
   EXPECT_FALSE(ok({scale(1e10f, 1, 1), translate(3e25f, 0, 0)}));
   EXPECT_FALSE(ok({matrix(glm::mat4(1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 0, 0, 0, 1))}));
-  // Thin enough for doubles, but its columns round to one direction in floats.
+  // Invertible in doubles, but its columns are parallel after rounding to floats.
   glm::mat4 shear(1);
   shear[1][0] = 1e9f;
   EXPECT_TRUE(invertible(composed(DAffine(), {rotate({0, 0, 1}, 45), matrix(shear)})));

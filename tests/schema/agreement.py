@@ -1,13 +1,13 @@
-"""Holds the schemas and the reader to the same verdict on many files.
+"""Checks that the schemas and the reader agree on many files.
 
     agreement.py {xml|json} FINDINGS-PROGRAM PATH...
 
-PATHs are folders and files. Of files variants are tried too, each with one thing removed, doubled,
-renamed, moved or given another value. Without PATHs: the folder that the environment variable
-SCENEFILE_CORPUS names. seen.tsv says which findings a schema must see, and why it cannot see
-others; without_stricter() of each side, what it refuses on purpose and the reader does not. Verdicts
-are compared, never messages: each validator words them in its own way. Every validator that is
-installed is tried. Exit code 77: skipped, for lack of a validator or a corpus.
+PATHs are folders and files. Files are also tested with variants, each with one thing removed,
+duplicated, renamed, moved or changed. Without PATHs: the folder in the environment variable
+SCENEFILE_CORPUS. seen.tsv lists which findings a schema must detect, and why it cannot detect others;
+without_stricter() of each side, what a schema rejects on purpose although the reader accepts it. Only
+verdicts are compared, because messages differ between validators. Uses every installed validator.
+Exit code 77: skipped, because there is no validator or no corpus.
 """
 
 import argparse
@@ -74,7 +74,7 @@ def make_variants(side, files, folder):
 
 
 def missed(seen, codes):
-    """The findings that the schema must see."""
+    """The findings that the schema must detect."""
     return [c for c in codes if how_seen(seen, c) == "always"]
 
 
@@ -83,7 +83,7 @@ def seen_by_reader(seen, codes):
 
 
 def still_refused(side, validate, paths, folder):
-    """Of files that are refused, those that are refused for more than what the schema refuses on
+    """The rejected files that are still rejected without what the schema rejects on
     purpose."""
     changed = {}
     result = set(paths)
@@ -100,7 +100,7 @@ def still_refused(side, validate, paths, folder):
 
 
 def disagreements(side, seen, validate, codes, folder):
-    """What is wrong with pairs of verdicts, by path; and all that the validator refuses."""
+    """Disagreements by path, and all files that the validator rejects."""
     refused = side.refusals(list(codes), validate)
     wrong = {path: f"the schema misses {' '.join(missed(seen, found))}"
              for path, found in codes.items() if path not in refused and missed(seen, found)}

@@ -1,9 +1,9 @@
-"""What check --json answers is what schema/check.schema.json says.
+"""The output of check --json conforms to schema/check.schema.json.
 
     answers.py SCENEFILE PATH...
 
-PATHs are scenes and folders of scenes; a file that does not exist is tried too. Exit code 77:
-skipped, for lack of the Python package jsonschema.
+PATHs are scenes and folders of scenes; a missing file is tested too. Exit code 77: skipped, because
+the Python package jsonschema is missing.
 """
 
 import copy
@@ -33,7 +33,7 @@ def answer(program, arguments):
 
 
 def broken(document):
-    """Changes that the schema must see."""
+    """Changes that the schema must reject."""
     def change(edit):
         other = copy.deepcopy(document)
         edit(other)

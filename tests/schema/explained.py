@@ -1,4 +1,4 @@
-"""Every element, attribute and key of the schemas has a text that editors can show."""
+"""Every element, attribute and key of the schemas has a description for editors."""
 
 import json
 import pathlib
@@ -25,7 +25,7 @@ def unexplained_xsd():
 
 
 def unexplained_json(schema, path="scenefile.schema.json"):
-    """In `if` and `then` keys are named again; their texts stand where they are defined."""
+    """`if` and `then` repeat keys without their descriptions."""
     if isinstance(schema, list):
         for inner in schema:
             yield from unexplained_json(inner, path)

@@ -1,8 +1,8 @@
-"""What explain --json answers is what schema/explain.schema.json says.
+"""The output of explain --json conforms to schema/explain.schema.json.
 
     explanations.py SCENEFILE SCENE...
 
-Exit code 77: skipped, for lack of the Python package jsonschema.
+Exit code 77: skipped, because the Python package jsonschema is missing.
 """
 
 import copy
@@ -36,7 +36,7 @@ def answers(program, scenes):
 
 
 def broken(document):
-    """Changes that the schema must see."""
+    """Changes that the schema must reject."""
     def change(edit):
         other = copy.deepcopy(document)
         edit(other)

@@ -1,5 +1,5 @@
-// Says what the reader and the check find in files, without their assets. Reads one path a line and
-// answers each with a line: the path, a tab, and the codes of its errors and warnings.
+// Prints the findings of reader and check, without assets. Reads one path per line and answers each
+// with a line: the path, a tab, and the codes of its errors and warnings.
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/check.h"

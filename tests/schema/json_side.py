@@ -11,13 +11,13 @@ except ImportError:
 
 SUFFIX = ".json"
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema" / "scenefile.schema.json"
-# Values at the ends of ranges, and just beyond.
+# Values at the limits of ranges, and just beyond.
 LIMITS = (-1, 0, 0.0009, 0.001, 1, 1.001, 5, 5.001, 16, 16.01, 100, 100.1, 179.9, 180, 180.1, 10000,
           10001)
 
 
 def validators():
-    """Those that are installed, by name."""
+    """The installed validators by name."""
     return {"jsonschema": refused_by_jsonschema} if jsonschema else {}
 
 
@@ -29,7 +29,7 @@ def no_constant(name):
 
 
 def refusals(paths, validate):
-    """The first complaint about each file that is refused."""
+    """The first error for each rejected file."""
     return validate(paths)
 
 
@@ -51,12 +51,12 @@ def refused_by_jsonschema(paths):
 
 
 def without_stricter(_):
-    """The schema refuses nothing on purpose that the reader accepts."""
+    """Unchanged: the schema rejects nothing on purpose that the reader accepts."""
     return None
 
 
 def variants(data, _tried):
-    """Scenes that differ from this one in one place."""
+    """Scenes that differ from this one in one place each."""
     try:
         scene = json.loads(data)
     except ValueError:

@@ -11,13 +11,13 @@ import xml.etree.ElementTree as ElementTree
 SUFFIX = ".xml"
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent.parent / "schema"
 FILES_AT_ONCE = 500
-# Values at the ends of ranges, and just beyond.
+# Values at the limits of ranges, and just beyond.
 LIMITS = (-1, 0, 0.0009, 0.001, 1, 1.001, 5, 5.001, 7, 8, 16, 16.01, 100, 100.1, 179.9, 180, 180.1,
           10000, 10001)
 
 
 def validators():
-    """Those that are installed, by name."""
+    """The installed validators by name."""
     return {name: call for name, call in (("jing", jing), ("xmllint", xmllint))
             if shutil.which(name)}
 
@@ -26,7 +26,7 @@ WANTED = "jing or xmllint (package libxml2-utils)"
 
 
 def refusals(paths, validate):
-    """The first complaint about each file that is refused."""
+    """The first error for each rejected file."""
     result = {}
     together = []
     for path in paths:
@@ -52,7 +52,7 @@ def kind_of(path):
 
 
 def without_stricter(data):
-    """The scene with everything changed that the schema refuses and the reader accepts, on purpose.
+    """The scene without what the schema rejects on purpose although the reader accepts it.
     None if it is not well-formed."""
     if not is_well_formed(data):
         return None
@@ -61,12 +61,13 @@ def without_stricter(data):
         # The reader ignores namespaces.
         element.tag = local_name(element.tag)
         element.attrib = {local_name(name): value for name, value in element.attrib.items()}
-        # The reader takes any four children of a matrix for its rows; an editor should offer their
-        # names and check them.
+        # The reader accepts any four children of a matrix as its rows; an editor should suggest
+        # their names and check them.
         if element.tag == "matrix":
             for row in element:
                 row.tag = "row"
-        # The reader takes ids above 7 for the lights beyond the eighth; an editor should offer 0 to 7.
+        # The reader accepts ids above 7 if there are more than eight lights; an editor should
+        # suggest 0 to 7.
         if element.tag == "lightdata":
             for number in element.iter("id"):
                 if re.fullmatch(WHOLE_NUMBER, number.get("v", "")) and float(number.get("v")) > 7:
@@ -90,8 +91,8 @@ def is_well_formed(data):
 
 
 def jing(paths):
-    """Jing ends at the first file that is not well-formed, or whose DTD is missing: to be given
-    alone."""
+    """Jing stops at the first file that is not well-formed, or whose DTD is missing; such files are
+    passed separately."""
     run = subprocess.run(["jing", SCHEMA / "scenefile.rng", *paths], text=True, errors="replace",
                          capture_output=True)
     given = {str(pathlib.Path(p).absolute()): p for p in paths}
@@ -108,7 +109,7 @@ def jing(paths):
 
 
 def xmllint(paths, *schema):
-    """Without libxml2's own limits, and without the network."""
+    """Without libxml2's limits, and without network access."""
     schema = schema or ("--relaxng", SCHEMA / "scenefile.rng")
     run = subprocess.run(["xmllint", "--noout", "--nonet", "--huge", *schema, *paths], text=True,
                          errors="replace", capture_output=True)
@@ -149,7 +150,7 @@ def variants(data, tried):
 
 
 def with_kinds(root):
-    """Every element, in the order of the file, and which its parents are and what it has."""
+    """Every element in the order of the file, with a description of its parents and contents."""
     found = []
     todo = [(root, ())]
     while todo:

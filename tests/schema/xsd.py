@@ -1,6 +1,6 @@
 """scenefile.xsd accepts every file that scenefile.rng accepts: xsd.py PATH...
 
-It accepts others too, see schema/scenefile-xsd.rnc. Exit code 77: skipped, for lack of xmllint.
+It also accepts others, see schema/scenefile-xsd.rnc. Exit code 77: skipped, because xmllint is missing.
 """
 
 import pathlib

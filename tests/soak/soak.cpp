@@ -1,7 +1,7 @@
-// scenefile_soak COUNT FOLDER...: one process, as a server would run it, takes COUNT files below
-// the folders, good and bad, the whole way: read, check, load, draw small, write in both formats.
-// After every file has been met once, the memory must not grow by more than 1 % and no file may
-// stay open.
+// scenefile_soak COUNT FOLDER...: a long-running process, like a server, that processes COUNT files
+// below the folders, valid and invalid: read, check, load, draw small, write in both formats. After
+// every file has been processed once, memory must not grow by more than 1 % and no file may stay
+// open.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/format/write_scene.h"
@@ -28,13 +28,13 @@ using namespace scenefile;
 namespace fs = std::filesystem;
 
 constexpr double most_growth = 0.01;
-// A sanitizer keeps what was freed, to find uses of it: then memory says nothing.
+// Sanitizers keep freed memory to detect its use, so memory cannot be measured.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool memory_counts = false;
 #else
 constexpr bool memory_counts = true;
 #endif
-// What the allocator may keep in the corners of pages.
+// For fragmentation in the allocator.
 constexpr double slack_bytes = 256 * 1024;
 
 std::vector<std::string> files_below(const std::string& folder) {
@@ -87,7 +87,7 @@ double resident_bytes() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-// What the library holds, and the few small blocks that each thread keeps for its next call.
+// The memory allocated by the library, plus small per-thread caches.
 double allocated_bytes() {
   const struct mallinfo2 heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd);
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     std::fputs("usage: scenefile_soak COUNT FOLDER...\n", stderr);
     return 2;
   }
-  // Or the allocator raises the threshold by itself, and keeps in many pools what it might need.
+  // Otherwise the allocator adapts the threshold, and keeps free memory in many arenas.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   mallopt(M_ARENA_MAX, 1);
   std::sort(files.begin(), files.end());

@@ -1,7 +1,7 @@
 #pragma once
-// A ray tracer as a student writes it, for tests: one ray a pixel, single precision, every object
-// asked for every ray. Shares nothing with the project's geometry and tracer, so that agreement is
-// evidence; and makes well known mistakes when told to.
+// A ray tracer as a student would write it, for tests: one ray per pixel, single precision, no
+// acceleration structure. Shares nothing with the project's geometry and tracer, so that their
+// agreement is evidence. Makes common mistakes on request.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/scene/scene.h"
@@ -22,7 +22,7 @@ struct KnownMistake {
 
 std::span<const KnownMistake> known_mistakes();
 
-/// What the tracer is to draw, in the words of the course's configuration.
+/// What the tracer should draw, in terms of the course's configuration.
 struct Job {
   int width = 320;
   int height = 240;

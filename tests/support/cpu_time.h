@@ -4,7 +4,7 @@
 
 namespace scenefile {
 
-/// Processor time of the test's process, all threads: what others do on the machine does not count.
+/// CPU time of the test process, all threads; not affected by other processes.
 inline double cpu_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }

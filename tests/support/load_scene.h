@@ -1,5 +1,5 @@
 #pragma once
-// From a path to what render() takes, for tests that want a picture.
+// Loads a scene file for tests that render it.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
@@ -21,7 +21,7 @@ struct LoadedScene {
 /// Reads, checks, prepares and loads the files of a scene, as the program does.
 LoadedScene load_scene(const std::string& path, bool compat_course);
 
-/// The files of a scene that stands at `path`.
+/// Loads the asset files of a scene at `path`.
 Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics);
 
 }  // namespace scenefile::testing_support

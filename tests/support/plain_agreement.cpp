@@ -8,7 +8,7 @@ namespace scenefile::testing {
 
 namespace {
 
-// Writes down all that it is told.
+// Records all events.
 class Log : public XmlHandler {
  public:
   explicit Log(const TextCursor& places) : places_(places) {}

@@ -1,4 +1,4 @@
-// The accelerator against looking at every object.
+// Compares the accelerator with testing every object.
 
 #include "scenefile/trace/accelerator.h"
 
@@ -43,7 +43,7 @@ Mesh tetrahedron() {
   return m;
 }
 
-// Groups that use those before them, with a material for every primitive.
+// Groups that use earlier groups, with a separate material for each primitive.
 SceneBuilder random_scene(Random& random) {
   SceneBuilder b;
   b.scene.groups.clear();
@@ -97,7 +97,7 @@ bool meet_mesh(const Mesh& mesh, const Ray& ray, double t_min, double t_max, dou
   return found;
 }
 
-// Calls visit(t, material) for the nearest meeting with each object.
+// Calls visit(t, material) for the nearest hit of each object.
 template <typename F>
 void for_each_object(const SceneBuilder& b, std::uint32_t group, const DAffine& world_from_group,
                      const Ray& ray, double t_min, double t_max, const F& visit) {
@@ -118,8 +118,7 @@ void for_each_object(const SceneBuilder& b, std::uint32_t group, const DAffine& 
   }
 }
 
-// The nearest meeting where meshes count as met at t times the length of the ray's direction in
-// their space.
+// The nearest hit, with t for meshes computed by the length of the ray's direction in their space.
 Found nearest_by_mesh_distance(const SceneBuilder& b, std::uint32_t group,
                                const DAffine& world_from_group, const Ray& ray, double t_min) {
   Found found;
@@ -165,7 +164,7 @@ Ray random_ray(Random& random, double distance) {
   return {through - distance * direction, direction * (random() % 2 == 0 ? 1.0 : 3.0)};
 }
 
-// Edges met within rounding may go either way; so rarely that a share of them is a fault.
+// Rays that hit an edge within rounding may differ; more than a small share of them is a bug.
 struct Tally {
   int rays = 0;
   int differ = 0;
@@ -391,7 +390,7 @@ TEST(Accelerator, NothingToHit) {
 }
 
 TEST(Accelerator, NoRaySlipsThroughAMesh) {
-  // A closed ball of many triangles; rays from the middle through its corners and edges.
+  // A closed sphere of many triangles, with rays from its center through corners and edges.
   SceneBuilder b;
   Mesh ball;
   constexpr int n = 40;

@@ -10,7 +10,7 @@ namespace scenefile::trace_test {
 
 namespace {
 
-// Collects the first disagreement.
+// Keeps the first discrepancy.
 class Sums {
  public:
   Sums(const RenderScene& scene, const PixelRecord& pixel) : scene_(scene), pixel_(pixel) {}
@@ -115,7 +115,7 @@ class Sums {
     expect(glm::dot(s.normal, l.to_light), l.n_dot_l, "N.L");
     expect(s.diffuse_color * std::max(0.0, l.n_dot_l), l.diffuse, "diffuse term");
     const bool shines = l.r_dot_v > 0 && material.shininess > 0;
-    // The tracer multiplies where std::pow takes logarithms.
+    // The tracer uses repeated multiplication, std::pow uses logarithms.
     const Color specular =
         shines ? s.specular_color * std::pow(l.r_dot_v, double(material.shininess)) : Color(0);
     const Color gap = glm::abs(specular - l.specular);
@@ -127,7 +127,7 @@ class Sums {
     expect(double(l.visibility == Color(1) || !l.blockers.empty()), 1, "a shadow has a cause");
   }
 
-  // The color of a sample, or of those that stand for it.
+  // The color of a sample, or of the sample that represents it.
   Color value_of(std::uint32_t index) const {
     const SampleRecord& sample = pixel_.samples[index];
     return sample.refined ? quarter_sum(index) : sample.color;
@@ -163,7 +163,7 @@ class Sums {
 }  // namespace
 
 std::string what_does_not_add_up(const RenderScene& scene, const PixelRecord& pixel) {
-  const NoDenormals no_denormals;  // as the tracer
+  const NoDenormals no_denormals;  // like the tracer
   return Sums(scene, pixel).check();
 }
 

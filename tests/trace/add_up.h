@@ -1,5 +1,5 @@
 #pragma once
-// Whether the numbers of an explained pixel are the pixel.
+// Checks that the terms of an explained pixel add up to the pixel.
 
 #include "scenefile/trace/explain.h"
 
@@ -7,8 +7,8 @@
 
 namespace scenefile::trace_test {
 
-/// Adds all terms anew, in the documented order. Returns the first place where the result is not
-/// the recorded number to the last bit; empty: all of them are.
+/// Adds all terms again, in the documented order. Returns the first place where the result is not
+/// exactly the recorded number; empty if there is none.
 std::string what_does_not_add_up(const RenderScene& scene, const PixelRecord& pixel);
 
 /// Compares with the pixel of a picture that render() made with the same options.

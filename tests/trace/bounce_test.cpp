@@ -1,4 +1,4 @@
-// Mirrors and glass.
+// Reflection and refraction.
 
 #include "scenefile/trace/optics.h"
 #include "trace/build_scene.h"
@@ -40,7 +40,7 @@ TEST(Optics, MirrorsByFresnelsEquations) {
   EXPECT_NEAR(fresnel_reflectance(1, 1.5), 0.04, 1e-15);
   EXPECT_NEAR(fresnel_reflectance(0, 1 / 1.5), 1, 1e-15);
   EXPECT_NEAR(fresnel_reflectance(0.3, 1), 0, 1e-15);
-  // At Brewster's angle only light across the plane of incidence is mirrored.
+  // At Brewster's angle only s-polarized light is reflected.
   const double brewster = std::atan(1.5);
   const double across = std::cos(2 * brewster);
   EXPECT_NEAR(fresnel_reflectance(std::cos(brewster), 1 / 1.5), across * across / 2, 1e-15);
@@ -58,7 +58,8 @@ TEST(Optics, MirrorsAsMuchFromBothSides) {
   }
 }
 
-// Clear glass between walls that shine by `behind` and `before` the camera's back.
+// Clear glass between walls of brightness `behind` (behind the glass) and `before` (behind the
+// camera).
 SceneBuilder glass_between(Shape shape, float before, float behind) {
   SceneBuilder b;
   RenderMaterial glass;
@@ -80,7 +81,7 @@ RenderOptions with_fresnel() {
 }
 
 TEST(Fresnel, ASlabMirrorsAtBothFaces) {
-  // All bounces inside it summed: 2 F / (1 + F).
+  // The sum of all internal reflections: 2 F / (1 + F).
   const double mirrored = 2 * 0.04 / 1.04;
   EXPECT_NEAR(glass_between(Shape::cube, 1, 0).seen(with_fresnel()).x, mirrored, 1e-3);
   EXPECT_NEAR(glass_between(Shape::cube, 0, 1).seen(with_fresnel()).x, 1 - mirrored, 1e-3);
@@ -134,7 +135,7 @@ TEST(Mirror, CourseFollowsFourBounces) {
 TEST(Mirror, FineFollowsSixteenOrUntilNothingShows) {
   const SceneBuilder b = mirror_corridor(0.75, 0.125);
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.125 * geometric_sum(0.75, 17), tolerance);
-  // 0.25^5 is the last weight of at least 1/1024.
+  // 0.25^5 is the last weight that is at least 1/1024.
   EXPECT_NEAR(mirror_corridor(0.25, 0.5).seen(Profile::fine).x, 0.5 * geometric_sum(0.25, 6),
               tolerance);
 }
@@ -164,7 +165,7 @@ TEST(Mirror, CourseClampsEachRayAndFineOnlyThePicture) {
 }
 
 TEST(Mirror, ShowsWhatLiesInTheMirrorDirection) {
-  // A mirror at 45 degrees turns -z into +x.
+  // A mirror at 45 degrees reflects -z to +x.
   SceneBuilder b;
   b.add(Shape::cube, Affine{rotate(45, {0, 1, 0}).linear, glm::vec3(0, 0, -3)},
         b.material(mirror(1, 0)));
@@ -190,8 +191,8 @@ RenderMaterial glass(float ior) {
   return m;
 }
 
-// A slab 1 thick, met at 45 degrees; behind it a wall along the ray's original direction, red on
-// one side and green on the other of where the ray should arrive.
+// A slab of thickness 1, hit at 45 degrees; behind it a wall perpendicular to the ray's original
+// direction, red on one side and green on the other of the point where the ray should arrive.
 glm::dvec3 behind_slab(double wall_edge, Profile profile) {
   SceneBuilder b;
   b.add(Shape::cube, scale({20, 1, 20}), b.material(glass(1.5)));
@@ -205,12 +206,13 @@ glm::dvec3 behind_slab(double wall_edge, Profile profile) {
 }
 
 TEST(Glass, ASlabShiftsTheRaySideways) {
-  // In at (0, 0.5), through by tan(asin(sin 45 / 1.5)), on at 45 degrees for 5.
+  // Enters at (0, 0.5), is displaced by tan(asin(sin 45 / 1.5)), and continues at 45 degrees for 5
+  // units.
   const double inside = std::tan(std::asin(std::sqrt(0.5) / 1.5));
   for (const Profile profile : {Profile::course, Profile::fine}) {
     const glm::dvec3 right = behind_slab(inside + 5 - 1e-4, profile);
     const glm::dvec3 left = behind_slab(inside + 5 + 1e-4, profile);
-    EXPECT_NEAR(right.y, 0.5, tolerance);  // one factor for the whole passage
+    EXPECT_NEAR(right.y, 0.5, tolerance);  // one factor for the entire passage
     EXPECT_NEAR(right.x, 0, tolerance);
     EXPECT_NEAR(left.x, 0.5, tolerance);
     EXPECT_NEAR(left.y, 0, tolerance);
@@ -218,8 +220,9 @@ TEST(Glass, ASlabShiftsTheRaySideways) {
 }
 
 TEST(Glass, ReflectsTotallyInside) {
-  // From above into a block at 45 degrees: inside the ray is 28.1 degrees off the vertical, meets
-  // the sides at 61.9, beyond the critical 41.8, is mirrored by both and leaves below.
+  // Enters a block from above at 45 degrees. Inside, the ray is 28.1 degrees off the vertical and
+  // hits the sides at 61.9 degrees, beyond the critical angle of 41.8; both reflect it totally, and
+  // it leaves at the bottom.
   SceneBuilder b;
   b.add(Shape::cube, scale({1, 4, 1}), b.material(glass(1.5)));
   b.add(Shape::cube, Affine{glm::mat3(20), glm::vec3(-10, -20, 0)}, b.glowing({1, 0, 0}));
@@ -227,8 +230,8 @@ TEST(Glass, ReflectsTotallyInside) {
   b.look({0, 2.25, 0}, {0.25, 2, 0});
   for (const Profile profile : {Profile::course, Profile::fine}) {
     const glm::dvec3 c = b.seen(profile);
-    // The ray enters at x = 0.25, meets x = 0.5 after falling 0.47 and x = -0.5 after 1.87 more:
-    // at the bottom it travels to the right.
+    // The ray enters at x = 0.25, hits x = 0.5 after falling 0.47, and x = -0.5 after 1.87 more: at
+    // the bottom it travels to the right.
     EXPECT_NEAR(c.x, 0, tolerance);
     EXPECT_NEAR(c.y, 0.5, tolerance);
   }
@@ -285,12 +288,12 @@ TEST(Glass, InGlassIsLeftInTheOppositeOrder) {
   b.scene.materials[1].ambient = glm::vec3(0.125);
   b.add(Shape::cube, translate({0, 0, -6}), b.glowing(glm::vec3(1)));
   b.look({0, 0, 0}, {0, 0, -1});
-  // No wall is lit on the way out.
+  // Surfaces add no ambient light when the ray leaves them.
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.125 + 0.5 * (0.125 + 0.5), tolerance);
 }
 
 TEST(Bounces, MoreThanTheyGetStillEnd) {
-  // Mirrors and glass that lose nothing, 64 deep: two to the 64 rays without a bound.
+  // Lossless mirrors and glass, 64 deep: 2^64 rays without a bound.
   SceneBuilder b;
   RenderMaterial m = mirror(1, 0.01f);
   m.transparent = glm::vec3(1);

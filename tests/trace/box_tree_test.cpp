@@ -1,4 +1,4 @@
-// The hierarchy against looking at every box.
+// Compares the BVH with testing every box.
 
 #include "scenefile/trace/box_tree.h"
 
@@ -21,7 +21,7 @@ double between(Random& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// Some are flat, some lie in one another, some are the same.
+// Some are flat, some are nested, some are equal.
 std::vector<FloatBox> random_boxes(Random& random) {
   std::vector<FloatBox> boxes(random() % 400);
   for (FloatBox& box : boxes) {
@@ -63,12 +63,12 @@ RC_GTEST_PROP(BoxTree, OffersEveryBoxThatTheRayMeets, ()) {
   const std::vector<FloatBox> boxes = random_boxes(random);
   const BoxTree tree(boxes);
   for (std::uint32_t i = 0; i < boxes.size(); i += 1 + random() % 64) {
-    // Through a point of the box: at t = distance.
+    // Through a point of the box, at t = distance.
     const double distance = i % 3 == 0 ? 1e6 : between(random, 0, 10);
     Ray ray;
     ray.direction = random_direction(random);
     ray.origin = point_in(random, boxes[i]) - distance * ray.direction;
-    // The point that is met, as far as the origin can say.
+    // The hit point, within the precision of the origin.
     const double off = 1e-9 * (1 + distance);
     std::set<std::uint32_t> offered;
     std::vector<FloatBox> wide = boxes;
@@ -110,13 +110,13 @@ TEST(BoxTree, AnEndOfMinusInfinityEndsTheSearch) {
       {{0, 0, 5}, {0, 0, -1}}, 0, [&] { return offered > 0 ? -infinity : infinity; },
       [&](std::uint32_t) { ++offered; });
   EXPECT_GE(offered, 1);
-  EXPECT_LE(offered, 4);  // those of one leaf
+  EXPECT_LE(offered, 4);  // the boxes of one leaf
 }
 
 TEST(BoxTree, ManyBoxesInOnePlaceNestNoDeeperThanHalving) {
   std::vector<FloatBox> boxes;
   for (int i = 0; i < 100000; ++i) {
-    // Each half as large as the one before it, until all are one.
+    // Each half as large as the previous one, until all are equal.
     const float size = std::ldexp(1.0f, -std::min(i, 140));
     boxes.push_back({{0, 0, 0}, {size, size, size}});
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Ready scenes in a few words.
+// Shorthand for building render scenes.
 
 #include "scenefile/trace/render.h"
 
@@ -27,7 +27,7 @@ inline Affine rotate(float degrees, const glm::vec3& axis) {
   return affine(glm::rotate(glm::mat4(1), glm::radians(degrees), axis));
 }
 
-/// Fills a scene with a root group, coefficients of 1 and a camera at the origin looking along -z.
+/// A scene with a root group, coefficients of 1, and a camera at the origin that looks along -z.
 struct SceneBuilder {
   RenderScene scene;
   Assets assets;
@@ -43,7 +43,7 @@ struct SceneBuilder {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
   }
 
-  /// Shines by itself: ambient light only.
+  /// Emits light: ambient term only.
   std::uint32_t glowing(const glm::vec3& color) {
     RenderMaterial m;
     m.ambient = color;
@@ -68,7 +68,7 @@ struct SceneBuilder {
     return i;
   }
 
-  /// To the root, which is the last group.
+  /// Adds to the root, which is the last group.
   void add(Shape shape, const Affine& place, std::uint32_t material_index) {
     scene.groups.back().primitives.push_back(primitive(shape, place, material_index));
     scene.root = static_cast<std::uint32_t>(scene.groups.size() - 1);
@@ -113,7 +113,7 @@ struct SceneBuilder {
     camera.fov_y = glm::radians(fov_degrees);
   }
 
-  /// What the camera sees in the middle of the picture, through one ray.
+  /// The color of the picture's center, from a single ray.
   glm::dvec3 seen(Profile profile = Profile::course, Mode mode = Mode::ray) const {
     RenderOptions options = default_options(profile);
     options.mode = mode;

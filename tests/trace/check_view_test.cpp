@@ -43,7 +43,7 @@ bool gives(const Diagnostics& diagnostics, const Code& code) {
                      [&](const Diagnostic& d) { return d.code == &code; });
 }
 
-// A sphere in front of the camera, with a sun.
+// A sphere in front of the camera, and a directional light.
 struct Ball : SceneBuilder {
   std::uint32_t plain = material({});
 
@@ -219,7 +219,7 @@ TEST(CheckView, EndsOnTemplateBombs) {
   for (std::uint32_t i = 0; i < 40; ++i) {
     RenderGroup group;
     for (int copy = 0; copy < 10; ++copy) {
-      // In view as a whole, but not in fact.
+      // Its bounding box is in view, but no part of it is.
       group.instances.push_back(b.instance(i, rotate(float(copy) / 100, {0, 0, 1})));
     }
     b.scene.groups.push_back(group);
@@ -228,7 +228,7 @@ TEST(CheckView, EndsOnTemplateBombs) {
   EXPECT_LE(codes(judge(b)).size(), 1u);
 }
 
-// A small random world, seen from the origin.
+// A small random scene, seen from the origin.
 SceneBuilder random_scene() {
   const auto number = [](int low, int high) { return float(*rc::gen::inRange(low, high)) / 10; };
   const auto vector = [&](int reach) {

@@ -17,7 +17,7 @@ double psnr(const Image& a, const Image& b) {
   return -10 * std::log10(sum / double(a.rgb.size()) + 1e-12);
 }
 
-// A checkered floor with a ball and a block.
+// A checkered floor with a sphere and a block.
 SceneBuilder table() {
   SceneBuilder b;
   RenderMaterial floor;
@@ -138,7 +138,7 @@ TEST(DenoiseBounds, NoChannelMovesByMoreThanThreeStandardErrors) {
 }
 
 TEST(DenoiseBounds, GuidesAreEdges) {
-  // Noise of the same size on both sides of an edge in normal, albedo, place or coverage.
+  // Equal noise on both sides of an edge in normal, albedo, position or coverage.
   for (const int guide : {0, 1, 2, 3}) {
     std::vector<PixelStatistics> pixels(32 * 16);
     for (std::size_t i = 0; i < pixels.size(); ++i) {

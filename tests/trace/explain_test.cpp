@@ -10,7 +10,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-// Scenes with something of everything, by number.
+// Random scenes that use every feature, by seed.
 class RandomScene {
  public:
   explicit RandomScene(std::uint32_t seed) : random_(seed) {
@@ -96,7 +96,7 @@ class RandomScene {
     return l;
   }
 
-  // Instances of the groups before it.
+  // Adds instances of earlier groups.
   void add_group(int primitives, int instances) {
     RenderGroup g;
     for (int i = 0; i < primitives; ++i) {
@@ -120,7 +120,7 @@ class RandomScene {
 constexpr int width = 16;
 constexpr int height = 12;
 
-// Explains every pixel, another sample of each.
+// Explains every pixel, with a different sample for each.
 void expect_sums(const SceneBuilder& b, RenderOptions options) {
   options.width = width;
   options.height = height;
@@ -314,7 +314,7 @@ TEST(Explain, SaysWhyABounceIsNotFollowed) {
 }
 
 TEST(Explain, TotalReflectionHasAWall) {
-  // A cube of glass, entered through its front at a slant; the side wall mirrors.
+  // A glass cube, entered at an angle through its front; the side wall reflects totally.
   RenderMaterial glass;
   glass.transparent = glm::vec3(1);
   glass.ior = 1.5f;

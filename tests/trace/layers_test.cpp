@@ -44,7 +44,7 @@ RenderOptions with_layers(Profile profile, std::string_view words) {
 constexpr std::string_view all_words =
     "depth,normal,uv,albedo,object-id,light-1,light-2,shadow,reflection-depth";
 
-// A lit wall with its face at z = -3 that fills the view; a small plate shades part of it.
+// A lit wall with its front at z = -3 that fills the view; a small plate casts a shadow on it.
 SceneBuilder wall() {
   SceneBuilder b;
   RenderMaterial m;
@@ -70,10 +70,10 @@ TEST(Layers, HoldWhatTheCameraSees) {
     ASSERT_EQ(result.layers.size(), 9U);
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(12, 8), std::pair(23, 3)}) {
       const auto at = [&](std::size_t layer) { return value(result, options, layer, x, y); };
-      EXPECT_NEAR(at(0)[0], 3, 1e-6);  // along the view, not along the ray
+      EXPECT_NEAR(at(0)[0], 3, 1e-6);  // along the view axis, not along the ray
       EXPECT_NEAR(at(1)[2], 1, 1e-6);
       const float across =
-          float(std::tan(b.scene.camera.fov_y / 2)) * 3 / 8;  // of a pixel on the wall
+          float(std::tan(b.scene.camera.fov_y / 2)) * 3 / 8;  // size of a pixel on the wall
       EXPECT_NEAR(at(2)[0], 0.5f + (float(x) + 0.5f - 12) * across / 20, 1e-5);
       EXPECT_NEAR(at(3)[1], 0.25, 1e-6);
       EXPECT_EQ(at(4)[0], 1);
@@ -96,7 +96,7 @@ TEST(Layers, OfNothing) {
   }
 }
 
-// Spheres before the wall: edges, shadows, and with glass and mirror if wanted.
+// Spheres in front of the wall: edges, shadows, and optionally glass and mirrors.
 SceneBuilder spheres(float mirror) {
   SceneBuilder b = wall();
   RenderMaterial m;
@@ -159,8 +159,8 @@ TEST(Layers, AreSmoothWhereThatMeansSomething) {
 
 TEST(Layers, ShadowIsTheShareOfTheLightThatIsTaken) {
   SceneBuilder b = wall();
-  // Covers the left half for the directional light, which gives two thirds of the red light there
-  // and all of the green and blue.
+  // Occludes the left half for the directional light, which provides two thirds of the red light
+  // there and all of the green and blue.
   b.scene.lights.pop_back();
   b.add(Shape::cube, translate({-10, 0, 5}) * scale({20, 40, 0.5f}), 0);
   const RenderOptions options = with_layers(Profile::fine, "shadow");
@@ -168,7 +168,7 @@ TEST(Layers, ShadowIsTheShareOfTheLightThatIsTaken) {
   EXPECT_EQ(value(result, options, 0, 4, 8)[0], 1);
   EXPECT_EQ(value(result, options, 0, 20, 8)[0], 0);
   b.light(LightType::directional, {0.5f, 0, -std::sqrt(0.75f)}, glm::vec3(0.5));
-  b.scene.lights.back().direction = -b.scene.lights.back().direction;  // from behind: no light
+  b.scene.lights.back().direction = -b.scene.lights.back().direction;  // from behind: unlit
   const RenderResult unchanged = render(b.scene, b.assets, options);
   EXPECT_EQ(value(unchanged, options, 0, 4, 8)[0], 1);
 }
@@ -207,7 +207,7 @@ TEST(LayerPicture, MapsValuesToColors) {
             std::vector<float>(ids.begin() + 6, ids.end()));
 }
 
-// The part of the picture, cut out by hand.
+// Cuts out a region of the picture.
 std::vector<float> part_of(const std::vector<float>& values, int width, const PixelRegion& crop) {
   const std::size_t channels = values.size() / std::size_t(width) / 16;
   std::vector<float> part;

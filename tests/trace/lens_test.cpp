@@ -5,7 +5,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-// A wide wall whose edge is at x = 0, at distance 6, seen through a lens in focus at 3.
+// A wide wall with its edge at x = 0, at distance 6, seen through a lens focused at 3.
 SceneBuilder edge_scene(double aperture, double focal_length) {
   SceneBuilder b;
   b.add(Shape::cube, translate({10, 0, -6}) * scale({20, 20, 1e-6f}), b.glowing(glm::vec3(1)));
@@ -14,22 +14,22 @@ SceneBuilder edge_scene(double aperture, double focal_length) {
   return b;
 }
 
-// How much of the wall a pixel sees that looks at x on its plane.
+// The share of the wall in a pixel that looks at x on the wall's plane.
 double share(SceneBuilder b, double x, RenderOptions options) {
   b.look({0, 0, 0}, {x, 0, -6}, 0.001);
-  // The plane in focus stays perpendicular to the view, which turns a little: keep x small.
+  // The focal plane stays perpendicular to the view, which rotates slightly: keep x small.
   return b.picture(1, 1, options).pixel(0, 0)[0];
 }
 
 TEST(Lens, CircleOfConfusionGrowsWithTheDistanceFromFocus) {
-  // Radius at distance 6: aperture * (6 - 3) / 3.
+  // Radius of the circle of confusion at distance 6: aperture * (6 - 3) / 3.
   const SceneBuilder b = edge_scene(0.01, 3);
   RenderOptions options = default_options(Profile::fine);
   options.samples = 256;
   EXPECT_EQ(share(b, -0.0101, options), 0);
   EXPECT_NEAR(share(b, 0, options), 0.5, 0.02);
   EXPECT_NEAR(share(b, 0.0101, options), 1, 1e-6);
-  // Of a disk, the part within half a radius of the middle line and beyond.
+  // The share of a disk beyond a line at half the radius from its center.
   const double half = 0.5 + (0.5 * std::sqrt(0.75) + std::asin(0.5)) / 3.14159265358979;
   EXPECT_NEAR(share(b, 0.005, options), half, 0.02);
 }
@@ -43,8 +43,8 @@ TEST(Lens, WhatIsInFocusIsSharp) {
 }
 
 TEST(Lens, CourseUsesEightPoints) {
-  // Of them, by x: two at -1, one at -1/2, two at 0, one at 1/2, two at 1. Rays from the right
-  // arrive on the left.
+  // The lens samples by x: two at -1, one at -1/2, two at 0, one at 1/2, two at 1. Rays from the
+  // right arrive on the left.
   const SceneBuilder b = edge_scene(0.01, 3);
   const RenderOptions options = default_options(Profile::course);
   EXPECT_NEAR(share(b, -0.0075, options), 2.0 / 8, 1e-6);

@@ -1,4 +1,4 @@
-// Templates inside templates.
+// Nested templates.
 
 #include "support/cpu_time.h"
 #include "trace/build_scene.h"
@@ -14,7 +14,7 @@ RenderOptions small_options(Profile profile) {
   return options;
 }
 
-// Spheres with smaller spheres on their six sides, `levels` deep, as one group a level.
+// Spheres with smaller spheres on six sides, `levels` deep, with one group per level.
 SceneBuilder fractal(int levels) {
   SceneBuilder b;
   b.scene.groups.clear();
@@ -40,7 +40,7 @@ SceneBuilder fractal(int levels) {
   return b;
 }
 
-// The same in one group.
+// The same flattened to one group.
 SceneBuilder flattened(const SceneBuilder& nested) {
   SceneBuilder flat = nested;
   RenderGroup all;
@@ -77,7 +77,7 @@ TEST(Nesting, InstancesLookLikeCopies) {
     differ += std::abs(a.rgb[i] - b.rgb[i]) > 1e-4f ? 1 : 0;
     lit += a.rgb[i];
   }
-  EXPECT_LT(differ, 3 * 160 * 120 / 100);  // silhouettes in the last digit of a float
+  EXPECT_LT(differ, 3 * 160 * 120 / 100);  // silhouettes that differ by float rounding
   EXPECT_GT(lit, 1000);
 }
 
@@ -122,7 +122,7 @@ TEST(Nesting, BombsEndQuickly) {
   }
 }
 
-// Groups of more things than two levels of them can be merged.
+// Groups with so many objects that no two levels can be merged.
 SceneBuilder deep(std::uint32_t levels) {
   constexpr int things = 256;
   SceneBuilder b;

@@ -1,4 +1,4 @@
-// Normals in world space, by the mode that shows them: (n + 1) / 2.
+// World-space normals in normals mode: (n + 1) / 2.
 
 #include "trace/build_scene.h"
 
@@ -35,7 +35,7 @@ TEST(Normals, ConeHasABase) {
 }
 
 TEST(Normals, FollowTheInverseTransposeUnderUnevenScale) {
-  // The ellipsoid x^2/4 + y^2 = 1/4: its normal at a point is along (x/4, y).
+  // The ellipsoid x^2/4 + y^2 = 1/4: its normal at a point is parallel to (x/4, y).
   SceneBuilder b = one(Shape::sphere, scale({2, 1, 1}), {0.6, 3, 0}, {0.6, 0, 0});
   const double y = std::sqrt(0.25 - 0.6 * 0.6 / 4);
   expect_near(normal_seen(b), glm::normalize(glm::dvec3(0.6 / 4, y, 0)));

@@ -1,4 +1,4 @@
-// Laws of optics that hold whatever the scene, measured in pictures.
+// Laws of optics for random scenes, measured in pictures.
 
 #include "trace/build_scene.h"
 
@@ -32,7 +32,7 @@ RenderMaterial glass(double ior) {
   return m;
 }
 
-// A place that shines alike from everywhere.
+// Surrounds the scene with constant radiance.
 void surround(SceneBuilder& b, float radiance) {
   b.add(Shape::sphere, scale(glm::vec3(100)), b.glowing(glm::vec3(radiance)));
 }
@@ -51,7 +51,7 @@ RC_GTEST_PROP(Furnace, AMirrorInConstantLightShowsItsShareOfIt, ()) {
   RC_ASSERT(std::abs(b.seen(profile).x - 0.75 * share) < 1e-6);
 }
 
-// Every wall gives off e and mirrors r of what comes: e + r e + r^2 e + ... = e / (1 - r).
+// Every wall emits e and reflects the fraction r: e + r e + r^2 e + ... = e / (1 - r).
 RC_GTEST_PROP(Furnace, ARoomOfMirrorsIsAGeometricSeries, ()) {
   SceneBuilder b;
   const double r = 0.05 + 0.6 * random_share();
@@ -63,7 +63,7 @@ RC_GTEST_PROP(Furnace, ARoomOfMirrorsIsAGeometricSeries, ()) {
   b.add(*rc::gen::element(Shape::cube, Shape::sphere), scale(glm::vec3(4)), b.material(m));
   const glm::dvec3 eye = 0.5 * random_direction();
   b.look(eye, eye + random_direction());
-  // Bounces that add less than 1/1024 are left out; the largest r needs 16 for that.
+  // Reflections that add less than 1/1024 are skipped; the largest r needs 16 of them for that.
   const double left_out = (1.0 / 1024) * e / (1 - r);
   const double whole = e / (1 - r);
   const double seen = b.seen(Profile::fine).x;
@@ -71,8 +71,8 @@ RC_GTEST_PROP(Furnace, ARoomOfMirrorsIsAGeometricSeries, ()) {
   RC_ASSERT(seen >= whole - left_out * 1.01 - 1e-6);
 }
 
-// Without absorption a clear body in constant light cannot be seen: what it refracts is as bright
-// as what it hides, total reflections inside included.
+// In constant light, a clear body without absorption is invisible: refracted light, including total
+// internal reflection, is as bright as the background.
 RC_GTEST_PROP(Furnace, ClearGlassInConstantLightIsInvisible, ()) {
   SceneBuilder b;
   const double ior = 1 + random_share();
@@ -82,7 +82,8 @@ RC_GTEST_PROP(Furnace, ClearGlassInConstantLightIsInvisible, ()) {
   RC_ASSERT(std::abs(b.seen(Profile::fine).x - 0.75) < 1e-6);
 }
 
-// Into a block at `angle`, on to a plate a depth below the surface that glows on one side.
+// A ray into a block at `angle`, then to a plate at a depth below the surface that glows on one
+// side.
 double plate_in_glass(double ior, double angle, double edge, double depth, Profile profile) {
   SceneBuilder b;
   b.add(Shape::cube, Affine{glm::mat3(40), glm::vec3(0, -20, 0)}, b.material(glass(ior)));
@@ -114,14 +115,14 @@ RC_GTEST_PROP(Snell, BeyondTheCriticalAngleNothingLeaves, ()) {
   const auto seen_at = [&](double angle) {
     b.look({0, 0, 0}, {std::sin(angle), std::cos(angle), 0}, 1);
     RenderOptions options = default_options(Profile::fine);
-    options.max_depth = 0;  // a mirrored ray does not come back
+    options.max_depth = 0;  // without reflected rays
     return b.seen(options).x;
   };
   RC_ASSERT(seen_at(critical + 1e-4) < 1e-6);
 }
 
-// A lens draws a small thing as a disk. At distance d, in focus at f, its radius is
-// aperture * |d - f| / f there: Hecht, "Optics", for thin lenses and the object's side.
+// A lens images a small object as a disk. At distance d, focused at f, its radius there is aperture
+// * |d - f| / f: Hecht, "Optics", for thin lenses on the object side.
 TEST(Lens, CircleOfConfusionAndItsLight) {
   for (const double distance : {2.0, 3.0, 4.5, 9.0}) {
     const double focus = 3;
@@ -149,13 +150,13 @@ TEST(Lens, CircleOfConfusionAndItsLight) {
       }
     }
     EXPECT_NEAR(farthest, radius + size / 2, 1.5 * field / side) << distance;
-    // Blur spreads the light and keeps its sum.
+    // Blur spreads the light but keeps its sum.
     const double area = light * (field / side) * (field / side);
     EXPECT_NEAR(area / (pi * size * size / 4), 1, 0.08) << distance;
   }
 }
 
-// Three waves along x and two along y on a plane, as heights of 8 bits.
+// Three waves along x and two along y, as 8-bit heights.
 constexpr int map_side = 64;
 
 std::vector<std::uint8_t> wave_map() {
@@ -183,7 +184,7 @@ TEST(BumpMap, OfAPlaneHasTheAnalyticNormals) {
   RenderMaterial m;
   m.bump_map.file = b.texture(map_side, map_side, wave_map());
   b.add(Shape::cube, Affine(), b.material(m));
-  // Diffuse light from three sides at right angles gives the components of the normal.
+  // Diffuse light from three perpendicular directions gives the components of the normal.
   const glm::vec3 from[3] = {glm::normalize(glm::vec3(1, 0, 1)),
                              glm::normalize(glm::vec3(-1, 1, 1)),
                              glm::normalize(glm::vec3(-1, -2, 1))};
@@ -205,7 +206,7 @@ TEST(BumpMap, OfAPlaneHasTheAnalyticNormals) {
       }
     }
   }
-  // Half a step of 255 at either end of two texels is a slope of 0.008, interpolation costs the
+  // Rounding both ends of two texels to 8 bits changes the slope by 0.008; interpolation causes the
   // rest.
   EXPECT_LT(worst, 0.02);
 }

@@ -23,7 +23,7 @@ TEST(CourseCell, EvenPixelsTakeFourSamples) {
   EXPECT_EQ(places[3], glm::dvec2(3.75, 5.75));
 }
 
-// Samples of a pixel with a vertical edge at x.
+// The number of samples of a pixel with a vertical edge at x.
 int samples_at_edge(double x, double step) {
   int count = 0;
   course::cell(
@@ -41,9 +41,10 @@ TEST(CourseCell, RefinesOnlyAboveTheThreshold) {
 }
 
 TEST(CourseCell, EndsAfterThreeLevels) {
-  // The edge runs between the halves: all four quadrants are refined once, and are even then.
+  // The edge runs between the halves: all four quadrants are refined once, and are uniform then.
   EXPECT_EQ(samples_at_edge(0.5, 1), 4 + 16);
-  // Between the columns of the second level on the left: the left two quadrants there go on.
+  // The edge is between the columns of the second level on the left, so the left two quadrants
+  // there are refined again.
   EXPECT_EQ(samples_at_edge(0.3, 1), 4 + 4 * 4 + 2 * 4 * 4);
 }
 

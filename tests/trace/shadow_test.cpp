@@ -1,4 +1,4 @@
-// Where shadows end, and what comes through.
+// Edges of shadows, and light through glass.
 
 #include "trace/build_scene.h"
 
@@ -9,7 +9,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-// A floor at y = 0, seen from above at (x, 0, 0) past everything that hangs over it.
+// A floor at y = 0, seen from above at (x, 0, 0), ignoring everything above it.
 struct Floor {
   SceneBuilder b;
 
@@ -22,7 +22,7 @@ struct Floor {
   double brightness(double x, Profile profile = Profile::course) {
     return brightness(x, default_options(profile));
   }
-  // Where the brightness crosses `level` between two places.
+  // The position between two places where the brightness crosses `level`.
   double edge(double low, double high, double level, RenderOptions options) {
     const bool rises = brightness(low, options) < level;
     for (int i = 0; i < 40; ++i) {
@@ -34,7 +34,7 @@ struct Floor {
 };
 
 TEST(Shadow, EdgeLiesWhereThePointLightSeesIt) {
-  // A plate to x = 0.5 at height 1 under a light at height 3: the edge is at 0.5 * 3 / 2.
+  // A plate up to x = 0.5 at height 1, under a light at height 3: the edge is at 0.5 * 3 / 2.
   for (const Profile profile : {Profile::course, Profile::fine}) {
     Floor floor;
     floor.b.add(Shape::cube,
@@ -104,8 +104,8 @@ TEST(Shadow, GlassBlocksWhereRefractionIsOff) {
   EXPECT_EQ(under_glass(1).b.seen(options), glm::dvec3(0));
 }
 
-// An area light at height 4, one unit wide along x, over a plate with its edge at x = 0 and height
-// 1: the penumbra reaches from -1/6 to 1/6.
+// An area light at height 4, one unit wide along x, above a plate with its edge at x = 0 and height
+// 1: the penumbra extends from -1/6 to 1/6.
 Floor penumbra_scene() {
   Floor floor;
   floor.b.add(Shape::cube,
@@ -121,7 +121,7 @@ TEST(Shadow, PenumbraOfAnAreaLightHasTheWidthOfSimilarTriangles) {
   Floor floor = penumbra_scene();
   EXPECT_EQ(floor.brightness(-1.0 / 6 - 1e-3), 0);
   EXPECT_GT(floor.brightness(1.0 / 6 + 1e-3), 0.49);
-  // Four columns of the course's grid, the outer ones 3/8 from the middle.
+  // The course's grid has four columns, the outer ones 3/8 from the center.
   RenderOptions options = default_options(Profile::course);
   EXPECT_NEAR(floor.edge(-0.2, 0, 0.01, options), -0.375 / 3, 1e-4);
   EXPECT_NEAR(floor.edge(0, 0.2, 0.45, options), 0.375 / 3, 1e-4);

@@ -1,4 +1,4 @@
-// Pictures in the hands of the caller: passes, parts, and a structure that is kept.
+// Pictures driven by the caller: passes, parts, and a reused acceleration structure.
 
 #include "scenefile/trace/picture_state.h"
 #include "trace/build_scene.h"
@@ -28,7 +28,7 @@ SceneBuilder uneven_scene() {
   return b;
 }
 
-// Whatever may be asked of a picture.
+// Options for all kinds of pictures.
 std::vector<RenderOptions> all_kinds() {
   std::vector<RenderOptions> kinds;
   for (const Profile profile : {Profile::course, Profile::fine}) {
@@ -127,7 +127,7 @@ TEST(State, ShortCallsGoOnWhereTheyWere) {
     PictureState state = make_state(b.scene, options);
     for (int calls = 0; !complete(state) && calls < 1000; ++calls) {
       render_pass(traced, b.scene, options, state, [](double) { return false; });
-      // As if another process went on.
+      // As if another process resumed.
       PictureState next = make_state(b.scene, options);
       ASSERT_TRUE(decode_state(encode_state(state), next));
       state = std::move(next);

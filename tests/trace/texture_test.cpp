@@ -68,7 +68,7 @@ TEST(TextureLookup, WideFootprintsGiveTheMean) {
 }
 
 TEST(TextureLookup, LongFootprintsStaySharpAcross) {
-  // Horizontal stripes seen through a footprint that is long along them.
+  // Horizontal stripes with a footprint that is long along them.
   const Texture t = gray(64, 4, [] {
     std::vector<std::uint8_t> v(64 * 4, 0);
     std::fill(v.begin() + 64, v.begin() + 128, std::uint8_t{240});
@@ -106,7 +106,7 @@ TEST(Texturing, DistantCheckersTurnGrayInFine) {
 }
 
 TEST(BumpMap, TiltsANormalByTheSlopeOfTheMap) {
-  // Height rises by bump_height * (204 / 255) over the width of the map: one object unit.
+  // The height increases by bump_height * (204 / 255) over the width of the map: one object unit.
   std::vector<std::uint8_t> ramp;
   for (int i = 0; i < 205; ++i) {
     ramp.push_back(static_cast<std::uint8_t>(i));
@@ -121,7 +121,7 @@ TEST(BumpMap, TiltsANormalByTheSlopeOfTheMap) {
   const glm::vec3 light = glm::normalize(glm::vec3(1, -1, 0));
   b.light(LightType::directional, light, glm::vec3(1));
   EXPECT_NEAR(b.seen(Profile::fine).x, glm::dot(expected, glm::dvec3(-light)), 1e-4);
-  EXPECT_NEAR(b.seen(Profile::course).x, std::sqrt(0.5), 1e-6);  // not used there
+  EXPECT_NEAR(b.seen(Profile::course).x, std::sqrt(0.5), 1e-6);  // not used in this profile
 }
 
 TEST(BumpMap, FlatMapChangesNothing) {

@@ -1,5 +1,5 @@
 #pragma once
-// Ready scenes in a few words, and a device to draw them with.
+// Shorthand for building render scenes, and a device to draw them.
 
 #include "scenefile/view/headless.h"
 
@@ -14,7 +14,7 @@ inline Affine place(const glm::vec3& offset, float size = 1) {
   return {glm::mat3(size), offset};
 }
 
-/// A root group, coefficients of 1, a camera at the origin looking along -z.
+/// A root group, coefficients of 1, and a camera at the origin that looks along -z.
 struct SceneBuilder {
   RenderScene scene;
   Assets assets;
@@ -25,7 +25,7 @@ struct SceneBuilder {
     scene.groups.resize(1);
   }
 
-  /// Shines by itself: ambient light only.
+  /// Emits light: ambient term only.
   std::uint32_t glowing(const glm::vec3& color) {
     RenderMaterial m;
     m.ambient = color;
@@ -34,7 +34,7 @@ struct SceneBuilder {
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
   }
 
-  /// To the last group, which becomes the root. Sources count up from 0.
+  /// Adds to the last group, which becomes the root. Sources are numbered from 0.
   void add(Shape shape, const Affine& where, std::uint32_t material) {
     RenderPrimitive p;
     p.shape = shape;
@@ -57,7 +57,8 @@ struct SceneBuilder {
   std::uint32_t next_source = 0;
 };
 
-/// A context and a device, for all tests of a process: making them takes most of a test's time.
+/// A context and a device, shared by all tests of a process, because creating them takes most of a
+/// test's time.
 struct Screen {
   std::string error;
   std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);

@@ -1,4 +1,4 @@
-// What OpenGL makes of the options of a picture.
+// OpenGL options derived from the options of a picture.
 
 #include "scenefile/view/draw_options.h"
 
@@ -16,7 +16,7 @@ bool same_drawing(const RenderOptions& a, const RenderOptions& b) {
 }
 
 TEST(DrawOptions, HoldWhatOpenGlKnowsOfTheFeatures) {
-  // Both profiles together show all of them: super-sampling is the course's alone.
+  // Together the profiles cover all options: only the course has super-sampling.
   const RenderOptions course = default_options(Profile::course);
   for (std::size_t n = 0;; ++n) {
     RenderOptions changed = course;

@@ -1,4 +1,4 @@
-// What draw() puts where, on scenes whose pixels are known on paper.
+// Pixels of draw(), for scenes with known results.
 
 #include "view/build_scene.h"
 
@@ -20,7 +20,7 @@ TEST_F(Drawn, AnObjectStandsWhereTheCameraSeesIt) {
   builder.scene.camera.fov_y = glm::radians(90.0);
   Drawing drawing = uploaded(builder);
   const Image image = draw_square(drawing, builder.scene.camera, one_sample());
-  // (1, 1, -4) is a quarter of the way from the middle to the upper right corner.
+  // (1, 1, -4) is a quarter of the way from the center to the upper right corner.
   const glm::vec3 inside = at(image, 20, 11);
   EXPECT_NEAR(inside.r, 1, 1.0 / 255);
   EXPECT_NEAR(inside.g, 0.5, 1.0 / 255);

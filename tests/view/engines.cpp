@@ -1,9 +1,9 @@
-// Renders every scene below a folder with both engines and says how far they are apart:
+// Renders every scene below a folder with both engines and reports how much they differ:
 //
 //     scenefile_engines FOLDER [OUT]
 //
-// OUT is a folder for the pictures of misses. The exit status is 1 where a scene misses a threshold
-// and engines.tsv names no cause, or falls below the floor that it names there.
+// OUT is an output folder for pictures that miss a threshold. The exit status is 1 if a scene
+// misses a threshold and engines.tsv gives no reason, or is below the minimum given there.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
@@ -28,7 +28,7 @@ using view_test::Agreement;
 constexpr double whole_threshold = 32;
 constexpr double inside_threshold = 40;
 
-// A scene that need not reach the thresholds.
+// A scene that is exempt from the thresholds.
 struct Exception {
   std::string ending;  // of the path
   double whole_floor = 0;

@@ -25,7 +25,7 @@ class BothEngines : public Drawn {
   void expect_alike(const std::string& name) {
     expect_file_alike(std::string(SCENEFILE_SCENES) + "/" + name, name);
   }
-  // Objects in one transblock each, below coefficients of 0.5, seen from `distance`.
+  // Draws each object in a separate transblock, with coefficients of 0.5, seen from `distance`.
   void expect_text_alike(const std::string& lights, const std::string& objects, double distance) {
     const std::string text = fmt::format(
         R"(<scenefile><globaldata><ambientcoeff v="0.5"/><diffusecoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
@@ -83,7 +83,7 @@ TEST_F(BothEngines, DrawMirroredAndStretchedShapesAlike) {
   expect_text_alike(sun, objects, 6);
 }
 
-// Bumps from texel to texel, on faces that are seen at a slant.
+// Bumps that vary from texel to texel, on faces seen at an angle.
 TEST_F(BothEngines, DrawBumpyFacesAlike) {
   Image bumps(400, 400);
   std::minstd_rand random(1);
@@ -128,8 +128,7 @@ TEST_F(BothEngines, DrawManyLightsAndNoneAlike) {
   expect_text_alike(sun, "", 4);
 }
 
-// Pictures of our own scenes; they are looked at before they are accepted, with
-// SCENEFILE_ACCEPT_GOLDEN=1.
+// Pictures of our own scenes; inspect them before accepting them with SCENEFILE_ACCEPT_GOLDEN=1.
 TEST_F(BothEngines, OpenGlDrawsTheAcceptedPictures) {
   for (const char* const name : {"hello", "showcase"}) {
     const testing_support::LoadedScene scene =
@@ -149,7 +148,7 @@ TEST_F(BothEngines, OpenGlDrawsTheAcceptedPictures) {
     std::uint64_t budget = limits.texture_bytes;
     const Result<std::string> bytes = read_file(path, limits.file_bytes);
     ASSERT_EQ(error_text(bytes), "");
-    // Other drivers place samples and round elsewhere.
+    // Other drivers place samples and round differently.
     EXPECT_GE(compare_images(ours, decode_image(*bytes, limits, budget, error)).psnr_db, 32)
         << name;
   }

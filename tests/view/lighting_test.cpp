@@ -1,4 +1,4 @@
-// The lighting equation in the shader, against numbers known on paper.
+// The lighting equation in the shader, with values computed by hand.
 
 #include "view/build_scene.h"
 
@@ -29,7 +29,7 @@ RenderLight light(LightType type, const glm::vec3& position) {
 
 class Lit : public Drawn {
  protected:
-  // Red in the middle of the picture.
+  // The red value at the center of the picture.
   float middle(const SceneBuilder& builder, DrawOptions options = {}) {
     options.samples = 1;
     Drawing drawing = uploaded(builder);

@@ -1,4 +1,4 @@
-// What the other modes show.
+// The other draw modes.
 
 #include "scenefile/view/vertices.h"
 #include "view/build_scene.h"

@@ -1,4 +1,4 @@
-// The pictures of the assignment Realtime, against a software rasterizer and known values.
+// Pictures of the assignment Realtime, compared with a software rasterizer and known values.
 
 #include "scenefile/asset/compare_images.h"
 #include "view/build_scene.h"
@@ -41,7 +41,7 @@ RenderLight light(LightType type, const glm::vec3& position, const glm::vec3& di
   return result;
 }
 
-// All shapes, turned and stretched, one mirrored, and all types of lights.
+// All shapes, rotated and stretched, one reflected, and all types of lights.
 SceneBuilder everything() {
   SceneBuilder builder;
   RenderMaterial material;
@@ -71,8 +71,8 @@ SceneBuilder everything() {
 }
 
 struct Apart {
-  long over = 0;    // pixels off by more than 8/255
-  long inside = 0;  // of them, farther than a pixel from an edge
+  long over = 0;    // pixels that differ by more than 8/255
+  long inside = 0;  // those farther than a pixel from any edge
 };
 
 Apart apart(const Texture& a, const SoftwarePicture& b) {
@@ -119,11 +119,11 @@ TEST_F(Realtime, NearAndFarCutTheShapesOpen) {
   EXPECT_GT(compare_images(ours, drawn(builder, whole, 200, 150)).share_over, 0.1);
 }
 
-// A square whose edges pass through pixel centers: the rules of drivers decide who owns them.
+// A square whose edges pass through pixel centers: which side covers them depends on the driver.
 TEST_F(Realtime, EdgesThroughPixelCentersAreTheDrivers) {
   SceneBuilder builder;
   builder.scene.camera.fov_y = 2 * std::atan(1.0);
-  // 16 x 16 pixels, at depth 1 one is an eighth of the world's unit high.
+  // 16 x 16 pixels; at depth 1, a pixel is an eighth of a world unit high.
   const double aspect = double(realtime_window(16, 16).width) / realtime_window(16, 16).height;
   glm::mat3 linear(1);
   linear[0][0] = static_cast<float>(aspect * 8 / 8);
@@ -221,7 +221,7 @@ TEST_F(Realtime, PickingFindsWhatThePictureShows) {
     const Image ids = draw_image(*device, drawing, builder.scene.camera, options, 96, 72, error);
     for (int y = 1; y < 71; y += 5) {
       for (int x = 1; x < 95; x += 5) {
-        bool even = true;  // the pixels around are of one object
+        bool even = true;  // whether the neighboring pixels show the same object
         for (int i = 0; i < 9; ++i) {
           even = even && at(ids, x + i % 3 - 1, y + i / 3 - 1) == at(ids, x, y);
         }
@@ -243,10 +243,10 @@ TEST_F(Realtime, CountsItsTriangles) {
   EXPECT_EQ(stats.triangles, 7u * (2 * 4 - 2) + 12 * 4 * 4);
 }
 
-// One edge and its neighbor in a row: the kernels' weights.
+// The pixels next to an edge reveal the weights of the kernels.
 TEST_F(Realtime, KernelsAreABoxOfFiveAndASharpenOfThree) {
   SceneBuilder builder;
-  // The left half is lit, to the middle of the picture.
+  // The left half is lit, up to the center of the picture.
   builder.add(Shape::cube, place({-10, 0, -12}, 20), builder.glowing(glm::vec3(1)));
   RealtimeOptions realtime;
   realtime.filter = Filter::blur;

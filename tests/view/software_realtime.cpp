@@ -92,7 +92,7 @@ class Rasterizer {
     result.picture.height = height_;
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
-        // Rows of the frame count from the bottom.
+        // The frame's rows count from the bottom.
         const dvec2 place((x + 0.5) / width_ * frame_.width,
                           (height_ - y - 0.5) / height_ * frame_.height);
         const dvec3 filtered = filter(place);
@@ -185,7 +185,7 @@ class Rasterizer {
     }
     const double area = cross(p[1] - p[0], p[2] - p[0]);
     if (!(area > 0)) {
-      return;  // a back face
+      return;  // back face
     }
     const int x1 = std::min(width_ - 1, int(std::floor(high.x)));
     const int y1 = std::min(height_ - 1, int(std::floor(high.y)));
@@ -209,7 +209,7 @@ class Rasterizer {
 
   static double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-  // Counterclockwise with y up, left edges lead down and upper edges lead left.
+  // The top-left rule: counterclockwise with y up, left edges go down and top edges go left.
   bool owns(const dvec2& edge) const {
     const bool upper = edge.x < 0;
     return edge.y < 0 || (edge.y == 0 && upper == rules_.upper_edges_own);
@@ -266,8 +266,7 @@ class Rasterizer {
     return dvec3(c[0], c[1], c[2]) / 255.0;
   }
 
-  // Linear interpolation between the centers of the frame's pixels, which repeat beyond its
-  // borders.
+  // Linear interpolation between the centers of the frame's pixels, repeating the border.
   dvec3 sample(const dvec2& place) const {
     const dvec2 low = glm::floor(place - 0.5);
     const dvec2 t = place - 0.5 - low;

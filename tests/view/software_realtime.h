@@ -1,6 +1,6 @@
 #pragma once
-// The pictures of the assignment Realtime once more, without OpenGL: what the engine is held
-// against. It shares the tessellation and the options with the library, nothing else.
+// A reference implementation of the pictures of the assignment Realtime, without OpenGL. It shares
+// only the tessellation and the options with the library.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/scene/render_scene.h"
@@ -12,18 +12,18 @@ namespace scenefile::view_test {
 
 /// Rules that OpenGL leaves to the driver.
 struct RasterRules {
-  int subpixel_bits = 8;  ///< to which window coordinates are rounded before rasterization
-  /// Which horizontal edges own the pixel centers on them: of the triangle below or above.
+  int subpixel_bits = 8;  ///< window coordinates are rounded to this before rasterization
+  /// Whether a pixel center on a horizontal edge belongs to the triangle below it or above it.
   bool upper_edges_own = true;
 };
 
 struct SoftwarePicture {
   Texture picture;
-  /// By pixel: a visible triangle's edge is at most one pixel away.
+  /// By pixel: whether the edge of a visible triangle is at most one pixel away.
   std::vector<bool> near_edge;
 };
 
-/// Meshes are left out.
+/// Draws no meshes.
 SoftwarePicture software_realtime(const RenderScene& scene, const RealtimeOptions& options,
                                   int width, int height, const RasterRules& rules = {});
 

@@ -35,8 +35,8 @@ DrawOptions same_features() {
   return options;
 }
 
-// Colors of single objects: copies of a template are apart here, while the tracer's layer has one
-// number for all.
+// A color for each object. Here instances of a template differ, while the tracer's layer has one
+// number for all of them.
 Image draw_objects(GlDevice& device, Drawing& drawing, const RenderCamera& camera, int width,
                    int height) {
   DrawOptions options = same_features();
@@ -74,7 +74,7 @@ std::vector<bool> outlines(const std::vector<float>& numbers, const Image& objec
   return result;
 }
 
-// Of the 8-bit values, as files have them.
+// Computed from 8-bit values, as in files.
 double psnr(const Texture& a, const Texture& b, const std::vector<bool>& without) {
   double squares = 0;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// One scene by both engines, and how far their pictures are apart.
+// Draws a scene with both engines and measures the difference.
 
 #include "scenefile/view/draw.h"
 #include "support/load_scene.h"
@@ -12,7 +12,7 @@ namespace scenefile::view_test {
 struct Agreement {
   std::string error;    ///< why there are no pictures; empty: there are
   double whole_db = 0;  ///< PSNR of all pixels; 99 for equal pictures
-  /// The same without the pixels that have a change of object within two pixels; 99 without any.
+  /// Excludes pixels within two pixels of a change of object; 99 if none remain.
   double inside_db = 0;
   Image traced;
   Image drawn;

@@ -86,7 +86,7 @@ TEST(CameraControl, LookingAroundStays) {
 
 TEST(CameraControl, ThePictureFollowsThePointer) {
   ViewCamera view;
-  view.height_angle_deg = 90;  // the picture is 10 high at the pivot
+  view.height_angle_deg = 90;  // the picture is 10 units high at the pivot
   const ViewCamera panned_view = panned(view, 0.1, 0.2);
   expect_near(panned_view.pivot, {-1, -2, 0});
 }
@@ -117,7 +117,7 @@ TEST(CameraControl, FramingFillsThePicture) {
   for (const double aspect : {0.5, 1.0, 2.0}) {
     const ViewCamera view = framing(ViewCamera{}, box, aspect);
     expect_near(view.pivot, {10, 0, 0});
-    // The camera looks along -z: the face of the box at z = 1 is what fills the picture.
+    // The camera looks along -z: the face of the box at z = 1 fills the picture.
     const double half = std::tan(view.height_angle_deg * std::acos(-1) / 360);
     const double seen = half * std::min(aspect, 1.0) * (view.position.z - 1);
     EXPECT_NEAR(seen, 1.1, 1e-9) << aspect;
@@ -136,7 +136,8 @@ TEST(CameraControl, ThePivotLiesInTheScene) {
   EXPECT_GT(pivot_distance(camera, box), 0);
 }
 
-// Whatever hands do, the camera keeps its horizon, its distance where it only turns, and is finite.
+// For any input the camera keeps its horizon, keeps its distance when it only rotates, and stays
+// finite.
 RC_GTEST_PROP(CameraControl, StaysACamera, ()) {
   const auto number = [](double most) { return *rc::gen::inRange(-1000, 1000) * most / 1000; };
   ViewCamera view = view_of(some_camera(), 4);

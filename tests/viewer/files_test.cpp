@@ -1,4 +1,4 @@
-// Files that change, folders, and the files that the window writes of itself.
+// Changed files, folders, and the files that the window writes.
 
 #include "io/temp_folder.h"
 #include "scenefile/viewer/file_watch.h"

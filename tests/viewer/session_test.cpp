@@ -1,4 +1,4 @@
-// The window without a window: what hands do, and what becomes of it.
+// The session without a window: input and its effects.
 
 #include "scenefile/viewer/session.h"
 
@@ -32,7 +32,7 @@ struct SessionTest : ::testing::Test {
     settle();
   }
 
-  // Time goes on by itself, faster than the clock on the wall.
+  // Advances simulated time, faster than real time.
   void pass(double seconds) {
     for (double end = time + seconds; time < end; time += 0.05) {
       tick(session, time);
@@ -397,7 +397,7 @@ TEST_F(SessionTest, ComparesWhatIsTracedWithTheReference) {
   EXPECT_LT(session.comparison->measures.difference.psnr_db, 40);
   EXPECT_THAT(measures_text(session.comparison->measures), HasSubstr("dB"));
   EXPECT_EQ(session.comparison->flip.width, 32);
-  // The reference is drawn anew by its author.
+  // Someone replaces the reference.
   write_picture("right.png", 30, 20);
   settle();
   EXPECT_EQ(session.reference.width, 30);

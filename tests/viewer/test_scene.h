@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of text for the tests of the window.
+// Scene texts for the tests of the window.
 
 #include "scenefile/format/read_scene.h"
 #include "scenefile/io/file.h"
@@ -10,8 +10,8 @@
 
 namespace scenefile::viewer::testing {
 
-/// A sphere at x = -1 and a cube at x = 1, seen from z = 6; a template of a cone, copied twice
-/// below them; two lights.
+/// A sphere at x = -1 and a cube at x = 1, seen from z = 6; a template with a cone, instantiated
+/// twice below them; two lights.
 inline const std::string scene_text = R"(<scenefile>
   <globaldata><ambientcoeff v="1"/><diffusecoeff v="1"/><specularcoeff v="1"/></globaldata>
   <cameradata>
@@ -42,7 +42,7 @@ inline const std::string scene_text = R"(<scenefile>
 </scenefile>
 )";
 
-/// As the program does, for scenes without files.
+/// Opens a scene like the program does, for scenes without assets.
 inline OpenedScene open_file(const std::string& path) {
   OpenedScene opened;
   opened.path = path;

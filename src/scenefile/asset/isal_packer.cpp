@@ -1,4 +1,4 @@
-// The only file that knows ISA-L.
+// The only file that includes ISA-L.
 
 #include "scenefile/asset/png_packer.h"
 
@@ -16,7 +16,7 @@ struct PngPacker::State {
 PngPacker::PngPacker() : state_(std::make_unique<State>()) {
   isal_zstream& stream = state_->stream;
   isal_deflate_init(&stream);
-  // Levels 1 and 2 give other bytes where the stream lies elsewhere in memory (decision 18).
+  // Levels 1 and 2 give bytes that depend on memory addresses (decision 18).
   stream.level = 3;
   stream.level_buf = state_->buffer.data();
   stream.level_buf_size = static_cast<std::uint32_t>(state_->buffer.size());

@@ -1,4 +1,4 @@
-// The only file that knows zlib.
+// The only file that includes zlib.
 
 #include "scenefile/asset/zlib_bytes.h"
 
@@ -15,7 +15,7 @@ std::string deflated(std::string_view bytes, int level) {
                                reinterpret_cast<const Bytef*>(bytes.data()),
                                static_cast<uLong>(bytes.size()), level);
   if (status != Z_OK) {
-    throw std::bad_alloc();  // the only reason left: the room is what zlib asks for
+    throw std::bad_alloc();  // the only possible reason: the buffer has the size that zlib requires
   }
   packed.resize(size);
   return packed;

@@ -1,4 +1,4 @@
-// Without ISA-L. Packs when all is there: zlib is asked once.
+// For builds without ISA-L. Compresses everything at the end, in a single call of zlib.
 
 #include "scenefile/asset/png_packer.h"
 #include "scenefile/asset/zlib_bytes.h"

@@ -26,7 +26,7 @@ bool finite(const Ray& ray) {
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-// Whether something was found.
+// Returns whether a hit was found.
 bool search(Query& q, const Parts& parts, MeshDistance mesh_distance, const Ray& ray,
             std::atomic<bool>& overwhelmed) {
   if (parts.groups.empty() || !finite(ray)) {

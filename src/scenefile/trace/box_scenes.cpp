@@ -1,4 +1,4 @@
-// What a ray may meet by our own hierarchy, where Embree is missing.
+// RayScenes with our own BVH, for builds without Embree.
 
 #include "scenefile/trace/box_tree.h"
 #include "scenefile/trace/ray_box.h"
@@ -21,14 +21,14 @@ const BoxTree& tree_of(const void* scene) {
   return *static_cast<const BoxTree*>(scene);
 }
 
-// As far as Embree goes.
+// The range that Embree supports.
 bool searchable(const Ray& ray) {
   const glm::dvec3 size = glm::abs(ray.direction);
   const double largest = std::max({size.x, size.y, size.z});
   return largest > 1e-30 && largest < 1e30;
 }
 
-// Its t stay.
+// Scales the ray without changing its t.
 Ray scaled_ray(const Ray& ray, double scale) {
   return {scale * ray.origin, scale * ray.direction};
 }
@@ -51,11 +51,11 @@ std::vector<FloatBox> triangle_boxes(const MeshScene& scene) {
   return boxes;
 }
 
-// Whether the ray's line passes through a triangle, by the side on which it passes each edge. What
-// two triangles share is computed alike for both, so that no ray slips through between them
-// (compare Davidovic et al., "3D rasterization: a bridge between rasterization and ray casting",
-// 2012). Slivers that are thinner than rounding are not met; the slack of their neighbors covers
-// them.
+// Whether the line of the ray passes through a triangle, by the side on which it passes each edge.
+// An edge shared by two triangles is computed identically for both, so that no ray passes between
+// them (compare Davidovic et al., "3D rasterization: a bridge between rasterization and ray
+// casting", 2012). Triangles thinner than rounding errors are missed; the tolerance of their
+// neighbors covers them.
 bool passes_through(const Mesh& mesh, std::uint32_t index, const Ray& ray) {
   const auto& corners = mesh.triangles[index];
   const glm::dvec3 a = glm::dvec3(mesh.positions[corners[0]]) - ray.origin;
@@ -64,7 +64,7 @@ bool passes_through(const Mesh& mesh, std::uint32_t index, const Ray& ray) {
   const double bc = glm::dot(ray.direction, glm::cross(b, c));
   const double ca = glm::dot(ray.direction, glm::cross(c, a));
   const double ab = glm::dot(ray.direction, glm::cross(a, b));
-  // At an edge both neighbors count, for the choice between equals.
+  // At an edge both neighbors count; ties are decided elsewhere.
   const double whole = std::abs(bc + ca + ab);
   const double slack = 1e-12 * whole;
   if (std::min({bc, ca, ab}) < -slack && std::max({bc, ca, ab}) > slack) {
@@ -74,7 +74,8 @@ bool passes_through(const Mesh& mesh, std::uint32_t index, const Ray& ray) {
   return whole * whole > noise * noise * glm::dot(ray.direction, ray.direction);
 }
 
-// The ray from about where it enters the box: what is near is rounded less. False: it does not.
+// The ray starting near the point where it enters the box, which reduces rounding errors. Returns
+// false if it misses the box.
 bool start_in_box(const Ray& ray, const Bounds& box, double t_min, double t_max, Ray& near) {
   near = ray;
   if (holds(box, ray.origin)) {
@@ -105,7 +106,7 @@ std::string embree_version() {
   return "none";
 }
 
-// Where memory runs out std::bad_alloc is thrown, as elsewhere.
+// If memory runs out, std::bad_alloc is thrown.
 bool RayScenes::good() const {
   return true;
 }

@@ -26,7 +26,7 @@ double middle(const FloatBox& box, int axis) {
   return 0.5 * (double{box.min[axis]} + double{box.max[axis]});
 }
 
-// Half of its surface.
+// Half of the surface area.
 double area(const FloatBox& box) {
   const double x = double{box.max[0]} - double{box.min[0]};
   const double y = double{box.max[1]} - double{box.min[1]};
@@ -45,7 +45,7 @@ struct Bin {
   double cost() const { return count == 0 ? 0 : area(box) * count; }
 };
 
-// An axis, cut where the middles of boxes lie.
+// An axis with bins over the centers of the boxes.
 struct Cuts {
   int axis = 0;
   double low = 0;
@@ -60,7 +60,7 @@ struct Cuts {
 struct Split {
   double cost = std::numeric_limits<double>::infinity();
   Cuts cuts;
-  std::size_t bin = 0;  // the first of the second half
+  std::size_t bin = 0;  // first bin of the second half
 
   bool found() const { return std::isfinite(cost); }
 };
@@ -78,7 +78,7 @@ struct BoxTree::Work {
     return whole;
   }
 
-  // False: the middles are all in one place.
+  // Returns false if all centers coincide.
   bool find_cuts(const std::uint32_t* first, const std::uint32_t* last, Cuts& cuts) const {
     cuts.low = std::numeric_limits<double>::infinity();
     cuts.high = -cuts.low;
@@ -98,7 +98,7 @@ struct BoxTree::Work {
       grow(bin.box, boxes[*i]);
       ++bin.count;
     }
-    std::array<double, bins> behind{};  // what this bin and those behind it cost
+    std::array<double, bins> behind{};  // cost of this bin and all after it
     Bin sum;
     for (std::size_t b = bins; b-- > 1;) {
       sum.add(all[b]);
@@ -123,7 +123,7 @@ struct BoxTree::Work {
     return best;
   }
 
-  // The first of the second half.
+  // Partitions the items; returns the first of the second half.
   std::uint32_t* parted(std::uint32_t* first, std::uint32_t* last, bool by_cost) const {
     const Split best = by_cost ? best_split(first, last) : Split();
     if (best.found()) {

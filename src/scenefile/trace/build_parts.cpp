@@ -71,7 +71,7 @@ class Builder {
       }
     }
     part.part_from_group = Affine(inverse(merged.group_from_part));
-    // Merging may have multiplied transforms beyond what a float can hold.
+    // Merged transforms may exceed the range of floats.
     if (!box.empty() && invertible(DAffine(part.part_from_group))) {
       group.parts.push_back(part);
       boxes.push_back(box);
@@ -99,7 +99,7 @@ class Builder {
     if (mesh.mesh == nullptr || mesh.scene != nullptr) {
       return;
     }
-    // Each triangle once: a file can repeat one so often that every ray takes seconds.
+    // Without duplicates: a file can repeat a triangle so often that every ray takes seconds.
     std::vector<std::uint32_t> distinct = distinct_triangles(*mesh.mesh);
     if (distinct.empty()) {
       mesh = {};

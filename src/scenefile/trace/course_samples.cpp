@@ -17,9 +17,9 @@ Color lens_pixel(const Tracer& tracer, const CameraRays& camera, const glm::dvec
   return sum / double(course::lens_points.size());
 }
 
-// Samples of a quadrant that was sampled anew follow those of the cell and lie in the quadrant.
-// Takes the cell whose samples begin at `first` with quadrants of `half` pixels; returns the index
-// behind its last.
+// The samples of a refined quadrant follow those of its cell, and are inside the quadrant. Links
+// the cell whose samples begin at `first`, with quadrants of `half` pixels; returns the index after
+// its last sample.
 std::size_t link_cell(const std::vector<glm::dvec2>& points, std::size_t first, double half,
                       std::vector<std::uint32_t>& links) {
   std::size_t next = first + 4;

@@ -9,20 +9,20 @@ namespace scenefile {
 
 namespace {
 
-constexpr int window = 7;           // pixels around the one that is filtered
-constexpr int patch = 1;            // pixels around each of them that are compared
-constexpr int variance_window = 2;  // pixels around each whose variances are averaged
+constexpr int window = 7;           // pixels around the filtered one
+constexpr int patch = 1;            // pixels around each of them to compare
+constexpr int variance_window = 2;  // pixels around each to average the variance over
 static_assert(denoise_reach == window + patch + variance_window);
 
-// How much guides may differ, as standard deviations.
+// Tolerances for guides, as standard deviations.
 constexpr float normal_width = 0.1f;
 constexpr float albedo_width = 0.02f;
 constexpr float coverage_width = 0.05f;
-constexpr float plane_width = 0.05f;  // sine of the angle out of the tangent plane
+constexpr float plane_width = 0.05f;  // sine of the angle to the tangent plane
 
 constexpr float color_width = 0.7f;      // in standard errors
-constexpr float invisible = 1.0f / 512;  // standard errors that no 8-bit value shows
-constexpr float most_errors = 3;         // by which a channel may move
+constexpr float invisible = 1.0f / 512;  // standard errors that are invisible in 8 bits
+constexpr float most_errors = 3;         // by which a channel may change
 constexpr float least_weight = 1e-3f;
 
 float square(float x) {
@@ -33,7 +33,7 @@ float square(const glm::vec3& v) {
   return glm::dot(v, v);
 }
 
-// How much guides differ beyond their own noise, in squares of what is allowed.
+// The squared difference of guides beyond their noise, relative to the tolerance.
 float excess(float squared_difference, float variance, float width) {
   return std::max(0.0f, squared_difference - variance) / (width * width + variance);
 }
@@ -61,7 +61,7 @@ class Filter {
  private:
   std::size_t index(int x, int y) const { return std::size_t(y) * width_ + x; }
 
-  // Calls f(x, y) for the pixels of the picture around one.
+  // Calls f(x, y) for the pixels around a pixel, inside the picture.
   template <typename F>
   void around(int x, int y, int radius, const F& f) const {
     for (int j = std::max(0, y - radius); j <= std::min(height_ - 1, y + radius); ++j) {
@@ -71,7 +71,7 @@ class Filter {
     }
   }
 
-  // Whether two pixels see one smooth surface, in [0, 1].
+  // Whether two pixels show the same smooth surface, in [0, 1].
   float likeness(const PixelStatistics& p, const PixelStatistics& q) const {
     const float of_normals = sharp_ ? 0 : p.normal_variance + q.normal_variance;
     float sum = excess(square(p.normal - q.normal), of_normals, normal_width);
@@ -90,7 +90,7 @@ class Filter {
     return length > 0 ? square(glm::dot(p.normal, step)) / length / square(plane_width) : 0;
   }
 
-  // Few samples tell little of their variance: the mean over the same surface.
+  // The variance from few samples is unreliable: averages it over the same surface.
   glm::vec3 smooth_variance(int x, int y) const {
     const PixelStatistics& p = pixels_[index(x, y)];
     glm::vec3 sum(0);
@@ -104,7 +104,7 @@ class Filter {
     return sum / weights;
   }
 
-  // How much the patches around two pixels differ beyond their noise, in squares of it.
+  // The squared difference of the patches around two pixels beyond their noise, relative to it.
   float color_excess(int px, int py, int qx, int qy) const {
     float sum = 0;
     int count = 0;

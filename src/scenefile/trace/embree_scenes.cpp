@@ -1,6 +1,7 @@
-// The only file that knows Embree. A scene of it holds one user geometry whose primitives are the
-// group's parts, or the triangles of a mesh, in single precision and with padded boxes. Its own
-// instances are not used: common builds allow one level of them and abort at the second.
+// The only file that includes Embree. Each scene has one user geometry whose primitives are the
+// group's parts, or the triangles of a mesh, in single precision and with padded boxes. Embree's
+// instances are not used, because common builds only allow one level of them and abort at the
+// second.
 
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
@@ -29,8 +30,8 @@ using BaseContext = RTCRayQueryContext;
 using BaseContext = RTCIntersectContext;
 #endif
 
-// The ray in the space of the group or mesh, and Embree's copy of it, whose t is
-// (t - shift) * scale.
+// The ray in the space of the group or mesh, and Embree's copy of it, whose t is (t - shift) *
+// scale.
 struct Level {
   const Ray* ray = nullptr;
   double shift = 0;
@@ -39,8 +40,8 @@ struct Level {
   float embree_t(double t) const { return next_up((t - shift) * scale); }
 };
 
-// One group or mesh that is searched. Embree hands the context to every callback; the rest follows
-// it in memory.
+// The search of one group or mesh. Embree passes the context to every callback; the rest follows it
+// in memory.
 struct Search {
   BaseContext base;
   Query* query = nullptr;
@@ -49,19 +50,19 @@ struct Search {
   bool mesh_crossed = false;
 };
 
-// Some versions hand it to filters as const.
+// Some versions pass it to filters as const.
 Search& search_of(const BaseContext* context) {
   return *reinterpret_cast<Search*>(const_cast<BaseContext*>(context));
 }
 
-// Embree takes coordinates beyond this for infinite, and ends the process.
+// Embree treats larger coordinates as infinite, and aborts the process.
 bool in_embree_range(const glm::vec3& v) {
   constexpr float largest = 1.8e18f;
   return std::abs(v.x) < largest && std::abs(v.y) < largest && std::abs(v.z) < largest;
 }
 
-// Embree's copy of a ray, from just before the box. Starting there instead of at the origin keeps
-// single precision good however far away the origin is. False: the ray misses the box.
+// Embree's copy of a ray, starting just before the box instead of at the origin, which keeps single
+// precision accurate for distant origins. Returns false if the ray misses the box.
 bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& extent, Level& level,
                   RTCRay& out) {
   double enter = t_min;
@@ -187,7 +188,7 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   q.triangle = triangle;
   q.b1 = hit.b1;
   q.b2 = hit.b2;
-  // A little beyond the hit, so that triangles at the same distance are offered too.
+  // Slightly beyond the hit, so that triangles at the same distance are tested too.
   const double beyond = hit.t + 1e-6 * std::abs(hit.t - s.level.shift);
   reinterpret_cast<RTCRay*>(arguments->ray)->tfar = s.level.embree_t(beyond);
 }
@@ -219,7 +220,7 @@ RTCGeometry parts_geometry(RTCDevice device, Group& group) {
   return geometry;
 }
 
-// Copied, not shared: Embree reads a little past the last vertex.
+// Copied instead of shared, because Embree reads slightly past the last vertex.
 void set_vertices(RTCGeometry geometry, const MeshScene& mesh) {
   const std::vector<glm::vec3>& positions = mesh.mesh->positions;
   void* const vertices = rtcSetNewGeometryBuffer(
@@ -264,13 +265,13 @@ struct RayScenes::State {
   std::vector<RTCScene> scenes;
   bool failed = false;
 
-  // Asking for the error forgets it.
+  // Reading the error resets it.
   bool good() {
     failed = failed || device == nullptr || rtcGetDeviceError(device) != RTC_ERROR_NONE;
     return !failed;
   }
 
-  // Takes the geometry over.
+  // Takes ownership of the geometry.
   RTCScene commit(RTCGeometry geometry, RTCSceneFlags flags) {
     RTCScene scene = rtcNewScene(device);
     scenes.push_back(scene);
@@ -278,7 +279,7 @@ struct RayScenes::State {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    // Not in an arena of its own: scenes outlive it, and TBB would keep it for ever.
+    // Not in a separate arena: scenes outlive it, and TBB would never free it.
     HandOver::give();
     rtcCommitScene(scene);
     HandOver::collect();
@@ -286,13 +287,13 @@ struct RayScenes::State {
   }
 };
 
-// Eight-wide trees: measured up to a quarter faster than the default.
+// Eight-wide BVH nodes: up to a quarter faster than the default.
 RayScenes::RayScenes() : state_(std::make_unique<State>()) {
   state_->device = rtcNewDevice("frequency_level=simd256");
 }
 
-// What failed is left to the end of the process: releasing it may wait for a task that could not be
-// made, for ever.
+// After a failure, nothing is released: that could wait forever for a task that could not be
+// created.
 RayScenes::~RayScenes() {
   if (!state_->good()) {
     return;
@@ -323,7 +324,7 @@ void RayScenes::add(Group& group) {
   }
 }
 
-// Robust: without it rays slip through between triangles.
+// Robust mode: otherwise rays can pass between adjacent triangles.
 void RayScenes::add(MeshScene& mesh) {
   if (state_->good()) {
     mesh.scene = state_->commit(mesh_geometry(state_->device, mesh), RTC_SCENE_FLAG_ROBUST);

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr Features no_matter;  // where only the words count
+constexpr Features no_matter;  // only used for the names
 
 constexpr std::size_t feature_count = [] {
   std::size_t count = 0;

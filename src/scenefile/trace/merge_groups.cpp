@@ -9,8 +9,8 @@ namespace scenefile {
 
 namespace {
 
-// Identical instances at one place are one object to every ray, but each would be followed: a
-// template of ten equal lines, forty levels deep, would never end.
+// Duplicate instances at the same place have no effect, but rays would follow each: a template with
+// ten equal instances, forty levels deep, would never end.
 std::vector<MergeEdge> distinct_edges(const RenderGroup& group) {
   using Key = std::array<std::uint32_t, 13>;
   std::vector<std::pair<Key, std::size_t>> keys;
@@ -38,13 +38,13 @@ std::vector<MergeEdge> distinct_edges(const RenderGroup& group) {
   return edges;
 }
 
-// Sums that a file can make larger than any integer.
+// Files can make these sums larger than any integer.
 std::size_t add_saturating(std::size_t a, std::size_t b) {
   return b > std::numeric_limits<std::size_t>::max() - a ? std::numeric_limits<std::size_t>::max()
                                                          : a + b;
 }
 
-// A group of so few steps is copied wherever it is used.
+// Groups with at most this cost are copied wherever they are used.
 constexpr std::size_t small_cost = 4;
 
 class Planner {
@@ -69,8 +69,8 @@ class Planner {
   }
 
  private:
-  // Copying costs a step for each part and each group on the way to it; chains of templates that
-  // hold one thing each are not free.
+  // Copying takes a step for each part and each group around it, so chains of templates with one
+  // object each are not free.
   std::size_t copy_cost(const MergeEdge& edge) const {
     return uses_[edge.group] == 1 || cost_[edge.group] <= small_cost ? 0 : cost_[edge.group];
   }
@@ -95,7 +95,7 @@ class Planner {
   void keep_what_is_used() {
     const std::size_t count = scene_.groups.size();
     plan_.kept.assign(count, false);
-    // How deep kept groups nest below each group, itself not counted.
+    // How deep kept groups are nested below each group, not counting itself.
     std::vector<std::uint32_t> below(count, 0);
     for (std::uint32_t g = 0; g < count; ++g) {
       for (const MergeEdge& edge : plan_.edges[g]) {
@@ -110,7 +110,7 @@ class Planner {
     mark_kept(scene_.root);
   }
 
-  // A group is reached through merged ones too: what those refer to is used as well.
+  // Groups are also reached through merged ones, whose references count as well.
   void mark_kept(std::uint32_t root) {
     std::vector<bool> reached(scene_.groups.size(), false);
     reached[root] = true;
@@ -128,7 +128,7 @@ class Planner {
   const RenderScene& scene_;
   const MergeLimits& limits_;
   MergePlan& plan_;
-  std::vector<std::size_t> uses_;  // by instances, repetitions not counted
+  std::vector<std::size_t> uses_;  // by distinct instances
   std::vector<std::size_t> cost_;  // steps to list the parts of the group after merging
   std::size_t copied_ = 0;
 };

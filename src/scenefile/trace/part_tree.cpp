@@ -30,8 +30,8 @@ int longest_axis(const std::vector<FloatBox>& boxes, const std::uint32_t* first,
   return best;
 }
 
-// Puts parts that are near each other behind each other: halves along the longest axis, of whole
-// nodes. Its depth is the logarithm of the number of parts.
+// Sorts nearby parts next to each other: splits along the longest axis, at whole nodes. The depth
+// is logarithmic in the number of parts.
 void sort_by_place(const std::vector<FloatBox>& boxes, std::uint32_t* first, std::uint32_t* last) {
   const auto count = static_cast<std::size_t>(last - first);
   std::size_t block = BoxNode::width;

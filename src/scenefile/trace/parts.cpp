@@ -15,14 +15,14 @@ Bounds widened(const Bounds& box) {
   return {box.min - pad, box.max + pad};
 }
 
-// Brings coordinates that are too large for single precision, or Embree, to about one.
+// Scales coordinates that are too large for single precision, or for Embree, to about one.
 double scale_of(const Bounds& box) {
   const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double largest = std::max({reach.x, reach.y, reach.z});
   return largest > 1e12 ? std::exp2(-std::ceil(std::log2(largest))) : 1;
 }
 
-// No vector becomes longer than this many times itself (the Frobenius norm).
+// An upper bound for the factor by which vectors become longer (the Frobenius norm).
 double largest_stretch(const DAffine& map) {
   const glm::dmat3& m = map.linear;
   return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));

@@ -124,7 +124,7 @@ void PixelRecorder::surface(const SurfacePoint& bumped, const Color& ambient, co
   }
 }
 
-// Every object once, as the shadow counts them; behind an opaque one nothing counts.
+// Each object once, as it counts for the shadow; objects behind an opaque one do not count.
 std::vector<Blocker> PixelRecorder::blockers(const Ray& ray, double start, double end) const {
   std::vector<Blocker> found;
   std::vector<Hit> hits;

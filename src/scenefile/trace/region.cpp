@@ -8,12 +8,12 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// The half-space on whose border the point lies.
+// The half-space whose boundary contains the point.
 HalfSpace through(const glm::dvec3& point, const glm::dvec3& outward) {
   return {outward, glm::dot(outward, point)};
 }
 
-// A cone is the intersection of the half-spaces that touch it; some of them hold it.
+// Bounds a cone by half-spaces that touch it.
 void add_cone(Region& region, const glm::dvec3& apex, const glm::dvec3& axis, double half_angle) {
   constexpr int sides = 16;
   const glm::dvec3 other = std::abs(axis.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -29,7 +29,8 @@ void add_cone(Region& region, const glm::dvec3& apex, const glm::dvec3& axis, do
 }  // namespace
 
 Region view_region(const RenderCamera& camera, double aspect) {
-  // A ray from the lens, l from its middle, is at depth z no farther out than l + z (t + l / f).
+  // A ray that starts at l from the lens's center is, at depth z, at most l + z (t + l / f) from
+  // the axis.
   const bool pinhole = !(camera.aperture > 0 && camera.focal_length > 0);
   const double lens = pinhole ? 0 : camera.aperture;
   const double widening = pinhole ? 0 : camera.aperture / camera.focal_length;

@@ -19,7 +19,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Progress that also saves the state when it is time.
+// Reports progress, and saves the state when it is due.
 class SavingProgress {
  public:
   SavingProgress(const Progress& progress, const Checkpoints& checkpoints,
@@ -48,7 +48,7 @@ void put_picture(PictureState state, RenderResult& result) {
   result.layers = std::move(resolved.layers);
 }
 
-// All passes, with those who are told of them.
+// Draws all passes, with callbacks.
 void render_passes(const Tracer& tracer, const RenderControl& control, PictureState& state,
                    RenderResult& result) {
   PreviewPicture shown(control.preview, state);

@@ -12,18 +12,18 @@ namespace scenefile {
 
 namespace {
 
-// A triangle counts as this much of a primitive.
+// The cost of a triangle relative to a primitive.
 constexpr double triangle_work = 0.5;
-// Of a turn: closed meshes wind once around the points inside, to rounding.
+// Closed meshes wind once around points inside, up to rounding.
 constexpr double once = 0.999;
 
-// The map that makes the box of the unit cube.
+// The map from the unit cube to the box.
 DAffine box_from_cube(const Bounds& box) {
   const glm::dvec3 size = box.max - box.min;
   return {glm::dmat3(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z), 0.5 * (box.min + box.max)};
 }
 
-// Whether one of the half-spaces has nothing of the shape, by more than rounding can be wrong.
+// Whether one of the half-spaces does not touch the shape, by a margin above rounding.
 bool outside(const Region& region, Shape shape, const DAffine& place) {
   return std::any_of(region.begin(), region.end(), [&](const HalfSpace& half) {
     const double nearest = -support(shape, place, -half.outward);
@@ -36,9 +36,9 @@ bool outside(const Region& region, const Bounds& box, const DAffine& place) {
   return box.empty() || outside(region, Shape::cube, place * box_from_cube(box));
 }
 
-// Visits the groups of the world, each as often as it is placed, holders first. `visit(group,
-// state)` says whether to go on; `enter(instance, state)` gives the state of the placed group, or
-// nothing to leave it out. Returns whether `visit` never said no.
+// Visits the groups in the world, once per instance, containing groups first. `visit(group, state)`
+// returns whether to continue; `enter(instance, state)` returns the state of the instance's group,
+// or nothing to skip it. Returns whether `visit` never returned false.
 template <typename State, typename Visit, typename Enter>
 bool walk_groups(const RenderScene& scene, const State& initial, Visit visit, Enter enter) {
   struct Frame {
@@ -126,7 +126,7 @@ bool SceneSearch::encloses(const RenderPrimitive& primitive, const glm::dvec3& p
 
 void SceneSearch::enclosing(const glm::dvec3& point, const glm::dvec3& other,
                             const std::function<bool(const Enclosure&)>& visit) {
-  // In the space of the group.
+  // In the group's space.
   struct Points {
     glm::dvec3 point;
     glm::dvec3 other;

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// A shadow ray met an object.
+// A shadow ray hit an object.
 void obstruct(Query& q, const Part& part) {
   if (q.transmission == nullptr || Transmission::blocks(q.transmission->density(part.material))) {
     q.blocked = true;
@@ -28,7 +28,7 @@ void search_mesh(Query& q, const Part& part, const Ray& ray) {
 }
 
 void test_shape(Query& q, const Part& part, const Ray& ray) {
-  // Up to and including the best t, for the decision between equals.
+  // Includes the best t, to decide between equal hits.
   ShapeHit hit;
   const double end = q.shadow ? q.best : next_above<std::int64_t>(q.best);
   if (!intersect(part.shape, ray, q.t_min, end, hit)) {

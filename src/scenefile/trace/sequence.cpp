@@ -16,7 +16,7 @@ std::uint32_t reversed_bits(std::uint32_t x) {
   return (x >> 16) | (x << 16);
 }
 
-// Permutes the cells of each half, quarter, eighth ... of the range (Laine and Karras).
+// Randomly permutes the halves, quarters, eighths ... of the range (Laine and Karras).
 std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
   x = reversed_bits(x);
   x += seed;

@@ -1,4 +1,4 @@
-// Without threads: the caller does all the work.
+// For builds without threads: the caller does all the work.
 
 #include "scenefile/trace/no_denormals.h"
 #include "scenefile/trace/tasks.h"

@@ -6,7 +6,7 @@ SingleSampler::SingleSampler(const Tracer& tracer, const CameraRays& camera,
                              const SurfaceWish& wish, RayCounts& counts)
     : tracer_(tracer), camera_(camera), wish_(wish), counts_(counts) {}
 
-// Calls draw_pixel(pixel, counts) for each.
+// Calls draw_pixel(pixel, counts) for each pixel.
 template <typename Draw>
 std::vector<DrawnPixel> SingleSampler::draw(std::span<const glm::ivec2> places,
                                             const Draw& draw_pixel) {

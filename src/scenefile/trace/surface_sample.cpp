@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-// What is filtered: the color, or the light that falls on the surface.
+// The value to denoise: the color, or the light on the surface.
 Color signal_of(const SurfaceSample& sample, const Color& albedo, bool sharp) {
   if (!sharp) {
     return sample.color;
@@ -19,8 +19,8 @@ Color signal_of(const SurfaceSample& sample, const Color& albedo, bool sharp) {
   return light;
 }
 
-// Of the mean, by how much the means of its first and of its second half differ: each is as well
-// spread as the whole, which the variance of single samples knows nothing of.
+// Estimated from the difference of the means of the first and the second half of the samples. Each
+// half is as well distributed as the whole, which the variance of single samples ignores.
 glm::dvec3 variance_of_mean(const std::vector<SurfaceSample>& samples, const Color& albedo,
                             bool sharp) {
   const std::size_t first = std::bit_floor(samples.size() - 1);

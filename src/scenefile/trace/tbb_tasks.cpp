@@ -1,4 +1,4 @@
-// The only file that knows TBB.
+// The only file that includes TBB.
 
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/no_denormals.h"
@@ -13,11 +13,12 @@ namespace scenefile {
 
 namespace {
 
-// TBB gets to know the thread that asks for work. Where memory runs out in that, it counts the
-// thread in but never out, and the end of a global_control waits for ever: so none may live yet.
+// Registers this thread with TBB. If memory runs out during that, TBB counts the thread when it
+// enters but not when it leaves, and destroying a global_control would wait forever; so none may
+// exist yet.
 void join_tbb() {
-  // Names its allocator, so that it comes with the program: else TBB opens it now, and where memory
-  // runs out in that, dlopen of glibc 2.36 crashes.
+  // Refers to TBB's allocator, so that it is linked. Otherwise TBB would load it now, and dlopen of
+  // glibc 2.36 crashes if memory runs out.
   scalable_free(nullptr);
   tbb::parallel_for(0, 1, [](int) {});
 }

@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr double fixed_point_one = 4294967296.0;  // 2^32 steps for each halving
+constexpr double fixed_point_one = 4294967296.0;  // 2^32 steps per halving
 constexpr double black_halvings = Transmission::black / fixed_point_one;
 
 std::int64_t density_of(double factor) {

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// "chess.xml:41:9: ", or nothing.
+// "chess.xml:41:9: ", or empty.
 std::string place_text(const std::string& path, Location location) {
   return location.known() ? fmt::format("{}:{}:{}: ", escaped(shown_name(path), 4096),
                                         location.line, location.column)
@@ -26,7 +26,7 @@ std::string verdict_text(const std::string& a, const std::string& b, const Scene
   return fmt::format("{}: {} difference{}\n", both, count, count == 1 ? "" : "s");
 }
 
-// One scene's part of a difference; left out where the scene has no such thing.
+// One scene's side of a difference; omitted if the scene does not have the object.
 void add_side(Json& json, std::string_view name, const std::string& text, Location location) {
   if (text.empty()) {
     return;

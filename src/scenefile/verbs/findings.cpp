@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-// A denied warning about a limit is an error like others.
+// A limit that is a warning and was denied is an ordinary error.
 bool is_limit(const Diagnostic& d) {
   return d.code->severity == Severity::error && d.severity == Severity::error &&
          d.code->kind == CodeKind::limit;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-// Replaces what is not UTF-8, which the writer would pass on or stop at.
+// Replaces bytes that are not UTF-8, which the writer would pass on or stop at.
 std::string valid_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -34,7 +34,7 @@ struct Json::Library {
   using Buffer = rapidjson::StringBuffer;
   Buffer buffer;
   rapidjson::PrettyWriter<Buffer, rapidjson::UTF8<>, rapidjson::ASCII<>> writer{buffer};
-  std::size_t depth = 0;  // of objects and arrays that are open
+  std::size_t depth = 0;  // of open objects and arrays
 };
 
 Json::Json() : library_(std::make_unique<Library>()) {

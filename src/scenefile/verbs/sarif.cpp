@@ -15,7 +15,7 @@ namespace scenefile {
 
 namespace {
 
-// A path as a URI reference (RFC 3986): what is not unreserved is percent-encoded.
+// A path as a URI reference (RFC 3986): all but unreserved characters are percent-encoded.
 std::string uri_of(std::string_view path) {
   constexpr std::string_view plain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
@@ -52,7 +52,7 @@ void add_rule(Json& json, const Code& code) {
   json.end_object();
 }
 
-// Code hosts show nothing without a line, so what has no place stands at the first.
+// Code hosts ignore findings without a line, so those without a place are put on the first line.
 void add_place(Json& json, const std::string& path, Location location) {
   json.begin_object("physicalLocation");
   json.begin_object("artifactLocation");
@@ -87,7 +87,7 @@ void add_locations(Json& json, const std::string& scene, const std::string& file
   }
 }
 
-// Where the scene names a file.
+// Where the scene refers to a file.
 Location used_at(const RenderScene& scene, const std::string& name) {
   for (const auto* references : {&scene.texture_files, &scene.mesh_files}) {
     for (const FileReference& reference : *references) {
@@ -99,7 +99,7 @@ Location used_at(const RenderScene& scene, const std::string& name) {
   return {};
 }
 
-// Findings inside a mesh name it and its line.
+// Findings inside a mesh name the mesh and its line.
 std::string message_of(const Diagnostic& d) {
   std::string text = d.message;
   if (!d.file.empty()) {
@@ -112,12 +112,12 @@ std::string message_of(const Diagnostic& d) {
   return text;
 }
 
-// Goes forward through the lines of a text.
+// Iterates over the lines of a text.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  // Without the blanks around it. `line` counts from 1 and never falls.
+  // The line, trimmed. `line` counts from 1 and must not decrease.
   std::string_view at(std::uint32_t line) {
     while (line_ < line && !rest_.empty()) {
       rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size() - 1) + 1);
@@ -135,7 +135,7 @@ class Lines {
   std::uint32_t line_ = 1;
 };
 
-// Of the kind of finding and the line that it is about, wherever that stands.
+// Depends on the code and the text of the line, not on its number.
 std::string fingerprint_of(const Diagnostic& d, Lines& lines) {
   Hash hash;
   hash.add(d.code->name);
@@ -210,7 +210,7 @@ std::string SarifLog::text(int exit_status) const {
     json.add("ruleIndex", std::distance(rules_.begin(), rules_.find(name)));
     json.add("level", level_of(result.finding.severity));
     add_text(json, "message", message_of(result.finding));
-    // What is in a file that was not found again stands at the first line of the scene.
+    // Findings in a file that was not found again are put on the first line of the scene.
     const bool placed = result.finding.file.empty() || !result.file.empty();
     add_locations(json, result.scene, result.file, placed ? result.finding.location : Location{},
                   result.used_at);

@@ -13,22 +13,14 @@ namespace scenefile::app {
 
 LoadedPicture load_picture(const std::string& path, Context& context) {
   context.phase = "reading a picture";
-  const Limits limits;
   LoadedPicture loaded;
   loaded.path = path;
-  const Result<std::string> bytes = read_file(path, limits.file_bytes);
-  if (!bytes) {
-    loaded.error = bytes.error().text;
-    loaded.status = exit_code(bytes.error().kind);
-    return loaded;
-  }
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  bool over_limit = false;
-  loaded.picture = decode_image(*bytes, limits, budget, error, &over_limit);
-  if (!error.empty()) {
-    loaded.error = fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), error);
-    loaded.status = over_limit ? ExitCode::limit : ExitCode::findings;
+  Result<Texture> picture = load_picture_file(path);
+  if (picture) {
+    loaded.picture = *std::move(picture);
+  } else {
+    loaded.error = picture.error().text;
+    loaded.status = exit_code(picture.error().kind);
   }
   return loaded;
 }

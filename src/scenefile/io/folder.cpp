@@ -106,6 +106,27 @@ std::vector<std::string> files_in(const std::string& folder, std::size_t most) {
   return names;
 }
 
+std::vector<FolderEntry> entries_of(const std::string& folder) {
+  std::vector<FolderEntry> entries;
+  std::error_code error;
+  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
+    const std::string name = i->path().filename().string();
+    std::error_code unknown;
+    if (!is_left_out(name)) {
+      entries.push_back(
+          {name, i->path().string(), i->is_directory(unknown), i->is_symlink(unknown)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(),
+            [](const FolderEntry& a, const FolderEntry& b) { return a.name < b.name; });
+  return entries;
+}
+
+bool is_link(const std::string& path) {
+  std::error_code error;
+  return fs::is_symlink(path, error);
+}
+
 bool natural_less(const std::string& first, const std::string& second) {
   const std::string a_text = lower_case(first);
   const std::string b_text = lower_case(second);

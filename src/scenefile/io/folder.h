@@ -32,6 +32,20 @@ std::string file_name_of(const std::string& path);
 /// the folder cannot be read.
 std::vector<std::string> files_in(const std::string& folder, std::size_t most = 10000);
 
+/// What a folder holds.
+struct FolderEntry {
+  std::string name;
+  std::string path;     ///< the folder's, and the name
+  bool folder = false;  ///< or a link to one
+  bool link = false;
+};
+/// The entries of a folder, sorted by name; empty if it cannot be read. Skips what files_below()
+/// skips.
+std::vector<FolderEntry> entries_of(const std::string& folder);
+
+/// Whether the path is a symbolic link.
+bool is_link(const std::string& path);
+
 /// Natural order: compares numbers by value, and letters ignoring case.
 bool natural_less(const std::string& first, const std::string& second);
 

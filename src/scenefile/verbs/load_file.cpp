@@ -1,7 +1,11 @@
 #include "scenefile/verbs/load_file.h"
 
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/memory.h"
+
+#include <fmt/format.h>
 
 #include <cstdlib>
 #include <utility>
@@ -59,6 +63,29 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
   const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
   return load_scene(path, *std::move(text), fetch, settings);
+}
+
+void load_written_file(LoadedScene& scene, const LoadSettings& settings,
+                       const AssetAccess& access) {
+  AssetRoots roots(asset_roots_options(scene.path, access, settings.limits));
+  const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
+  load_written(scene, fetch, settings);
+}
+
+Result<Texture> load_picture_file(const std::string& path, const Limits& limits) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  if (!bytes) {
+    return bytes.error();
+  }
+  std::uint64_t budget = limits.texture_bytes;
+  std::string error;
+  bool over_limit = false;
+  Texture picture = decode_image(*bytes, limits, budget, error, &over_limit);
+  if (!error.empty()) {
+    return Error{fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), error),
+                 over_limit ? ErrorKind::limit : ErrorKind::input};
+  }
+  return picture;
 }
 
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,

@@ -2,6 +2,7 @@
 // Scenes from the files of this machine.
 
 #include "scenefile/io/asset_roots.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <string>
@@ -26,6 +27,14 @@ struct AssetFile {
 /// load_scene() of a file, or of standard input for "-".
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings = {},
                             const AssetAccess& access = {});
+
+/// The same of a scene that was changed or made in memory, in place of what was loaded before: of
+/// scene.written at scene.path, which need not exist.
+void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
+                       const AssetAccess& access = {});
+
+/// The picture in a file. The error names the file.
+Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
 
 /// Where the files may be that a scene at `path` names: `access`, and the folder that the
 /// environment variable CS123_DATA names, which is what /course/cs123/data was on the course's

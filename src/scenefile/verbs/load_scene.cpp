@@ -14,6 +14,12 @@ namespace scenefile {
 
 namespace {
 
+void enter(const LoadSettings& settings, const char* phase) {
+  if (settings.entering) {
+    settings.entering(phase);
+  }
+}
+
 void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings) {
   Hash hash;
   const FetchFile hashed = [&](const std::string& name) {
@@ -58,28 +64,27 @@ bool guesses_transparency(const RenderOptions& options) {
 
 LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetch,
                        const LoadSettings& settings) {
-  const auto enter = [&](const char* phase) {
-    if (settings.entering) {
-      settings.entering(phase);
-    }
-  };
   const Limits& limits = settings.limits;
   LoadedScene scene;
   scene.diagnostics = Diagnostics(limits);
   scene.path = std::move(path);
   scene.text = std::move(text);
-  enter("reading the scene");
+  enter(settings, "reading the scene");
   scene.written = read_scene(
       scene.text, {.compat_course = settings.compat_course, .limits = limits}, scene.diagnostics);
-  enter("checking the scene");
-  check(scene.written, limits, scene.diagnostics);
-  enter("preparing the scene");
-  scene.ready = prepare(scene.written, limits);
+  load_written(scene, fetch, settings);
+  return scene;
+}
+
+void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings) {
+  enter(settings, "checking the scene");
+  check(scene.written, settings.limits, scene.diagnostics);
+  enter(settings, "preparing the scene");
+  scene.ready = prepare(scene.written, settings.limits);
   if (settings.depth != LoadDepth::prepared) {
-    enter("loading textures and meshes");
+    enter(settings, "loading textures and meshes");
     load_files(scene, fetch, settings);
   }
-  return scene;
 }
 
 LoadDepth depth_for(const RenderOptions& options) {

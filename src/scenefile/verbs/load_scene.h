@@ -52,6 +52,10 @@ struct LoadedScene {
 LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetch,
                        const LoadSettings& settings = {});
 
+/// The part of load_scene() after reading: checks, prepares and loads scene.written, in place of
+/// what was loaded before. Findings come after those that are there already.
+void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings = {});
+
 /// What a picture with these options looks at.
 LoadDepth depth_for(const RenderOptions& options);
 

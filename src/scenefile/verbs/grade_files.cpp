@@ -1,15 +1,15 @@
-#include "app/grade_files.h"
+#include "scenefile/verbs/grade_files.h"
+
+#include "scenefile/base/text.h"
+#include "scenefile/verbs/load_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 
-namespace scenefile::app {
+namespace scenefile {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 20000;
 constexpr int most_folders = 8;
@@ -49,35 +49,29 @@ std::string meaning(std::string_view folder) {
   return word;
 }
 
-void add_files(const fs::path& folder, const std::vector<std::string_view>& endings,
+// The part of a file name from its last point on, in lower case; empty without one.
+std::string ending_of(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
+}
+
+void add_files(const std::string& folder, const std::vector<std::string_view>& endings,
                const std::vector<std::string>& above, std::vector<FoundFile>& files) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    entries.push_back(entry->path());
-  }
-  std::sort(entries.begin(), entries.end());
-  for (const fs::path& path : entries) {
-    const std::string name = path.filename().string();
-    if (name.starts_with(".") || name == "__MACOSX" || files.size() >= most_files) {
-      continue;
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (files.size() >= most_files) {
+      return;
     }
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored) && !fs::is_symlink(path, ignored)) {
+    if (entry.folder && !entry.link) {
       if (above.size() < most_folders) {
         std::vector<std::string> inside = above;
-        inside.push_back(name);
-        add_files(path, endings, inside, files);
+        inside.push_back(entry.name);
+        add_files(entry.path, endings, inside, files);
       }
       continue;
     }
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-      return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
+    const std::string ending = ending_of(entry.name);
     if (std::find(endings.begin(), endings.end(), ending) != endings.end()) {
-      files.push_back({path.string(), above, path.stem().string()});
+      files.push_back({entry.path, above, entry.name.substr(0, entry.name.size() - ending.size())});
     }
   }
 }
@@ -143,8 +137,8 @@ std::vector<int> match_pictures(const std::vector<FoundFile>& references,
     for (std::size_t p = 0; p < pictures.size(); ++p) {
       if (const int name = name_score(references[r], pictures[p]); name > 0) {
         const int folders = folder_score(references[r], pictures[p]);
-        pairs.push_back({100 * folders + 10 * name - static_cast<int>(pictures[p].folders.size()),
-                         r, p});
+        pairs.push_back(
+            {100 * folders + 10 * name - static_cast<int>(pictures[p].folders.size()), r, p});
       }
     }
   }
@@ -181,10 +175,10 @@ std::vector<std::string> reference_names(const std::vector<FoundFile>& reference
 
 bool is_layout_folder(std::string_view name) {
   static constexpr std::array<std::string_view, 12> words{
-      "illuminate", "intersect", "required", "optional", "output", "outputs", "images", "image", "results",
-      "render", "renders", "lightscamera"};
+      "illuminate", "intersect", "required", "optional", "output",  "outputs",
+      "images",     "image",     "results",  "render",   "renders", "lightscamera"};
   const std::string word = meaning(name);
   return word.empty() || std::find(words.begin(), words.end(), word) != words.end();
 }
 
-}  // namespace scenefile::app
+}  // namespace scenefile

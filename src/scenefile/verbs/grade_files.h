@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace scenefile::app {
+namespace scenefile {
 
 /// A file below a folder.
 struct FoundFile {
@@ -33,4 +33,4 @@ std::vector<std::string> reference_names(const std::vector<FoundFile>& reference
 /// Whether a folder of this name is part of a layout (illuminate, required, ...), not a student.
 bool is_layout_folder(std::string_view name);
 
-}  // namespace scenefile::app
+}  // namespace scenefile

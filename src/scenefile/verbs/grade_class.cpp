@@ -1,0 +1,281 @@
+#include "scenefile/verbs/grade_class.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
+#include "scenefile/verbs/grade_files.h"
+#include "scenefile/verbs/load_file.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+// What holds where nobody says otherwise: float against double is at 40 dB and more.
+constexpr double default_min_psnr_db = 40;
+
+const std::vector<std::string_view> picture_endings{".png", ".jpg", ".jpeg",
+                                                    ".gif", ".tga", ".bmp"};
+const std::vector<std::string_view> scene_endings{".xml", ".json"};
+
+struct StudentFolder {
+  std::string name;
+  std::string path;
+};
+
+// The last part of a path.
+std::string name_of_folder(std::string_view path) {
+  while (path.size() > 1 && (path.ends_with('/') || path.ends_with("/."))) {
+    path.remove_suffix(1);
+  }
+  return std::string(path.substr(path.rfind('/') + 1));
+}
+
+// A folder for each student, or one folder with the pictures of one.
+std::vector<StudentFolder> student_folders(const std::string& folder) {
+  std::vector<StudentFolder> students;
+  for (const FolderEntry& entry : entries_of(folder)) {
+    if (entry.folder) {
+      students.push_back({entry.name, entry.path});
+    }
+  }
+  const bool layout =
+      std::all_of(students.begin(), students.end(),
+                  [](const StudentFolder& student) { return is_layout_folder(student.name); });
+  if (layout) {
+    students = {{name_of_folder(folder), folder}};
+  }
+  return students;
+}
+
+std::string thumbnail(const Texture& reference, const Texture& picture) {
+  constexpr int width = 320;
+  const Texture heat = reduced(heat_map(reference, picture), width);
+  const Texture a = reduced(reference, width);
+  const Texture b = reduced(picture, width);
+  const std::array<const Texture*, 3> pictures{&a, &b, &heat};
+  std::string none;  // at this size
+  return encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest, none);
+}
+
+// Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges and
+// rounding alone pass.
+void follow_causes(const PictureComparison& compared, PictureResult& result) {
+  const CauseReport& report = compared.causes;
+  const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),
+                                   [](const Claim& c) { return c.cause != Cause::rounding; });
+  if (mistake) {
+    result.verdict = Verdict::differs;
+    if (result.reasons.empty()) {
+      result.reasons = {fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
+                                    compared.measures.difference.psnr_db)};
+    }
+  } else if (report.partial.empty() && report.share_different < 0.001) {
+    result.verdict = Verdict::passed;
+    result.reasons.clear();
+  }
+}
+
+struct Reference {
+  std::string name;
+  Texture picture;
+  std::optional<LoadedScene> scene;
+};
+
+class Grader {
+ public:
+  Grader(const GradeRequest& request, const std::function<void(const char*)>& entering)
+      : request_(request),
+        settings_(request.compare),
+        by_causes_(request.compare.thresholds == Thresholds{}),
+        entering_(entering) {
+    if (by_causes_) {
+      settings_.thresholds.min_psnr_db = default_min_psnr_db;
+      settings_.look = LookForCauses::always;
+    }
+  }
+
+  Result<void> load_references(const LoadShownScene& load_scene) {
+    const std::vector<FoundFile> scenes =
+        files_below(request_.scenes.empty() ? request_.references : request_.scenes, scene_endings);
+    files_ = files_below(request_.references, picture_endings);
+    const std::vector<std::string> names = reference_names(files_);
+    const std::vector<int> scene_of = match_scenes(scenes);
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      enter("reading a picture");
+      Result<Texture> picture = load_picture_file(files_[i].path);
+      if (!picture) {
+        return picture.error();
+      }
+      Reference reference{names[i], *std::move(picture), std::nullopt};
+      if (scene_of[i] >= 0) {
+        reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
+      }
+      references_.push_back(std::move(reference));
+    }
+    if (references_.empty()) {
+      return Error{fmt::format("{} contains no pictures", quoted(request_.references, 400))};
+    }
+    return {};
+  }
+
+  Result<Gradebook> run(const std::function<bool(double)>& go_on) {
+    Gradebook book;
+    const std::vector<StudentFolder> folders = student_folders(request_.handed_in);
+    const double all = static_cast<double>(folders.size() * references_.size());
+    double done = 0;
+    bool stopped = false;
+    const auto tell = [&](double part) {
+      stopped = stopped || (go_on && !go_on((done + part) / all));
+      return !stopped;
+    };
+    for (const StudentFolder& folder : folders) {
+      const std::vector<FoundFile> pictures = files_below(folder.path, picture_endings);
+      const std::vector<int> matches = match_pictures(files_, pictures);
+      seen_ += pictures.size();
+      StudentResult& student = book.students.emplace_back();
+      student.name = folder.name;
+      for (std::size_t i = 0; i < references_.size(); ++i) {
+        matched_ += matches[i] >= 0 ? 1 : 0;
+        const std::string path =
+            matches[i] < 0 ? std::string() : pictures[static_cast<std::size_t>(matches[i])].path;
+        student.pictures.push_back(grade(references_[i], path, tell));
+        ++done;
+        if (!tell(0)) {
+          return Error{"interrupted", ErrorKind::cancelled};
+        }
+      }
+    }
+    return matched_ != 0 ? Result<Gradebook>(std::move(book)) : Error{nothing_matches()};
+  }
+
+ private:
+  void enter(const char* phase) const {
+    if (entering_) {
+      entering_(phase);
+    }
+  }
+
+  // What was looked for and what there is, for a class of which no picture has the right name.
+  std::string nothing_matches() const {
+    return fmt::format(
+        "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
+        "{}_gen.png and FOLDER_{}.png, and so on, in all folders",
+        seen_, quoted(request_.handed_in, 400), references_.size(),
+        quoted(request_.references, 400), escaped(references_.front().name),
+        escaped(references_.front().name), escaped(references_.front().name));
+  }
+
+  // One scene may be that of several references: intersect and illuminate.
+  std::vector<int> match_scenes(const std::vector<FoundFile>& scenes) const {
+    std::vector<int> result;
+    for (const FoundFile& file : files_) {
+      result.push_back(match_pictures({file}, scenes).front());
+    }
+    return result;
+  }
+
+  // `path` of the picture; empty: there is none.
+  PictureResult grade(const Reference& reference, const std::string& path,
+                      const std::function<bool(double)>& go_on) const {
+    PictureResult result;
+    result.name = reference.name;
+    if (path.empty()) {
+      result.verdict = Verdict::missing;
+      result.reasons = {"there is no picture of that name"};
+      return result;
+    }
+    // It would lead to the reference, or to the work of another student.
+    if (is_link(path)) {
+      result.verdict = Verdict::unreadable;
+      result.reasons = {"a symbolic link is handed in, not a picture"};
+      return result;
+    }
+    enter("reading a picture");
+    const Result<Texture> picture = load_picture_file(path);
+    if (!picture) {
+      result.verdict = Verdict::unreadable;
+      result.reasons = {picture.error().text};
+      return result;
+    }
+    enter("comparing the pictures");
+    const PictureComparison compared =
+        compare_pictures(reference.picture, *picture, reference.scene ? &*reference.scene : nullptr,
+                         settings_, go_on);
+    result.measures = compared.measures;
+    result.reasons = compared.broken;
+    result.causes = compared.causes.claims;
+    result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
+    if (by_causes_ && compared.measures.same_size) {
+      follow_causes(compared, result);
+    }
+    if (result.verdict == Verdict::differs && request_.thumbnails) {
+      result.png = thumbnail(reference.picture, *picture);
+    }
+    return result;
+  }
+
+  const GradeRequest& request_;
+  CompareSettings settings_;
+  bool by_causes_;  // a picture passes by what is wrong with it, not by a threshold alone
+  const std::function<void(const char*)>& entering_;
+  std::vector<FoundFile> files_;  // of the references
+  std::vector<Reference> references_;
+  std::size_t seen_ = 0;     // pictures that were handed in
+  std::size_t matched_ = 0;  // those of a reference's name
+};
+
+}  // namespace
+
+Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene& load_scene,
+                              const std::function<bool(double)>& go_on,
+                              const std::function<void(const char* phase)>& entering) {
+  for (const std::string& folder : {request.handed_in, request.references, request.scenes}) {
+    if (!folder.empty() && !is_folder(folder)) {
+      return Error{fmt::format("{} is not a folder that can be read", quoted(folder, 400))};
+    }
+  }
+  Grader grader(request, entering);
+  if (const Result<void> loaded = grader.load_references(load_scene); !loaded) {
+    return loaded.error();
+  }
+  return grader.run(go_on);
+}
+
+std::string gradebook_json(const Gradebook& book) {
+  Json json;
+  begin_document(json, "grade");
+  json.add("passed", book.all_passed());
+  json.begin_array("students");
+  for (const StudentResult& student : book.students) {
+    json.begin_object();
+    json.add("name", student.name);
+    json.add("passed", student.passed());
+    json.begin_array("pictures");
+    for (const PictureResult& picture : student.pictures) {
+      json.begin_object();
+      json.add("name", picture.name);
+      json.add("verdict", name_of(picture.verdict));
+      if (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs) {
+        add_measures(json, picture.measures);
+      }
+      add_clauses(json, "reasons", picture.reasons);
+      add_claims(json, "causes", picture.causes);
+      json.end_object();
+    }
+    json.end_array();
+    json.end_object();
+  }
+  json.end_array();
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace scenefile

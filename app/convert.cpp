@@ -148,6 +148,15 @@ std::string convert(LoadedScene& scene, const Options& options, std::vector<Impo
   return write_obj_file(scene, options, files, context);
 }
 
+// The scene and the files that it names.
+std::vector<std::string> files_of(const LoadedScene& scene, const Options& options) {
+  std::vector<std::string> paths{scene.path};
+  for (const AssetFile& file : locate_files(scene, options)) {
+    paths.push_back(file.resolved.path);
+  }
+  return paths;
+}
+
 // What the format needs of the scene's files.
 LoadDepth depth_for(ConvertTo format) {
   switch (format) {
@@ -188,6 +197,7 @@ ExitCode run_convert(const Options& options, Context& context) {
     return status;
   }
   std::vector<ImportedFile> files;
+  std::vector<std::string> inputs;
   const bool model = is_model(options.arguments[0]);
   if (model) {
     if (const ExitCode status = check_model_target(report); status != ExitCode::fine) {
@@ -200,7 +210,7 @@ ExitCode run_convert(const Options& options, Context& context) {
     }
   }
   LoadedScene scene =
-      model ? import_model(options.arguments[0], report.output, options, files, context)
+      model ? import_model(options.arguments[0], report.output, options, files, inputs, context)
             : load_scene(options.arguments[0], options, depth_for(report.format),
                          /*allow_missing=*/true, context);
   std::string text;
@@ -214,11 +224,15 @@ ExitCode run_convert(const Options& options, Context& context) {
   }
   context.phase = "writing the file";
   ExitCode status = status_of(scene);
-  report.error = status == ExitCode::fine ? error_text(write_model(report.output, text, files))
-                                          : "the scene cannot be used";
+  report.error = "the scene cannot be used";
   report.bytes = text.size();
-  if (status == ExitCode::fine && !report.error.empty()) {
-    status = ExitCode::environment;
+  if (status == ExitCode::fine) {
+    if (!model && !files.empty()) {
+      inputs = files_of(scene, options);
+    }
+    const Outcome outcome = outcome_of(write_model(report.output, text, files, inputs));
+    status = outcome.status;
+    report.error = outcome.error;
   }
   if (options.json) {
     return report.output == "-" ? status : worse(status, answer(convert_json(scene, report)));

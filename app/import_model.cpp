@@ -6,6 +6,8 @@
 #include "scenefile/io/file.h"
 #include "scenefile/scene/check.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -37,7 +39,9 @@ bool is_model(const std::string& path) {
 }
 
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
-                         std::vector<ImportedFile>& files, Context& context) {
+                         std::vector<ImportedFile>& files, std::vector<std::string>& inputs,
+                         Context& context) {
+  inputs.push_back(path);
   LoadedScene scene;
   scene.diagnostics = Diagnostics(options.load.limits);
   scene.path = path;
@@ -51,7 +55,11 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
   AssetRoots roots(asset_roots_options(path, options));
   const ImportOptions import{
       .stem = file_stem(output),
-      .fetch = [&](const std::string& name) { return contents_of(roots.read(name)); },
+      .fetch =
+          [&](const std::string& name) {
+            inputs.push_back(roots.resolve(name).path);
+            return contents_of(roots.read(name));
+          },
       .limits = options.load.limits,
   };
   ImportedScene imported = extension_of(path) == ".obj"
@@ -67,11 +75,21 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
 }
 
 Result<void> write_model(const std::string& output, const std::string& text,
-                         const std::vector<ImportedFile>& files) {
+                         const std::vector<ImportedFile>& files,
+                         const std::vector<std::string>& inputs) {
   const std::filesystem::path folder = std::filesystem::path(output).parent_path();
   std::vector<OutputFile> list;
   for (const ImportedFile& file : files) {
     list.push_back({(folder / file.name).string(), &file.bytes});
+    const std::string& path = list.back().path;
+    for (const std::string& input : inputs) {
+      if (!input.empty() && same_file(path, input)) {
+        return Error{fmt::format("{}, a file beside the output, would replace {}, which was read; "
+                                 "give the output another name",
+                                 quoted(path, 400), quoted(input, 400)),
+                     ErrorKind::usage};
+      }
+    }
   }
   list.push_back({output, &text});
   return write_files(list);

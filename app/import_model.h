@@ -16,12 +16,15 @@ bool is_model(const std::string& path);
 std::string file_stem(const std::string& output);
 
 /// Reads and checks the model. `files` are those that the scene needs beside it, with names that
-/// begin like that of `output`.
+/// begin like that of `output`; `inputs` the files that were read.
 LoadedScene import_model(const std::string& path, const std::string& output, const Options& options,
-                         std::vector<ImportedFile>& files, Context& context);
+                         std::vector<ImportedFile>& files, std::vector<std::string>& inputs,
+                         Context& context);
 
-/// Writes the scene and the files beside it: all, or none.
+/// Writes the scene and the files beside it: all, or none. Refuses (ErrorKind::usage) to replace
+/// one of `inputs` by a file beside the scene.
 Result<void> write_model(const std::string& output, const std::string& text,
-                         const std::vector<ImportedFile>& files);
+                         const std::vector<ImportedFile>& files,
+                         const std::vector<std::string>& inputs);
 
 }  // namespace scenefile::app

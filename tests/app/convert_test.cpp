@@ -135,6 +135,39 @@ TEST_F(Convert, FilesThatStayBehindAreNamed) {
   EXPECT_THAT(root.err, Not(HasSubstr("left-behind")));
 }
 
+TEST_F(Convert, FilesBesideTheOutputDoNotReplaceWhatWasRead) {
+  const std::string triangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string model = folder.write("scene-1.obj", triangle);
+  const ProgramRun run = run_program({"convert", model, folder.path("scene.xml")});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("would replace"), HasSubstr("scene-1.obj")));
+  EXPECT_EQ(folder.read("scene-1.obj"), triangle);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("scene.xml")));
+  EXPECT_EQ(run_program({"convert", model, folder.path("other.xml")}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("other-1.obj")));
+}
+
+TEST_F(Convert, FilesBesideTheOutputDoNotReplaceTheModelsMaterials) {
+  const std::string model =
+      folder.write("model.obj", "mtllib scene-1.obj\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("scene-1.obj", "newmtl red\nKd 1 0 0\n");
+  const ProgramRun run = run_program({"convert", model, folder.path("scene.xml")});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(folder.read("scene-1.obj"), "newmtl red\nKd 1 0 0\n");
+}
+
+TEST_F(Convert, FilesBesideAnObjDoNotReplaceTheScenesMeshes) {
+  const std::string mesh = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+  folder.write("out.mtl", mesh);  // a mesh, whatever its name
+  const std::string xml =
+      folder.write("a.xml", R"(<scenefile><object type="tree" name="root"><transblock>)"
+                            R"(<object type="primitive" name="mesh" filename="out.mtl"/>)"
+                            R"(</transblock></object></scenefile>)");
+  const ProgramRun run = run_program({"convert", xml, folder.path("out.obj")});
+  EXPECT_EQ(run.status, 2) << run.err;
+  EXPECT_EQ(folder.read("out.mtl"), mesh);
+}
+
 TEST_F(Convert, CommentsAreCounted) {
   const std::string xml = folder.write("a.xml", "<!-- a -->" + std::string(good_scene));
   EXPECT_THAT(run_program({"convert", xml, folder.path("b.xml")}).err,

@@ -57,6 +57,9 @@ COMMANDS = {
     "checkpoint": ("render scene.xml -o out.png --size 8x8 --threads 2 --checkpoint kept", "out.png"),
     "convert": ("convert scene.xml out.json", "out.json"),
     "convert-pov": ("convert scene.xml out.pov", "out.pov"),
+    "convert-glb": ("convert scene.xml out.glb --segments 8", "out.glb"),
+    "convert-obj": ("convert scene.xml out.obj --segments 8", "out.obj"),
+    "import": ("convert model.obj out.xml", "out.xml"),
     "format": ("format --check scene.xml", None),
     "format-file": ("format out.xml", "out.xml"),
     "diff": ("diff scene.xml other.xml", None),
@@ -94,6 +97,8 @@ def make_inputs(folder):
     write(folder + "/scene.xml", SCENE)
     write(folder + "/other.xml", SCENE.replace('v="45"', 'v="46"'))
     write(folder + "/triangle.obj", TRIANGLE)
+    write(folder + "/model.obj", "mtllib model.mtl\nusemtl red\n" + TRIANGLE)
+    write(folder + "/model.mtl", "newmtl red\nKd 1 0 0\n")
     for name, more in (("picture.png", ""), ("other.png", "--features none")):
         subprocess.run([args.program, *("render scene.xml -q --size 8x8 -o %s %s" % (name, more)).split()], cwd=folder, check=True,
                        stderr=subprocess.DEVNULL)

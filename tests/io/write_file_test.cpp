@@ -15,6 +15,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
 using testing_support::TempFolder;
 
 TEST(WriteFile, WritesAllAndNothingElse) {
@@ -48,6 +49,42 @@ TEST(WriteFile, WritesThroughLinks) {
     EXPECT_TRUE(std::filesystem::is_symlink(folder.path("to_" + name)));
     EXPECT_EQ(folder.read("real/" + name), "new");
   }
+}
+
+TEST(WriteFiles, WritesAllAndNothingElse) {
+  const TempFolder folder;
+  folder.write("b", "old");
+  const std::string one(300'000, 'q');
+  const std::string two = "two";
+  const std::vector<OutputFile> files{{folder.path("a"), &one}, {folder.path("b"), &two}};
+  EXPECT_EQ(error_text(write_files(files)), "");
+  EXPECT_EQ(folder.read("a"), one);
+  EXPECT_EQ(folder.read("b"), two);
+  EXPECT_THAT(folder.list(), UnorderedElementsAre("a", "b"));
+}
+
+TEST(WriteFiles, WritesNoneWhereOneCannotBe) {
+  const TempFolder folder;
+  folder.write("kept", "old");
+  folder.write("folder/inside", "");
+  const std::string bytes = "new";
+  for (const std::string bad : {"folder", "none/file"}) {
+    for (const bool first : {false, true}) {
+      std::vector<OutputFile> files{{folder.path("kept"), &bytes}, {folder.path("new"), &bytes}};
+      files.insert(first ? files.begin() : files.end(), {folder.path(bad), &bytes});
+      EXPECT_THAT(error_text(write_files(files)), HasSubstr("cannot write"));
+      EXPECT_EQ(folder.read("kept"), "old");
+      EXPECT_THAT(folder.list(), UnorderedElementsAre("kept", "folder"));
+    }
+  }
+}
+
+TEST(WriteFiles, TakesNoDevices) {
+  const TempFolder folder;
+  const std::string bytes = "new";
+  const std::vector<OutputFile> files{{folder.path("a"), &bytes}, {"/dev/null", &bytes}};
+  EXPECT_THAT(error_text(write_files(files)), HasSubstr("not a regular file"));
+  EXPECT_THAT(folder.list(), ElementsAre());
 }
 
 TEST(WriteFile, ALoopOfLinksIsAnError) {

@@ -180,6 +180,7 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
+	@$(MAKE) $(QUIET) python
 	@$(MAKE) $(QUIET) packages-tried
 	@scripts/bare-machine trixie --make-packages out/packages-trixie
 	@scripts/bare-machine trixie --packages out/packages-trixie
@@ -225,9 +226,16 @@ docs: build ## build the documentation site: out/site/index.html
 	@mkdocs build --quiet
 	@echo "The site is in out/site."
 
+.PHONY: python
+python: ## build the module for Python, build/python/python/scenefile, and pass its tests
+	@scripts/install-deps core tests python
+	@mkdir -p build && cmake --preset python > build/log.txt 2>&1 || { cat build/log.txt; exit 1; }
+	@cmake --build --preset python --target scenefile scenefile_python
+	@ctest --test-dir build/python --output-on-failure -L python
+
 .PHONY: packages packages-tried
 packages: ## make Debian packages of this system and an archive for any: out/packages
-	@scripts/install-deps core packages
+	@scripts/install-deps core packages python
 	@JOBS=$(JOBS) scripts/make-packages out/packages
 packages-tried: packages ## SUITE=bookworm: install them on a Debian that has nothing, try and remove them (needs root)
 	@scripts/install-deps bare

@@ -100,4 +100,18 @@ pkg-config."
   SECTION libdevel
   DEPENDS libglm-dev libfmt-dev libexpat1-dev libpng-dev libjpeg-dev zlib1g-dev libisal-dev libtbb-dev libembree-dev)
 
+if(TARGET scenefile_python)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  scenefile_deb(python python3-scenefile
+"read, edit, render and compare CS123 scene files (Python 3)
+The module scenefile for Python: scenes of Brown University's computer
+graphics courses to be read, checked, edited and drawn, pictures as NumPy
+arrays, the mistake behind a wrong picture, and the grades of a class."
+    SECTION python
+    DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
+      "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/postinst ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/prerm)
+endif()
+
 include(CPack)

@@ -1,0 +1,222 @@
+// Diagnostics, reports of them, and reading scenes.
+
+#include "scenefile/verbs/findings.h"
+
+#include "scenefile/base/report.h"
+#include "scenefile/io/parallel.h"
+#include "scenefile/verbs/codes.h"
+#include "scenefile/verbs/scene_json.h"
+#include "state.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <utility>
+#include <vector>
+
+namespace scenefile::python {
+
+namespace {
+
+using Paths = std::vector<FilePath>;
+
+std::optional<std::uint32_t> known(std::uint32_t place) {
+  return place != 0 ? std::optional(place) : std::nullopt;
+}
+
+py::tuple list_of(const Diagnostics& diagnostics) {
+  py::list list;
+  for (const Diagnostic* const d : by_place(diagnostics)) {
+    list.append(*d);
+  }
+  return py::tuple(list);
+}
+
+std::string text_of(const Diagnostic& d) {
+  std::string place = d.file;
+  if (d.location.known()) {
+    place += fmt::format("{}{}:{}", place.empty() ? "" : ":", d.location.line, d.location.column);
+  }
+  return fmt::format("{}{}{}: {} [{}]", place, place.empty() ? "" : ": ", severity_name(d.severity),
+                     d.message, d.code->name);
+}
+
+struct Report {
+  std::shared_ptr<const LoadedScene> scene;
+};
+
+std::vector<std::string> known_codes(std::vector<std::string> names) {
+  for (const std::string& name : names) {
+    if (find_code(name) == nullptr) {
+      throw py::value_error(
+          fmt::format("\"{}\" is not a code; \"scenefile help codes\" lists them", name));
+    }
+  }
+  return names;
+}
+
+SharedState new_state(std::string path, bool compat_course, bool allow_missing, const Paths& roots,
+                      bool allow_outside) {
+  auto state = std::make_shared<SceneState>();
+  state->path = std::move(path);
+  state->settings.compat_course = compat_course;
+  state->settings.allow_missing = allow_missing;
+  state->settings.for_each = [](std::size_t count, const std::function<void(std::size_t)>& work) {
+    for_each_index(count, 0, work);
+  };
+  for (const FilePath& root : roots) {
+    state->access.roots.push_back(root.text);
+  }
+  state->access.allow_outside = allow_outside;
+  return state;
+}
+
+// The scene that was loaded becomes the one to edit. Raises what keeps it from being used.
+SharedState opened(SharedState state, LoadedScene loaded) {
+  if (!loaded.usable()) {
+    raise_unusable(loaded);
+  }
+  state->scene = loaded.written;
+  state->loaded = std::make_shared<const LoadedScene>(std::move(loaded));
+  return state;
+}
+
+SharedState read(const FilePath& path, bool compat_course, bool allow_missing,
+                 const Paths& asset_roots, bool allow_outside) {
+  SharedState state =
+      new_state(path.text, compat_course, allow_missing, asset_roots, allow_outside);
+  LoadedScene loaded;
+  {
+    const py::gil_scoped_release release;
+    loaded = load_scene_file(state->path, state->settings, state->access);
+  }
+  return opened(std::move(state), std::move(loaded));
+}
+
+std::string name_in(const FilePath& folder) {
+  return folder.text + "/scene";
+}
+
+SharedState read_text(std::string text, const FilePath& folder, bool compat_course,
+                      bool allow_missing, const Paths& asset_roots, bool allow_outside) {
+  SharedState state =
+      new_state(name_in(folder), compat_course, allow_missing, asset_roots, allow_outside);
+  LoadedScene loaded;
+  {
+    const py::gil_scoped_release release;
+    AssetRoots roots(asset_roots_options(state->path, state->access, state->settings.limits));
+    const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
+    loaded = load_scene(state->path, std::move(text), fetch, state->settings);
+  }
+  return opened(std::move(state), std::move(loaded));
+}
+
+Report report_of(LoadedScene scene, const FindingPolicy& policy) {
+  {
+    const py::gil_scoped_release release;
+    check_picture(scene);
+    apply_policy(policy, scene.diagnostics);
+  }
+  return {std::make_shared<const LoadedScene>(std::move(scene))};
+}
+
+Report check(const FilePath& path, bool strict, bool deny_warnings, std::vector<std::string> deny,
+             std::vector<std::string> allow, bool assets, bool compat_course, bool allow_missing,
+             const Paths& asset_roots, bool allow_outside) {
+  const FindingPolicy policy{strict, deny_warnings, known_codes(std::move(deny)),
+                             known_codes(std::move(allow))};
+  const SharedState state =
+      new_state(path.text, compat_course, allow_missing, asset_roots, allow_outside);
+  state->settings.depth = assets ? LoadDepth::with_all_assets : LoadDepth::prepared;
+  LoadedScene loaded;
+  {
+    const py::gil_scoped_release release;
+    loaded = load_scene_file(state->path, state->settings, state->access);
+  }
+  if (loaded.unreadable && loaded.unreadable->kind == ErrorKind::environment) {
+    raise_error(*loaded.unreadable);
+  }
+  return report_of(std::move(loaded), policy);
+}
+
+}  // namespace
+
+void bind_findings(py::module_& m) {
+  py::class_<Diagnostic>(m, "Diagnostic", "A finding about a scene.")
+      .def_property_readonly("code", [](const Diagnostic& d) { return d.code->name; })
+      .def_property_readonly("severity",
+                             [](const Diagnostic& d) { return severity_name(d.severity); })
+      .def_property_readonly("message", [](const Diagnostic& d) { return d.message; })
+      .def_property_readonly("file", [](const Diagnostic& d) { return d.file; })
+      .def_property_readonly("line", [](const Diagnostic& d) { return known(d.location.line); })
+      .def_property_readonly("column", [](const Diagnostic& d) { return known(d.location.column); })
+      .def_property_readonly("help", [](const Diagnostic& d) { return d.code->help; })
+      .def("__str__", &text_of)
+      .def("__repr__",
+           [](const Diagnostic& d) { return fmt::format("<Diagnostic {}>", text_of(d)); });
+
+  py::class_<Report>(m, "Report", "What there is to say about a scene. True when it can be used.")
+      .def_property_readonly("verdict",
+                             [](const Report& r) { return verdict_word(verdict_of(*r.scene)); })
+      .def_property_readonly("diagnostics",
+                             [](const Report& r) { return list_of(r.scene->diagnostics); })
+      .def_property_readonly(
+          "errors", [](const Report& r) { return r.scene->diagnostics.count(Severity::error); })
+      .def_property_readonly(
+          "warnings", [](const Report& r) { return r.scene->diagnostics.count(Severity::warning); })
+      .def_property_readonly(
+          "data",
+          [](const Report& r) {
+            return py::module_::import("json").attr("loads")(scene_json(*r.scene));
+          })
+      .def("__bool__", [](const Report& r) { return r.scene->usable(); })
+      .def("__str__", [](const Report& r) { return findings_text(*r.scene, Verbosity::all); })
+      .def("__repr__", [](const Report& r) {
+        return fmt::format("<Report: {}, {} errors, {} warnings>",
+                           verdict_word(verdict_of(*r.scene)),
+                           r.scene->diagnostics.count(Severity::error),
+                           r.scene->diagnostics.count(Severity::warning));
+      });
+
+  m.def("read", &read, "Reads a scene from a file. Raises SceneError where it has errors.",
+        py::arg("path"), py::kw_only(), py::arg("compat_course") = false,
+        py::arg("allow_missing") = false, py::arg("asset_roots") = Paths(),
+        py::arg("allow_outside") = false);
+  m.def("read_text", &read_text,
+        "Reads a scene from its text. Textures and meshes are looked for as if it lay in `folder`.",
+        py::arg("text"), py::kw_only(), py::arg("folder") = FilePath{"."},
+        py::arg("compat_course") = false, py::arg("allow_missing") = false,
+        py::arg("asset_roots") = Paths(), py::arg("allow_outside") = false);
+  m.def("check", &check, "Says everything that is wrong with the scene in a file.", py::arg("path"),
+        py::kw_only(), py::arg("strict") = false, py::arg("deny_warnings") = false,
+        py::arg("deny") = std::vector<std::string>(), py::arg("allow") = std::vector<std::string>(),
+        py::arg("assets") = true, py::arg("compat_course") = false,
+        py::arg("allow_missing") = false, py::arg("asset_roots") = Paths(),
+        py::arg("allow_outside") = false);
+
+  auto scene = py::reinterpret_borrow<py::class_<SceneState, SharedState>>(m.attr("Scene"));
+  scene
+      .def(py::init([](const FilePath& folder) {
+             SharedState state = new_state(name_in(folder), false, false, {}, false);
+             state->scene.nodes[state->scene.root].name = "root";
+             return state;
+           }),
+           "An empty scene, whose textures and meshes are looked for in `folder`.", py::kw_only(),
+           py::arg("folder") = FilePath{"."})
+      .def(
+          "check",
+          [](SceneState& state, bool strict, bool deny_warnings, std::vector<std::string> deny,
+             std::vector<std::string> allow) {
+            const FindingPolicy policy{strict, deny_warnings, known_codes(std::move(deny)),
+                                       known_codes(std::move(allow))};
+            return report_of(*look_at(state), policy);
+          },
+          "Says everything that is wrong with the scene as it is now.", py::kw_only(),
+          py::arg("strict") = false, py::arg("deny_warnings") = false,
+          py::arg("deny") = std::vector<std::string>(),
+          py::arg("allow") = std::vector<std::string>())
+      .def_property_readonly(
+          "diagnostics", [](SceneState& state) { return list_of(look_at(state)->diagnostics); });
+}
+
+}  // namespace scenefile::python

@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""The pages lead where they say, and the commands they show run.
+
+    pages.py links                  every link of every page, with its heading, is there
+    pages.py commands PROGRAM       every line that begins with `scenefile` runs, on files of the names it uses
+
+A command ends with status 0, or 1 for findings and differences. Commands of the window draw one picture in a screen of their own, where there is
+xvfb-run; otherwise they are counted as left out.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+SCENE = """<scenefile>
+  <globaldata><ambientcoeff v="0.5"/><diffusecoeff v="0.5"/><specularcoeff v="0.5"/></globaldata>
+  <cameradata><pos x="3" y="2.2" z="4"/><focus x="0" y="0.3" z="0"/><up x="0" y="1" z="0"/><heightangle v="35"/></cameradata>
+  <lightdata><id v="0"/><type v="directional"/><direction x="-1" y="-2" z="-1"/><color r="1" g="1" b="1"/></lightdata>
+  <object type="tree" name="root"><transblock><translate x="0" y="0.5" z="0"/>
+    <object type="primitive" name="sphere"><diffuse r="0.9" g="0.3" b="0.2"/></object></transblock></object>
+</scenefile>
+"""
+
+
+def without_code(text):
+    """The lines outside of code, and without `code` in them."""
+    lines, fenced = [], False
+    for line in text.splitlines():
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+        elif not fenced and not line.startswith("    "):
+            lines.append(re.sub(r"`[^`]*`", "", line))
+    return "\n".join(lines)
+
+
+def anchors(page):
+    """What headings are called in links."""
+    text, fenced, names = page.read_text(), False, set()
+    for line in text.splitlines():
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+        heading = re.match(r"#+\s+(.*)", line)
+        if heading and not fenced:
+            words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading[1])
+            names.add(re.sub(r"[-\s]+", "-", re.sub(r"[^\w\s-]", "", words).strip().lower()))
+    return names | set(re.findall(r'(?:id|name)="([^"]+)"', text))
+
+
+def dead_links():
+    dead, count = [], 0
+    for page in PAGES:
+        for link in re.findall(r"\]\(([^)\s]+)\)", without_code(page.read_text())):
+            if re.match(r"[a-z]+:", link):
+                continue
+            count += 1
+            name, _, anchor = link.partition("#")
+            target = (page.parent / name).resolve() if name else page
+            if not target.exists():
+                dead.append(f"{page.relative_to(ROOT)}: {link}: there is no such file")
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target):
+                dead.append(f"{page.relative_to(ROOT)}: {link}: there is no such heading")
+    return dead, count
+
+
+def commands():
+    """Page, line number and text of each command that is shown."""
+    for page in PAGES:
+        if page.name == "CHANGELOG.md":
+            continue
+        code, open_line = False, ""
+        for number, line in enumerate(page.read_text().splitlines(), 1):
+            if line.lstrip().startswith("```"):
+                code = not code
+                continue
+            if not code and not line.startswith("    "):
+                continue
+            line = re.sub(r"^\$ ", "", line.strip())
+            if not open_line and not line.startswith("scenefile "):
+                continue
+            line = open_line + line
+            open_line = line[:-1] if line.endswith("\\") else ""
+            if not open_line:
+                yield page.relative_to(ROOT), number, re.sub(r"\s+#.*$", "", line)
+
+
+def make_files(folder, program):
+    """Files of the names that the pages use."""
+
+    def run(*words):
+        subprocess.run([program, *words], cwd=folder, check=True, stderr=subprocess.DEVNULL)
+
+    for name in ("chess", "ball", "scene", "old", "new", "a", "b"):
+        (folder / f"{name}.xml").write_text(SCENE.replace('v="35"', 'v="40"') if name in ("new", "b") else SCENE)
+    run("convert", "scene.xml", "scene.json")
+    run("convert", "scene.xml", "model.glb")
+    run("render", "scene.xml", "-o", "reference.png", "--size", "96x72", "--profile", "course")
+    run("render", "new.xml", "-o", "mine.png", "--size", "96x72", "--profile", "course")
+    shutil.copytree(ROOT / "scenes", folder / "scenes")
+    (folder / "scenes" / "chess.xml").write_text(SCENE)
+    for place in ("references", "pictures", "right"):
+        (folder / place).mkdir()
+        shutil.copy(folder / "reference.png", folder / place / "chess.png")
+    for place in ("submissions", "handed-in", "class"):
+        (folder / place / "ada").mkdir(parents=True)
+        shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")
+
+
+def run_commands(program):
+    wrong, count, left_out = [], 0, 0
+    screen = shutil.which("xvfb-run")
+    with tempfile.TemporaryDirectory() as top:
+        template = pathlib.Path(top) / "template"
+        (pathlib.Path(top) / "bin").mkdir()
+        for name in ("scenefile", "projects_ray"):
+            (pathlib.Path(top) / "bin" / name).symlink_to(program)
+        template.mkdir()
+        make_files(template, program)
+        environment = dict(os.environ, PATH=f"{top}/bin:{os.environ['PATH']}", HOME=top)
+        done = set()
+        for page, number, command in commands():
+            if command in done:
+                continue
+            done.add(command)
+            folder = pathlib.Path(top) / "work"
+            shutil.copytree(template, folder)
+            line = command
+            if re.match(r"scenefile view\b", command):
+                if not screen:
+                    left_out += 1
+                    shutil.rmtree(folder)
+                    continue
+                line = f"{screen} -a {command}" + ("" if "--screenshot" in command else " --screenshot shot.png")
+            elif re.search(r"\| (fish|source|man)\b|\| source", command):
+                line = command.split("|")[0]
+            count += 1
+            try:
+                run = subprocess.run(["bash", "-c", line], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                     capture_output=True, text=True, timeout=300)
+                if run.returncode not in (0, 1):
+                    wrong.append(f"{page}:{number}: {command}\n    status {run.returncode}: {run.stderr.strip()[:300]}")
+            except subprocess.TimeoutExpired:
+                wrong.append(f"{page}:{number}: {command}\n    it took more than 5 minutes")
+            shutil.rmtree(folder)
+    return wrong, count, left_out
+
+
+def main():
+    if sys.argv[1:] == ["links"]:
+        wrong, count = dead_links()
+        print(*wrong, f"{count} links, {len(wrong)} dead", sep="\n")
+    elif len(sys.argv) == 3 and sys.argv[1] == "commands":
+        wrong, count, left_out = run_commands(pathlib.Path(sys.argv[2]).resolve())
+        print(*wrong, f"{count} commands ran, {len(wrong)} wrong, {left_out} left out for want of a screen", sep="\n")
+    else:
+        sys.exit(__doc__)
+    return 1 if wrong or count == 0 else 0
+
+
+sys.exit(main())

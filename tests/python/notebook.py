@@ -20,6 +20,7 @@ matplotlib.use("Agg")
 shown = []
 # What a notebook brings along.
 sys.modules["IPython"] = types.ModuleType("IPython")
+sys.modules["IPython"].get_ipython = lambda: None
 sys.modules["IPython.display"] = types.ModuleType("IPython.display")
 sys.modules["IPython.display"].display = lambda thing: shown.append(thing._repr_png_())
 

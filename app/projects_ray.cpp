@@ -5,7 +5,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/config_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/read_config.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"

@@ -2,7 +2,9 @@
 
 #include "app/names.h"
 #include "app/option_table.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/verbs/codes.h"
+#include "scenefile/view/realtime_lights.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,25 +16,12 @@ namespace scenefile::app {
 
 namespace {
 
-bool shines(LightType type, Milestone milestone) {
-  switch (type) {
-    case LightType::directional:
-      return true;
-    case LightType::point:
-    case LightType::spot:
-      return milestone == Milestone::action;
-    case LightType::area:
-      break;
-  }
-  return false;
-}
-
 // Of the group that is the world: all triangles of its shapes, those of instances included.
 double count_triangles(const RenderScene& scene, const TessellationParameters& parameters) {
-  std::array<double, shape_words.size()> each{};
-  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
-    each[static_cast<std::size_t>(shape)] =
-        static_cast<double>(realtime_mesh(shape, parameters).triangles.size());
+  std::array<double, shape_count> each{};
+  for (std::size_t i = 0; i < shape_count; ++i) {
+    each[i] =
+        static_cast<double>(realtime_mesh(static_cast<Shape>(i), parameters).triangles.size());
   }
   std::vector<double> of_group;
   for (const RenderGroup& group : scene.groups) {
@@ -78,10 +67,11 @@ RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene
   RealtimeReport report;
   report.options = options;
   for (const RenderLight& light : scene.ready.scene.lights) {
-    if (shines(light.type, options.milestone)) {
+    if (has_light(options.milestone, light.type)) {
       ++report.lights;
     } else {
-      report.skipped_lights.push_back({light.type, scene.ready.sources[light.source].location});
+      report.skipped_lights.push_back(
+          {light.type, place_of(scene.written, scene.ready.sources[light.source])});
     }
   }
   report.triangles = count_triangles(scene.ready.scene, options.tessellation);
@@ -92,7 +82,7 @@ void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
   const RealtimeReport report = realtime_report(options, scene);
   const std::string_view milestone = milestone_names[static_cast<std::size_t>(options.milestone)];
   for (const SkippedLight& light : report.skipped_lights) {
-    const bool in_action = shines(light.type, Milestone::action);
+    const bool in_action = has_light(Milestone::action, light.type);
     scene.diagnostics.report(
         realtime_light_skipped, light.location,
         fmt::format("the milestone {} has no {} lights: this one does not shine{}", milestone,

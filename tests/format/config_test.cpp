@@ -1,4 +1,4 @@
-#include "scenefile/format/config_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/read_config.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,7 @@
 // From JSON to a Scene.
 
-#include "scenefile/format/json_reader.h"
-
-#include "scenefile/format/json_codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,7 @@
 // What the reader says about texts that are not JSON.
 
 #include "scenefile/format/codes.h"
-#include "scenefile/format/json_codes.h"
-#include "scenefile/format/json_reader.h"
+#include "scenefile/format/dialects.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // format can say as it stands, as the same scene.
 
 #include "format/write_random_scene.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/read_scene.h"
-#include "scenefile/format/write_codes.h"
 #include "scenefile/format/write_forms.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/scene/check.h"

@@ -3,8 +3,8 @@
 #include "scenefile/format/write_scene.h"
 
 #include "format/codes_of.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/read_scene.h"
-#include "scenefile/format/write_codes.h"
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/prepare.h"
 

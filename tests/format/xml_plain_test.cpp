@@ -1,9 +1,8 @@
 // The reader of plain XML says what Expat says, or nothing.
 
-#include "scenefile/format/xml_plain.h"
-
 #include "format/write_random_scene.h"
 #include "scenefile/format/write_scene.h"
+#include "scenefile/format/xml_reader.h"
 #include "support/plain_agreement.h"
 
 #include <gtest/gtest.h>

@@ -201,8 +201,8 @@ TEST(Prepare, SourcesLeadBack) {
   const Prepared got = prepare(scene, Limits{});
   const Source& object = got.sources.at(root_of(got.scene).primitives[0].source);
   EXPECT_EQ(object.node, node);
-  EXPECT_EQ(object.location, (Location{5, 6}));
-  EXPECT_EQ(got.sources.at(got.scene.lights.at(0).source).location, (Location{2, 3}));
+  EXPECT_EQ(place_of(scene, object), (Location{5, 6}));
+  EXPECT_EQ(place_of(scene, got.sources.at(got.scene.lights.at(0).source)), (Location{2, 3}));
 }
 
 TEST(Prepare, GlobalsPassThrough) {

@@ -2,7 +2,7 @@
 // Compares the scanner of plain XML with Expat, which it stands in for.
 
 #include "scenefile/base/limits.h"
-#include "scenefile/format/xml_plain.h"
+#include "scenefile/format/xml_reader.h"
 
 #include <string>
 #include <string_view>

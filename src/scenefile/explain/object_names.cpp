@@ -3,13 +3,13 @@
 namespace scenefile {
 
 ObjectNames::ObjectNames(const Scene& scene, const std::vector<Source>& sources)
-    : sources_(sources), paths_(scene) {}
+    : scene_(scene), sources_(sources), paths_(scene) {}
 
 WayPoint ObjectNames::at(std::uint32_t source) const {
   if (source >= sources_.size()) {
     return {};
   }
-  return {paths_.path(sources_[source].node), sources_[source].location};
+  return {paths_.path(sources_[source].node), place_of(scene_, sources_[source])};
 }
 
 std::vector<WayPoint> ObjectNames::way(const ObjectRef& object) const {

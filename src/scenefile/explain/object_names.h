@@ -32,6 +32,7 @@ class ObjectNames {
   WayPoint at(std::uint32_t source) const;
 
  private:
+  const Scene& scene_;
   const std::vector<Source>& sources_;
   NodePaths paths_;
 };

@@ -1,6 +1,7 @@
 #include "scenefile/export/gltf_light.h"
 
 #include "scenefile/base/components.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/report_once.h"
 
@@ -75,7 +76,7 @@ std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics&
     case LightType::point:
       break;
   }
-  if (light.type != LightType::directional) {
+  if (has_position(light.type)) {
     factor = candela(light, box);
     note(
         "lights of glTF fade by the square of the distance: their strength is right in the "

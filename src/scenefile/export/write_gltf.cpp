@@ -1,6 +1,7 @@
 #include "scenefile/export/write_gltf.h"
 
 #include "scenefile/base/base64.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/export/codes.h"
 #include "scenefile/export/gltf_buffer.h"
 #include "scenefile/export/gltf_light.h"
@@ -165,7 +166,7 @@ class GltfWriter {
       lights_ += (i == 0 ? "" : ",\n") + gltf_light(light, box_, diagnostics_);
       GltfNode node{.name = word_of(light.type), .extra = "light", .value = i};
       node.place.rotation = looking_along(glm::dvec3(light.direction));
-      if (light.type != LightType::directional) {
+      if (has_position(light.type)) {
         node.place.translation = glm::dvec3(light.position);
       }
       add_node(none, node);
@@ -227,8 +228,9 @@ class GltfWriter {
   }
 
   std::uint32_t mesh_of(const RenderPrimitive& p) {
-    const std::uint32_t shape =
-        p.shape == Shape::mesh ? p.mesh + 16 : static_cast<std::uint32_t>(p.shape);
+    const std::uint32_t shape = p.shape == Shape::mesh
+                                    ? static_cast<std::uint32_t>(shape_count) + p.mesh
+                                    : static_cast<std::uint32_t>(p.shape);
     const auto [entry, is_new] = mesh_numbers_.try_emplace(
         {shape, p.material}, static_cast<std::uint32_t>(mesh_numbers_.size()));
     if (is_new) {

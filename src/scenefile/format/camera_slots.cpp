@@ -1,7 +1,9 @@
 #include "scenefile/format/camera_slots.h"
 
 #include "scenefile/format/json_parser.h"
+#include "scenefile/format/xml_tag.h"
 #include "scenefile/format/xml_tokens.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <algorithm>
 #include <span>
@@ -17,21 +19,26 @@ struct Attribute {
   NumberSlot value;
 };
 
-std::vector<Attribute> attributes_of(std::string_view text, const XmlToken& token) {
-  const std::vector<std::string_view> parts = tag_parts(token.of(text));
+struct Tag {
+  std::string_view name;
   std::vector<Attribute> attributes;
-  for (std::size_t i = 1; i + 2 < parts.size(); i += 2) {
-    const auto offset = static_cast<std::size_t>(parts[i + 1].data() - text.data());
-    attributes.push_back({parts[i], {offset + 1, parts[i + 1].size() - 2}});
+};
+
+Tag tag_of(std::string_view text, const XmlToken& token) {
+  std::vector<XmlAttribute> written;
+  Tag tag{scan_tag(token.of(text), written).name, {}};
+  for (const XmlAttribute& attribute : written) {
+    const auto offset = static_cast<std::size_t>(attribute.value.data() - text.data());
+    tag.attributes.push_back({attribute.name, {offset, attribute.value.size()}});
   }
-  return attributes;
+  return tag;
 }
 
-std::string_view name_of(std::string_view text, const XmlToken& token) {
-  std::string_view name = tag_parts(token.of(text)).front();
-  name.remove_prefix(name.starts_with("</") ? 2 : 1);
-  return name;
-}
+constexpr const ValueRow<Camera>& position_row = row_of(camera_rows, Field::position);
+constexpr const ValueRow<Camera>& look_row = row_of(camera_rows, Field::look);
+constexpr const ValueRow<Camera>& up_row = row_of(camera_rows, Field::up);
+constexpr const ValueRow<Camera>& angle_row = row_of(camera_rows, Field::height_angle_deg);
+constexpr std::string_view focus_name = "focus";  // in both dialects
 
 // By name, or by order if there are three attributes with other names, like the reader does.
 std::optional<VectorSlots> vector_in(std::span<const Attribute> attributes) {
@@ -63,19 +70,17 @@ std::optional<NumberSlot> number_in(std::span<const Attribute> attributes) {
   return attributes.size() == 1 ? std::optional(attributes.front().value) : std::nullopt;
 }
 
-void take_part(std::string_view text, const XmlToken& token, CameraSlots& slots) {
-  const std::string_view name = name_of(text, token);
-  const std::vector<Attribute> attributes = attributes_of(text, token);
-  if (name == "pos") {
-    slots.position = vector_in(attributes);
-  } else if (name == "look") {
-    slots.look = vector_in(attributes);
-  } else if (name == "focus") {
-    slots.focus = vector_in(attributes);
-  } else if (name == "up") {
-    slots.up = vector_in(attributes);
-  } else if (name == "heightangle" || name == "angle") {
-    slots.height_angle = number_in(attributes);
+void take_part(const Tag& tag, CameraSlots& slots) {
+  if (tag.name == position_row.xml) {
+    slots.position = vector_in(tag.attributes);
+  } else if (tag.name == look_row.xml) {
+    slots.look = vector_in(tag.attributes);
+  } else if (tag.name == focus_name) {
+    slots.focus = vector_in(tag.attributes);
+  } else if (tag.name == up_row.xml) {
+    slots.up = vector_in(tag.attributes);
+  } else if (tag.name == angle_row.xml || tag.name == angle_row.xml_alias) {
+    slots.height_angle = number_in(tag.attributes);
   }
 }
 
@@ -115,7 +120,7 @@ class CameraSearch {
  private:
   void open(const XmlToken& token) {
     if (depth_ == 1) {
-      block_ = name_of(text_, token);
+      block_ = tag_of(text_, token).name;
       block_indent_ = indent_before(text_, token.begin);
       if (block_ == "cameradata") {
         found_ = true;
@@ -126,7 +131,7 @@ class CameraSearch {
         }
       }
     } else if (depth_ == 2 && block_ == "cameradata") {
-      take_part(text_, token, camera_);
+      take_part(tag_of(text_, token), camera_);
       camera_.indent = indent_before(text_, token.begin);
     }
   }
@@ -207,11 +212,11 @@ CameraSlots json_camera_slots(std::string_view text) {
   if (camera == 0) {
     return slots;
   }
-  slots.position = json_vector(tape, member(tape, camera, "position"));
-  slots.look = json_vector(tape, member(tape, camera, "look"));
-  slots.focus = json_vector(tape, member(tape, camera, "focus"));
-  slots.up = json_vector(tape, member(tape, camera, "up"));
-  slots.height_angle = json_number(tape, member(tape, camera, "heightAngle"));
+  slots.position = json_vector(tape, member(tape, camera, position_row.json));
+  slots.look = json_vector(tape, member(tape, camera, look_row.json));
+  slots.focus = json_vector(tape, member(tape, camera, focus_name));
+  slots.up = json_vector(tape, member(tape, camera, up_row.json));
+  slots.height_angle = json_number(tape, member(tape, camera, angle_row.json));
   return slots;
 }
 

@@ -1,9 +1,5 @@
 #include "scenefile/format/codes.h"
 
-#include "scenefile/format/config_codes.h"
-#include "scenefile/format/json_codes.h"
-#include "scenefile/format/write_codes.h"
-
 namespace scenefile {
 
 std::span<const Code* const> format_codes() {

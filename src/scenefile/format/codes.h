@@ -1,5 +1,5 @@
 #pragma once
-// Findings of the readers. Codes that only apply to JSON: json_codes.h.
+// The codes of the findings of the readers, the writers, and of course configurations.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -7,7 +7,7 @@
 
 namespace scenefile {
 
-/// All codes of the room, including those of JSON.
+/// All codes of the room.
 std::span<const Code* const> format_codes();
 
 // The file as a whole.
@@ -280,5 +280,233 @@ inline constexpr Code xml_texture_blend{"xml.texture-blend", Severity::warning,
                                         "An early description of the format puts a number on the "
                                         "texture; all programs read it from an element <blend>.",
                                         CodeKind::dialect};
+
+// JSON.
+
+inline constexpr Code json_syntax{
+    "json.syntax", Severity::error, "the file is not valid JSON",
+    "The text breaks the rules of JSON at this place: a comma, colon, quote or bracket is missing "
+    "or extra. Nothing after it was read. Keys and strings are in double quotes; members and "
+    "elements are separated by single commas."};
+inline constexpr Code json_truncated{
+    "json.truncated", Severity::error, "the file ends too early",
+    "The file ends inside an object, an array or a string: it was truncated when it was copied or "
+    "saved, or a closing bracket is missing further up."};
+inline constexpr Code json_trailing_comma{
+    "json.trailing-comma", Severity::error, "a comma after the last element",
+    "JSON allows commas only between members and elements. Remove the comma before the closing "
+    "bracket, or add the missing element."};
+inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
+                                   "JSON has no comments. Remove it, or say it in a \"name\"."};
+inline constexpr Code json_number{
+    "json.number",
+    Severity::error,
+    "a number that JSON does not allow",
+    "JSON numbers have digits on both sides of the point and no leading zero or plus: 0.6 instead "
+    "of .6, 1.0 instead of 1., 7 instead of 07 or +7. There is no NaN, Infinity or hexadecimal. "
+    "With --compat course, a missing digit next to the point counts as 0, with a warning.",
+    CodeKind::plain,
+    Severity::warning};
+inline constexpr Code json_number_range{"json.number-range", Severity::error,
+                                        "a number that is too large",
+                                        "Values are kept in single precision, up to about 3.4e38."};
+inline constexpr Code json_number_underflow{
+    "json.number-underflow", Severity::warning, "a number that is too small to be represented",
+    "It is closer to 0 than the smallest single-precision number, about 1.4e-45, and counts as 0."};
+inline constexpr Code json_conflict_marker{
+    "json.conflict-marker", Severity::error, "an unresolved git conflict",
+    "git left both versions of a part in the file, between lines of <<<<<<<, ======= and >>>>>>>. "
+    "Keep one version and remove these lines."};
+inline constexpr Code json_string{
+    "json.string", Severity::error, "a string that JSON cannot say",
+    "Inside a string, line breaks, tabs and other control characters must be written \\n, \\t or "
+    "\\u0000, a backslash \\\\ and a quote \\\". A \\u escape has four digits, and characters "
+    "beyond "
+    "\\uffff need both halves of a surrogate pair."};
+inline constexpr Code json_after_end{
+    "json.after-end", Severity::error, "something after the end",
+    "The first value is complete and more follows: two files in one, or an extra bracket."};
+inline constexpr Code json_limit{
+    "json.limit", Severity::error, "a limit is reached",
+    "Limits keep a faulty or hostile file from taking all memory and time. They leave ample room "
+    "for every scene of the course, and can be raised.",
+    CodeKind::limit};
+
+inline constexpr Code json_wrong_type{
+    "json.wrong-type", Severity::error, "a value of the wrong type",
+    "Each key has one type of value: numbers and strings are not converted to each other, vectors "
+    "are arrays of numbers, groups and lights are arrays of objects."};
+inline constexpr Code json_wrong_length{
+    "json.wrong-length", Severity::error, "an array of the wrong length",
+    "Vectors and colors have 3 numbers, rotate has 4 (x, y, z and degrees), matrix has 4 rows of 4 "
+    "numbers."};
+inline constexpr Code json_four_dimensional{
+    "json.four-dimensional", Severity::error, "a vector of a 4-D scene",
+    "A variant of the format describes scenes in four dimensions: vectors have 4 numbers there and "
+    "rotate has 7. Such scenes cannot be read."};
+inline constexpr Code json_missing_key{
+    "json.missing-key", Severity::error, "a required key is missing",
+    "The format requires this key, and other readers reject the file without it."};
+inline constexpr Code json_unknown_key{
+    "json.unknown-key", Severity::warning, "an unknown key",
+    "The key is not part of the format but an extension of another reader. It is ignored with "
+    "everything in it. The course's reader rejects the file."};
+inline constexpr Code json_misspelled_key{
+    "json.misspelled-key", Severity::error, "a key that is probably misspelled",
+    "The key is close to another one, which the object lacks. Ignoring it would give a picture "
+    "that its author did not intend. The course's reader rejects the file."};
+inline constexpr Code json_duplicate_key{"json.duplicate-key", Severity::warning,
+                                         "a key that occurs twice",
+                                         "Each key may occur once in an object. The last one "
+                                         "counts, as in most programs; earlier ones are ignored."};
+inline constexpr Code json_unused_key{
+    "json.unused-key", Severity::note, "a key without effect",
+    "The key belongs to the format, but not to this kind of light or primitive, or not without "
+    "another key."};
+inline constexpr Code json_look_and_focus{
+    "json.look-and-focus", Severity::error, "a camera with look and focus",
+    "look is the direction of view, focus a point to look at. A camera has one of them."};
+inline constexpr Code json_unknown_light_type{"json.unknown-light-type", Severity::error,
+                                              "a light of unknown type",
+                                              "Lights are point, directional, spot or area."};
+inline constexpr Code json_light_default{
+    "json.light-default", Severity::warning, "a light lacks a key",
+    "The format requires the key for this type of light, and the course's reader rejects the file. "
+    "The default given in the message is used."};
+inline constexpr Code json_no_light{
+    "json.no-light", Severity::warning, "something else among the lights",
+    "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
+    "\"groups\"; a light stands at the origin of the group that holds its list."};
+inline constexpr Code json_unknown_primitive_type{
+    "json.unknown-primitive-type",
+    Severity::warning,
+    "a primitive of unknown type",
+    "Primitives are cube, cone, cylinder, sphere or mesh. Other types are extensions of other "
+    "readers. The primitive is ignored. The course's reader rejects the file. An error if the type "
+    "cannot be the name of a shape.",
+    CodeKind::plain,
+    Severity::error};
+inline constexpr Code json_area_light{
+    "json.area-light", Severity::note, "an area light",
+    "Area lights belong to the format, but the course's JSON reader does not support them and "
+    "rejects the file. width and height are read here."};
+inline constexpr Code json_matrix_with_others{
+    "json.matrix-with-others", Severity::warning, "a matrix beside other transforms",
+    "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
+    "acts first. Some programs reject a matrix beside others; nested groups make the order "
+    "visible."};
+inline constexpr Code json_no_groups{"json.no-groups", Severity::warning, "a scene without groups",
+                                     "Everything visible, and all lights, are in groups."};
+inline constexpr Code json_instance_keys{
+    "json.instance-keys", Severity::warning, "an instance with keys that are ignored",
+    "A group whose name is that of a template group declared before stands for that template, and "
+    "its other keys are ignored. To place an instance, put it into a group with the transforms: "
+    "{\"translate\": [1, 0, 0], \"groups\": [{\"name\": \"chair\"}]}. If no instance is meant, "
+    "give "
+    "the group another name."};
+inline constexpr Code json_template_order{
+    "json.template-order", Severity::warning, "a group with the name of a later template",
+    "A template can use only templates declared before it; here the name is declared later, and "
+    "other readers see an ordinary group. Declare the template first, or rename the group."};
+inline constexpr Code json_unknown_template{
+    "json.unknown-template", Severity::warning, "a group with a name and nothing else",
+    "This is how an instance of a template group is written, but no template group has the name, "
+    "so "
+    "that nothing is drawn. Names are compared exactly, upper and lower case included."};
+
+// Writing.
+
+inline constexpr Code write_light_moved{
+    "write.light-moved", Severity::note, "a light is moved to the top level of the file",
+    "In XML, lights are at the top level and in world space. The transforms of the group that held "
+    "the light are applied to it; a light in a template is written once for each instance."};
+inline constexpr Code write_light_limit{"write.light-limit", Severity::error, "too many lights",
+                                        "In XML, lights in a template are written once for each "
+                                        "instance. The limit bounds how many; it can be raised.",
+                                        CodeKind::limit};
+inline constexpr Code write_light_turned{
+    "write.light-turned", Severity::warning, "an area light that XML cannot express",
+    "In XML, an area light has a direction, a width and a height; it cannot be rotated about its "
+    "direction, or sheared. It is written with the same center, direction and size, but without "
+    "that rotation."};
+inline constexpr Code write_light_dark{
+    "write.light-dark", Severity::warning, "a light that lights nothing",
+    "It has no direction, or no finite position, and is dropped."};
+inline constexpr Code write_light_id{
+    "write.light-id", Severity::note, "light ids are dropped or added",
+    "JSON lights have no ids. XML requires one for each light: those without get the next free "
+    "number. Ids have no effect on the picture."};
+inline constexpr Code write_light_name{"write.light-name", Severity::note,
+                                       "a light's name is dropped",
+                                       "XML lights have an id but no name."};
+inline constexpr Code write_scene_name{"write.scene-name", Severity::note,
+                                       "the scene's name is dropped",
+                                       "In XML, a scene has no name."};
+inline constexpr Code write_area_light{
+    "write.area-light", Severity::note, "an area light in JSON",
+    "The course's JSON reader does not support area lights and rejects the file."};
+inline constexpr Code write_default_camera{
+    "write.default-camera", Severity::note, "the default camera is written",
+    "JSON requires a camera; the scene has none, so the default camera is written."};
+inline constexpr Code write_transforms_nested{
+    "write.transforms-nested", Severity::note, "transforms become groups in groups",
+    "A JSON group has one translate, rotate, scale and matrix each, "
+    "applied in a fixed order. Other "
+    "orders are said by groups that hold one group each."};
+inline constexpr Code write_renamed{
+    "write.renamed", Severity::note, "a group is renamed",
+    "In JSON, a group with a template's name is an instance of that template. In XML, names of "
+    "trees are unique, and root is the name of the scene."};
+inline constexpr Code write_empty_group{
+    "write.empty-group", Severity::note, "an empty group is dropped",
+    "In XML, a transblock holds an object, and a tree is not empty."};
+inline constexpr Code write_matrix_row{
+    "write.matrix-row", Severity::note, "the last row of a matrix is written as 0 0 0 1",
+    "Transforms are affine; their last row is 0 0 0 1. Other values have no effect."};
+inline constexpr Code write_character{
+    "write.character", Severity::warning, "a character that cannot be written",
+    "XML cannot contain control characters, and neither format can contain bytes that are not "
+    "UTF-8. They are replaced; a file with such a character in its name will not be found."};
+inline constexpr Code write_nesting_limit{"write.nesting-limit", Severity::error,
+                                          "the file would be nested too deeply",
+                                          "Readers limit how deeply a file may be nested. What the "
+                                          "other format writes flat may need several levels here.",
+                                          CodeKind::limit};
+
+// Configuration files of the course's ray tracer.
+
+inline constexpr Code config_syntax{
+    "config.syntax", Severity::error, "a line of the configuration cannot be read",
+    "A line is a [section], a key = value, or a comment that starts with a semicolon. Values may "
+    "be in double quotes, which must end on the same line."};
+inline constexpr Code config_backslash{
+    "config.backslash", Severity::error, "a backslash that is no escape",
+    "The course's reader (QSettings) takes a backslash for the start of an escape and loses what "
+    "follows. Write / between folders, \\\\ for a backslash, \\\" for a quote, \\x with the number "
+    "in hexadecimal for any other character."};
+inline constexpr Code config_unknown_key{
+    "config.unknown-key", Severity::warning, "a key of the configuration that is not known",
+    "Known are scene and output in [IO], width and height in [Canvas], maximum-recursive-depth and "
+    "only-render-normals in [Settings], and in [Feature] shadows, reflect, refract, texture, "
+    "texture-filter, super-sample, depthoffield; parallel and acceleration too, on which no pixel "
+    "depends. Others have no effect."};
+inline constexpr Code config_key_case{
+    "config.key-case", Severity::warning, "a key of the configuration in another case",
+    "Names of sections and keys were matched ignoring case. The course's program does so only on "
+    "Windows; elsewhere it does not find the key."};
+inline constexpr Code config_duplicate_key{"config.duplicate-key", Severity::warning,
+                                           "a key of the configuration is given twice",
+                                           "The last one counts. Delete the others."};
+inline constexpr Code config_missing_key{
+    "config.missing-key", Severity::error, "the configuration lacks a key",
+    "A configuration says at least what to draw, where to and how large: scene and output in [IO], "
+    "width and height in [Canvas]."};
+inline constexpr Code config_picture_format{
+    "config.picture-format", Severity::warning, "the picture is written as PNG",
+    "The extension of output decides: .png, .exr or .pfm. Any other extension gives a PNG."};
+inline constexpr Code config_value{
+    "config.value", Severity::error, "a value of the configuration cannot be used",
+    "Features are true or false (1 or 0); sizes are whole numbers of pixels. The course's program "
+    "reads every other word as true and every other number as 0."};
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #include "scenefile/format/ini.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/format/config_codes.h"
+#include "scenefile/format/codes.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/json_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/other_words.h"
 
 #include <fmt/format.h>

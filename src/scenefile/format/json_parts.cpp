@@ -2,8 +2,8 @@
 
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
-#include "scenefile/format/json_codes.h"
 #include "scenefile/format/large_scene.h"
 #include "scenefile/format/other_words.h"
 
@@ -232,7 +232,7 @@ void report_default(JsonContext& context, const JsonFields& fields, JsonIndex it
 // check() handles a missing direction or angle.
 void require_keys(JsonContext& context, const JsonFields& fields, JsonIndex item, LightType kind) {
   fields.require(color);
-  if (kind == LightType::point || kind == LightType::spot) {
+  if (course_json_has(kind) && light_uses(kind, Field::attenuation)) {
     report_default(context, fields, item, Field::attenuation, kind, "1 0 0 (no falloff)");
   }
   if (light_uses(kind, Field::penumbra_deg)) {
@@ -350,7 +350,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   Light light;
   light.type = static_cast<LightType>(*type);
   light.location = context.place(item);
-  if (light.type == LightType::area) {
+  if (!course_json_has(light.type)) {
     context.report(json_area_light, fields.key(light::type),
                    "the course's JSON reader does not support area lights and rejects the file");
   }

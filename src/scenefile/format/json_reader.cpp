@@ -1,14 +1,14 @@
-#include "scenefile/format/json_reader.h"
-
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/json_codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_parts.h"
 #include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/large_scene.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -31,8 +31,15 @@ constexpr JsonVocabulary vocabulary{"the scene", names};
 
 namespace group {
 enum Key { name, translate, rotate, scale, matrix, lights, primitives, groups };
-constexpr std::string_view names[] = {"name",   "translate", "rotate",     "scale",
-                                      "matrix", "lights",    "primitives", "groups"};
+static_assert(lights - translate == transform_words.size());
+constexpr std::string_view names[] = {"name",
+                                      transform_word<Translate>,
+                                      transform_word<Rotate>,
+                                      transform_word<Scale>,
+                                      transform_word<Matrix>,
+                                      "lights",
+                                      "primitives",
+                                      "groups"};
 constexpr JsonVocabulary vocabulary{"a group", names};
 constexpr JsonVocabulary template_vocabulary{"a template group", names};
 }  // namespace group

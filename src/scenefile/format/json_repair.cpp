@@ -1,7 +1,7 @@
 #include "scenefile/format/json_repair.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/format/json_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/text_places.h"
 
 #include <fmt/format.h>

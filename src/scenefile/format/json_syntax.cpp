@@ -4,7 +4,6 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/json_codes.h"
 #include "scenefile/format/syntax.h"
 #include "scenefile/format/text_places.h"
 

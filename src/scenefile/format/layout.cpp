@@ -1,8 +1,7 @@
 #include "scenefile/format/layout.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/format/layout_json.h"
-#include "scenefile/format/layout_xml.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/syntax.h"
 #include "scenefile/format/text_encoding.h"
 #include "scenefile/format/xml_tokens.h"

@@ -1,6 +1,5 @@
-#include "scenefile/format/layout_json.h"
-
-#include "scenefile/format/json_codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_syntax.h"

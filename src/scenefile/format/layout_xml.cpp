@@ -1,10 +1,10 @@
-#include "scenefile/format/layout_xml.h"
-
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/layout_lines.h"
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_reader.h"
+#include "scenefile/format/xml_tag.h"
 #include "scenefile/format/xml_tokens.h"
 
 #include <fmt/format.h>
@@ -99,15 +99,16 @@ class XmlLayout {
   }
 
   void print_tag(const XmlToken& token) {
-    const std::vector<std::string_view> parts = tag_parts(token.of(text_));
-    lines_.add(parts.front());
-    for (std::size_t i = 1; i + 2 < parts.size(); i += 2) {
+    const TagScan tag = scan_tag(token.of(text_), attributes_);
+    lines_.add(tag.is_end ? "</" : "<");
+    lines_.add(tag.name);
+    for (const XmlAttribute& attribute : attributes_) {
       lines_.add(" ");
-      lines_.add(parts[i]);
+      lines_.add(attribute.name);
       lines_.add("=");
-      lines_.add(parts[i + 1]);
+      lines_.add({attribute.value.data() - 1, attribute.value.size() + 2});  // with its quotes
     }
-    lines_.add(parts.back());
+    lines_.add(tag.is_empty ? "/>" : ">");
   }
 
   // Copies the contents and the end tag of the element.
@@ -126,6 +127,7 @@ class XmlLayout {
 
   std::string_view text_;
   std::vector<XmlToken> tokens_;
+  std::vector<XmlAttribute> attributes_;  // of the tag that is printed
   LinePrinter lines_;
   std::size_t depth_ = 0;
 };

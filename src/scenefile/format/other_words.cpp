@@ -1,6 +1,7 @@
 #include "scenefile/format/other_words.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <algorithm>
 #include <utility>
@@ -85,14 +86,7 @@ constexpr std::string_view to_the_scene =
 constexpr Advice advices[] = {
     {"a light", "position",
      "a light is at the origin of its group: give the group a \"translate\""},
-    {"a light", "translate", to_the_group},
-    {"a light", "rotate", to_the_group},
-    {"a light", "matrix", to_the_group},
     {"a primitive", "position", to_the_group},
-    {"a primitive", "translate", to_the_group},
-    {"a primitive", "rotate", to_the_group},
-    {"a primitive", "scale", to_the_group},
-    {"a primitive", "matrix", to_the_group},
     {"the scene", "lights", into_a_group},
     {"the scene", "primitives", into_a_group},
     {"a group", "templateGroups", to_the_scene},
@@ -112,6 +106,9 @@ std::string_view in_our_words(std::string_view word, std::span<const std::string
 }
 
 std::string_view json_key_advice(std::string_view object, std::string_view key) {
+  if (is_transform(key) && (object == "a light" || object == "a primitive")) {
+    return to_the_group;
+  }
   const auto* const found = std::find_if(
       std::begin(advices), std::end(advices),
       [&](const Advice& advice) { return advice.object == object && advice.key == key; });

@@ -2,7 +2,7 @@
 
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/config_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/ini.h"
 
 #include <fmt/format.h>

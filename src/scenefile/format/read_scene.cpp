@@ -1,10 +1,9 @@
 #include "scenefile/format/read_scene.h"
 
 #include "scenefile/format/codes.h"
-#include "scenefile/format/json_reader.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/syntax.h"
 #include "scenefile/format/text_encoding.h"
-#include "scenefile/format/xml_scene.h"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #include "scenefile/format/write_forms.h"
 
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/scene/template_graph.h"
 #include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"

@@ -1,10 +1,10 @@
-#include "scenefile/format/write_json.h"
-
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/write_values.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -126,20 +126,21 @@ void print_object(JsonPrinter& to, std::string_view key, const Owner& owner) {
 }
 
 void print_map(JsonPrinter& to, const Translate& translate) {
-  to.three("translate", ValueKind::vector, translate.by);
+  to.three(transform_word<Translate>, ValueKind::vector, translate.by);
 }
 
 void print_map(JsonPrinter& to, const Scale& scale) {
-  to.three("scale", ValueKind::vector, scale.by);
+  to.three(transform_word<Scale>, ValueKind::vector, scale.by);
 }
 
 void print_map(JsonPrinter& to, const Rotate& rotate) {
-  to.numbers("rotate", {rotate.axis.x, rotate.axis.y, rotate.axis.z, rotate.angle_deg});
+  to.numbers(transform_word<Rotate>,
+             {rotate.axis.x, rotate.axis.y, rotate.axis.z, rotate.angle_deg});
 }
 
 void print_map(JsonPrinter& to, const Matrix& matrix) {
   const glm::mat4 rows = glm::transpose(matrix.m());
-  to.open("matrix", '[');
+  to.open(transform_word<Matrix>, '[');
   for (int row = 0; row < 4; ++row) {
     to.numbers("", {rows[row][0], rows[row][1], rows[row][2], rows[row][3]});
   }

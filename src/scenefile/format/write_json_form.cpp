@@ -1,6 +1,7 @@
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/write_forms.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ class JsonForm {
         ids += light.id ? 1 : 0;
         light.id.reset();
         clear_unused(light, false);
-        if (light.type == LightType::area) {
+        if (!course_json_has(light.type)) {
           diagnostics_.report(write_area_light, light.location,
                               "the course's JSON reader knows no area lights");
         }

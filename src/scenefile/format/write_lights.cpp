@@ -1,8 +1,9 @@
 #include "scenefile/format/write_lights.h"
 
 #include "scenefile/base/affine.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/world_lights.h"
 
@@ -96,7 +97,7 @@ class WorldCopies {
     if (light_uses(light.type, Field::direction)) {
       result.direction = stable_direction(light, ready);
     }
-    if (light.type == LightType::area) {
+    if (has_rectangle(light.type)) {
       place_rectangle(result, light, ready);
     }
     return result;

@@ -1,8 +1,7 @@
 #include "scenefile/format/write_scene.h"
 
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/write_forms.h"
-#include "scenefile/format/write_json.h"
-#include "scenefile/format/write_xml.h"
 
 namespace scenefile {
 

@@ -27,7 +27,7 @@ enum class SceneFormat : std::uint8_t { xml, json };
 /// camera is required; ids of lights are dropped.
 ///
 /// A warning means that a part of the meaning is lost; an error means that the text cannot be used.
-/// Codes: format/write_codes.h.
+/// Codes: format/codes.h.
 std::string write_scene(const Scene& scene, SceneFormat format, const Limits& limits,
                         Diagnostics& diagnostics);
 

@@ -1,7 +1,7 @@
 #include "scenefile/format/write_text.h"
 
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
 
 #include <fmt/format.h>
 

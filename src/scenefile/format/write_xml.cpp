@@ -1,10 +1,10 @@
-#include "scenefile/format/write_xml.h"
-
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/write_values.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -124,20 +124,20 @@ void print_block(XmlPrinter& to, std::string_view element, const Owner& owner) {
 }
 
 void print_map(XmlPrinter& to, const Translate& translate) {
-  to.three("translate", ValueKind::vector, translate.by);
+  to.three(transform_word<Translate>, ValueKind::vector, translate.by);
 }
 
 void print_map(XmlPrinter& to, const Scale& scale) {
-  to.three("scale", ValueKind::vector, scale.by);
+  to.three(transform_word<Scale>, ValueKind::vector, scale.by);
 }
 
 void print_map(XmlPrinter& to, const Rotate& rotate) {
-  to.begin("rotate").attribute("x", rotate.axis.x).attribute("y", rotate.axis.y);
+  to.begin(transform_word<Rotate>).attribute("x", rotate.axis.x).attribute("y", rotate.axis.y);
   to.attribute("z", rotate.axis.z).attribute("angle", rotate.angle_deg).leaf();
 }
 
 void print_map(XmlPrinter& to, const Matrix& matrix) {
-  to.begin("matrix").children();
+  to.begin(transform_word<Matrix>).children();
   for (int row = 0; row < 4; ++row) {
     to.begin("row").attribute("a", matrix.m()[0][row]).attribute("b", matrix.m()[1][row]);
     to.attribute("c", matrix.m()[2][row]).attribute("d", matrix.m()[3][row]).leaf();

@@ -1,5 +1,5 @@
 #include "scenefile/base/text.h"
-#include "scenefile/format/write_codes.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/write_forms.h"
 #include "scenefile/format/write_lights.h"
 #include "scenefile/scene/walk.h"

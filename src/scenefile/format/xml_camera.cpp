@@ -1,9 +1,8 @@
-#include "scenefile/format/xml_camera.h"
-
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
+#include "scenefile/format/xml_parts.h"
 
 #include <fmt/format.h>
 

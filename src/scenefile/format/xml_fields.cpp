@@ -5,6 +5,7 @@
 #include "scenefile/format/codes.h"
 #include "scenefile/format/other_words.h"
 #include "scenefile/format/xml_values.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -17,24 +18,22 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view structure_elements[] = {
-    "scenefile",  "globaldata", "cameradata", "lightdata", "object",
-    "transblock", "translate",  "rotate",     "scale",     "matrix"};
+constexpr std::string_view structure_elements[] = {"scenefile", "globaldata", "cameradata",
+                                                   "lightdata", "object",     "transblock"};
 
 // Whether the format has an element with that name, not counting aliases.
 bool is_known(std::string_view name) {
   return std::find(std::begin(structure_elements), std::end(structure_elements), name) !=
              std::end(structure_elements) ||
-         kind_of_element(name);
+         is_transform(name) || kind_of_element(name);
 }
 
 // The parent of an element, for one that is in another; empty if several parents are possible.
 std::string_view home_of(std::string_view name) {
+  if (is_transform(name)) {
+    return "; transforms belong in a transblock, before its object";
+  }
   constexpr std::pair<std::string_view, std::string_view> homes[] = {
-      {"translate", "; transforms belong in a transblock, before its object"},
-      {"rotate", "; transforms belong in a transblock, before its object"},
-      {"scale", "; transforms belong in a transblock, before its object"},
-      {"matrix", "; transforms belong in a transblock, before its object"},
       {"transblock", "; transblocks belong in trees"},
       {"object", "; an object belongs in a transblock of a tree"},
       {"globaldata", "; it belongs at the top level, in <scenefile>"},

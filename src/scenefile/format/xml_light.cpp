@@ -1,10 +1,9 @@
-#include "scenefile/format/xml_light.h"
-
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/other_words.h"
+#include "scenefile/format/xml_parts.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
-#include "scenefile/format/xml_material.h"
-
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/large_scene.h"
+#include "scenefile/format/xml_parts.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
-#include "scenefile/format/xml_object.h"
-
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/other_words.h"
+#include "scenefile/format/xml_parts.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>

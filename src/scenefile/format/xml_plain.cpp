@@ -1,54 +1,13 @@
-#include "scenefile/format/xml_plain.h"
-
 #include "scenefile/base/text.h"
+#include "scenefile/format/xml_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace scenefile {
 
 namespace {
-
-// Character classes, as bits.
-enum CharacterClass : std::uint8_t {
-  blank = 1,
-  name_start = 2,
-  name_part = 4,
-  value_part = 8,    // inside values, in either kind of quotes
-  comment_part = 16  // inside comments, except the dash
-};
-
-// `>` ends every run of characters of one class, so a text that ends with it needs no bounds
-// checks. Bytes from 128 on are in no class.
-constexpr std::array<std::uint8_t, 256> make_classes() {
-  std::array<std::uint8_t, 256> classes{};
-  for (unsigned c = ' '; c < 128; ++c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':';
-    const bool digit = (c >= '0' && c <= '9') || c == '-' || c == '.';
-    const bool special = c == '<' || c == '>' || c == '&' || c == '"' || c == '\'';
-    classes[c] = static_cast<std::uint8_t>((letter ? name_start | name_part : 0) |
-                                           (digit ? name_part : 0) | (special ? 0 : value_part) |
-                                           (c == '-' || c == '>' ? 0 : comment_part));
-  }
-  for (const unsigned c : {' ', '\t', '\n', '\r'}) {
-    classes[c] |= blank | comment_part;
-  }
-  return classes;
-}
-constexpr std::array<std::uint8_t, 256> classes = make_classes();
-
-bool is(char c, CharacterClass what) {
-  return (classes[static_cast<unsigned char>(c)] & what) != 0;
-}
-
-const char* skip(const char* p, CharacterClass what) {
-  while (is(*p, what)) {
-    ++p;
-  }
-  return p;
-}
 
 std::string_view between(const char* first, const char* last) {
   return {first, static_cast<std::size_t>(last - first)};
@@ -92,11 +51,8 @@ class PlainReader {
   bool read_declaration();
   bool read_markup();
   bool read_comment();
-  bool read_start();
-  bool read_end();
-  bool read_attribute();
-  bool read_value(XmlAttribute& attribute);
-  const char* skip_character(const char* p) const;
+  bool read_tag();
+  bool end_element(std::string_view name);
 
   const Limits& limits_;
   TextCursor& places_;
@@ -114,7 +70,7 @@ PlainEnd PlainReader::run() {
     return PlainEnd::not_plain;
   }
   while (p_ != end_) {
-    p_ = skip(p_, blank);
+    p_ = skip(p_, end_, blank);
     if (*p_ != '<' || !read_markup()) {
       return stopped_ ? PlainEnd::stopped : PlainEnd::not_plain;
     }
@@ -133,132 +89,58 @@ bool PlainReader::read_declaration() {
 }
 
 bool PlainReader::read_markup() {
-  switch (p_[1]) {
-    case '/':
-      return read_end();
-    case '!':
-      return read_comment();
-    default:
-      return read_start();
-  }
+  return p_[1] == '!' ? read_comment() : read_tag();
 }
 
 bool PlainReader::read_comment() {
   constexpr std::size_t longest = std::size_t{1} << 20;
-  const char* p = p_ + 4;
   if (!between(p_, end_).starts_with("<!--")) {
     return false;
   }
-  while (true) {
-    p = skip(p, comment_part);
-    if (*p == '-' && p[1] == '-') {
-      break;
-    }
-    p = *p == '-' || *p == '>' ? p + 1 : skip_character(p);
-    if (p == nullptr || p == end_) {
+  const char* p = skip(p_ + 4, end_, comment_part);
+  while (!between(p, end_).starts_with("--")) {
+    const bool single = p != end_ && (*p == '-' || *p == '>');
+    const std::size_t size = single || p == end_ ? 1 : plain_character(between(p, end_));
+    if (p == end_ || size == 0) {
       return false;
     }
+    p = skip(p + size, end_, comment_part);
   }
-  const bool plain = p[2] == '>' && between(p_, p).size() < longest;
+  const bool plain = between(p, end_).starts_with("-->") && between(p_, p).size() < longest;
   p_ = p + 3;
   return plain;
 }
 
-bool PlainReader::read_start() {
-  const char* const at = p_++;
-  const char* const name = p_;
-  if (!is(*p_, name_start)) {
+bool PlainReader::read_tag() {
+  const TagScan scan = scan_tag(between(p_, end_), attributes_);
+  const char* const at = p_;
+  p_ += scan.size;
+  if (!scan.plain) {
     return false;
   }
-  p_ = skip(p_, name_part);
-  const XmlTag head{between(name, p_), {}, {}};
-  attributes_.clear();
-  while (is(*p_, blank) && is(*(p_ = skip(p_, blank)), name_start)) {
-    if (!read_attribute()) {
-      return false;
-    }
+  if (scan.is_end) {
+    return end_element(scan.name);
   }
-  const bool is_empty = *p_ == '/';
-  p_ += is_empty;
-  if (*p_ != '>' || (open_.empty() && has_root_) || open_.size() == limits_.nesting ||
-      head.name.size() > limits_.name_bytes) {
+  if ((open_.empty() && has_root_) || open_.size() == limits_.nesting ||
+      check_tag(scan.name, attributes_, limits_).fault != TagFault::none) {
     return false;
   }
-  ++p_;
   has_root_ = true;
-  if (!handler_.start({head.name, attributes_, places_.advance_to(at)})) {
+  if (!handler_.start({scan.name, attributes_, places_.advance_to(at)})) {
     stopped_ = true;
     return false;
   }
-  if (is_empty) {
-    handler_.end();
-  } else {
-    open_.push_back(head.name);
-  }
-  return true;
+  open_.push_back(scan.name);
+  return !scan.is_empty || end_element(scan.name);
 }
 
-bool PlainReader::read_end() {
-  p_ += 2;
-  const char* const name = p_;
-  p_ = skip(p_, name_part);
-  if (open_.empty() || open_.back() != between(name, p_)) {
+bool PlainReader::end_element(std::string_view name) {
+  if (open_.empty() || open_.back() != name) {
     return false;
   }
-  p_ = skip(p_, blank);
-  if (*p_ != '>') {
-    return false;
-  }
-  ++p_;
   open_.pop_back();
   handler_.end();
   return true;
-}
-
-bool PlainReader::read_attribute() {
-  constexpr std::size_t most = 16;
-  XmlAttribute attribute;
-  const char* const name = p_;
-  p_ = skip(p_, name_part);
-  attribute.name = between(name, p_);
-  p_ = skip(p_, blank);
-  if (*p_ != '=') {
-    return false;
-  }
-  p_ = skip(p_ + 1, blank);
-  if ((*p_ != '"' && *p_ != '\'') || !read_value(attribute)) {
-    return false;
-  }
-  const auto same = [&](const XmlAttribute& other) { return other.name == attribute.name; };
-  if (std::any_of(attributes_.begin(), attributes_.end(), same) ||
-      attributes_.size() >= std::min<std::size_t>(most, limits_.attributes) ||
-      attribute.name.size() > limits_.name_bytes || attribute.value.size() > limits_.value_bytes) {
-    return false;
-  }
-  attributes_.push_back(attribute);
-  return true;
-}
-
-bool PlainReader::read_value(XmlAttribute& attribute) {
-  const char quote = *p_++;
-  const char* const value = p_;
-  while (*(p_ = skip(p_, value_part)) != quote) {
-    p_ = *p_ == '>' || *p_ == '"' || *p_ == '\'' ? p_ + 1 : skip_character(p_);
-    if (p_ == nullptr || p_ == end_) {
-      return false;
-    }
-  }
-  attribute.value = between(value, p_++);
-  return true;
-}
-
-// One past a character beyond ASCII; null if XML does not allow the bytes.
-const char* PlainReader::skip_character(const char* p) const {
-  if (static_cast<unsigned char>(*p) < 128) {
-    return nullptr;
-  }
-  const CodePoint c = first_code_point(between(p, end_));
-  return c.bytes == 0 || c.value == 0xFFFE || c.value == 0xFFFF ? nullptr : p + c.bytes;
 }
 
 }  // namespace

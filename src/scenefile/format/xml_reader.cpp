@@ -25,15 +25,11 @@ struct ParserFree {
   void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
 };
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) {
+  while (!text.empty() && is(text.front(), blank)) {
     text.remove_prefix(1);
   }
-  while (!text.empty() && is_blank(text.back())) {
+  while (!text.empty() && is(text.back(), blank)) {
     text.remove_suffix(1);
   }
   return text;
@@ -63,7 +59,7 @@ class EventReader {
   void guarded(Action action);
   void start(const XML_Char** attributes);
   void decode_values(const XML_Char** attributes);
-  bool accept(const TagScan& scan, const char* tag);
+  bool accept(std::string_view name, const char* tag);
   bool check_unfinished(std::size_t fed);
   bool feed(std::size_t from, std::size_t size, bool last);
   void report_syntax_error();
@@ -192,8 +188,8 @@ void EventReader::on_skipped_entity(void* self, const XML_Char* name, int) {
 void EventReader::start(const XML_Char** attributes) {
   const char* const at = current();
   const auto size = static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
-  const TagScan scan = scan_tag({at, size}, limits_, attributes_);
-  if (!accept(scan, at)) {
+  const TagScan scan = scan_tag({at, size}, attributes_);
+  if (!accept(scan.name, at)) {
     return;
   }
   if (has_external_subset_ && scan.needs_decoding) {
@@ -230,13 +226,14 @@ void EventReader::decode_values(const XML_Char** attributes) {
 }
 
 // Whether the tag is within the limits.
-bool EventReader::accept(const TagScan& scan, const char* tag) {
-  if (scan.fault == TagFault::none) {
+bool EventReader::accept(std::string_view tag_name, const char* tag) {
+  const TagVerdict verdict = check_tag(tag_name, attributes_, limits_);
+  if (verdict.fault == TagFault::none) {
     return true;
   }
   const Location place = place_of(tag);
-  const std::string name = escaped(scan.name, 40);
-  switch (scan.fault) {
+  const std::string name = escaped(tag_name, 40);
+  switch (verdict.fault) {
     case TagFault::none:
       break;
     case TagFault::name_too_long:
@@ -252,7 +249,7 @@ bool EventReader::accept(const TagScan& scan, const char* tag) {
     case TagFault::value_too_long:
       diagnostics_.report(xml_length_limit, place,
                           fmt::format("attribute {} of <{}> is longer than the limit of {} bytes",
-                                      escaped(scan.culprit.name, 40), name, limits_.value_bytes));
+                                      escaped(verdict.culprit, 40), name, limits_.value_bytes));
       break;
   }
   stop();
@@ -269,7 +266,7 @@ bool EventReader::check_unfinished(std::size_t fed) {
   }
   const bool is_tag = unfinished[0] == '<' && unfinished[1] != '!' && unfinished[1] != '?';
   if (is_tag) {
-    return accept(scan_tag(unfinished, limits_, attributes_), at);
+    return accept(scan_tag(unfinished, attributes_).name, at);
   }
   if (unfinished.size() < max_markup_bytes) {
     return true;

@@ -1,22 +1,17 @@
-#include "scenefile/format/xml_scene.h"
-
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/dialects.h"
 #include "scenefile/format/large_scene.h"
-#include "scenefile/format/xml_camera.h"
 #include "scenefile/format/xml_comments.h"
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_fields.h"
-#include "scenefile/format/xml_light.h"
-#include "scenefile/format/xml_material.h"
-#include "scenefile/format/xml_object.h"
-#include "scenefile/format/xml_plain.h"
+#include "scenefile/format/xml_parts.h"
 #include "scenefile/format/xml_reader.h"
 #include "scenefile/format/xml_references.h"
-#include "scenefile/format/xml_transform.h"
 #include "scenefile/format/xml_values.h"
 #include "scenefile/scene/scene.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -119,10 +114,11 @@ class SceneBuilder final : public XmlHandler {
 };
 
 enum BlockField : std::size_t { b_translate, b_rotate, b_scale, b_matrix, b_object };
-constexpr FieldName block_names[] = {{"translate", b_translate},
-                                     {"rotate", b_rotate},
-                                     {"scale", b_scale},
-                                     {"matrix", b_matrix},
+static_assert(b_object == transform_words.size());
+constexpr FieldName block_names[] = {{transform_word<Translate>, b_translate},
+                                     {transform_word<Rotate>, b_rotate},
+                                     {transform_word<Scale>, b_scale},
+                                     {transform_word<Matrix>, b_matrix},
                                      {"object", b_object}};
 
 enum TopField : std::size_t { t_globals, t_camera, t_light, t_object };

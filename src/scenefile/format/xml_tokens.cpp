@@ -1,5 +1,7 @@
 #include "scenefile/format/xml_tokens.h"
 
+#include "scenefile/format/xml_tag.h"
+
 #include <algorithm>
 
 namespace scenefile {
@@ -12,15 +14,6 @@ constexpr std::string_view blanks = " \t\r\n";
 std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {
   const std::size_t at = text.find(what, from);
   return at == std::string_view::npos ? text.size() : at + what.size();
-}
-
-// One past the `>` outside of quotes.
-std::size_t tag_end(std::string_view text, std::size_t from) {
-  while (from < text.size() && text[from] != '>') {
-    const char c = text[from];
-    from = c == '"' || c == '\'' ? behind(text, {&c, 1}, from + 1) : from + 1;
-  }
-  return std::min(from + 1, text.size());
 }
 
 // A DOCTYPE can contain declarations in brackets.
@@ -65,9 +58,12 @@ XmlToken markup_at(std::string_view text, std::size_t begin) {
 }
 
 bool preserves_space(std::string_view tag) {
-  const std::vector<std::string_view> parts = tag_parts(tag);
-  const auto space = std::find(parts.begin(), parts.end(), "xml:space");
-  return space != parts.end() && (space + 1)->find("preserve") != std::string_view::npos;
+  std::vector<XmlAttribute> attributes;
+  scan_tag(tag, attributes);
+  return std::any_of(attributes.begin(), attributes.end(), [](const XmlAttribute& attribute) {
+    return attribute.name == "xml:space" &&
+           attribute.value.find("preserve") != std::string_view::npos;
+  });
 }
 
 // Tracks which elements contain only text.
@@ -129,7 +125,7 @@ std::size_t markup_end(std::string_view text, std::size_t begin) {
   if (rest.starts_with("<?")) {
     return behind(text, "?>", begin);
   }
-  return rest.starts_with("<!") ? doctype_end(text, begin + 2) : tag_end(text, begin);
+  return rest.starts_with("<!") ? doctype_end(text, begin + 2) : begin + tag_size(rest);
 }
 
 std::vector<XmlToken> xml_tokens(std::string_view text) {
@@ -149,28 +145,6 @@ std::vector<XmlToken> xml_tokens(std::string_view text) {
     at = token.end;
   }
   return tokens;
-}
-
-std::vector<std::string_view> tag_parts(std::string_view tag) {
-  std::vector<std::string_view> parts;
-  const std::size_t tail = tag.ends_with("/>") ? tag.size() - 2 : tag.size() - 1;
-  std::size_t at = 0;
-  while ((at = tag.find_first_not_of(blanks, at)) < tail) {
-    std::size_t end = at;
-    while (end < tail && blanks.find(tag[end]) == std::string_view::npos && tag[end] != '=') {
-      ++end;
-    }
-    parts.push_back(tag.substr(at, end - at));
-    at = end;
-    const std::size_t value = tag.find_first_not_of(blanks, at);
-    if (value < tail && tag[value] == '=') {
-      const std::size_t quote = tag.find_first_of("\"'", value);
-      at = behind(tag, tag.substr(quote, 1), quote + 1);
-      parts.push_back(tag.substr(quote, at - quote));
-    }
-  }
-  parts.push_back(tag.substr(tail));
-  return parts;
 }
 
 }  // namespace scenefile

@@ -35,8 +35,4 @@ std::vector<XmlToken> xml_tokens(std::string_view text);
 /// text if it is not closed. Accepts any text.
 std::size_t markup_end(std::string_view text, std::size_t begin);
 
-/// The parts of a tag without white space: "<a" or "</a", name and quoted value of each attribute,
-/// and finally ">" or "/>".
-std::vector<std::string_view> tag_parts(std::string_view tag);
-
 }  // namespace scenefile

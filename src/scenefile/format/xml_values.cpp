@@ -4,6 +4,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -223,7 +224,7 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
     return false;
   }
   std::vector<std::string> numbers = numbers_in(tag.attributes[0].value, is_color);
-  if (numbers.size() == 1 && (is_color || equal_ignoring_case(tag.name, "scale"))) {
+  if (numbers.size() == 1 && (is_color || equal_ignoring_case(tag.name, transform_word<Scale>))) {
     numbers.resize(signature.parts, numbers[0]);
   }
   if (numbers.size() != signature.parts) {
@@ -353,7 +354,7 @@ std::string as_attributes(std::string_view element, std::string_view text) {
   } else if (numbers.size() == 3) {
     const auto& form = signature_of_three(kind).forms.front().names;
     names.assign(form.begin(), form.begin() + 3);
-  } else if (numbers.size() == 4 && element == "rotate") {
+  } else if (numbers.size() == 4 && element == transform_word<Rotate>) {
     names = {"x", "y", "z", "angle"};
   }
   if (names.size() != numbers.size() || word.empty() || word.size() > 60 ||

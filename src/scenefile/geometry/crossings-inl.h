@@ -193,6 +193,24 @@ inline M passes_by(Shape shape, const V3& origin, const V3& direction, F length2
   return (distance2 < splat(1e12)) & (departs | beside);
 }
 
+// Nothing is crossed for shapes without a curved side. `p` is relative to the apex for the cone,
+// otherwise to the center.
+inline Span round_span(Shape shape, const V3& p, const V3& d, M& crossed) {
+  switch (shape) {
+    case Shape::sphere:
+      return sphere_span(p, d, crossed);
+    case Shape::cylinder:
+      return cylinder_span(p, d, crossed);
+    case Shape::cone:
+      return cone_span(p, d, crossed);
+    case Shape::cube:
+    case Shape::mesh:
+      break;
+  }
+  crossed = no_lanes();
+  return side_span(splat(0), splat(0));
+}
+
 inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F length2, F t_min,
                                F t_max, M active) {
   M crossed = active & !passes_by(shape, from, d, length2, t_min);
@@ -208,9 +226,7 @@ inline Crossing round_crossing(Shape shape, const V3& from, const V3& d, F lengt
   if (none(crossed)) {
     return {crossed, t_max, t_max};
   }
-  const Span span = shape == Shape::sphere     ? sphere_span(p, d, crossed)
-                    : shape == Shape::cylinder ? cylinder_span(p, d, crossed)
-                                               : cone_span(p, d, crossed);
+  const Span span = round_span(shape, p, d, crossed);
   return nearest(span, crossed, shift, t_min, t_max);
 }
 

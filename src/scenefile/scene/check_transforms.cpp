@@ -2,6 +2,7 @@
 #include "scenefile/scene/check_parts.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/scene/transforms.h"
+#include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"
 
 #include <fmt/format.h>
@@ -26,10 +27,11 @@ class TransformCheck {
   }
 
  private:
-  bool check(const Translate& t) { return finite("translate", t.by); }
+  bool check(const Translate& t) { return finite(transform_word<Translate>, t.by); }
 
   bool check(const Rotate& r) {
-    if (!finite("rotate", r.axis) || !finite("rotate", glm::vec3(r.angle_deg))) {
+    if (!finite(transform_word<Rotate>, r.axis) ||
+        !finite(transform_word<Rotate>, glm::vec3(r.angle_deg))) {
       return false;
     }
     if (r.axis == glm::vec3(0)) {
@@ -40,7 +42,7 @@ class TransformCheck {
   }
 
   bool check(const Scale& s) {
-    if (!finite("scale", s.by)) {
+    if (!finite(transform_word<Scale>, s.by)) {
       return false;
     }
     return has_inverse([&] { return "scale " + vector_text(s.by); });
@@ -48,8 +50,8 @@ class TransformCheck {
 
   bool check(const Matrix& matrix) {
     for (int column = 0; column < 4; ++column) {
-      if (!finite("matrix", glm::vec3(matrix.m()[column])) ||
-          !finite("matrix", glm::vec3(matrix.m()[column].w))) {
+      if (!finite(transform_word<Matrix>, glm::vec3(matrix.m()[column])) ||
+          !finite(transform_word<Matrix>, glm::vec3(matrix.m()[column].w))) {
         return false;
       }
     }

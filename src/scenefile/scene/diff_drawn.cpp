@@ -1,6 +1,7 @@
 #include "scenefile/scene/diff_drawn.h"
 
 #include "scenefile/base/limits.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/scene/diff_list.h"
 #include "scenefile/scene/transforms.h"
@@ -42,7 +43,7 @@ std::string_view label_of(const ShownLight& world) {
 
 Values values_of(const ShownLight& world) {
   Values values = scenefile::values_of(world.light);
-  if (world.light.type == LightType::area) {
+  if (has_rectangle(world.light.type)) {
     values.push_back({"turned", world.turned});
   }
   return values;
@@ -72,7 +73,7 @@ void forget_roundings(const std::vector<ShownLight>& of, std::vector<ShownLight>
     const auto settle = [](float from, float& to) {
       to = alike(glm::vec3(from), glm::vec3(to)) ? from : to;
     };
-    if (wanted.type == LightType::area && light.type == LightType::area) {
+    if (has_rectangle(wanted.type) && has_rectangle(light.type)) {
       settle(wanted.width, light.width);
       settle(wanted.height, light.height);
       light.direction =
@@ -174,12 +175,12 @@ class Side {
       light.type = ready.type;
       light.color = ready.color;
       light.position = ready.position;
-      light.direction = light.type == LightType::point ? glm::vec3(0) : ready.direction;
+      light.direction = has_direction(light.type) ? ready.direction : glm::vec3(0);
       light.attenuation = ready.attenuation;
       light.id.reset();
       light.name.clear();
       ShownLight world{std::move(light), "no", location};
-      if (ready.type == LightType::area) {
+      if (has_rectangle(ready.type)) {
         size_rectangle(world, ready);
       }
       result.push_back(std::move(world));

@@ -42,16 +42,17 @@ std::string text_of(const Rare<TextureUse>& use) {
 }
 
 std::string text_of(const Translate& t) {
-  return "translate " + text_of(t.by);
+  return fmt::format("{} {}", transform_word<Translate>, text_of(t.by));
 }
 std::string text_of(const Rotate& r) {
-  return fmt::format("rotate {} about {}", text_of(r.angle_deg), text_of(r.axis));
+  return fmt::format("{} {} about {}", transform_word<Rotate>, text_of(r.angle_deg),
+                     text_of(r.axis));
 }
 std::string text_of(const Scale& s) {
-  return "scale " + text_of(s.by);
+  return fmt::format("{} {}", transform_word<Scale>, text_of(s.by));
 }
 std::string text_of(const Matrix& matrix) {
-  std::string text = "matrix";
+  std::string text(transform_word<Matrix>);
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
       text += (column == 0 && row != 0 ? " / " : " ") + text_of(matrix.m()[column][row]);

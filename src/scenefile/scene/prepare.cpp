@@ -86,12 +86,13 @@ class PartBuilder {
     if (!stored) {
       return;
     }
-    for (const Primitive& primitive : node.primitives) {
-      add_primitive(part, primitive, id, *stored);
+    for (std::uint32_t i = 0; i < node.primitives.size(); ++i) {
+      add_primitive(part, node.primitives[i], {id, SourceKind::primitive, i}, *stored);
     }
   }
 
-  void add_primitive(Part& part, const Primitive& primitive, NodeId id, const Affine& map) {
+  void add_primitive(Part& part, const Primitive& primitive, const Source& source,
+                     const Affine& map) {
     const bool mesh = primitive.shape == Shape::mesh;
     if (mesh && primitive.mesh_file.empty()) {
       return;
@@ -104,7 +105,7 @@ class PartBuilder {
           materials_.mesh(primitive.mesh_file, places_.find(primitive.location, Field::mesh_file));
     }
     ready.material = materials_.material(primitive.material);
-    ready.source = add_source(sources_, {id, primitive.location});
+    ready.source = add_source(sources_, source);
     part.primitives.push_back(ready);
   }
 
@@ -116,7 +117,7 @@ class PartBuilder {
     }
     std::vector<PartInstance>& instances = parts_[index].instances;
     const auto place = static_cast<std::uint32_t>(instances.size());
-    instances.push_back({*stored, no_index, add_source(sources_, {id, scene_.nodes[id].location})});
+    instances.push_back({*stored, no_index, add_source(sources_, {id, SourceKind::instance, 0})});
     waiting_.push_back({index, place, target->second});
   }
 
@@ -181,7 +182,7 @@ void add_lights(const Scene& scene, const Limits& limits, Prepared& prepared) {
       const auto [source, added] = sources.try_emplace(
           {at.node, at.index}, static_cast<std::uint32_t>(prepared.sources.size()));
       if (added) {
-        prepared.sources.push_back({at.node, light.location});
+        prepared.sources.push_back({at.node, SourceKind::light, at.index});
       }
       ready->source = source->second;
       lights.push_back(*ready);
@@ -195,6 +196,19 @@ RenderGlobal ready_global(const Global& global) {
 }
 
 }  // namespace
+
+Location place_of(const Scene& scene, const Source& source) {
+  const Node& node = scene.nodes[source.node];
+  switch (source.kind) {
+    case SourceKind::primitive:
+      return node.primitives[source.index].location;
+    case SourceKind::instance:
+      return node.location;
+    case SourceKind::light:
+      return node.lights[source.index].location;
+  }
+  return {};
+}
 
 Prepared prepare(const Scene& scene, const Limits& limits) {
   Prepared prepared;

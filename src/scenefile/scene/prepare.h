@@ -5,16 +5,25 @@
 #include "scenefile/scene/render_scene.h"
 #include "scenefile/scene/scene.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace scenefile {
 
+enum class SourceKind : std::uint8_t { primitive, instance, light };
+
 /// Where a primitive, instance or light of a render scene came from.
 struct Source {
-  NodeId node = 0;    ///< in Scene::nodes
-  Location location;  ///< of the object or light in the file
+  NodeId node = 0;  ///< in Scene::nodes
+  SourceKind kind = SourceKind::primitive;
+  std::uint32_t index = 0;  ///< among the primitives or lights of the node
+
+  friend bool operator==(const Source&, const Source&) = default;
 };
+
+/// Where the primitive, instance or light is in the file.
+Location place_of(const Scene& scene, const Source& source);
 
 /// A render scene with the table that its `source` fields index. Callers that only need the scene
 /// can drop the table.

@@ -1,6 +1,7 @@
 #pragma once
 // Statistics of a written scene.
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/scene/scene.h"
 
 #include <array>
@@ -15,8 +16,8 @@ struct SceneSummary {
   std::size_t nodes = 0;
   std::size_t depth = 0;  ///< maximum nesting of nodes, not through instances; the root alone is 1
   std::size_t transforms = 0;
-  std::array<std::size_t, 5> primitives{};  ///< by Shape
-  std::array<std::size_t, 4> lights{};      ///< by LightType
+  std::array<std::size_t, shape_count> primitives{};   ///< by Shape
+  std::array<std::size_t, light_type_count> lights{};  ///< by LightType
   std::size_t templates = 0;
   std::size_t instances = 0;
   std::uint32_t instance_nesting = 0;  ///< maximum nesting of instances, from the root

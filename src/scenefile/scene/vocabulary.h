@@ -5,6 +5,7 @@
 
 #include "scenefile/base/rare.h"
 #include "scenefile/base/shape.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -38,14 +39,10 @@ using Member =
     std::variant<std::monostate, float Owner::*, glm::vec3 Owner::*, std::optional<float> Owner::*,
                  std::optional<int> Owner::*, std::string Owner::*, Rare<TextureUse> Owner::*>;
 
-/// A set of light types.
-using LightTypes = std::uint8_t;
-constexpr LightTypes only(LightType type) {
-  return static_cast<LightTypes>(1u << static_cast<unsigned>(type));
-}
-inline constexpr LightTypes every_light = 0xff;
-constexpr LightTypes all_but(LightType type) {
-  return static_cast<LightTypes>(every_light & ~only(type));
+/// Which lights use a value: all of them, or those with some property.
+using UsedBy = bool (*)(LightType);
+constexpr bool every_light(LightType /*type*/) {
+  return true;
 }
 
 template <typename Owner>
@@ -55,14 +52,14 @@ struct ValueRow {
   std::string_view json{};  ///< key; empty: not available in JSON
   Member<Owner> member{};
   std::optional<Field> field{};  ///< for findings about the value; nullopt: there are none
-  LightTypes used_by = every_light;
+  UsedBy used_by = every_light;
   std::string_view xml_alias{};  ///< another name of the element; accepted with a warning
   /// XML files give this value to lights of all types; it is kept without a warning where unused.
   bool idle_in_xml = false;
   std::array<std::string_view, 2> json_repeat{};  ///< texture: keys of repeat_u and repeat_v
   std::uint8_t written = 0;  ///< sort key of the writers; ties keep the order of the rows
 
-  constexpr bool used_by_type(LightType type) const { return (used_by & only(type)) != 0; }
+  constexpr bool used_by_type(LightType type) const { return used_by(type); }
   /// The name in messages and differences.
   constexpr std::string_view name() const { return xml.empty() ? json : xml; }
   constexpr bool has_member() const { return !std::holds_alternative<std::monostate>(member); }
@@ -106,23 +103,17 @@ inline constexpr ValueRow<Light> light_rows[] = {
      .json = "attenuationCoeff",
      .member = &Light::attenuation,
      .field = Field::attenuation,
-     .used_by = all_but(LightType::directional),
+     .used_by = has_position,
      .idle_in_xml = true},
-    {ValueKind::vector,
-     "position",
-     {},
-     &Light::position,
-     Field::position,
-     all_but(LightType::directional)},
+    {ValueKind::vector, "position", {}, &Light::position, Field::position, has_position},
     {ValueKind::vector, "direction", "direction", &Light::direction, Field::direction,
-     all_but(LightType::point)},
+     has_direction},
     {ValueKind::number, "penumbra", "penumbra", &Light::penumbra_deg, Field::penumbra_deg,
-     only(LightType::spot)},
-    {ValueKind::number, "angle", "angle", &Light::angle_deg, Field::angle_deg,
-     only(LightType::spot)},
+     has_cone},
+    {ValueKind::number, "angle", "angle", &Light::angle_deg, Field::angle_deg, has_cone},
     {ValueKind::number, "radius", {}},
-    {ValueKind::number, "width", "width", &Light::width, Field::width, only(LightType::area)},
-    {ValueKind::number, "height", "height", &Light::height, Field::height, only(LightType::area)},
+    {ValueKind::number, "width", "width", &Light::width, Field::width, has_rectangle},
+    {ValueKind::number, "height", "height", &Light::height, Field::height, has_rectangle},
 };
 
 inline constexpr ValueRow<Material> material_rows[] = {
@@ -184,6 +175,31 @@ inline constexpr ValueRow<Material> material_rows[] = {
      .written = 9},
 };
 
+/// The word of a transform in both dialects; each type of Transform::map must have one.
+template <typename Map>
+constexpr std::string_view transform_word = nullptr;
+template <>
+inline constexpr std::string_view transform_word<Translate> = "translate";
+template <>
+inline constexpr std::string_view transform_word<Rotate> = "rotate";
+template <>
+inline constexpr std::string_view transform_word<Scale> = "scale";
+template <>
+inline constexpr std::string_view transform_word<Matrix> = "matrix";
+
+/// The words of transforms, in the order of Transform::map.
+template <typename... Maps>
+constexpr std::array<std::string_view, sizeof...(Maps)> words_of_maps(
+    const std::variant<Maps...>* /*type*/) {
+  return {transform_word<Maps>...};
+}
+inline constexpr auto transform_words =
+    words_of_maps(static_cast<const decltype(Transform::map)*>(nullptr));
+
+constexpr bool is_transform(std::string_view word) {
+  return std::find(transform_words.begin(), transform_words.end(), word) != transform_words.end();
+}
+
 /// The index of a field's row in its table; the first if the field has two rows.
 template <typename Owner, std::size_t N>
 constexpr std::size_t index_of(const ValueRow<Owner> (&rows)[N], Field field) {
@@ -202,6 +218,19 @@ constexpr const ValueRow<Owner>& row_of(const ValueRow<Owner> (&rows)[N], Field 
 /// Whether the value affects lights of that type.
 constexpr bool light_uses(LightType type, Field field) {
   return row_of(light_rows, field).used_by_type(type);
+}
+
+/// Whether the course's JSON reader supports lights of the type; it rejects files with others.
+constexpr bool course_json_has(LightType type) {
+  switch (type) {
+    case LightType::point:
+    case LightType::directional:
+    case LightType::spot:
+      return true;
+    case LightType::area:
+      return false;
+  }
+  return false;
 }
 
 /// The rows in the order of both writers.

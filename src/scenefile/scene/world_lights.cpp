@@ -1,5 +1,6 @@
 #include "scenefile/scene/world_lights.h"
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/scene/template_graph.h"
 #include "scenefile/scene/transforms.h"
 #include "scenefile/scene/vocabulary.h"
@@ -201,8 +202,8 @@ bool alike(const RenderLight& a, const RenderLight& b) {
     return alike(x, y) || alike(x, -y);
   };
   RenderLight moved = b;
-  if (a.type == LightType::area && alike(a.direction, b.direction) &&
-      same_side(a.half_u, b.half_u) && same_side(a.half_v, b.half_v)) {
+  if (has_rectangle(a.type) && alike(a.direction, b.direction) && same_side(a.half_u, b.half_u) &&
+      same_side(a.half_v, b.half_v)) {
     moved.direction = a.direction;
     moved.half_u = a.half_u;
     moved.half_v = a.half_v;

@@ -1,4 +1,5 @@
 #include "scenefile/base/components.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/explain/object_names.h"
 #include "scenefile/verbs/explain.h"
@@ -305,8 +306,7 @@ class Explanation {
     }
     add(fmt::format(
         "light    {} times attenuation {:.6g}{} = {}", numbers(Color(light.color)), l.attenuation,
-        light.type == LightType::spot ? fmt::format(" times spot factor {:.6g}", l.spot_factor)
-                                      : "",
+        has_cone(light.type) ? fmt::format(" times spot factor {:.6g}", l.spot_factor) : "",
         color(l.color)));
     if (l.shadow_ray) {
       item.below.push_back(shadow_item(l));

@@ -43,7 +43,9 @@ void ask(LoadedScene& scene, ViewQuestion question) {
   if (scene.written.camera) {
     question.camera = scene.written.camera->location;
   }
-  question.place_of = [&](std::uint32_t source) { return scene.ready.sources[source].location; };
+  question.place_of = [&](std::uint32_t source) {
+    return place_of(scene.written, scene.ready.sources[source]);
+  };
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 

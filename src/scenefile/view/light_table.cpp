@@ -1,5 +1,8 @@
 #include "scenefile/view/light_table.h"
 
+#include "scenefile/base/shape_traits.h"
+#include "scenefile/view/realtime_lights.h"
+
 namespace scenefile {
 
 namespace {
@@ -13,7 +16,7 @@ Emitter emitter_of(const RenderLight& light, std::uint32_t index) {
   Emitter emitter;
   emitter.light = index;
   emitter.color = light.color;
-  emitter.directional = light.type == LightType::directional;
+  emitter.directional = !has_position(light.type);
   if (emitter.directional) {
     emitter.position = -glm::dvec3(light.direction);
   } else {
@@ -22,7 +25,7 @@ Emitter emitter_of(const RenderLight& light, std::uint32_t index) {
     emitter.axis = light.direction;
   }
   emitter.shadow_from = emitter.position;
-  if (light.type == LightType::spot) {
+  if (has_cone(light.type)) {
     emitter.inner_angle = light.inner_angle;
     emitter.outer_angle = light.outer_angle;
   }
@@ -48,7 +51,7 @@ void add_area(const RenderLight& light, std::uint32_t index, std::vector<Emitter
 bool shines(const RenderLight& light, std::uint32_t index, const DrawOptions& options) {
   return (index >= options.lights.size() || options.lights[index]) &&
          (!options.directional_only || light.type == LightType::directional) &&
-         (!options.realtime || light.type != LightType::area);
+         (!options.realtime || has_light(options.realtime->milestone, light.type));
 }
 
 }  // namespace
@@ -59,7 +62,7 @@ std::vector<Emitter> emitters(const std::vector<RenderLight>& lights, const Draw
     if (!shines(lights[i], i, options)) {
       continue;
     }
-    if (lights[i].type == LightType::area) {
+    if (has_rectangle(lights[i].type)) {
       add_area(lights[i], i, result);
     } else {
       result.push_back(emitter_of(lights[i], i));

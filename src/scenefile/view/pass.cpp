@@ -1,5 +1,6 @@
 #include "scenefile/view/pass.h"
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/view/light_table.h"
 #include "scenefile/view/scene_buffers.h"
 #include "scenefile/view/shadows.h"
@@ -146,7 +147,7 @@ class Pass {
     }
     key.shape = object.shape;
     key.mesh = object.mesh;
-    if (object.shape != Shape::cube && object.shape != Shape::mesh && !options_.realtime) {
+    if (has_curved_side(object.shape) && !options_.realtime) {
       const double radius = radius_in_pixels(frame_, object);
       const int wanted = lines_ ? wires_for(radius) : segments_for(radius);
       while (key.level + 1 < levels && level_segments[key.level] < wanted) {

@@ -61,7 +61,6 @@ DrawOptions realtime_draw_options(const DrawOptions& options) {
   result.shadows = false;
   result.textures = false;
   result.transparency = false;
-  result.directional_only = options.realtime->milestone == Milestone::lights_camera;
   result.samples = 1;
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The GPU resources of a drawing. Internal to the room.
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/view/expand.h"
 #include "scenefile/view/gl_objects.h"
 #include "scenefile/view/shadows.h"
@@ -48,9 +49,9 @@ struct Drawing::State {
   gl::Buffer instances;
   std::vector<Emitter> emitters;  ///< of the lights that are on in the last draw()
   ShadowMaps shadows;
-  std::array<std::array<std::optional<Geometry>, levels>, 4> shapes;  ///< by Shape
-  std::array<std::optional<Geometry>, 4> realtime_shapes;             ///< by Shape
-  TessellationParameters realtime_parameters;                         ///< of realtime_shapes
+  std::array<std::array<std::optional<Geometry>, levels>, shape_count> shapes;  ///< by Shape
+  std::array<std::optional<Geometry>, shape_count> realtime_shapes;             ///< by Shape
+  TessellationParameters realtime_parameters;  ///< of realtime_shapes
   std::vector<Geometry> meshes;
   std::vector<std::vector<std::uint32_t>> mesh_triangles;  ///< indices of `meshes`
 };

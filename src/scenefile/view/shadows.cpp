@@ -141,11 +141,15 @@ void make_layers(const gl::Functions& gl, ShadowMaps& shadows) {
   gl.TexParameteri(gl::TEXTURE_2D_ARRAY, gl::TEXTURE_COMPARE_FUNC, gl::LEQUAL);
 }
 
+// None: another profile.
+std::optional<Milestone> milestone_of(const DrawOptions& options) {
+  return options.realtime ? std::optional(options.realtime->milestone) : std::nullopt;
+}
+
 bool same_shadows(const DrawOptions& a, const DrawOptions& b) {
   return a.shadows == b.shadows && a.course == b.course && a.transparency == b.transparency &&
-         a.directional_only == b.directional_only &&
-         a.realtime.has_value() == b.realtime.has_value() && a.lights == b.lights &&
-         a.objects == b.objects;
+         a.directional_only == b.directional_only && milestone_of(a) == milestone_of(b) &&
+         a.lights == b.lights && a.objects == b.objects;
 }
 
 std::uint32_t draw_layers(GlDevice::State& device, Drawing::State& drawing,

@@ -1,5 +1,6 @@
 #include "scenefile/view/vertices.h"
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/geometry/tessellate.h"
 
 #include <algorithm>
@@ -84,6 +85,20 @@ double growth(int segments) {
   return std::sqrt(2 * pi / segments / std::sin(2 * pi / segments));
 }
 
+// Of the round shapes: whether it ends in a disk.
+bool has_flat_end(Shape shape) {
+  switch (shape) {
+    case Shape::cone:
+    case Shape::cylinder:
+      return true;
+    case Shape::sphere:
+    case Shape::cube:
+    case Shape::mesh:
+      return false;
+  }
+  return false;
+}
+
 }  // namespace
 
 DrawVertices mesh_vertices(const Mesh& mesh, bool smooth) {
@@ -93,11 +108,12 @@ DrawVertices mesh_vertices(const Mesh& mesh, bool smooth) {
 DrawVertices shape_vertices(Shape shape, int segments) {
   DrawVertices result = mesh_vertices(tessellate(shape, segments), true);
   for (DrawVertex& vertex : result.vertices) {
-    const bool cap = std::abs(vertex.normal.y) > 0.99f && shape != Shape::sphere;
-    vertex.round = shape != Shape::cube && !cap ? 1.0f : 0.0f;
-    if (shape != Shape::cube) {
+    const bool curved = has_curved_side(shape);
+    const bool cap = has_flat_end(shape) && std::abs(vertex.normal.y) > 0.99f;
+    vertex.round = curved && !cap ? 1.0f : 0.0f;
+    if (curved) {
       const auto grown = static_cast<float>(growth(segments));
-      vertex.position *= glm::vec3(grown, shape == Shape::sphere ? grown : 1, grown);
+      vertex.position *= glm::vec3(grown, has_flat_end(shape) ? 1 : grown, grown);
     }
   }
   return result;

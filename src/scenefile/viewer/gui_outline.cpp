@@ -1,5 +1,6 @@
 // The outline: the scene graph and the selection.
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
@@ -108,7 +109,8 @@ class RowPainter {
 
   Shape shape() const {
     const auto* const found = std::find(shape_words.begin(), shape_words.end(), row_.label);
-    return static_cast<Shape>(std::min<std::ptrdiff_t>(found - shape_words.begin(), 4));
+    return found == shape_words.end() ? Shape::mesh
+                                      : static_cast<Shape>(found - shape_words.begin());
   }
 
   void paint_shape(const ImVec2& c, float r, ImU32 color) const {
@@ -314,11 +316,11 @@ void build_light(const RenderLight& light) {
   const auto vector = [](const glm::vec3& v) {
     return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z);
   };
-  if (light.type != LightType::directional) {
+  if (has_position(light.type)) {
     value_line("position", vector(light.position));
     value_line("attenuation", vector(light.attenuation));
   }
-  if (light.type != LightType::point) {
+  if (has_direction(light.type)) {
     value_line("direction", vector(light.direction));
   }
 }

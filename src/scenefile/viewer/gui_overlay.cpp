@@ -1,5 +1,6 @@
 // Overlays on the picture.
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
@@ -198,7 +199,7 @@ void paint_light(const Projection& projection, const RenderLight& light, const B
   const double size = scene.empty() ? 1 : glm::length(scene.max - scene.min);
   const auto width = static_cast<float>(1.5 * scale);
   const glm::dvec3 direction(light.direction);
-  if (light.type == LightType::directional) {
+  if (!has_position(light.type)) {
     const glm::dvec3 middle = scene.empty() ? glm::dvec3(0) : 0.5 * (scene.min + scene.max);
     const glm::dvec3 from = middle - 0.5 * size * direction;
     const glm::dvec3 to = from + 0.25 * size * direction;
@@ -216,7 +217,7 @@ void paint_light(const Projection& projection, const RenderLight& light, const B
     reach[axis] = 0.03 * size;
     projection.paint(at - reach, at + reach, color, width);
   }
-  if (light.type != LightType::point) {
+  if (has_direction(light.type)) {
     projection.paint(at, at + 0.15 * size * direction, color, width);
   }
 }

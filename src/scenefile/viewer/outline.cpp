@@ -12,22 +12,24 @@ namespace scenefile::viewer {
 
 namespace {
 
-/// Finds the source of an object by its place in the file.
-class SourcesByPlace {
+/// Finds the index of a source.
+class SourceNumbers {
  public:
-  explicit SourcesByPlace(const std::vector<Source>& sources) {
+  explicit SourceNumbers(const std::vector<Source>& sources) {
     for (std::uint32_t i = 0; i < sources.size(); ++i) {
-      const Location& l = sources[i].location;
-      sources_.emplace(std::pair(l.line, l.column), i);
+      numbers_.emplace(key(sources[i]), i);
     }
   }
-  std::uint32_t find(const Location& location) const {
-    const auto found = sources_.find({location.line, location.column});
-    return found == sources_.end() || !location.known() ? no_index : found->second;
+  std::uint32_t find(const Source& source) const {
+    const auto found = numbers_.find(key(source));
+    return found == numbers_.end() ? no_index : found->second;
   }
 
  private:
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sources_;
+  using Key = std::tuple<NodeId, SourceKind, std::uint32_t>;
+  static Key key(const Source& source) { return {source.node, source.kind, source.index}; }
+
+  std::map<Key, std::uint32_t> numbers_;
 };
 
 std::string light_label(const Light& light) {
@@ -74,7 +76,7 @@ class WordCounts {
 
 class OutlineMaker {
  public:
-  OutlineMaker(const Scene& scene, const Prepared& ready) : scene_(scene), places_(ready.sources) {
+  OutlineMaker(const Scene& scene, const Prepared& ready) : scene_(scene), numbers_(ready.sources) {
     outline_.row_of_source.assign(ready.sources.size(), no_index);
   }
 
@@ -133,7 +135,7 @@ class OutlineMaker {
         continue;
       }
       const Node& node = scene_.nodes[step.node];
-      const std::uint32_t row = add_node(node, step.depth, step.node == head ? name : "group");
+      const std::uint32_t row = add_node(step.node, step.depth, step.node == head ? name : "group");
       steps.push_back({0, row, 0});
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
         steps.push_back({*child, no_index, step.depth + 1});
@@ -169,7 +171,8 @@ class OutlineMaker {
     return words.text();
   }
 
-  std::uint32_t add_node(const Node& node, std::uint32_t depth, const std::string& otherwise) {
+  std::uint32_t add_node(NodeId id, std::uint32_t depth, const std::string& otherwise) {
+    const Node& node = scene_.nodes[id];
     OutlineRow row{RowKind::group, depth};
     row.label = node.name.empty() ? otherwise : node.name.str();
     row.detail = node.name.empty() ? contents_of(node) : std::string();
@@ -178,22 +181,25 @@ class OutlineMaker {
       row.kind = RowKind::copy;
       row.label = node.name.empty() ? node.instance_of.str() : node.name.str();
       row.detail = node.name.empty() ? "copy" : "copy of " + node.instance_of.str();
-      row.source = places_.find(node.location);
+      row.source = numbers_.find({id, SourceKind::instance, 0});
     }
     const std::uint32_t index = add(std::move(row));
-    for (const Light& light : node.lights) {
+    for (std::uint32_t i = 0; i < node.lights.size(); ++i) {
+      const Light& light = node.lights[i];
       add({RowKind::light, depth + 1, 0, 0, light_label(light), "", light.location,
-           places_.find(light.location)});
+           numbers_.find({id, SourceKind::light, i})});
     }
-    for (const Primitive& primitive : node.primitives) {
+    for (std::uint32_t i = 0; i < node.primitives.size(); ++i) {
+      const Primitive& primitive = node.primitives[i];
       add({RowKind::primitive, depth + 1, 0, 0, std::string(word_of(primitive.shape)),
-           primitive_detail(primitive), primitive.location, places_.find(primitive.location)});
+           primitive_detail(primitive), primitive.location,
+           numbers_.find({id, SourceKind::primitive, i})});
     }
     return index;
   }
 
   const Scene& scene_;
-  SourcesByPlace places_;
+  SourceNumbers numbers_;
   Outline outline_;
   std::vector<std::uint32_t> open_;  ///< the rows around the last one, and itself
 };

@@ -180,6 +180,7 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
+	@$(MAKE) $(QUIET) docs-test
 	@$(MAKE) $(QUIET) python
 	@$(MAKE) $(QUIET) packages-tried
 	@scripts/bare-machine trixie --make-packages out/packages-trixie
@@ -225,6 +226,14 @@ docs: build ## build the documentation site: out/site/index.html
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
 	@mkdocs build --quiet
 	@echo "The site is in out/site."
+
+.PHONY: docs-test
+docs-test: build ## every link of the pages leads somewhere, every command they show runs, the examples work
+	@scripts/install-deps tests docs
+	$(call compile,all)
+	@tests/docs/pages.py links
+	@tests/docs/pages.py commands $(BUILD)/scenefile
+	@/usr/bin/python3 tests/docs/examples.py $(BUILD)/scenefile
 
 .PHONY: python
 python: ## build the module for Python, build/python/python/scenefile, and pass its tests

@@ -230,7 +230,6 @@ docs: build ## build the documentation site: out/site/index.html
 .PHONY: docs-test
 docs-test: build ## every link of the pages leads somewhere, every command they show runs, the examples work
 	@scripts/install-deps tests docs
-	$(call compile,all)
 	@tests/docs/pages.py links
 	@tests/docs/pages.py commands $(BUILD)/scenefile
 	@/usr/bin/python3 tests/docs/examples.py $(BUILD)/scenefile

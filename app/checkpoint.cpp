@@ -2,6 +2,7 @@
 
 #include "app/limit_table.h"
 #include "app/output.h"
+#include "app/realtime.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/trace/visit_options.h"
@@ -32,15 +33,16 @@ std::uint64_t program_fingerprint() {
 std::uint64_t options_fingerprint(const Options& options) {
   std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
                                  options.load.compat_course, options.load.allow_missing);
+  text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
+  if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
+    text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(panel->milestone),
+                        panel->tessellation.parameter1, panel->tessellation.parameter2,
+                        panel->near, panel->far, static_cast<int>(panel->filter));
+  }
   for (const LimitRow& limit : limit_table()) {
     text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));
   }
   return fingerprint(text);
-}
-
-CheckpointKey key_of(const Options& options, const LoadedScene& scene) {
-  return {program_fingerprint(), fingerprint(scene.text), scene.asset_fingerprint,
-          options_fingerprint(options)};
 }
 
 // More than the state of such a picture can have.
@@ -72,9 +74,14 @@ Outcome resume(const Options& options, const CheckpointKey& key, std::string& st
 
 }  // namespace
 
+CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene) {
+  return {program_fingerprint(), fingerprint(scene.text), scene.asset_fingerprint,
+          options_fingerprint(options)};
+}
+
 Outcome open_checkpoint(const Options& options, const LoadedScene& scene,
                         Checkpoints& checkpoints) {
-  const CheckpointKey key = key_of(options, scene);
+  const CheckpointKey key = picture_key_of(options, scene);
   Outcome error = resume(options, key, checkpoints.resume);
   checkpoints.save = [path = options.checkpoint, key,
                       said = std::make_shared<bool>(false)](const std::string& state) {

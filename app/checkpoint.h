@@ -9,6 +9,9 @@
 
 namespace scenefile::app {
 
+/// What the picture is drawn from that these options ask for.
+CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene);
+
 /// Reads options.checkpoint, if it is there, into checkpoints.resume, and makes checkpoints.save
 /// write it. A write that fails is said once and does not end the render. A file that is there and
 /// no good is an error.

@@ -45,7 +45,7 @@ const std::vector<Heading>& headings() {
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output",
-       {"--output", "--to", "--preview", "--checkpoint", "--heatmap", "--sheet", "--report",
+       {"--output", "--to", "--part", "--missing", "--preview", "--checkpoint", "--heatmap", "--sheet", "--report",
         "--junit", "--check", "--files", "--tree", "--man", "--completion", "--json", "--sarif",
         "--markdown", "--quiet", "--help"}},
       {"Other", {}},

@@ -205,6 +205,19 @@ std::string render_json(const LoadedScene& scene, const RenderReport& report) {
                   [](const Layer& l) { return l.kind == LayerKind::object_id; })) {
     add_object_ids(json, scene);
   }
+  if (report.part) {
+    json.begin_object("part");
+    json.add("number", report.part->index + 1);
+    json.add("count", report.part->count);
+    json.begin_array("region");
+    for (const int side : {report.part->region.x0, report.part->region.y0, report.part->region.x1,
+                           report.part->region.y1}) {
+      json.value(side);
+    }
+    json.end_array();
+    json.add("skipped", report.part->skipped);
+    json.end_object();
+  }
   add_work(json, report);
   json.add("seconds", report.seconds);
   json.end_object();

@@ -15,6 +15,14 @@
 
 namespace scenefile::app {
 
+/// A part of a picture that was drawn alone.
+struct PartReport {
+  std::uint32_t index = 0;  ///< counted from 0
+  std::uint32_t count = 1;
+  PixelRegion region;
+  bool skipped = false;  ///< its file was there
+};
+
 /// What a render came to.
 struct RenderReport {
   RenderOptions options;
@@ -24,6 +32,7 @@ struct RenderReport {
   RenderStats stats;
   GlReport gl;  ///< of --engine gl
   std::optional<RealtimeReport> realtime;
+  std::optional<PartReport> part;
 };
 std::string render_json(const LoadedScene& scene, const RenderReport& report);
 

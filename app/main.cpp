@@ -30,9 +30,19 @@ constexpr std::array table{
             "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
             "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
             "scenefile render chess.xml -o chess.png --engine gl\n"
+            "scenefile render chess.xml -o parts/3.part --size 7680x4320 --part 3/64\n"
             "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},
+    Command{"merge", for_merge, "PARTS... -o OUT", "put the parts of a picture together",
+            "Takes the files that render --part wrote and writes the picture, with its layers, to "
+            "the byte as one process would have. A folder means the parts in it. Parts that are "
+            "missing, doubled, damaged or of another picture are named, and nothing is written; "
+            "the exit status is then 1. Needs little memory however large the picture is.",
+            "scenefile merge parts/ -o chess.png\n"
+            "scenefile merge chess.*.part -o chess.exr\n"
+            "scenefile merge parts/ --missing",
+            run_merge, one_or_more},
     Command{"check", for_check, "SCENE...", "report every mistake, with its place",
             "Reads each scene with its textures and meshes and reports everything that is wrong or "
             "doubtful. A folder means the scenes in it and in the folders below. The exit status "

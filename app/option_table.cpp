@@ -10,6 +10,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/picture_parts.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -302,6 +303,20 @@ std::string set_crop(Options& options, const std::string& value) {
                            quoted(value));
 }
 
+std::string set_part(Options& options, const std::string& value) {
+  const std::size_t slash = value.find('/');
+  PartPlace& part = options.part.emplace();
+  std::string wrong =
+      slash == std::string::npos
+          ? fmt::format("{} is not a part such as 3/64", quoted(value))
+          : set_number(value.substr(slash + 1), std::uint32_t{1}, most_parts, part.count);
+  if (wrong.empty()) {
+    wrong = set_number(value.substr(0, slash), std::uint32_t{1}, part.count, part.index);
+    part.index -= wrong.empty() ? 1 : 0;
+  }
+  return wrong;
+}
+
 std::string set_preview(Options& options, const std::string& value) {
   options.preview = value;
   return value.empty() ? "the name is empty" : "";
@@ -364,8 +379,9 @@ std::string set_flag_of(Options& options, const std::string& /*value*/) {
 
 constexpr std::array table{
     OptionRow{"--output", "-o", "OUT",
-              "The picture to write: .png, .exr or .pfm; - for a PNG on standard output.",
-              for_render, set_output},
+              "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part "
+              "the file of the part, by any name.",
+              for_render | for_merge, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
     OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
@@ -523,6 +539,14 @@ constexpr std::array table{
               "Do what the file says in place of a user, then close the window; docs/viewer.md has "
               "the steps.",
               for_view, set_name<&Options::script>},
+    OptionRow{"--part", "", "I/N",
+              "Draw part I of N of the picture, I from 1 to N, into the file of a part, which merge "
+              "takes. If it exists, nothing is done.",
+              for_render, set_part},
+    OptionRow{"--missing", "", "",
+              "Write nothing; print the numbers of the parts that are missing or damaged, one a "
+              "line. The exit status is then 1.",
+              for_merge, set_flag<&Options::missing>},
     OptionRow{"--preview", "", "FILE",
               "Write the unfinished picture to this file every two seconds.", for_render,
               set_preview, "", known_to_tracer},
@@ -563,16 +587,16 @@ constexpr std::array table{
     OptionRow{"--max-memory", "", "BYTES",
               "Use at most this much memory, such as 800M or 4G (default: 80 % of what the system "
               "allows).",
-              for_all_readers | for_pictures | for_format | for_view, set_max_memory},
+              for_all_readers | for_pictures | for_format | for_view | for_merge, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
               "Stop with exit status 4 after this time, without an output.",
-              for_all_readers | for_pictures | for_format | for_view, set_timeout},
+              for_all_readers | for_pictures | for_format | for_view | for_merge, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",
               for_info, set_flag<&Options::files>},
     OptionRow{"--tree", "", "", "Show the scene graph.", for_info, set_flag<&Options::tree>},
     OptionRow{"--json", "", "", "Answer in JSON, for programs.",
-              for_all_readers | for_pictures | for_format | for_help | for_version,
+              for_all_readers | for_pictures | for_format | for_help | for_version | for_merge,
               set_flag<&Options::json>},
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
@@ -585,10 +609,11 @@ constexpr std::array table{
               "bash).",
               for_help, set_completion},
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
-              for_tracing | for_check | for_convert | for_pictures | for_format,
+              for_tracing | for_check | for_convert | for_pictures | for_format | for_merge,
               set_flag<&Options::quiet>},
     OptionRow{"--help", "-h", "", "This text.",
-              for_all_readers | for_pictures | for_format | for_help | for_version | for_view,
+              for_all_readers | for_pictures | for_format | for_help | for_version | for_view |
+                  for_merge,
               set_flag<&Options::help>},
 };
 

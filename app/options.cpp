@@ -84,11 +84,11 @@ std::string lower_case_extension(std::string_view path) {
   return dot == std::string_view::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot));
 }
 
-std::string check_output(const std::string& output) {
+std::string check_output(std::string_view command, const std::string& output) {
   ImageFormat format{};
   const bool named = output.find('.', output.rfind('/') + 1) != std::string::npos;
   if (output.empty()) {
-    return "render needs an output: -o OUT.png";
+    return fmt::format("{} needs an output: -o OUT.png", command);
   }
   if (output == "-" || output.starts_with("/dev/") || image_format_of(output, format)) {
     return {};
@@ -120,7 +120,9 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
   const auto [fewest, most] = command.count;
   if (arguments.size() < fewest) {
     return fmt::format("{} needs {}: scenefile {} {}", command.name,
-                       fewest == 1 ? (command.bit == for_grade ? "a folder" : "a scene")
+                       fewest == 1 ? (command.bit == for_grade   ? "a folder"
+                                      : command.bit == for_merge ? "parts"
+                                                                 : "a scene")
                                    : fmt::format("{} names", fewest),
                        command.name, command.arguments);
   }
@@ -204,16 +206,27 @@ std::string check_render(const Options& options) {
     return "the picture and --json cannot both go to standard output";
   }
   ImageFormat format{};
+  if (!options.preview.empty() && !image_format_of(options.preview, format)) {
+    return fmt::format("--preview: the name {} must end in .png, .exr or .pfm",
+                       quoted(options.preview, 400));
+  }
+  if (options.part.has_value()) {
+    return options.output.empty() ? "render --part needs a file to write: -o FILE" : "";
+  }
   const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
   if (!options.render.layers.empty() && !holds_layers && !options.output.empty()) {
     return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
            "each)";
   }
-  if (!options.preview.empty() && !image_format_of(options.preview, format)) {
-    return fmt::format("--preview: the name {} must end in .png, .exr or .pfm",
-                       quoted(options.preview, 400));
+  return check_output("render", options.output);
+}
+
+// What the options of merge cannot see alone.
+std::string check_merge(const Options& options) {
+  if (options.json && is_standard_output(options.output)) {
+    return "the picture and --json cannot both go to standard output";
   }
-  return check_output(options.output);
+  return options.missing ? std::string() : check_output("merge", options.output);
 }
 
 // What no option can see alone.
@@ -248,6 +261,7 @@ std::string check_together(const Command& command, Options& options) {
                        options.render.width, options.render.height, most);
   }
   return command.bit == for_render ? check_render(options)
+         : command.bit == for_merge ? check_merge(options)
          : command.bit == for_view ? check_window(options)
                                    : std::string();
 }

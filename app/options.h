@@ -27,6 +27,12 @@ struct PixelPlace {
   int y = 0;
 };
 
+/// A part of a picture, counted from 0.
+struct PartPlace {
+  std::uint32_t index = 0;
+  std::uint32_t count = 1;
+};
+
 /// What a scene can be written as.
 enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
@@ -47,6 +53,8 @@ struct Options {
   RenderOptions render;            ///< complete: the profile's defaults where nothing was given
   std::string checkpoint;          ///< a file; empty: none
   std::string preview;             ///< a file; empty: none
+  std::optional<PartPlace> part;   ///< to be drawn alone
+  bool missing = false;            ///< of merge: say which parts are not there
 
   LoadSettings load;
   AssetAccess access;

@@ -20,12 +20,6 @@ ImageFormat format_of(const std::string& path) {
   return format;
 }
 
-// "x.depth.png" of "x.png".
-std::string layer_file(const std::string& output, const Layer& layer) {
-  const std::size_t point = output.rfind('.');
-  return fmt::format("{}.{}{}", output.substr(0, point), layer_name(layer), output.substr(point));
-}
-
 bool has_layer_files(const Options& options) {
   return format_of(options.output) == ImageFormat::png8;
 }
@@ -69,8 +63,16 @@ Image canvas(int width, int height) {
   return image;
 }
 
+std::string layer_file(const std::string& output, const Layer& layer) {
+  const std::size_t point = output.rfind('.');
+  return fmt::format("{}.{}{}", output.substr(0, point), layer_name(layer), output.substr(point));
+}
+
 std::vector<std::string> picture_files(const Options& options) {
   std::vector<std::string> files{options.output};
+  if (options.part) {
+    return files;
+  }
   for (const Layer& layer : options.render.layers) {
     if (has_layer_files(options)) {
       files.push_back(layer_file(options.output, layer));

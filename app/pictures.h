@@ -15,6 +15,9 @@ std::vector<std::string> picture_files(const Options& options);
 /// tracing a twentieth of a simple picture.
 Image canvas(int width, int height);
 
+/// "x.depth.png" of "x.png".
+std::string layer_file(const std::string& output, const Layer& layer);
+
 /// Writes them all.
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
 

@@ -8,10 +8,13 @@
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
+#include "app/render_part.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/trace_scene.h"
 
 #include <fmt/format.h>
@@ -73,7 +76,31 @@ ExitCode check_targets(const Options& options) {
   return ExitCode::fine;
 }
 
-Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, Context& context) {
+// What is drawn of the scene, which gives up its groups.
+RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptions& render_options,
+                   Checkpoints checkpoints) {
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  const Progress progress = [&](double done) {
+    bar.update(done);
+    return DeferredSignals::pending() == 0;
+  };
+  const PixelRegion drawn = drawn_region(render_options);
+  RenderScene& ready = scene.ready.scene;
+  const TraceScene traced(ready, scene.assets, {.threads = render_options.threads});
+  if (!options.json) {
+    std::vector<RenderGroup>().swap(ready.groups);  // only building needed them
+  }
+  return render(ready, scene.assets, render_options,
+                {.progress = progress,
+                 .checkpoints = std::move(checkpoints),
+                 .preview = preview_of(options),
+                 .canvas = canvas(drawn.width(), drawn.height()),
+                 .traced = &traced});
+}
+
+// `picture`: what the options ask for a part of; null: for a whole picture.
+Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* picture,
+             RenderReport& report, Context& context) {
   context.phase = "reading the checkpoint";
   Checkpoints checkpoints;
   std::optional<DeferredSignals> deferred;
@@ -95,24 +122,8 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
   }
   context.phase = "tracing";
   RenderResult result;
-  {
-    ProgressBar bar(!options.quiet && !options.json && wants_progress());
-    const Progress progress = [&](double done) {
-      bar.update(done);
-      return DeferredSignals::pending() == 0;
-    };
-    const PixelRegion drawn = drawn_region(report.options);
-    RenderScene& ready = scene.ready.scene;
-    const TraceScene traced(ready, scene.assets, {.threads = report.options.threads});
-    if (!options.json) {
-      std::vector<RenderGroup>().swap(ready.groups);  // only building needed them
-    }
-    result = render(ready, scene.assets, report.options,
-                    {.progress = progress,
-                     .checkpoints = std::move(checkpoints),
-                     .preview = preview_of(options),
-                     .canvas = canvas(drawn.width(), drawn.height()),
-                     .traced = &traced});
+  if (drawn_region(report.options).width() > 0) {
+    result = trace(options, scene, report.options, std::move(checkpoints));
   }
   deferred.reset();
   report.stats = result.stats;
@@ -121,7 +132,8 @@ Outcome draw(const Options& options, LoadedScene& scene, RenderReport& report, C
     outcome.error += "; the same command goes on from the checkpoint";
   }
   if (outcome.error.empty()) {
-    outcome = write_pictures(options, result, context);
+    outcome = picture != nullptr ? write_part(options, *picture, result, context)
+                                 : write_pictures(options, result, context);
   }
   if (outcome.error.empty() && !options.checkpoint.empty()) {
     remove_checkpoint(options);
@@ -138,16 +150,43 @@ std::string work_text(const RenderReport& report) {
   return fmt::format("{:.2f} million rays", static_cast<double>(rays) / 1e6);
 }
 
+// The picture that OpenGL drew, or the part of it.
+Outcome write_drawn(const Options& options, Image drawn, DividedPicture* picture,
+                    const RenderReport& report, Context& context) {
+  if (picture == nullptr) {
+    return write_8bit_picture(options, drawn, context);
+  }
+  Hash renderer;
+  renderer.add(report.gl.renderer);
+  picture->key.driver = renderer.value();
+  RenderResult part;
+  const PixelRegion whole{0, 0, drawn.width, drawn.height};
+  part.image = cut(drawn, whole, report.part->region);
+  return write_part(options, *picture, part, context);
+}
+
+std::string part_text(const RenderReport& report) {
+  if (!report.part) {
+    return {};
+  }
+  return fmt::format("part {} of {}", report.part->index + 1, report.part->count);
+}
+
 std::string summary_text(const RenderReport& report) {
-  const PixelRegion drawn = drawn_region(report.options);
-  return fmt::format("{}: {}x{}, {:.2f} s, {}\n",
-                     report.output == "-" ? "<stdout>" : escaped(report.output), drawn.width(),
+  const std::string name = report.output == "-" ? "<stdout>" : escaped(report.output);
+  if (report.part && report.part->skipped) {
+    return fmt::format("{}: {} is there already\n", name, part_text(report));
+  }
+  const PixelRegion drawn = report.part ? report.part->region : drawn_region(report.options);
+  return fmt::format("{}: {}{}{}x{}, {:.2f} s, {}\n", name, part_text(report),
+                     report.part ? ", " : "", drawn.width(),
                      drawn.height(), report.seconds, work_text(report));
 }
 
 }  // namespace
 
-ExitCode run_render(const Options& options, Context& context) {
+ExitCode run_render(const Options& given, Context& context) {
+  Options options = given;
   const Clock::time_point start = Clock::now();
   if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
     return status;
@@ -162,8 +201,20 @@ ExitCode run_render(const Options& options, Context& context) {
     check_realtime(*realtime, scene);
     report.realtime = realtime_report(*realtime, scene);
   }
+  std::optional<DividedPicture> divided;
+  if (options.part && outcome.status == ExitCode::fine) {
+    context.phase = "looking at the part";
+    divided = divided_picture(options, scene);
+    const auto [index, count] = *options.part;
+    report.part = {index, count, part_of(divided->region, index, count)};
+    outcome = find_part(options, *divided, report.part->skipped);
+    options.render.crop = report.options.crop = report.part->region;
+  }
+  DividedPicture* const picture = divided ? &*divided : nullptr;
+  const bool wanted =
+      outcome.status == ExitCode::fine && !(report.part && report.part->skipped);
   Image drawn;
-  if (options.engine == Engine::gl && outcome.status == ExitCode::fine) {
+  if (options.engine == Engine::gl && wanted) {
     outcome = draw_with_gl(options, scene, drawn, report.gl, context);
     if (outcome.status == ExitCode::fine) {
       report.options.samples = report.gl.samples;
@@ -173,12 +224,14 @@ ExitCode run_render(const Options& options, Context& context) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
                       wants_color(Stream::chatter)));
   }
-  if (outcome.status == ExitCode::fine) {
-    outcome = options.engine == Engine::gl ? write_8bit_picture(options, drawn, context)
-                                           : draw(options, scene, report, context);
-  } else if (outcome.error.empty()) {
+  if (wanted && outcome.status == ExitCode::fine) {
+    outcome = options.engine == Engine::gl
+                  ? write_drawn(options, std::move(drawn), picture, report, context)
+                  : draw(options, scene, picture, report, context);
+  } else if (outcome.status != ExitCode::fine && outcome.error.empty()) {
     outcome.error = "the scene cannot be used";
   }
+  report.options.crop = given.render.crop;
   report.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   report.error = outcome.error;
   if (options.json) {

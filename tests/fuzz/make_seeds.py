@@ -173,7 +173,22 @@ def make_checkpoint():
     write("checkpoint/second_pass", struct.pack("<IIII", 17, 2, 1, 1) + b"\1\0\0\0" + b"\0\1" * 17 + colors)
 
 
+# The head of a part of a picture, without its checksum: layer count, key, count of parts, region, rounding, depth, index,
+# checksum of the rows, layers, their ranges; tests/fuzz/part.cpp
+
+def make_part():
+    def head(layers, index=1, count=3):
+        return (struct.pack("<I5QI4iBiIQ", len(layers), 1, 2, 3, 4, 0, count, 0, 0, 40, 33, 1, 4, index, 99)
+                + b"".join(struct.pack("<BI", kind, light) for kind, light in layers)
+                + b"".join(struct.pack("<ff", 0, 1) for _ in layers))
+
+    write("part/picture", head([]))
+    write("part/layers", head([(0, 0), (4, 0), (5, 2)]))
+    write("part/no_such_index", head([], index=3))
+
+
 make_checkpoint()
+make_part()
 make_png()
 make_jpeg()
 make_gif()

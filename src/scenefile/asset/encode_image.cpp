@@ -1,5 +1,6 @@
 #include "scenefile/asset/codec.h"
 #include "scenefile/asset/image_file.h"
+#include "scenefile/asset/image_stream.h"
 
 #include <fmt/format.h>
 
@@ -17,17 +18,11 @@ void append_float(std::string& bytes, float value) {
   }
 }
 
-// Portable float map: a text header, then rows from the bottom up. A negative scale means
-// little-endian numbers. Source: Debevec, "PFM Portable FloatMap Image Format".
 std::string encode_pfm(const Image& image) {
-  std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
-  bytes.reserve(bytes.size() + 4 * image.rgb.size());
-  for (int y = image.height - 1; y >= 0; --y) {
-    const float* row = image.pixel(0, y);
-    for (int i = 0; i < 3 * image.width; ++i) {
-      append_float(bytes, row[i]);
-    }
-  }
+  std::string bytes;
+  bytes.reserve(64 + 4 * image.rgb.size());
+  stream_pfm(
+      image.width, image.height, [&](int y) { return image.pixel(0, y); }, sink_to(bytes));
   return bytes;
 }
 
@@ -46,6 +41,37 @@ bool ends_with(std::string_view text, std::string_view end) {
 }
 
 }  // namespace
+
+ByteSink sink_to(std::string& bytes) {
+  return {[&bytes](std::string_view more) {
+            bytes += more;
+            return true;
+          },
+          [&bytes](std::uint64_t at, std::string_view other) {
+            bytes.replace(at, other.size(), other);
+            return true;
+          }};
+}
+
+// Portable float map: a text header, then rows from the bottom up. A negative scale means
+// little-endian numbers. Source: Debevec, "PFM Portable FloatMap Image Format".
+bool stream_pfm(int width, int height, const RowSource& rows, const ByteSink& sink) {
+  std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", width, height);
+  for (int y = height - 1; y >= 0; --y) {
+    const float* const row = rows(y);
+    if (row == nullptr) {
+      return false;
+    }
+    for (int i = 0; i < 3 * width; ++i) {
+      append_float(bytes, row[i]);
+    }
+    if (!sink.append(bytes)) {
+      return false;
+    }
+    bytes.clear();
+  }
+  return true;
+}
 
 bool image_format_of(std::string_view file_name, ImageFormat& format) {
   if (ends_with(file_name, ".png")) {

@@ -2,6 +2,7 @@
 // "OpenEXR File Layout" and ImfZip.cpp of OpenEXR.
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/asset/image_stream.h"
 #include "scenefile/asset/zlib_bytes.h"
 
 #include <algorithm>
@@ -23,17 +24,20 @@ constexpr int level = 4;
 
 struct Channel {
   std::string name;
-  const ImageLayer* layer = nullptr;
+  bool whole = false;
+  std::size_t layer = 0;
   std::size_t index = 0;  // of the layer's channels
 };
 
 // In file order: by name.
 std::vector<Channel> channels_of(std::span<const ImageLayer> layers) {
   std::vector<Channel> channels;
-  for (const ImageLayer& layer : layers) {
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const ImageLayer& layer = layers[l];
     for (std::size_t i = 0; i < layer.channels.size(); ++i) {
       const std::string& letter = layer.channels[i];
-      channels.push_back({layer.name.empty() ? letter : layer.name + "." + letter, &layer, i});
+      channels.push_back(
+          {layer.name.empty() ? letter : layer.name + "." + letter, layer.whole, l, i});
     }
   }
   std::sort(channels.begin(), channels.end(),
@@ -65,7 +69,7 @@ std::string channel_list(const std::vector<Channel>& channels) {
   std::string bytes;
   for (const Channel& channel : channels) {
     bytes.append(channel.name).push_back('\0');
-    const std::uint32_t type = channel.layer->whole ? 0 : 2;  // UINT, FLOAT
+    const std::uint32_t type = channel.whole ? 0 : 2;  // UINT, FLOAT
     for (const std::uint32_t value : {type, 0u, 1u, 1u}) {    // linear; every column and row
       append(bytes, value);
     }
@@ -103,12 +107,13 @@ std::string header_of(int width, int height, const std::vector<Channel>& channel
   return bytes;
 }
 
-void append_row(std::string& bytes, const Channel& channel, std::size_t width, std::size_t y) {
-  const std::vector<float>& values = channel.layer->values;
-  const std::size_t step = channel.layer->channels.size();
+// `y` counts from the first row of the values.
+void append_row(std::string& bytes, const Channel& channel, const ImageLayer& layer,
+                std::size_t width, std::size_t y) {
+  const std::size_t step = layer.channels.size();
   for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-    const float value = values[i * step + channel.index];
-    if (channel.layer->whole) {
+    const float value = layer.values[i * step + channel.index];
+    if (channel.whole) {
       append(bytes, static_cast<std::uint32_t>(value));
     } else {
       append_float(bytes, value);
@@ -138,13 +143,15 @@ std::string packed_block(std::string raw) {
   return packed.size() < raw.size() ? packed : raw;
 }
 
-std::string block_of(int width, int y, int end, const std::vector<Channel>& channels) {
+std::string block_of(int width, int y, int end, const std::vector<Channel>& channels,
+                     const LayerRows& rows) {
   std::string raw;
   raw.reserve(channels.size() * 4 * static_cast<std::size_t>(width) *
               static_cast<std::size_t>(end - y));
   for (int row = y; row < end; ++row) {
     for (const Channel& channel : channels) {
-      append_row(raw, channel, static_cast<std::size_t>(width), static_cast<std::size_t>(row));
+      append_row(raw, channel, rows.layers[channel.layer], static_cast<std::size_t>(width),
+                 static_cast<std::size_t>(row - rows.first));
     }
   }
   return packed_block(std::move(raw));
@@ -152,29 +159,50 @@ std::string block_of(int width, int y, int end, const std::vector<Channel>& chan
 
 }  // namespace
 
-std::string encode_layers(int width, int height, std::span<const ImageLayer> layers,
-                          std::string& error) {
+bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
+                   const LayerSource& rows, const ByteSink& sink, std::string& error) {
   error.clear();
   const std::vector<Channel> channels = channels_of(layers);
   for (const Channel& channel : channels) {
     if (channel.name.size() > longest_name) {
       error = "the name of a layer is too long for EXR";
-      return {};
+      return false;
     }
   }
-  std::string bytes = header_of(width, height, channels);
+  const std::string header = header_of(width, height, channels);
   const std::size_t blocks = static_cast<std::size_t>((height - 1) / rows_of_a_block + 1);
-  const std::uint64_t start = bytes.size() + 8 * blocks;
-  std::string offsets;
-  std::string pixels;
-  for (int y = 0; y < height; y += rows_of_a_block) {
-    const std::string block = block_of(width, y, std::min(height, y + rows_of_a_block), channels);
-    append(offsets, start + pixels.size());
-    append(pixels, static_cast<std::uint32_t>(y));
-    append(pixels, static_cast<std::uint32_t>(block.size()));
-    pixels += block;
+  // Where the blocks lie is known when all are written.
+  std::string offsets(8 * blocks, '\0');
+  if (!sink.append(header) || !sink.append(offsets)) {
+    return false;
   }
-  return bytes + offsets + pixels;
+  std::uint64_t place = header.size() + offsets.size();
+  offsets.clear();
+  for (int y = 0; y < height; y += rows_of_a_block) {
+    const int end = std::min(height, y + rows_of_a_block);
+    const std::optional<LayerRows> values = rows(y, end);
+    if (!values) {
+      return false;
+    }
+    const std::string block = block_of(width, y, end, channels, *values);
+    std::string head;
+    append(head, static_cast<std::uint32_t>(y));
+    append(head, static_cast<std::uint32_t>(block.size()));
+    if (!sink.append(head) || !sink.append(block)) {
+      return false;
+    }
+    append(offsets, place);
+    place += head.size() + block.size();
+  }
+  return sink.replace(header.size(), offsets);
+}
+
+std::string encode_layers(int width, int height, std::span<const ImageLayer> layers,
+                          std::string& error) {
+  std::string bytes;
+  stream_layers(
+      width, height, layers, [&](int, int) { return LayerRows{layers, 0}; }, sink_to(bytes), error);
+  return bytes;
 }
 
 }  // namespace scenefile

@@ -2,6 +2,7 @@
 // "Portable Network Graphics (PNG) Specification (Second Edition)".
 
 #include "scenefile/asset/codec.h"
+#include "scenefile/asset/image_stream.h"
 #include "scenefile/asset/png_packer.h"
 
 #include <algorithm>
@@ -48,19 +49,18 @@ void quantize_16_bit(const float* from, std::size_t count, Rounding rounding, st
 // Applies the filter "Sub": each sample becomes the difference to the pixel on its left.
 class Rows {
  public:
-  Rows(const Image& image, int bits, Rounding rounding)
-      : image_(image),
-        bits_(bits),
+  Rows(int width, int bits, Rounding rounding)
+      : bits_(bits),
         rounding_(rounding),
-        samples_(std::size_t{3} * static_cast<std::size_t>(image.width)),
+        samples_(std::size_t{3} * static_cast<std::size_t>(width)),
         row_(samples_ * static_cast<std::size_t>(bits) / 8) {}
 
-  void append(int y, std::vector<std::uint8_t>& to) {
+  void append(const float* values, std::vector<std::uint8_t>& to) {
     constexpr std::uint8_t filter_sub = 1;
     if (bits_ == 8) {
-      quantize(image_.pixel(0, y), samples_, rounding_, row_.data());
+      quantize(values, samples_, rounding_, row_.data());
     } else {
-      quantize_16_bit(image_.pixel(0, y), samples_, rounding_, row_.data());
+      quantize_16_bit(values, samples_, rounding_, row_.data());
     }
     const std::size_t start = to.size() + 1;
     const std::size_t pixel = static_cast<std::size_t>(bits_) / 8 * 3;
@@ -72,38 +72,53 @@ class Rows {
   }
 
  private:
-  const Image& image_;
   int bits_;
   Rounding rounding_;
   std::size_t samples_;
   std::vector<std::uint8_t> row_;
 };
 
-void append_header(const Image& image, int bits, std::string& file) {
+void append_header(int width, int height, int bits, std::string& file) {
   constexpr char rgb = 2;
-  append_big_endian(file, static_cast<std::uint32_t>(image.width));
-  append_big_endian(file, static_cast<std::uint32_t>(image.height));
+  append_big_endian(file, static_cast<std::uint32_t>(width));
+  append_big_endian(file, static_cast<std::uint32_t>(height));
   file += {static_cast<char>(bits), rgb, 0, 0, 0};
 }
 
 }  // namespace
 
-std::string encode_png(const Image& image, int bits, Rounding rounding) {
+bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
+                const ByteSink& sink) {
   constexpr std::size_t piece = 1 << 16;
   std::string file("\x89PNG\r\n\x1a\n", 8);
-  add_chunk(file, "IHDR", [&] { append_header(image, bits, file); });
+  add_chunk(file, "IHDR", [&] { append_header(width, height, bits, file); });
   PngPacker packer;
-  Rows rows(image, bits, rounding);
+  Rows filtered(width, bits, rounding);
   std::vector<std::uint8_t> ready;
-  for (int y = 0; y < image.height; ++y) {
-    rows.append(y, ready);
-    const bool last = y + 1 == image.height;
+  for (int y = 0; y < height; ++y) {
+    const float* const row = rows(y);
+    if (row == nullptr) {
+      return false;
+    }
+    filtered.append(row, ready);
+    const bool last = y + 1 == height;
     if (ready.size() >= piece || last) {
       add_chunk(file, "IDAT", [&] { packer.put(ready, last, file); });
       ready.clear();
+      if (!sink.append(file)) {
+        return false;
+      }
+      file.clear();
     }
   }
-  file.append("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  return sink.append(std::string_view("\0\0\0\0IEND\xae\x42\x60\x82", 12));
+}
+
+std::string encode_png(const Image& image, int bits, Rounding rounding) {
+  std::string file;
+  stream_png(
+      image.width, image.height, bits, rounding, [&](int y) { return image.pixel(0, y); },
+      sink_to(file));
   return file;
 }
 

@@ -22,6 +22,11 @@ Descriptor::~Descriptor() {
   close();
 }
 
+void Descriptor::reset(int fd) {
+  close();
+  fd_ = fd;
+}
+
 int Descriptor::close() {
   const int fd = std::exchange(fd_, -1);
   // On Linux the descriptor is closed even after EINTR.
@@ -154,7 +159,7 @@ Result<std::string> read_all(int fd, std::string_view path, std::uint64_t expect
   }
 }
 
-int write_all(int fd, const std::string& bytes) {
+int write_all(int fd, std::string_view bytes) {
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t written = ::write(fd, bytes.data() + done, bytes.size() - done);

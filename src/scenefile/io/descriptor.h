@@ -24,6 +24,8 @@ class Descriptor {
 
   int get() const { return fd_; }
   bool open() const { return fd_ >= 0; }
+  /// Closes the current descriptor and takes over another.
+  void reset(int fd);
   /// Closes now. Returns 0, or errno if it failed.
   int close();
 
@@ -57,6 +59,6 @@ Result<std::string> read_all(int fd, std::string_view path, std::uint64_t expect
                              std::uint64_t max_bytes);
 
 /// Writes all bytes. Returns 0 or errno.
-int write_all(int fd, const std::string& bytes);
+int write_all(int fd, std::string_view bytes);
 
 }  // namespace scenefile

@@ -1,4 +1,5 @@
 #include "scenefile/io/descriptor.h"
+#include "scenefile/io/file_writer.h"
 #include "scenefile/io/interrupt.h"
 #include "scenefile/io/temporary.h"
 
@@ -11,7 +12,9 @@
 #include <cstdio>
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <system_error>
+#include <utility>
 
 namespace scenefile {
 
@@ -110,21 +113,24 @@ int copy_mode(int fd, const Target& target) {
   return ::fchmod(fd, target.status.st_mode & 07777) == 0 ? 0 : errno;
 }
 
+// Makes a written file durable and closes it. Returns 0 or an errno.
+int finish(Descriptor& file, const Target& target) {
+  int error = copy_mode(file.get(), target);
+  if (error == 0 && ::fsync(file.get()) != 0) {
+    error = errno;
+  }
+  const int close_error = file.close();
+  return error != 0 ? error : close_error;
+}
+
 // Creates the file and makes it durable. Returns 0 or an errno.
 int write_temporary(const std::string& path, const Target& target, const std::string& bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file.open()) {
     return errno;
   }
-  int error = write_all(file.get(), bytes);
-  if (error == 0) {
-    error = copy_mode(file.get(), target);
-  }
-  if (error == 0 && ::fsync(file.get()) != 0) {
-    error = errno;
-  }
-  const int close_error = file.close();
-  return error != 0 ? error : close_error;
+  const int error = write_all(file.get(), bytes);
+  return error != 0 ? error : finish(file, target);
 }
 
 // Makes the rename durable. A failure here does not fail the write: the new file is complete and in
@@ -265,6 +271,90 @@ Result<void> write_files(std::span<const OutputFile> files) {
   for (const Pending& file : pending) {
     sync_folder(file.target.folder);
   }
+  return {};
+}
+
+struct FileWriter::State {
+  std::string path;  // as given
+  Pending pending;
+  Descriptor file;
+  bool replaces = true;   // else all bytes go there at the end
+  std::string collected;  // for that
+
+  explicit State(std::string p) : path(std::move(p)) {}
+};
+
+FileWriter::FileWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+FileWriter::FileWriter(FileWriter&& other) noexcept = default;
+FileWriter::~FileWriter() = default;
+
+Result<FileWriter> FileWriter::create(const std::string& path) {
+  auto state = std::make_unique<State>(path);
+  Target& target = state->pending.target;
+  if (own_descriptor(path, STDOUT_FILENO) >= 0) {
+    state->replaces = false;
+    return FileWriter(std::move(state));
+  }
+  if (const Result<void> found = find_target(path, target); !found) {
+    return found.error();
+  }
+  if (target.exists && !S_ISREG(target.status.st_mode)) {
+    state->replaces = false;
+    return FileWriter(std::move(state));
+  }
+  if (const Result<void> writable = check_folder(path, target); !writable) {
+    return writable.error();
+  }
+  const std::string temporary = temporary_name(target.folder);
+  state->file.reset(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!state->file.open()) {
+    return system_error(path, "cannot write", errno);
+  }
+  state->pending.temporary = temporary;
+  return FileWriter(std::move(state));
+}
+
+Result<void> FileWriter::append(std::string_view bytes) {
+  if (!state_->replaces) {
+    state_->collected += bytes;
+    return {};
+  }
+  const int error = write_all(state_->file.get(), bytes);
+  return write_error(state_->path, error);
+}
+
+Result<void> FileWriter::replace(std::uint64_t at, std::string_view bytes) {
+  if (!state_->replaces) {
+    state_->collected.replace(at, bytes.size(), bytes);
+    return {};
+  }
+  while (!bytes.empty()) {
+    const ssize_t written =
+        ::pwrite(state_->file.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (written >= 0) {
+      at += static_cast<std::uint64_t>(written);
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return system_error(state_->path, "cannot write", errno);
+    }
+  }
+  return {};
+}
+
+Result<void> FileWriter::commit() {
+  if (!state_->replaces) {
+    return write_file(state_->path, state_->collected);
+  }
+  Pending& pending = state_->pending;
+  int error = finish(state_->file, pending.target);
+  if (error == 0 && std::rename(pending.temporary.c_str(), pending.target.path.c_str()) != 0) {
+    error = errno;
+  }
+  if (error != 0) {
+    return write_error(state_->path, error);
+  }
+  pending.renamed = true;
+  sync_folder(pending.target.folder);
   return {};
 }
 

@@ -15,26 +15,6 @@ bool is_of_middle(LayerKind kind) {
   return kind == LayerKind::depth || kind == LayerKind::uv || kind == LayerKind::object_id;
 }
 
-std::vector<std::string> channels_of(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::depth:
-      return {"Z"};
-    case LayerKind::normal:
-      return {"X", "Y", "Z"};
-    case LayerKind::uv:
-      return {"U", "V"};
-    case LayerKind::albedo:
-    case LayerKind::light:
-      return {"R", "G", "B"};
-    case LayerKind::object_id:
-      return {"ID"};
-    case LayerKind::shadow:
-    case LayerKind::reflection_depth:
-      break;
-  }
-  return {"Y"};
-}
-
 double sum(const Color& color) {
   return color.x + color.y + color.z;
 }
@@ -100,8 +80,7 @@ void store(ImageLayer& layer, std::size_t pixel, const glm::dvec3& value) {
 std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelRegion& region) {
   std::vector<ImageLayer> layers;
   for (const Layer& wanted : options.layers) {
-    ImageLayer& layer = layers.emplace_back(ImageLayer{
-        layer_name(wanted), channels_of(wanted.kind), wanted.kind == LayerKind::object_id, {}});
+    ImageLayer& layer = layers.emplace_back(layer_without_values(wanted));
     layer.values.resize(layer.channels.size() * region.width() * region.height());
   }
   return layers;

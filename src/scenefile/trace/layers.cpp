@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace scenefile {
 
@@ -32,21 +31,29 @@ bool parse_layer(std::string_view word, Layer& layer) {
   return error == std::errc() && rest == end && number.front() != '0' && layer.light-- > 0;
 }
 
-// The range of the numbers that are finite.
-struct Range {
-  float least = std::numeric_limits<float>::max();
-  float most = std::numeric_limits<float>::lowest();
-
-  explicit Range(const std::vector<float>& values) {
-    for (const float v : values) {
-      if (std::isfinite(v)) {
-        least = std::min(least, v);
-        most = std::max(most, v);
-      }
-    }
+std::vector<std::string> channels_of(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::depth:
+      return {"Z"};
+    case LayerKind::normal:
+      return {"X", "Y", "Z"};
+    case LayerKind::uv:
+      return {"U", "V"};
+    case LayerKind::albedo:
+    case LayerKind::light:
+      return {"R", "G", "B"};
+    case LayerKind::object_id:
+      return {"ID"};
+    case LayerKind::shadow:
+    case LayerKind::reflection_depth:
+      break;
   }
-  float share(float value) const { return most > least ? (value - least) / (most - least) : 0; }
-};
+  return {"Y"};
+}
+
+float share(const ValueRange& range, float value) {
+  return range.most > range.least ? (value - range.least) / (range.most - range.least) : 0;
+}
 
 // Hues a golden section apart, in three brightnesses.
 glm::vec3 color_of_id(float id) {
@@ -63,10 +70,10 @@ glm::vec3 color_of_id(float id) {
   return color;
 }
 
-glm::vec3 color_of(const Layer& layer, const float* value, const Range& depths, int max_depth) {
+glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& depths, int max_depth) {
   switch (layer.kind) {
     case LayerKind::depth:
-      return glm::vec3(std::isfinite(*value) ? 1 - depths.share(*value) : 0);
+      return glm::vec3(std::isfinite(*value) ? 1 - share(depths, *value) : 0);
     case LayerKind::normal: {
       const glm::vec3 n(value[0], value[1], value[2]);
       return n == glm::vec3(0) ? n : 0.5f * (n + 1.0f);
@@ -116,18 +123,40 @@ std::string layer_name(const Layer& layer) {
   return std::string(words[static_cast<std::size_t>(layer.kind)]);
 }
 
+ImageLayer layer_without_values(const Layer& layer) {
+  return {layer_name(layer), channels_of(layer.kind), layer.kind == LayerKind::object_id, {}};
+}
+
+ValueRange range_of(std::span<const float> values) {
+  ValueRange range;
+  for (const float v : values) {
+    if (std::isfinite(v)) {
+      range = joined(range, {v, v});
+    }
+  }
+  return range;
+}
+
+ValueRange joined(const ValueRange& a, const ValueRange& b) {
+  return {std::min(a.least, b.least), std::max(a.most, b.most)};
+}
+
 Image layer_picture(const Layer& layer, const ImageLayer& values, int width, int height,
                     int max_depth) {
   Image image(width, height);
-  const Range depths(layer.kind == LayerKind::depth ? values.values : std::vector<float>());
-  const std::size_t channels = values.channels.size();
-  for (std::size_t p = 0; p < image.rgb.size() / 3; ++p) {
-    const glm::vec3 color = color_of(layer, &values.values[p * channels], depths, max_depth);
+  layer_colors(layer, values.values, range_of(values.values), max_depth, image.rgb.data());
+  return image;
+}
+
+void layer_colors(const Layer& layer, std::span<const float> values, const ValueRange& range,
+                  int max_depth, float* rgb) {
+  const std::size_t channels = channels_of(layer.kind).size();
+  for (std::size_t p = 0; p < values.size() / channels; ++p) {
+    const glm::vec3 color = color_of(layer, &values[p * channels], range, max_depth);
     for (int c = 0; c < 3; ++c) {
-      image.rgb[3 * p + static_cast<std::size_t>(c)] = color[c];
+      rgb[3 * p + static_cast<std::size_t>(c)] = color[c];
     }
   }
-  return image;
 }
 
 }  // namespace scenefile

@@ -36,8 +36,8 @@ std::uint64_t options_fingerprint(const Options& options) {
   text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
   if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
     text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(panel->milestone),
-                        panel->tessellation.parameter1, panel->tessellation.parameter2,
-                        panel->near, panel->far, static_cast<int>(panel->filter));
+                        panel->tessellation.parameter1, panel->tessellation.parameter2, panel->near,
+                        panel->far, static_cast<int>(panel->filter));
   }
   for (const LimitRow& limit : limit_table()) {
     text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));

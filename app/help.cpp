@@ -35,6 +35,7 @@ const std::vector<Heading>& headings() {
        {"--size", "--crop", "--pixel", "--sample", "--engine", "--profile", "--mode", "--features",
         "--fresnel", "--max-depth", "--segments"}},
       {"Realtime", {"--milestone", "--parameters", "--near", "--far", "--filter"}},
+      {"Motion", {"--turntable", "--path", "--range", "--fps"}},
       {"Quality", {"--samples", "--seed", "--denoise"}},
       {"Layers", {"--aov"}},
       {"Comparison",
@@ -45,9 +46,10 @@ const std::vector<Heading>& headings() {
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
       {"Output",
-       {"--output", "--to", "--part", "--missing", "--preview", "--checkpoint", "--heatmap", "--sheet", "--report",
-        "--junit", "--check", "--files", "--tree", "--man", "--completion", "--json", "--sarif",
-        "--markdown", "--quiet", "--help"}},
+       {"--output",  "--to",         "--part",    "--missing", "--write-scenes", "--video",
+        "--preview", "--checkpoint", "--heatmap", "--sheet",   "--report",       "--junit",
+        "--check",   "--files",      "--tree",    "--man",     "--completion",   "--json",
+        "--sarif",   "--markdown",   "--quiet",   "--help"}},
       {"Other", {}},
   };
   return all;

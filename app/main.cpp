@@ -43,6 +43,16 @@ constexpr std::array table{
             "scenefile merge chess.*.part -o chess.exr\n"
             "scenefile merge parts/ --missing",
             run_merge, one_or_more},
+    Command{"frames", for_frames, "SCENE -o PATTERN", "draw a scene by a camera that moves",
+            "Draws a numbered picture for each frame of a turn around the scene, or of a path "
+            "through given views. Frames that are there and of the same scene and options are "
+            "skipped, so that a run goes on where it was ended, and several machines may share "
+            "the frames.",
+            "scenefile frames chess.xml -o frame%04d.png --turntable 96\n"
+            "scenefile frames chess.xml -o frame%04d.png --turntable 96 --video turn.mp4\n"
+            "scenefile frames chess.xml -o frame%04d.png --path cameras.json --range 49:96\n"
+            "scenefile frames chess.xml --turntable 4 --write-scenes side%d.xml",
+            run_frames},
     Command{"check", for_check, "SCENE...", "report every mistake, with its place",
             "Reads each scene with its textures and meshes and reports everything that is wrong or "
             "doubtful. A folder means the scenes in it and in the folders below. The exit status "

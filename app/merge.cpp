@@ -248,8 +248,9 @@ class Merger {
       }
       const ImageLayer& values = band->layers[index + 1];
       const std::size_t count = values.channels.size() * static_cast<std::size_t>(width());
-      layer_colors(layer, {values.values.data() + count * static_cast<std::size_t>(y - band->first), count},
-                   range, picture().max_depth, row.data());
+      layer_colors(
+          layer, {values.values.data() + count * static_cast<std::size_t>(y - band->first), count},
+          range, picture().max_depth, row.data());
       return row.data();
     };
     return stream_png(width(), height(), 8, Rounding::nearest, colors_of, sink);
@@ -258,11 +259,10 @@ class Merger {
   RowSource colors() {
     return [this](int y) -> const float* {
       const PartRows::Band* const band = band_of(y);
-      return band == nullptr
-                 ? nullptr
-                 : band->layers[0].values.data() + std::size_t{3} *
-                                                       static_cast<std::size_t>(width()) *
-                                                       static_cast<std::size_t>(y - band->first);
+      return band == nullptr ? nullptr
+                             : band->layers[0].values.data() +
+                                   std::size_t{3} * static_cast<std::size_t>(width()) *
+                                       static_cast<std::size_t>(y - band->first);
     };
   }
 
@@ -328,7 +328,8 @@ std::string merge_json(const Options& options, const Parts& parts, const std::st
     json.end_array();
   };
   add_files("doubled", set.doubled, [](std::size_t) { return std::string(); });
-  add_files("damaged", set.damaged, [&](std::size_t file) { return parts.candidates[file].damage; });
+  add_files("damaged", set.damaged,
+            [&](std::size_t file) { return parts.candidates[file].damage; });
   add_files("foreign", set.foreign, [&](std::size_t file) { return foreign_text(parts, file); });
   if (!options.missing) {
     json.add("output", options.output);

@@ -317,6 +317,17 @@ std::string set_part(Options& options, const std::string& value) {
   return wrong;
 }
 
+std::string set_range(Options& options, const std::string& value) {
+  const std::size_t colon = value.find(':');
+  if (colon == std::string::npos) {
+    return fmt::format("{} is not a range such as 1:48", quoted(value));
+  }
+  FrameRange& range = options.range.emplace();
+  std::string wrong = set_number(value.substr(0, colon), 1, 1000000, range.first);
+  return wrong.empty() ? set_number(value.substr(colon + 1), range.first, 1000000, range.last)
+                       : wrong;
+}
+
 std::string set_preview(Options& options, const std::string& value) {
   options.preview = value;
   return value.empty() ? "the name is empty" : "";
@@ -378,10 +389,11 @@ std::string set_flag_of(Options& options, const std::string& /*value*/) {
 }
 
 constexpr std::array table{
-    OptionRow{"--output", "-o", "OUT",
-              "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part "
-              "the file of the part, by any name.",
-              for_render | for_merge, set_output},
+    OptionRow{
+        "--output", "-o", "OUT",
+        "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part "
+        "the file of the part, by any name; for frames a pattern such as frame%04d.png.",
+        for_render | for_merge | for_frames, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
     OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
@@ -515,16 +527,16 @@ constexpr std::array table{
     OptionRow{"--crop", "", "X0,Y0,X1,Y1",
               "Only the pixels from column X0 and row Y0 up to, but without, X1 and Y1 (row 0 on "
               "top), exactly as they are in the whole picture; the file has the size of the part.",
-              for_render, set_crop, "crop"},
+              for_render | for_frames, set_crop, "crop"},
     OptionRow{"--aov", "", "LIST",
               "Layers in addition to the picture, separated by commas: depth, normal, uv, albedo, "
               "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
               "for x.png into x.depth.png and so on.",
-              for_render, set_layers, "layers"},
+              for_render | for_frames, set_layers, "layers"},
     OptionRow{
         "--denoise", "", "",
         "Remove the noise that few samples of area lights and lenses leave, for the profile fine.",
-        for_render, set_flag_of<&Options::render, &RenderOptions::denoise>, "denoise"},
+        for_render | for_frames, set_flag_of<&Options::render, &RenderOptions::denoise>, "denoise"},
     OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
               set_window},
     OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
@@ -539,14 +551,39 @@ constexpr std::array table{
               "Do what the file says in place of a user, then close the window; docs/viewer.md has "
               "the steps.",
               for_view, set_name<&Options::script>},
-    OptionRow{"--part", "", "I/N",
-              "Draw part I of N of the picture, I from 1 to N, into the file of a part, which merge "
-              "takes. If it exists, nothing is done.",
-              for_render, set_part},
+    OptionRow{
+        "--part", "", "I/N",
+        "Draw part I of N of the picture, I from 1 to N, into the file of a part, which merge "
+        "takes. If it exists, nothing is done.",
+        for_render, set_part},
     OptionRow{"--missing", "", "",
               "Write nothing; print the numbers of the parts that are missing or damaged, one a "
               "line. The exit status is then 1.",
               for_merge, set_flag<&Options::missing>},
+    OptionRow{
+        "--turntable", "", "N",
+        "N frames in which the camera turns once around the scene; the first is the camera of "
+        "the file.",
+        for_frames,
+        [](Options& o, const std::string& v) { return set_number(v, 1, 100000, o.turntable); }},
+    OptionRow{"--path", "", "FILE",
+              "A JSON file of views with times, through which the camera moves smoothly; "
+              "docs/many-machines.md describes it.",
+              for_frames, set_name<&Options::path>},
+    OptionRow{"--range", "", "A:B", "Only the frames A to B, counted from 1.", for_frames,
+              set_range},
+    OptionRow{"--fps", "", "N", "Frames in a second (default: what --path says, else 24).",
+              for_frames,
+              [](Options& o, const std::string& v) {
+                return read_number(v, 0.001, 1000, o.fps.emplace());
+              }},
+    OptionRow{
+        "--write-scenes", "", "PATTERN",
+        "Write the scene of each frame too, such as scene%04d.xml. Rendered, it is the frame.",
+        for_frames, set_name<&Options::write_scenes>},
+    OptionRow{"--video", "", "FILE",
+              "Make a video of all frames with ffmpeg, such as turn.mp4, .webm or .gif.",
+              for_frames, set_name<&Options::video>},
     OptionRow{"--preview", "", "FILE",
               "Write the unfinished picture to this file every two seconds.", for_render,
               set_preview, "", known_to_tracer},
@@ -562,9 +599,11 @@ constexpr std::array table{
     OptionRow{"--allow-outside", "", "",
               "Open textures and meshes wherever the scene says, not only in its folder, the "
               "folders for images and meshes next to it, and the asset roots.",
-              for_all_readers | for_pictures | for_view, set_flag_of<&Options::access, &AssetAccess::allow_outside>},
+              for_all_readers | for_pictures | for_view,
+              set_flag_of<&Options::access, &AssetAccess::allow_outside>},
     OptionRow{"--allow-missing", "", "", "Draw the scene without meshes that cannot be used.",
-              for_tracing | for_check | for_view, set_flag_of<&Options::load, &LoadSettings::allow_missing>},
+              for_tracing | for_check | for_view,
+              set_flag_of<&Options::load, &LoadSettings::allow_missing>},
     OptionRow{"--no-assets", "", "", "Do not open textures and meshes.", for_check,
               set_flag<&Options::assets, false>},
     OptionRow{"--strict", "", "", "Treat spellings that only some programs accept as errors.",
@@ -611,10 +650,10 @@ constexpr std::array table{
     OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
               for_tracing | for_check | for_convert | for_pictures | for_format | for_merge,
               set_flag<&Options::quiet>},
-    OptionRow{"--help", "-h", "", "This text.",
-              for_all_readers | for_pictures | for_format | for_help | for_version | for_view |
-                  for_merge,
-              set_flag<&Options::help>},
+    OptionRow{
+        "--help", "-h", "", "This text.",
+        for_all_readers | for_pictures | for_format | for_help | for_version | for_view | for_merge,
+        set_flag<&Options::help>},
 };
 
 }  // namespace

@@ -191,13 +191,31 @@ std::string check_window(const Options& options) {
              : std::string();
 }
 
-// What the options of render cannot see alone.
-std::string check_render(const Options& options) {
+std::string check_crop(const Options& options) {
   if (const std::optional<PixelRegion>& crop = options.render.crop;
       crop.has_value() && (crop->x1 > options.render.width || crop->y1 > options.render.height)) {
     return fmt::format("--crop: {},{},{},{} reaches out of the picture of {}x{}", crop->x0,
                        crop->y0, crop->x1, crop->y1, options.render.width, options.render.height);
   }
+  return {};
+}
+
+// What is the same for one picture and for many.
+std::string check_picture(const Options& options, std::string_view command) {
+  if (std::string wrong = check_crop(options); !wrong.empty()) {
+    return wrong;
+  }
+  ImageFormat format{};
+  const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
+  if (!options.render.layers.empty() && !holds_layers && !options.output.empty()) {
+    return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
+           "each)";
+  }
+  return check_output(command, options.output);
+}
+
+// What the options of render cannot see alone.
+std::string check_render(const Options& options) {
   if (!options.checkpoint.empty() && (options.render.denoise || !options.render.layers.empty())) {
     return fmt::format("a render with --checkpoint cannot have {}",
                        options.render.denoise ? "--denoise" : "--aov");
@@ -211,14 +229,46 @@ std::string check_render(const Options& options) {
                        quoted(options.preview, 400));
   }
   if (options.part.has_value()) {
-    return options.output.empty() ? "render --part needs a file to write: -o FILE" : "";
+    return options.output.empty() ? "render --part needs a file to write: -o FILE"
+                                  : check_crop(options);
   }
-  const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
-  if (!options.render.layers.empty() && !holds_layers && !options.output.empty()) {
-    return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
-           "each)";
+  return check_picture(options, "render");
+}
+
+// What is wrong with a name that a number is to be put into: "f%04d.png".
+std::string check_pattern(const std::string& pattern) {
+  const std::size_t begin = pattern.find('%');
+  const std::size_t end = pattern.find_first_not_of("0123456789", begin + 1);
+  const bool good = begin != std::string::npos && end != std::string::npos && pattern[end] == 'd' &&
+                    end - begin <= 3 && (end == begin + 1 || pattern[begin + 1] == '0') &&
+                    pattern.find('%', end) == std::string::npos;
+  return good ? std::string()
+              : fmt::format("{} needs one place for the number, such as frame%04d.png",
+                            quoted(pattern, 400));
+}
+
+// What the options of frames cannot see alone.
+std::string check_frames(const Options& options) {
+  if (options.turntable.has_value() == !options.path.empty()) {
+    return "frames needs either --turntable N or --path FILE";
   }
-  return check_output("render", options.output);
+  if (options.output.empty() && options.write_scenes.empty()) {
+    return "frames needs an output: -o frame%04d.png";
+  }
+  if (options.output.empty() && !options.video.empty()) {
+    return "--video needs the frames: -o frame%04d.png";
+  }
+  for (const std::string& pattern : {options.output, options.write_scenes}) {
+    if (std::string wrong = pattern.empty() ? "" : check_pattern(pattern); !wrong.empty()) {
+      return wrong;
+    }
+  }
+  if (const std::string extension = lower_case_extension(options.write_scenes);
+      !options.write_scenes.empty() && extension != ".xml" && extension != ".json") {
+    return fmt::format("--write-scenes: the name {} must end in .xml or .json",
+                       quoted(options.write_scenes, 400));
+  }
+  return options.output.empty() ? std::string() : check_picture(options, "frames");
 }
 
 // What the options of merge cannot see alone.
@@ -260,10 +310,11 @@ std::string check_together(const Command& command, Options& options) {
     return fmt::format("--size: {}x{} is more than the limit of {} pixels a side",
                        options.render.width, options.render.height, most);
   }
-  return command.bit == for_render ? check_render(options)
-         : command.bit == for_merge ? check_merge(options)
-         : command.bit == for_view ? check_window(options)
-                                   : std::string();
+  return command.bit == for_render   ? check_render(options)
+         : command.bit == for_merge  ? check_merge(options)
+         : command.bit == for_frames ? check_frames(options)
+         : command.bit == for_view   ? check_window(options)
+                                     : std::string();
 }
 
 }  // namespace

@@ -33,6 +33,12 @@ struct PartPlace {
   std::uint32_t count = 1;
 };
 
+/// Frames from the first to the last, counted from 1.
+struct FrameRange {
+  int first = 1;
+  int last = 1;
+};
+
 /// What a scene can be written as.
 enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
@@ -55,6 +61,13 @@ struct Options {
   std::string preview;             ///< a file; empty: none
   std::optional<PartPlace> part;   ///< to be drawn alone
   bool missing = false;            ///< of merge: say which parts are not there
+
+  std::optional<int> turntable;     ///< of frames: so many around the scene
+  std::string path;                 ///< of frames: a file of views; empty: none
+  std::optional<FrameRange> range;  ///< of frames; none: all
+  std::optional<double> fps;        ///< of frames: in a second
+  std::string write_scenes;         ///< of frames: where their scenes go; empty: nowhere
+  std::string video;                ///< of frames: a file; empty: none
 
   LoadSettings load;
   AssetAccess access;

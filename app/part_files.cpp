@@ -26,7 +26,8 @@ Result<std::string> check_rows(const FileReader& file, const PartHead& head,
   }
   const PixelRegion region = head.region();
   const std::size_t row = part_row_bytes(head.picture, region.width());
-  const std::size_t rows_at_once = std::max<std::size_t>(1, bytes_at_once / std::max<std::size_t>(1, row));
+  const std::size_t rows_at_once =
+      std::max<std::size_t>(1, bytes_at_once / std::max<std::size_t>(1, row));
   Hash hash;
   std::uint64_t at = before_rows;
   for (std::size_t left = static_cast<std::size_t>(region.height()); left > 0;) {
@@ -141,9 +142,8 @@ bool PartRows::read(int first, int end) {
     const std::uint64_t rows_begin =
         reader->size() - std::uint64_t{row} * static_cast<std::uint64_t>(part.height());
     const std::size_t wanted = row * static_cast<std::size_t>(to - from);
-    const Result<std::string> rows =
-        reader->read(rows_begin + std::uint64_t{row} * static_cast<std::uint64_t>(from - part.y0),
-                     wanted);
+    const Result<std::string> rows = reader->read(
+        rows_begin + std::uint64_t{row} * static_cast<std::uint64_t>(from - part.y0), wanted);
     if (!rows || rows->size() != wanted) {
       error_ = rows ? fmt::format("{}: the file has become shorter", escaped(paths_[file], 4096))
                     : rows.error().text;

@@ -27,8 +27,7 @@ bool looks_like_part(const std::string& path);
 class PartRows {
  public:
   /// A complete set, and the paths of its candidates. Both must outlive this.
-  PartRows(const PartSet& set, std::span<const PartHead> heads,
-           std::span<const std::string> paths);
+  PartRows(const PartSet& set, std::span<const PartHead> heads, std::span<const std::string> paths);
 
   /// Rows of the picture and of its layers, in bands of 16.
   struct Band {

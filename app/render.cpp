@@ -179,8 +179,8 @@ std::string summary_text(const RenderReport& report) {
   }
   const PixelRegion drawn = report.part ? report.part->region : drawn_region(report.options);
   return fmt::format("{}: {}{}{}x{}, {:.2f} s, {}\n", name, part_text(report),
-                     report.part ? ", " : "", drawn.width(),
-                     drawn.height(), report.seconds, work_text(report));
+                     report.part ? ", " : "", drawn.width(), drawn.height(), report.seconds,
+                     work_text(report));
 }
 
 }  // namespace
@@ -211,8 +211,7 @@ ExitCode run_render(const Options& given, Context& context) {
     options.render.crop = report.options.crop = report.part->region;
   }
   DividedPicture* const picture = divided ? &*divided : nullptr;
-  const bool wanted =
-      outcome.status == ExitCode::fine && !(report.part && report.part->skipped);
+  const bool wanted = outcome.status == ExitCode::fine && !(report.part && report.part->skipped);
   Image drawn;
   if (options.engine == Engine::gl && wanted) {
     outcome = draw_with_gl(options, scene, drawn, report.gl, context);

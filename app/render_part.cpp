@@ -38,8 +38,7 @@ DividedPicture divided_picture(const Options& options, const LoadedScene& scene)
   picture.key = {key.program, key.scene, key.assets, key.options, 0};
   picture.count = options.part->count;
   picture.region = render.crop.value_or(PixelRegion{0, 0, render.width, render.height});
-  picture.rounding =
-      options.engine == Engine::gl ? Rounding::nearest : rounding_of(render.profile);
+  picture.rounding = options.engine == Engine::gl ? Rounding::nearest : rounding_of(render.profile);
   picture.max_depth = render.max_depth;
   picture.layers = render.layers;
   return picture;
@@ -53,9 +52,8 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
     return {};
   }
   const auto refused = [&](const std::string& why) {
-    return Outcome{ExitCode::findings,
-                   fmt::format("{}: {}; remove the file or choose another name",
-                               escaped(options.output, 400), why)};
+    return Outcome{ExitCode::findings, fmt::format("{}: {}; remove the file or choose another name",
+                                                   escaped(options.output, 400), why)};
   };
   const Result<PartCandidate> found = check_part_file(options.output);
   if (!found) {
@@ -65,8 +63,7 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
     const bool empty = std::filesystem::file_size(options.output, ignored) == 0;
     return empty || looks_like_part(options.output) ? Outcome() : refused(found->damage);
   }
-  if (const std::string why = other_part(found->head, picture, options.part->index);
-      !why.empty()) {
+  if (const std::string why = other_part(found->head, picture, options.part->index); !why.empty()) {
     return refused(why);
   }
   there = found->damage.empty();
@@ -76,8 +73,8 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
 Outcome write_part(const Options& options, const DividedPicture& picture,
                    const RenderResult& result, Context& context) {
   context.phase = "writing the part";
-  return outcome_of(write_part_file(options.output, picture, options.part->index, result.image,
-                                    result.layers));
+  return outcome_of(
+      write_part_file(options.output, picture, options.part->index, result.image, result.layers));
 }
 
 }  // namespace scenefile::app

@@ -31,9 +31,7 @@ struct PartTest : ::testing::Test {
     std::filesystem::create_directory(folder.path("parts"));
   }
 
-  ProgramRun run(const Words& words) const {
-    return run_program(words, {.folder = folder.path()});
-  }
+  ProgramRun run(const Words& words) const { return run_program(words, {.folder = folder.path()}); }
 
   ProgramRun part(int number, int count, const Words& more = {}) const {
     return run(Words{"render", "scene.xml", "--size", "70x50", "-o",
@@ -62,7 +60,8 @@ TEST_F(PartTest, MergeToTheBytesOfOneProcess) {
   const std::vector<Case> cases{
       {1, {}, {"out.png"}},
       {3, {"--profile", "course", "--mode", "intersect"}, {"out.pfm"}},
-      {5, {"--aov", "depth,light-1,object-id", "--denoise"},
+      {5,
+       {"--aov", "depth,light-1,object-id", "--denoise"},
        {"out.png", "out.depth.png", "out.light-1.png", "out.object-id.png"}},
       {4, {"--aov", "depth,normal,object-id,shadow"}, {"out.exr"}},
       {40, {"--crop", "5,6,69,41", "--samples", "4"}, {"out.exr"}},
@@ -71,9 +70,9 @@ TEST_F(PartTest, MergeToTheBytesOfOneProcess) {
     SCOPED_TRACE(files.front() + " of " + std::to_string(count));
     std::filesystem::remove_all(folder.path("parts"));
     std::filesystem::create_directory(folder.path("parts"));
-    ASSERT_EQ(run(Words{"render", "scene.xml", "--size", "70x50", "-o", files.front()} + options)
-                  .status,
-              0);
+    ASSERT_EQ(
+        run(Words{"render", "scene.xml", "--size", "70x50", "-o", files.front()} + options).status,
+        0);
     std::vector<std::string> whole;
     for (const std::string& file : files) {
       whole.push_back(folder.read(file));
@@ -193,8 +192,9 @@ TEST_F(PartTest, WrongUseIsSaidAtOnce) {
 TEST_F(PartTest, AKilledMergeLeavesNothingUnderTheName) {
   draw_parts(2, {"--size", "1200x900", "--samples", "1"});
   for (const int delay_ms : {1, 5, 20, 60}) {
-    const ProgramRun killed = run_program({"merge", "parts", "-o", "out.exr"},
-                                          {.folder = folder.path(), .signal = SIGTERM, .delay_ms = delay_ms});
+    const ProgramRun killed =
+        run_program({"merge", "parts", "-o", "out.exr"},
+                    {.folder = folder.path(), .signal = SIGTERM, .delay_ms = delay_ms});
     EXPECT_EQ(std::filesystem::exists(folder.path("out.exr")), killed.status == 0);
     std::filesystem::remove(folder.path("out.exr"));
     EXPECT_THAT(folder.list(), ElementsAre("parts", "scene.xml"));

@@ -1,9 +1,8 @@
 // Bytes as the file of a part, as the head inside one, and as a file with those bytes changed.
 
-#include "scenefile/trace/part_file.h"
-
 #include "law.h"
 #include "scenefile/base/hash.h"
+#include "scenefile/trace/part_file.h"
 #include "target.h"
 
 #include <string>

@@ -11,9 +11,9 @@ namespace scenefile {
 
 namespace {
 
-using testing_support::TempFolder;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using testing_support::TempFolder;
 
 TEST(FileWriter, TheFileAppearsWhole) {
   const TempFolder folder;

@@ -1,6 +1,7 @@
 // The files of parts: what was written comes back, and nothing else is taken for it.
 
 #include "scenefile/trace/part_file.h"
+
 #include "scenefile/trace/part_set.h"
 #include "scenefile/trace/picture_state.h"
 #include "trace/build_scene.h"
@@ -165,8 +166,8 @@ PartCandidate candidate(std::uint32_t index, std::uint64_t scene = 2, std::strin
 }
 
 TEST(PartSet, KnowsWhatIsWrong) {
-  const std::vector<PartCandidate> files{candidate(1), candidate(3),    candidate(1),
-                                         candidate(0, 9), candidate(2, 2, "cut off"), {}};
+  const std::vector<PartCandidate> files{
+      candidate(1), candidate(3), candidate(1), candidate(0, 9), candidate(2, 2, "cut off"), {}};
   std::vector<PartCandidate> with_unreadable = files;
   with_unreadable.back().damage = "the file is empty";
   const PartSet set = sort_parts(with_unreadable);

@@ -69,8 +69,8 @@ std::string channel_list(const std::vector<Channel>& channels) {
   std::string bytes;
   for (const Channel& channel : channels) {
     bytes.append(channel.name).push_back('\0');
-    const std::uint32_t type = channel.whole ? 0 : 2;  // UINT, FLOAT
-    for (const std::uint32_t value : {type, 0u, 1u, 1u}) {    // linear; every column and row
+    const std::uint32_t type = channel.whole ? 0 : 2;       // UINT, FLOAT
+    for (const std::uint32_t value : {type, 0u, 1u, 1u}) {  // linear; every column and row
       append(bytes, value);
     }
   }
@@ -201,7 +201,11 @@ std::string encode_layers(int width, int height, std::span<const ImageLayer> lay
                           std::string& error) {
   std::string bytes;
   stream_layers(
-      width, height, layers, [&](int, int) { return LayerRows{layers, 0}; }, sink_to(bytes), error);
+      width, height, layers,
+      [&](int, int) {
+        return LayerRows{layers, 0};
+      },
+      sink_to(bytes), error);
   return bytes;
 }
 

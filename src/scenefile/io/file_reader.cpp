@@ -33,12 +33,12 @@ std::uint64_t FileReader::size() const {
 }
 
 Result<std::string> FileReader::read(std::uint64_t at, std::size_t count) const {
-  std::string bytes(std::min<std::uint64_t>(count, state_->file.size - std::min(at, state_->file.size)),
-                    '\0');
+  std::string bytes(
+      std::min<std::uint64_t>(count, state_->file.size - std::min(at, state_->file.size)), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t got = ::pread(state_->file.descriptor.get(), bytes.data() + done, bytes.size() - done,
-                                static_cast<off_t>(at + done));
+    const ssize_t got = ::pread(state_->file.descriptor.get(), bytes.data() + done,
+                                bytes.size() - done, static_cast<off_t>(at + done));
     if (got > 0) {
       done += static_cast<std::size_t>(got);
     } else if (got == 0) {

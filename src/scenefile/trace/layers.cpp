@@ -70,7 +70,8 @@ glm::vec3 color_of_id(float id) {
   return color;
 }
 
-glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& depths, int max_depth) {
+glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& depths,
+                   int max_depth) {
   switch (layer.kind) {
     case LayerKind::depth:
       return glm::vec3(std::isfinite(*value) ? 1 - share(depths, *value) : 0);

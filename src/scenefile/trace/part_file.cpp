@@ -222,9 +222,8 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
 
 std::uint64_t part_file_bytes(const PartHead& head, std::size_t bytes_before_rows) {
   const PixelRegion region = head.region();
-  return bytes_before_rows +
-         std::uint64_t{part_row_bytes(head.picture, region.width())} *
-             static_cast<std::uint64_t>(region.height());
+  return bytes_before_rows + std::uint64_t{part_row_bytes(head.picture, region.width())} *
+                                 static_cast<std::uint64_t>(region.height());
 }
 
 bool is_part_file(std::string_view first_bytes) {
@@ -232,7 +231,7 @@ bool is_part_file(std::string_view first_bytes) {
 }
 
 std::string_view foreign_part(const PartKey& found, const PartKey& wanted) {
-  return found.scene != wanted.scene     ? "another scene, or the scene was changed"
+  return found.scene != wanted.scene       ? "another scene, or the scene was changed"
          : found.assets != wanted.assets   ? "other textures or meshes"
          : found.options != wanted.options ? "other options"
          : found.program != wanted.program ? "another build of the program"
@@ -248,8 +247,8 @@ void place_part_rows(const PartHead& head, std::string_view rows, int y, int fir
   for (; !rows.empty(); ++y) {
     for (ImageLayer& layer : to) {
       const std::size_t channels = layer.channels.size();
-      const std::size_t pixel =
-          static_cast<std::size_t>(y - first) * across + static_cast<std::size_t>(own.x0 - whole.x0);
+      const std::size_t pixel = static_cast<std::size_t>(y - first) * across +
+                                static_cast<std::size_t>(own.x0 - whole.x0);
       const std::size_t count = channels * static_cast<std::size_t>(own.width());
       float* const place = layer.values.data() + channels * pixel;
       std::memcpy(place, rows.data(), count * sizeof(float));

@@ -5,7 +5,8 @@
 //   length of the head      4 bytes
 //   head                    PartHead
 //   checksum of the head    8 bytes
-//   rows                    the part's rows from the top: 3 floats a pixel, then those of each layer
+//   rows                    the part's rows from the top: 3 floats a pixel, then those of each
+//   layer
 //
 // Numbers are in the machine's own order of bytes: no other machine's build has the same key.
 
@@ -37,10 +38,10 @@ struct PartKey {
 /// What all parts of a picture say alike.
 struct DividedPicture {
   PartKey key;
-  std::uint32_t count = 1;                  ///< of the parts, up to most_parts
-  PixelRegion region;                       ///< the pixels of the picture when it is merged
-  Rounding rounding = Rounding::nearest;    ///< to 8 bits
-  int max_depth = 0;                        ///< as layer_picture() takes it
+  std::uint32_t count = 1;                ///< of the parts, up to most_parts
+  PixelRegion region;                     ///< the pixels of the picture when it is merged
+  Rounding rounding = Rounding::nearest;  ///< to 8 bits
+  int max_depth = 0;                      ///< as layer_picture() takes it
   std::vector<Layer> layers;
 
   friend bool operator==(const DividedPicture&, const DividedPicture&) = default;

@@ -20,12 +20,12 @@ struct PartCandidate {
 
 /// Indices of parts are counted from 0, files are indices into the candidates.
 struct PartSet {
-  DividedPicture picture;             ///< of most parts; of the first of them where it is a tie
-  std::vector<std::size_t> files;     ///< the good one by index of the part; no_file: none
-  std::vector<std::uint32_t> missing; ///< no good file at all
-  std::vector<std::size_t> doubled;   ///< files of parts that another file is of, too
-  std::vector<std::size_t> damaged;   ///< files
-  std::vector<std::size_t> foreign;   ///< files that are parts of other pictures
+  DividedPicture picture;              ///< of most parts; of the first of them where it is a tie
+  std::vector<std::size_t> files;      ///< the good one by index of the part; no_file: none
+  std::vector<std::uint32_t> missing;  ///< no good file at all
+  std::vector<std::size_t> doubled;    ///< files of parts that another file is of, too
+  std::vector<std::size_t> damaged;    ///< files
+  std::vector<std::size_t> foreign;    ///< files that are parts of other pictures
 
   bool complete() const {
     return !files.empty() && missing.empty() && doubled.empty() && damaged.empty() &&

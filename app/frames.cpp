@@ -1,0 +1,400 @@
+// frames: pictures of one scene by cameras that move. The structure in which rays find what they
+// hit is built once. A frame that is there is skipped: a hidden file beside it, .NAME.key, says
+// what it was drawn from.
+
+#include "app/carry_files.h"
+#include "app/checkpoint.h"
+#include "app/command.h"
+#include "app/load.h"
+#include "app/output.h"
+#include "app/pictures.h"
+#include "app/progress.h"
+#include "scenefile/base/hash.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/read_cameras.h"
+#include "scenefile/format/write_scene.h"
+#include "scenefile/io/child.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+#include "scenefile/io/interrupt.h"
+#include "scenefile/scene/check.h"
+#include "scenefile/scene/prepare.h"
+#include "scenefile/trace/bounds.h"
+#include "scenefile/trace/layers.h"
+#include "scenefile/trace/trace_scene.h"
+#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double usual_fps = 24;
+constexpr std::size_t most_frames = 1000000;
+
+// All frames of the motion; the first has the index 0 and the number 1.
+struct Motion {
+  std::vector<Camera> cameras;
+  double fps = usual_fps;
+};
+
+Outcome read_path(const Options& options, const Camera& camera, Motion& motion) {
+  const Result<std::string> text = read_file(options.path, options.load.limits.file_bytes);
+  if (!text) {
+    return {exit_code(text.error().kind), text.error().text};
+  }
+  const Result<CameraPath> path = read_cameras(*text, camera, options.load.limits);
+  if (!path) {
+    return {exit_code(path.error().kind),
+            fmt::format("{}:{}", escaped(options.path, 400), path.error().text)};
+  }
+  motion.fps = options.fps.value_or(path->fps.value_or(usual_fps));
+  const double start = path->views.front().time;
+  const double frames = std::floor((path->views.back().time - start) * motion.fps + 1e-9) + 1;
+  if (frames > static_cast<double>(most_frames)) {
+    return {ExitCode::limit,
+            fmt::format("{}: more than {} frames", escaped(options.path, 400), most_frames)};
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
+    motion.cameras.push_back(camera_at(path->views, start + static_cast<double>(i) / motion.fps));
+  }
+  return {};
+}
+
+// Around the point in the middle of the picture that is nearest to the middle of the scene.
+Motion turntable(const Options& options, const LoadedScene& scene, const Camera& camera) {
+  Motion motion;
+  motion.fps = options.fps.value_or(usual_fps);
+  const glm::dvec3 position(camera.position);
+  glm::dvec3 center(0);
+  if (const Bounds bounds = scene_bounds(scene.ready.scene, scene.assets); !bounds.empty()) {
+    center = 0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max));
+  }
+  const glm::dvec3 look = glm::normalize(glm::dvec3(camera.look));
+  const double ahead = glm::dot(center - position, look);
+  center = ahead > 0 ? position + ahead * look : center;
+  for (int i = 0; i < *options.turntable; ++i) {
+    motion.cameras.push_back(
+        camera_around(camera, center, static_cast<double>(i) / *options.turntable));
+  }
+  return motion;
+}
+
+// A camera with which nothing can be drawn, with the reason.
+Outcome check_cameras(const Motion& motion, const Limits& limits) {
+  for (std::size_t i = 0; i < motion.cameras.size(); ++i) {
+    Scene scene;
+    scene.camera = motion.cameras[i];
+    Diagnostics diagnostics(limits);
+    check(scene, limits, diagnostics);
+    for (const Diagnostic& finding : diagnostics.list()) {
+      if (finding.severity == Severity::error) {
+        return {ExitCode::findings, fmt::format("frame {}: {}", i + 1, finding.message)};
+      }
+    }
+  }
+  return {};
+}
+
+// "f%04d.png" with the number in its place.
+std::string frame_name(const std::string& pattern, std::size_t number) {
+  const std::size_t begin = pattern.find('%');
+  const std::size_t end = pattern.find('d', begin);
+  const std::string width = pattern.substr(begin + 1, end - begin - 1);
+  const int digits = width.empty() ? 0 : std::stoi(width);
+  return fmt::format("{}{:0{}}{}", pattern.substr(0, begin), number, digits,
+                     pattern.substr(end + 1));
+}
+
+// The file that says what a frame was drawn from.
+std::string key_file(const std::string& picture) {
+  return fmt::format("{}/.{}.key", folder_of(picture), file_name_of(picture));
+}
+
+class Frames {
+ public:
+  Frames(const Options& options, LoadedScene& scene, const Motion& motion, Context& context)
+      : options_(options), scene_(scene), motion_(motion), context_(context) {
+    const CheckpointKey key = picture_key_of(options, scene);
+    key_ = fmt::format("{:x} {:x} {:x} {:x}", key.program, key.scene, key.assets, key.options);
+    range_ = options.range.value_or(FrameRange{1, static_cast<int>(motion.cameras.size())});
+  }
+
+  Outcome run() {
+    const DeferredSignals deferred;
+    Outcome outcome;
+    for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
+      const auto index = static_cast<std::size_t>(number) - 1;
+      if (!options_.write_scenes.empty()) {
+        outcome = write_scene_of(index);
+      }
+      if (outcome.error.empty() && !options_.output.empty()) {
+        outcome = is_there(index) ? skip() : draw(index);
+      }
+      if (outcome.error.empty() && DeferredSignals::pending() != 0) {
+        outcome = judge(RenderStatus::cancelled, context_);
+      }
+    }
+    if (outcome.error.empty() && !options_.video.empty()) {
+      outcome = make_video();
+    }
+    return outcome;
+  }
+
+  int drawn() const { return drawn_; }
+  int skipped() const { return skipped_; }
+  const FrameRange& range() const { return range_; }
+
+ private:
+  std::string name(std::size_t index) const { return frame_name(options_.output, index + 1); }
+
+  // Options that draw this frame alone.
+  Options options_of(std::size_t index) const {
+    Options options = options_;
+    options.output = name(index);
+    return options;
+  }
+
+  std::string key_of(std::size_t index) const {
+    const Camera& c = motion_.cameras[index];
+    std::string text = key_;
+    for (const float x : {c.position.x, c.position.y, c.position.z, c.look.x, c.look.y, c.look.z,
+                          c.up.x, c.up.y, c.up.z, c.height_angle_deg, c.aperture, c.focal_length}) {
+      text += fmt::format(" {:a}", x);
+    }
+    return text;
+  }
+
+  // What the key file holds where these pictures are there; empty where they cannot be read.
+  std::string record_of(std::size_t index) const {
+    Hash hash;
+    for (const std::string& file : picture_files(options_of(index))) {
+      const Result<std::string> bytes = read_file(file, std::uint64_t{1} << 40);
+      if (!bytes) {
+        return {};
+      }
+      hash.add(*bytes);
+    }
+    return fmt::format("scenefile frame 1\n{}\n{:x}\n", key_of(index), hash.value());
+  }
+
+  bool is_there(std::size_t index) const {
+    std::error_code ignored;
+    if (!std::filesystem::exists(name(index), ignored)) {
+      return false;
+    }
+    const Result<std::string> kept = read_file(key_file(name(index)), 1 << 16);
+    return kept && *kept == record_of(index);
+  }
+
+  Outcome skip() {
+    ++skipped_;
+    return {};
+  }
+
+  Outcome draw(std::size_t index) {
+    context_.phase = "tracing";
+    RenderScene& ready = scene_.ready.scene;
+    if (!traced_) {
+      traced_.emplace(ready, scene_.assets, TraceSceneOptions{.threads = options_.render.threads});
+    }
+    ready.camera = ready_camera(motion_.cameras[index]);
+    ProgressBar bar(!options_.quiet && !options_.json && wants_progress());
+    const double frames = range_.last - range_.first + 1;
+    const double before = static_cast<double>(index) + 1 - range_.first;
+    const Progress progress = [&](double done) {
+      bar.update((before + done) / frames);
+      return DeferredSignals::pending() == 0;
+    };
+    const RenderResult result =
+        render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
+    Outcome outcome = judge(result.status, context_);
+    if (outcome.error.empty()) {
+      outcome = write_pictures(options_of(index), result, context_);
+    }
+    if (outcome.error.empty()) {
+      outcome = outcome_of(write_file(key_file(name(index)), record_of(index)));
+      ++drawn_;
+    }
+    return outcome;
+  }
+
+  // The scene as a file, with the camera of the frame.
+  Outcome write_scene_of(std::size_t index) {
+    context_.phase = "writing a scene";
+    const std::string path = frame_name(options_.write_scenes, index + 1);
+    LoadedScene scene;
+    scene.path = scene_.path;
+    scene.written = scene_.written;
+    scene.diagnostics = Diagnostics(options_.load.limits);
+    scene.written.camera = motion_.cameras[index];
+    carry_files(scene, path, options_);
+    const bool json = path.ends_with(".json");
+    const std::string text = write_scene(scene.written, json ? SceneFormat::json : SceneFormat::xml,
+                                         options_.load.limits, scene.diagnostics);
+    if (scene.diagnostics.has_errors()) {
+      return {ExitCode::findings,
+              fmt::format("{}: the scene cannot be written in this format", escaped(path, 400))};
+    }
+    return outcome_of(write_file(path, text));
+  }
+
+  Outcome make_video() {
+    context_.phase = "making the video";
+    for (std::size_t i = 0; i < motion_.cameras.size(); ++i) {
+      if (!is_there(i)) {
+        return {ExitCode::findings,
+                fmt::format("--video: frame {} of {} is not there yet; without --range all are "
+                            "drawn",
+                            i + 1, motion_.cameras.size())};
+      }
+    }
+    // Under another name until it is whole.
+    const std::string unfinished =
+        fmt::format("{}/.unfinished-{}", folder_of(options_.video), file_name_of(options_.video));
+    std::vector<std::string> words{
+        "ffmpeg",        "-y", "-loglevel", "error",  "-framerate", fmt::format("{}", motion_.fps),
+        "-start_number", "1",  "-f",        "image2", "-i",         options_.output};
+    if (!options_.video.ends_with(".gif")) {
+      // What players want: even sizes, and colors at half the resolution.
+      words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
+    }
+    words.push_back(unfinished);
+    Outcome outcome = outcome_of(run_child(words));
+    std::error_code error;
+    if (outcome.error.empty()) {
+      std::filesystem::rename(unfinished, options_.video, error);
+      return error ? Outcome{ExitCode::environment, error.message()} : Outcome();
+    }
+    std::filesystem::remove(unfinished, error);
+    return outcome;
+  }
+
+  const Options& options_;
+  LoadedScene& scene_;
+  const Motion& motion_;
+  Context& context_;
+  std::string key_;
+  FrameRange range_;
+  std::optional<TraceScene> traced_;
+  int drawn_ = 0;
+  int skipped_ = 0;
+};
+
+Outcome check_layers(const Options& options, const LoadedScene& scene) {
+  for (const Layer& layer : options.render.layers) {
+    if (layer.kind == LayerKind::light && layer.light >= scene.ready.scene.lights.size()) {
+      return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
+                                           layer_name(layer), scene.ready.scene.lights.size())};
+    }
+  }
+  return {};
+}
+
+Outcome make_motion(const Options& options, const LoadedScene& scene, Motion& motion) {
+  const Camera camera = scene.written.camera.value_or(Camera{});
+  Outcome outcome;
+  if (options.turntable) {
+    motion = turntable(options, scene, camera);
+  } else {
+    outcome = read_path(options, camera, motion);
+  }
+  if (outcome.error.empty()) {
+    outcome = check_cameras(motion, options.load.limits);
+  }
+  if (outcome.error.empty() && options.range &&
+      options.range->last > static_cast<int>(motion.cameras.size())) {
+    outcome = {ExitCode::usage, fmt::format("--range: there are {} frames, not {}",
+                                            motion.cameras.size(), options.range->last)};
+  }
+  return outcome.error.empty() ? check_layers(options, scene) : outcome;
+}
+
+}  // namespace
+
+ExitCode run_frames(const Options& options, Context& context) {
+  const Clock::time_point start = Clock::now();
+  if (!options.video.empty() && !has_program("ffmpeg")) {
+    say_error("--video: ffmpeg is not installed, or not in PATH");
+    return ExitCode::environment;
+  }
+  std::vector<std::string> targets;
+  for (const std::string* const pattern : {&options.output, &options.write_scenes}) {
+    if (!pattern->empty()) {
+      targets.push_back(frame_name(*pattern, 1));
+    }
+  }
+  if (!options.video.empty()) {
+    targets.push_back(options.video);
+  }
+  for (const std::string& target : targets) {
+    if (const Result<void> writable = check_writable(target); !writable) {
+      say_error(writable.error().text);
+      return ExitCode::environment;
+    }
+  }
+  LoadedScene scene = load_for_tracing(options, context);
+  if (!options.json) {
+    say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                      wants_color(Stream::chatter)));
+  }
+  Outcome outcome{status_of(scene), {}};
+  Motion motion;
+  if (outcome.status == ExitCode::fine) {
+    outcome = make_motion(options, scene, motion);
+  } else {
+    outcome.error = "the scene cannot be used";
+  }
+  int drawn = 0;
+  int skipped = 0;
+  if (outcome.status == ExitCode::fine) {
+    Frames frames(options, scene, motion, context);
+    outcome = frames.run();
+    drawn = frames.drawn();
+    skipped = frames.skipped();
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (options.json) {
+    Json json;
+    begin_document(json, "frames");
+    json.key("scene");
+    add_scene(json, scene);
+    json.add("output", options.output);
+    json.add("frames", motion.cameras.size());
+    json.add("fps", motion.fps);
+    json.add("drawn", drawn);
+    json.add("skipped", skipped);
+    if (!outcome.error.empty()) {
+      json.add("error", outcome.error);
+    }
+    json.add("seconds", seconds);
+    json.end_object();
+    return worse(outcome.status, answer(json.text()));
+  }
+  if (status_of(scene) == ExitCode::fine && !outcome.error.empty()) {
+    say_error(outcome.error);
+  }
+  if (outcome.status == ExitCode::fine && !options.quiet) {
+    say_afterwards([&] {
+      return fmt::format("{}: {} frames drawn, {} skipped, of {}; {:.2f} s\n",
+                         escaped(options.output.empty() ? options.write_scenes : options.output),
+                         drawn, skipped, motion.cameras.size(), seconds);
+    });
+  }
+  return outcome.status;
+}
+
+}  // namespace scenefile::app

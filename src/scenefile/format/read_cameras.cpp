@@ -1,0 +1,218 @@
+#include "scenefile/format/read_cameras.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/json_parser.h"
+#include "scenefile/format/text_places.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t most_views = 100000;
+constexpr double most_seconds = 1e6;
+constexpr double most_fps = 1000;
+
+constexpr std::array scalars{std::pair("heightAngle", &Camera::height_angle_deg),
+                             std::pair("aperture", &Camera::aperture),
+                             std::pair("focalLength", &Camera::focal_length)};
+
+class Reader {
+ public:
+  Reader(std::string_view text, const Camera& camera, const Limits& limits)
+      : text_(text), limits_(limits), camera_(camera) {}
+
+  Result<CameraPath> read() {
+    const JsonError fault = parse_json(text_, limits_.nesting, tape_);
+    if (fault.fault != JsonFault::none) {
+      return error_at(fault.offset, "the text is not JSON from here on");
+    }
+    if (!tape_.is_object(0)) {
+      return error(0, "expected an object with the key \"views\"");
+    }
+    const bool good = for_each_member(0, [&](const std::string& key, JsonIndex k, JsonIndex value) {
+      if (key == "fps") {
+        double fps = 0;
+        const bool read = number(value, 1e-3, most_fps, fps);
+        path_.fps = fps;
+        return read;
+      }
+      return key == "views" ? views(value) : unknown(k, key, "fps or views");
+    });
+    if (!good) {
+      return error_;
+    }
+    if (path_.views.empty()) {
+      return error(0, "there are no views");
+    }
+    return std::move(path_);
+  }
+
+ private:
+  Error error_at(std::size_t offset, std::string_view what) {
+    const Location place = TextPlaces(text_).at(offset);
+    return {fmt::format("{}:{}: {}", place.line, place.column, what), ErrorKind::input};
+  }
+  Error error(JsonIndex item, std::string_view what) {
+    return error_at(tape_.items[item].offset, what);
+  }
+  bool fail(JsonIndex item, std::string_view what) {
+    error_ = error(item, what);
+    return false;
+  }
+  bool unknown(JsonIndex key, const std::string& found, std::string_view known) {
+    return fail(key, fmt::format("unknown key {}; known: {}", quoted(found), known));
+  }
+
+  bool for_each_member(
+      JsonIndex object,
+      const std::function<bool(const std::string&, JsonIndex, JsonIndex)>& member) {
+    for (JsonIndex key = object + 1; key < tape_.end(object); key = tape_.end(key + 1)) {
+      if (!member(tape_.string(key), key, key + 1)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool number(JsonIndex item, double least, double most, double& value) {
+    const ParsedNumber parsed =
+        tape_.is_number(item) ? parse_number(tape_.raw(item)) : ParsedNumber{};
+    value = parsed.value;
+    if (!tape_.is_number(item) || parsed.error != NumberError::none || value < least ||
+        value > most) {
+      return fail(item, fmt::format("expected a number from {:g} to {:g}", least, most));
+    }
+    return true;
+  }
+
+  bool vector(JsonIndex item, glm::vec3& value) {
+    int count = 0;
+    if (tape_.is_array(item)) {
+      for (JsonIndex i = item + 1; i < tape_.end(item) && count < 4; i = tape_.end(i), ++count) {
+        double x = 0;
+        if (!number(i, -1e30, 1e30, x)) {
+          return false;
+        }
+        if (count < 3) {
+          value[count] = static_cast<float>(x);
+        }
+      }
+    }
+    return count == 3 || fail(item, "expected three numbers such as [0, 1, 0]");
+  }
+
+  bool views(JsonIndex array) {
+    if (!tape_.is_array(array)) {
+      return fail(array, "expected a list of views");
+    }
+    for (JsonIndex item = array + 1; item < tape_.end(array); item = tape_.end(item)) {
+      if (path_.views.size() == most_views) {
+        return fail(item, fmt::format("there are more than {} views", most_views));
+      }
+      if (!tape_.is_object(item)) {
+        return fail(item, "expected a view, an object");
+      }
+      if (!view(item)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool view(JsonIndex item) {
+    const bool first = path_.views.empty();
+    CameraView view = first ? CameraView{0, camera_, {}} : path_.views.back();
+    const double before = view.time;
+    view.time += first ? 0 : 1;
+    bool has_look = false;
+    bool has_focus = false;
+    const bool good = for_each_member(item, [&](const std::string& key, JsonIndex k, JsonIndex v) {
+      for (const auto& [name, member] : scalars) {
+        if (key == name) {
+          double x = 0;
+          const bool read = number(v, 0, 1e30, x);
+          view.camera.*member = static_cast<float>(x);
+          return read;
+        }
+      }
+      if (key == "time") {
+        return number(v, 0, most_seconds, view.time);
+      }
+      if (key == "position") {
+        return vector(v, view.camera.position);
+      }
+      if (key == "up") {
+        return vector(v, view.camera.up);
+      }
+      if (key == "look") {
+        has_look = true;
+        return vector(v, view.camera.look);
+      }
+      if (key == "focus") {
+        has_focus = true;
+        return vector(v, view.focus.emplace());
+      }
+      return unknown(k, key,
+                     "time, position, look, focus, up, heightAngle, aperture and focalLength");
+    });
+    if (!good) {
+      return false;
+    }
+    if (has_look && has_focus) {
+      return fail(item, "a view has either look, a direction, or focus, a point");
+    }
+    if (has_look) {
+      view.focus.reset();
+    }
+    if (view.focus) {
+      view.camera.look = *view.focus - view.camera.position;
+    }
+    if (!first && view.time <= before) {
+      return fail(item, fmt::format("the time {} is not after that of the view before, {}",
+                                    view.time, before));
+    }
+    path_.views.push_back(view);
+    return true;
+  }
+
+  std::string_view text_;
+  const Limits& limits_;
+  Camera camera_;
+  JsonTape tape_;
+  CameraPath path_;
+  Error error_;
+};
+
+}  // namespace
+
+Result<CameraPath> read_cameras(std::string_view text, const Camera& camera, const Limits& limits) {
+  return Reader(text, camera, limits).read();
+}
+
+std::string write_cameras(const CameraPath& path) {
+  const auto vector = [](const glm::vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
+  std::string text = "{\n";
+  if (path.fps) {
+    text += fmt::format("  \"fps\": {},\n", *path.fps);
+  }
+  text += "  \"views\": [\n";
+  for (const CameraView& view : path.views) {
+    const Camera& camera = view.camera;
+    text += fmt::format(
+        "    {{\"time\": {}, \"position\": {}, \"{}\": {}, \"up\": {}, \"heightAngle\": {}, "
+        "\"aperture\": {}, \"focalLength\": {}}}{}\n",
+        view.time, vector(camera.position), view.focus ? "focus" : "look",
+        vector(view.focus ? *view.focus : camera.look), vector(camera.up), camera.height_angle_deg,
+        camera.aperture, camera.focal_length, &view == &path.views.back() ? "" : ",");
+  }
+  return text + "  ]\n}\n";
+}
+
+}  // namespace scenefile

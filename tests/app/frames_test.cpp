@@ -1,0 +1,120 @@
+// Pictures by a camera that moves.
+
+#include "app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+namespace {
+
+using namespace testing_support;
+using ::testing::HasSubstr;
+
+using Words = std::vector<std::string>;
+
+constexpr const char* path_of_views = R"({"fps": 2, "views": [
+  {"time": 0, "position": [0, 1, 5], "focus": [0, 0, 0], "up": [0, 1, 0]},
+  {"time": 1, "position": [4, 1, 3], "heightAngle": 30},
+  {"time": 2.5, "position": [4, 2, -3], "look": [-4, -2, 3]}]})";
+
+struct FramesTest : ::testing::Test {
+  FramesTest() {
+    folder.write("scene.xml", good_scene);
+    folder.write("views.json", path_of_views);
+  }
+
+  ProgramRun run(const Words& words) const { return run_program(words, {.folder = folder.path()}); }
+  ProgramRun frames(Words more) const {
+    more.insert(more.begin(), {"frames", "scene.xml", "--size", "32x24"});
+    return run(more);
+  }
+  std::string render(const std::string& scene) const {
+    EXPECT_EQ(run({"render", scene, "-o", "one.png", "--size", "32x24"}).status, 0);
+    return folder.read("one.png");
+  }
+
+  TempFolder folder;
+};
+
+TEST_F(FramesTest, AreRendersOfTheirScenes) {
+  struct Case {
+    Words motion;
+    std::string scenes;
+    int count;
+  };
+  for (const auto& [motion, scenes, count] : {Case{{"--turntable", "5"}, "s%02d.xml", 5},
+                                              Case{{"--path", "views.json"}, "s%02d.json", 6}}) {
+    Words words{"-o", "f%02d.png", "--write-scenes", scenes};
+    words.insert(words.end(), motion.begin(), motion.end());
+    const ProgramRun drawn = frames(words);
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    std::string before;
+    for (int number = 1; number <= count; ++number) {
+      const std::string digits = std::string("0").append(std::to_string(number));
+      const std::string frame = folder.read("f" + digits + ".png");
+      EXPECT_TRUE(frame == render("s" + digits + scenes.substr(5))) << digits;
+      EXPECT_FALSE(frame == before);
+      before = frame;
+    }
+    EXPECT_FALSE(std::filesystem::exists(
+        folder.path(std::string("f0").append(std::to_string(count + 1)) + ".png")));
+  }
+}
+
+TEST_F(FramesTest, TheFirstOfATurnIsTheCameraOfTheFile) {
+  ASSERT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
+  EXPECT_TRUE(folder.read("f1.png") == render("scene.xml"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("f2.png")));
+}
+
+TEST_F(FramesTest, WhatIsThereIsSkipped) {
+  const Words words{"--turntable", "3", "-o", "f%d.png", "--json"};
+  const auto counts = [&] {
+    const rapidjson::Document answer = parse_json(frames(words).out);
+    return std::pair(answer["drawn"].GetInt(), answer["skipped"].GetInt());
+  };
+  EXPECT_EQ(counts(), std::pair(3, 0));
+  const std::string second = folder.read("f2.png");
+  EXPECT_EQ(counts(), std::pair(0, 3));
+  folder.write("f2.png", second.substr(0, 90));  // damaged
+  std::filesystem::remove(folder.path("f3.png"));
+  EXPECT_EQ(counts(), std::pair(2, 1));
+  EXPECT_TRUE(folder.read("f2.png") == second);
+  folder.write("scene.xml", std::string(good_scene) + "\n");
+  EXPECT_EQ(counts(), std::pair(3, 0));
+}
+
+TEST_F(FramesTest, WrongUseIsSaidAtOnce) {
+  EXPECT_EQ(frames({"-o", "f%d.png"}).status, 2);
+  EXPECT_EQ(frames({"-o", "f%d.png", "--turntable", "3", "--path", "views.json"}).status, 2);
+  EXPECT_EQ(frames({"--turntable", "3"}).status, 2);
+  for (const char* const pattern : {"f.png", "f%s.png", "f%d%d.png", "f%4d.png", "f%d.jpg"}) {
+    EXPECT_EQ(frames({"--turntable", "3", "-o", pattern}).status, 2) << pattern;
+  }
+  EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "2:4"}).status, 2);
+  EXPECT_EQ(frames({"--path", "none.json", "-o", "f%d.png"}).status, 3);
+}
+
+TEST_F(FramesTest, MistakesOfAPathHaveAPlace) {
+  const auto complaint = [&](const std::string& text) {
+    folder.write("views.json", text);
+    const ProgramRun refused = frames({"--path", "views.json", "-o", "f%d.png"});
+    EXPECT_EQ(refused.status, 1) << text;
+    return refused.err;
+  };
+  EXPECT_THAT(complaint("{\"views\": [\n{\"places\": 1}]}"), HasSubstr("views.json:2:2: unknown"));
+  EXPECT_THAT(complaint(R"({"views": [{"time": 2}, {"time": 2}]})"), HasSubstr("not after"));
+  EXPECT_THAT(complaint(R"({"views": []})"), HasSubstr("no views"));
+  EXPECT_THAT(complaint(R"({"views": [{"position": [1, 2]}]})"), HasSubstr("three numbers"));
+  EXPECT_THAT(complaint("views"), HasSubstr("views.json:1:1"));
+  EXPECT_THAT(complaint(R"({"views": [{"look": [0, 1, 0], "up": [0, 1, 0]}]})"),
+              HasSubstr("frame 1: "));
+}
+
+}  // namespace
+}  // namespace scenefile

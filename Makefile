@@ -176,8 +176,17 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 	@tests/faults/sweep.py $(BUILD)/scenefile $(BUILD)/tests/faults/libscenefile_fail_call.so
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
+.PHONY: partitions slurm-test
+partitions: ## SCENES="...": 200 pictures in random parts, 50 killed workers and merges; all merge to the same bytes
+	@$(MAKE) $(QUIET) build
+	@tests/many-machines/partitions.py $(BUILD)/scenefile $(or $(SCENES),$(wildcard scenes/*.xml)) --partitions $(or $(PARTITIONS),200) --kills $(or $(KILLS),50)
+slurm-test: ## a real Slurm cluster of two nodes on this machine, one of which is killed (needs root)
+	@scripts/install-deps slurm
+	@$(MAKE) $(QUIET) build
+	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 320x240
+
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, coverage, fuzzing
+ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
 	@$(MAKE) $(QUIET) docs-test
@@ -188,6 +197,8 @@ ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, fail
 	@$(MAKE) $(QUIET) asan
 	@$(MAKE) $(QUIET) tsan
 	@$(MAKE) $(QUIET) faults
+	@$(MAKE) $(QUIET) partitions
+	@$(MAKE) $(QUIET) slurm-test
 	@$(MAKE) $(QUIET) coverage
 	@$(MAKE) $(QUIET) fuzz SECONDS=60
 

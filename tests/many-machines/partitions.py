@@ -61,8 +61,9 @@ def some_options():
 
 
 def files_of(folder):
+    """All but what a killed program leaves under a temporary name, hidden."""
     return {name: open(os.path.join(folder, name), "rb").read() for name in sorted(os.listdir(folder))
-            if os.path.isfile(os.path.join(folder, name))}
+            if os.path.isfile(os.path.join(folder, name)) and not name.endswith(".tmp")}
 
 
 def part_words(scene, number, count, options):

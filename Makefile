@@ -235,6 +235,7 @@ bench: bench-build ## CPU time and memory of renders and their parts, against PO
 docs: build ## build the documentation site: out/site/index.html
 	@scripts/install-deps docs
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
+	@scripts/library-reference
 	@mkdocs build --quiet
 	@echo "The site is in out/site."
 

@@ -23,13 +23,13 @@ std::uint64_t fingerprint(std::string_view bytes) {
   return hash.value();
 }
 
-// The version says too little while a program is being worked on; its bytes say all.
+// The contents of the program, because the version does not change during development.
 std::uint64_t program_fingerprint() {
   const Result<std::string> bytes = read_file("/proc/self/exe", std::uint64_t{1} << 30);
   return fingerprint(SCENEFILE_VERSION + (bytes ? *bytes : std::string()));
 }
 
-// Everything on the command line that changes a pixel.
+// Everything on the command line that affects pixels.
 std::uint64_t options_fingerprint(const Options& options) {
   std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
                                  options.load.compat_course, options.load.allow_missing);
@@ -45,7 +45,7 @@ std::uint64_t options_fingerprint(const Options& options) {
   return fingerprint(text);
 }
 
-// More than the state of such a picture can have.
+// An upper bound for the state of such a picture.
 std::uint64_t most_bytes(const Options& options) {
   return std::uint64_t(options.render.width) * std::uint64_t(options.render.height) * 16 +
          (1u << 20);

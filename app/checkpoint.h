@@ -1,5 +1,5 @@
 #pragma once
-// --checkpoint: the state of a render in a file.
+// --checkpoint: saves the state of a render in a file.
 
 #include "app/load.h"
 #include "scenefile/io/checkpoint.h"
@@ -12,12 +12,12 @@ namespace scenefile::app {
 /// What the picture is drawn from that these options ask for.
 CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene);
 
-/// Reads options.checkpoint, if it is there, into checkpoints.resume, and makes checkpoints.save
-/// write it. A write that fails is said once and does not end the render. A file that is there and
-/// no good is an error.
+/// Reads options.checkpoint, if it exists, into checkpoints.resume, and makes checkpoints.save
+/// write it. A failed write is reported once and does not stop the render. An existing file that
+/// cannot be used is an error.
 Outcome open_checkpoint(const Options& options, const LoadedScene& scene, Checkpoints& checkpoints);
 
-/// Removes the file: the work is done.
+/// Removes the file after the work is done.
 void remove_checkpoint(const Options& options);
 
 }  // namespace scenefile::app

@@ -1,5 +1,5 @@
 #pragma once
-// What a command of the program is.
+// The commands of the program.
 
 #include "app/options.h"
 
@@ -10,28 +10,28 @@
 
 namespace scenefile::app {
 
-/// The exit status. With several inputs the first of these that occurs, from the top.
+/// The exit status. With several inputs, the first of these that occurs, in this order.
 enum class ExitCode : int {
   interrupted = 130,  ///< by SIGINT
   terminated = 143,   ///< by SIGTERM
-  environment = 3,    ///< something cannot be read or written, or memory ran out
+  environment = 3,    ///< something cannot be read or written, or out of memory
   limit = 4,          ///< the input is larger than the limits allow
   findings = 1,       ///< errors in the input
   usage = 2,
   fine = 0,
 };
 
-/// The one that goes first in the list.
+/// The one that comes first in the enumeration.
 ExitCode worse(ExitCode a, ExitCode b);
 
-/// What the program is doing, for the message should memory run out.
+/// What the program is doing, for the message if memory runs out.
 struct Context {
   std::string_view phase = "starting";  ///< static text
   std::uint64_t max_memory = 0;         ///< by --max-memory, in bytes; 0: not given
-  char* const* command_line = nullptr;  ///< as main() got it, for another program in this place
+  char* const* command_line = nullptr;  ///< as passed to main(), to replace the program by another
 };
 
-/// How many arguments a command takes.
+/// The number of arguments of a command.
 struct ArgumentCount {
   std::size_t fewest = 1;
   std::size_t most = 1;
@@ -40,7 +40,7 @@ inline constexpr ArgumentCount at_most_one{0, 1};
 inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
 inline constexpr ArgumentCount one_or_two{1, 2};
 inline constexpr ArgumentCount two{2, 2};
-/// Says that memory ran out, without needing any. A limit, where one was asked for.
+/// Reports that memory ran out, without allocating. ExitCode::limit if the limit was explicit.
 ExitCode out_of_memory(const Context& context);
 
 struct Command {

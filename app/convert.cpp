@@ -30,7 +30,7 @@ std::string_view format_name(ConvertTo format) {
   return names[static_cast<std::size_t>(format)];
 }
 
-// What would make the work useless, found before it starts.
+// Detects reasons for failure before the work starts.
 ExitCode check_target(const std::string& input, const std::string& output) {
   if (same_file(input, output)) {
     say_error("the output would replace the scene; choose another name");
@@ -43,7 +43,8 @@ ExitCode check_target(const std::string& input, const std::string& output) {
   return ExitCode::fine;
 }
 
-// Notes of the reader are no news to one who converts; those of the writer say what it changed.
+// Drops notes of the reader, which do not matter for conversion; those of the writer say what it
+// changed.
 void drop_notes(Diagnostics& diagnostics) {
   diagnostics.rewrite([](const Code&, Severity severity) {
     return severity == Severity::note ? std::nullopt : std::optional(severity);
@@ -54,7 +55,7 @@ SceneFormat scene_format(ConvertTo format) {
   return format == ConvertTo::json ? SceneFormat::json : SceneFormat::xml;
 }
 
-// A model becomes several files in a folder.
+// A model becomes several files, so the output must be a scene.
 ExitCode check_model_target(const ConvertReport& report) {
   if (report.format != ConvertTo::xml && report.format != ConvertTo::json) {
     say_error("a model becomes a scene, .xml or .json; convert that into another format");
@@ -85,7 +86,7 @@ std::string write_scene_file(LoadedScene& scene, const Options& options, Context
                      scene.diagnostics);
 }
 
-// POV-Ray opens the textures itself, so it is told where they were found.
+// POV-Ray opens the textures itself, so it needs the paths where they were found.
 std::string write_pov_file(LoadedScene& scene, const Options& options, Context& context) {
   std::vector<std::string> textures;
   for (const AssetFile& file : locate_files(scene, options)) {
@@ -129,7 +130,7 @@ std::string write_obj_file(LoadedScene& scene, const Options& options,
   return std::move(obj.obj);
 }
 
-// `files`: what lies beside the output.
+// `files`: written next to the output.
 std::string convert(LoadedScene& scene, const Options& options, std::vector<ImportedFile>& files,
                     Context& context) {
   drop_notes(scene.diagnostics);
@@ -157,7 +158,7 @@ std::vector<std::string> files_of(const LoadedScene& scene, const Options& optio
   return paths;
 }
 
-// What the format needs of the scene's files.
+// Which assets the format needs.
 LoadDepth depth_for(ConvertTo format) {
   switch (format) {
     case ConvertTo::xml:
@@ -179,7 +180,7 @@ std::string summary_text(const ConvertReport& report) {
                      format_name(report.format), report.bytes);
 }
 
-// A verdict only where there is something to judge.
+// Prints a verdict only if there are findings.
 std::string findings_of(const LoadedScene& scene, bool quiet) {
   const bool color = wants_color(Stream::chatter);
   if (quiet || status_of(scene) != ExitCode::fine) {

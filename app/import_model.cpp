@@ -23,7 +23,7 @@ std::string extension_of(const std::string& path) {
 
 }  // namespace
 
-// What the names of the files begin with: no blanks, which OBJ files cannot have in names.
+// The prefix of file names, without blanks, which names in OBJ files cannot have.
 std::string file_stem(const std::string& output) {
   std::string stem = std::filesystem::path(output).stem().string().substr(0, 100);
   std::replace_if(

@@ -1,5 +1,5 @@
 #pragma once
-// Models of other programs as scenes.
+// Imports models of other programs as scenes.
 
 #include "app/load.h"
 #include "scenefile/import/imported_scene.h"
@@ -9,10 +9,10 @@
 
 namespace scenefile::app {
 
-/// Whether the name says that the file is a model: .glb, .gltf or .obj.
+/// Whether the path has the extension of a model: .glb, .gltf or .obj.
 bool is_model(const std::string& path);
 
-/// What the names of files beside `output` begin with.
+/// The prefix for names of files next to `output`.
 std::string file_stem(const std::string& output);
 
 /// Reads and checks the model. `files` are those that the scene needs beside it, with names that

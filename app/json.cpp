@@ -122,7 +122,7 @@ void add_command(Json& json, const Command& command) {
 
 namespace {
 
-// Which number in the layer object-id stands for which object.
+// The numbers of objects in the layer object-id.
 void add_object_ids(Json& json, const LoadedScene& scene) {
   json.begin_array("objects");
   const ObjectNames names(scene.written, scene.ready.sources);

@@ -1,5 +1,5 @@
 #pragma once
-// The answers of the commands as JSON documents.
+// The JSON output of the commands.
 
 #include "app/gl_picture.h"
 #include "app/option_table.h"
@@ -23,43 +23,43 @@ struct PartReport {
   bool skipped = false;  ///< its file was there
 };
 
-/// What a render came to.
+/// The result of a render.
 struct RenderReport {
   RenderOptions options;
   std::string output;
-  std::string error;   ///< empty: the picture was written
-  double seconds = 0;  ///< wall time of everything
+  std::string error;   ///< empty: success
+  double seconds = 0;  ///< total wall time
   RenderStats stats;
-  GlReport gl;  ///< of --engine gl
+  GlReport gl;  ///< for --engine gl
   std::optional<RealtimeReport> realtime;
   std::optional<PartReport> part;
 };
 std::string render_json(const LoadedScene& scene, const RenderReport& report);
 
-/// What info found.
+/// The result of info.
 struct InfoReport {
   SceneSummary summary;
-  std::optional<Bounds> bounds;  ///< none: nothing is drawn
+  std::optional<Bounds> bounds;  ///< nullopt: nothing is drawn
   std::vector<AssetFile> files;
-  std::string tree;  ///< empty: not asked for
+  std::string tree;  ///< empty: not requested
   std::optional<RealtimeReport> realtime;
 };
 std::string info_json(const LoadedScene& scene, const InfoReport* report);
 
-/// What a conversion came to.
+/// The result of a conversion.
 struct ConvertReport {
   std::string output;
   ConvertTo format = ConvertTo::xml;
-  std::string error = {};  ///< empty: the scene was written
+  std::string error = {};  ///< empty: success
   std::size_t bytes = 0;
 };
 std::string convert_json(const LoadedScene& scene, const ConvertReport& report);
 
-/// What became of one file.
+/// The result of formatting a file.
 struct FormatReport {
   std::string scene;  ///< text of scene_json()
   bool changed = false;
-  std::string error = {};  ///< empty: it was written, where it had to be
+  std::string error = {};  ///< empty: success
 };
 std::string format_json(const std::vector<FormatReport>& files, bool check);
 

@@ -1,5 +1,5 @@
 #pragma once
-// All options in one table, from which both the parser and the help are made.
+// The table of all options, used by the parser and the help.
 
 #include "app/options.h"
 
@@ -22,7 +22,7 @@ inline constexpr unsigned for_grade = 512;
 inline constexpr unsigned for_view = 1024;
 inline constexpr unsigned for_merge = 2048;
 inline constexpr unsigned for_frames = 4096;
-/// Pictures against pictures.
+/// Commands that compare pictures.
 inline constexpr unsigned for_pictures = for_diff | for_grade;
 /// Options of the tracer.
 inline constexpr unsigned for_tracing = for_render | for_explain | for_frames;
@@ -35,24 +35,24 @@ struct OptionRow {
   std::string_view letter;  ///< "-o", or empty
   std::string_view value;   ///< "WxH"; empty: a flag
   std::string_view help;
-  unsigned commands;  ///< for_... bits
-  /// Takes the value over. Returns what is wrong with it, in words that follow "--name: ".
+  unsigned commands;  ///< a combination of for_... bits
+  /// Parses the value. Returns an error text, in words that follow "--name: "; empty on success.
   std::string (*set)(Options& options, const std::string& value);
-  /// The field of RenderOptions that it sets, which says which engines and profiles know it
-  /// (visit_options.h); empty: `known` says so.
+  /// The field of RenderOptions that it sets, which determines the engines and profiles that know
+  /// it (visit_options.h); if empty, `known` does.
   std::string_view field = {};
   KnownTo known = known_to_all;
-  bool sets_defaults = false;  ///< of other options: it is taken over before them
+  bool sets_defaults = false;  ///< affects the defaults of other options, so it is parsed first
 };
 
 /// In the order of the help.
 std::span<const OptionRow> option_table();
 
-/// The words that the option takes, one or, where its value is LIST, several separated by commas;
-/// empty where its value is free.
+/// The accepted words: one, or if the value is LIST, several separated by commas; empty if the
+/// value is not a word.
 std::span<const std::string_view> words_of(const OptionRow& row);
 
-/// `; did you mean "word"?` for the known word nearest to this one, or nothing.
+/// `; did you mean "word"?` for the nearest known word, or empty.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace scenefile::app

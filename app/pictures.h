@@ -1,5 +1,5 @@
 #pragma once
-// The files that a render leaves.
+// The output files of a render.
 
 #include "app/load.h"
 
@@ -8,24 +8,24 @@
 
 namespace scenefile::app {
 
-/// Their names: the output, and for a PNG one of each layer, x.png giving x.depth.png.
+/// The paths: the output, and for PNG one for each layer, such as x.depth.png for x.png.
 std::vector<std::string> picture_files(const Options& options);
 
-/// A black image, in large pages: to give out one in small pages takes the system as long as
-/// tracing a twentieth of a simple picture.
+/// A black image in large pages: allocating small pages takes the system as long as tracing a
+/// twentieth of a simple picture.
 Image canvas(int width, int height);
 
 /// "x.depth.png" of "x.png".
 std::string layer_file(const std::string& output, const Layer& layer);
 
-/// Writes them all.
+/// Writes all files.
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context);
 
-/// Writes one whose values are already those of 8-bit pixels.
+/// Writes a picture whose values are already multiples of 1/255.
 Outcome write_8bit_picture(const Options& options, const Image& image, Context& context);
 
-/// Writes pictures on the way to options.preview; does nothing where that is empty. A failure is
-/// said once and stops nothing.
+/// Writes intermediate pictures to options.preview; does nothing if that is empty. A failure is
+/// reported once and does not stop the render.
 Preview preview_of(const Options& options);
 
 }  // namespace scenefile::app

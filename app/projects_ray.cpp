@@ -73,7 +73,7 @@ void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) 
   }
 }
 
-// A scene in place of the configuration, by its name or its first character.
+// Whether a scene was given instead of a configuration, by its name or first character.
 bool is_scene(const LoadedScene& config) {
   const std::size_t first = config.text.find_first_not_of(" \t\r\n");
   const char start = first == std::string::npos ? ' ' : config.text[first];

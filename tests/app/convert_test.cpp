@@ -20,7 +20,7 @@ const std::string textured =
 struct Convert : ::testing::Test {
   TempFolder folder;
 
-  // The files are only looked for, not opened.
+  // The files must exist, but are not opened.
   void make_folder(const std::string& name) {
     std::filesystem::create_directory(folder.path(name));
   }
@@ -63,7 +63,7 @@ TEST_F(Convert, StandardStreamsNeedAFormat) {
   EXPECT_THAT(none.err, HasSubstr("does not say the format"));
 }
 
-// Each of the transforms takes a group of its own in JSON, inside the one before.
+// In JSON, each transform needs a separate nested group.
 TEST_F(Convert, ManyTransformsCostNoMoreThanTheyAre) {
   std::string moves;
   for (int i = 0; i < 50'000; ++i) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Calls that fail: each command, with each call of the system and each allocation failing in turn.
+"""Runs each command with each system call and each allocation failing in turn.
 
     sweep.py PROGRAM SHIM [--points N] [--only render,check] [--kinds memory,write] [--seed 1]
 
-SHIM is fail_call.c, built to be preloaded. A run counts the calls of a kind; then each of them (N of them when N is given) fails, once
-alone and once with all that follow. Every run must end by itself with status 0 and the good output, or with 1 to 4, a message,
-the output as it was before, and no other file.
+SHIM is fail_call.c, built for preloading. A first run counts the calls of a kind; then each of them
+(or N of them) fails, once alone and once with all later ones. Every run must end by itself: with
+status 0 and correct output, or with status 1 to 4, a message, the previous output, and no other file.
 """
 import argparse
 import os
@@ -47,7 +47,7 @@ SCENE = """<scenefile>
 """
 TRIANGLE = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n"
 
-# Name: words, and the file that is written.
+# Name: command line, and the file that it writes.
 COMMANDS = {
     "check": ("check scene.xml", None),
     "info": ("info scene.xml --files --tree", None),
@@ -84,7 +84,7 @@ def read(path):
 
 
 def run(folder, words, environment):
-    """The status (None: it hung), what went to standard output and what to standard error."""
+    """The status (None: it hung), standard output and standard error."""
     try:
         done = subprocess.run([args.program, *words.split()], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True,
                               timeout=SECONDS, env=dict(os.environ, **environment))
@@ -110,12 +110,12 @@ def make_inputs(folder):
 
 
 def old_output(output):
-    """What stands where the output will: format reads it, too."""
+    """The previous contents of the output file; format also reads them."""
     return SCENE.encode() if output == "out.xml" else OLD
 
 
 def judge(folder, output, good, result):
-    """What is wrong with a run."""
+    """What is wrong with a run, if anything."""
     status, said, complained = result
     listing = sorted(os.listdir(folder))
     now = read(folder + "/" + output) if output else None
@@ -125,7 +125,7 @@ def judge(folder, output, good, result):
         return "status %d" % status
     if b"terminate called" in complained:
         return "terminate called"
-    # A picture that cannot be read is a missing texture: a warning, and another picture.
+    # A texture that cannot be read is a warning, and gives a different picture.
     warned = b"warning" in complained or (said != good["said"] and b"warning" in said)
     if status == good["status"] and not warned and (said != good["said"] or now != good["output"]):
         return "status %d, but another output" % status

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// As the public driver writes them.
+// As written by the public driver.
 const std::string good =
     "[IO]\n"
     "\tscene = /scenes/test_unit/unit cone.xml\n"

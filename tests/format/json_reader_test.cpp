@@ -1,4 +1,4 @@
-// From JSON to a Scene.
+// Reading JSON into a Scene.
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
@@ -45,7 +45,7 @@ Reading read(std::string_view text, const ReadOptions& options = {}) {
   return reading;
 }
 
-// Lines of `rest` count from 4.
+// Line numbers of `rest` start at 4.
 Reading read_with_head(std::string_view rest) {
   return read(std::string(head) + std::string(rest) + "}");
 }

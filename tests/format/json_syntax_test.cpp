@@ -1,4 +1,4 @@
-// What the reader says about texts that are not JSON.
+// Messages about texts that are not valid JSON.
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
@@ -193,7 +193,7 @@ TEST(JsonSyntax, LargeFilesAreRefused) {
   EXPECT_EQ(diagnostics.list().front().code, &json_limit);
 }
 
-// A small scene with a value of every kind.
+// A small scene with a value of each kind.
 constexpr std::string_view good = R"({
   "name": "\u00e4 \\ \"", "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 5e-1,
   "specularCoeff": -0.0}, "cameraData": {"position": [0, 0, 5], "up": [0, 1, 0],

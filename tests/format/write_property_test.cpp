@@ -1,5 +1,5 @@
-// Laws of the writers: what is written reads back without a word as the same meaning, and what the
-// format can say as it stands, as the same scene.
+// Laws of the writers: the output is read without warnings as a scene with the same meaning; if the
+// format can represent a scene directly, as the same scene.
 
 #include "format/write_random_scene.h"
 #include "scenefile/format/codes.h"
@@ -30,7 +30,7 @@ Scene any_scene(bool moved_area_lights = true) {
   for (const Diagnostic& d : diagnostics.list()) {
     RC_LOG() << d.message << "\n";
   }
-  RC_PRE(!diagnostics.has_errors());  // more lights than the limit, once in a while
+  RC_PRE(!diagnostics.has_errors());  // occasionally more lights than the limit
   return scene;
 }
 
@@ -96,7 +96,7 @@ RC_GTEST_PROP(WriteLaws, MeaningIsKept, ()) {
   }
 }
 
-// What XML cannot say of an area light is warned of, and nothing else differs.
+// What XML cannot represent of an area light is reported, and nothing else differs.
 RC_GTEST_PROP(WriteLaws, AreaLightsMeanTheSameOrAreNamed, ()) {
   const Scene scene = any_scene();
   Diagnostics diagnostics;
@@ -123,7 +123,7 @@ Transform even_transform(int kind) {
   }
 }
 
-// Groups that move, turn about the vertical and scale evenly leave a light that XML can say.
+// With translations, rotations about the vertical and uniform scales, XML can represent the light.
 RC_GTEST_PROP(WriteLaws, AreaLightsInEvenGroupsMeanTheSame, ()) {
   Scene scene = any_scene(false);
   scene.nodes[scene.root].transforms.clear();

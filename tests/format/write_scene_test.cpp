@@ -1,4 +1,4 @@
-// What the writers write, and what they have to say.
+// The output and the findings of the writers.
 
 #include "scenefile/format/write_scene.h"
 
@@ -55,7 +55,7 @@ Light light(LightType type) {
   return result;
 }
 
-// A camera, a light and a cube, which both formats say without a word.
+// A camera, a light and a cube, which both formats represent without a note.
 Scene plain_scene() {
   Scene scene;
   scene.camera.emplace();
@@ -64,7 +64,7 @@ Scene plain_scene() {
   return scene;
 }
 
-// Every kind of thing once.
+// Everything once.
 Scene example() {
   Scene scene;
   scene.name = "desk";
@@ -366,7 +366,7 @@ TEST(WriteScene, TemplatesThatContainThemselvesEnd) {
   }
 }
 
-// A change to plain_scene() that gives a code, and one that nearly does.
+// A change to plain_scene() that causes a code, and a similar one that does not.
 struct CodeCase {
   const Code& code;
   SceneFormat format;

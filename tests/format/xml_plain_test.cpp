@@ -1,4 +1,4 @@
-// The reader of plain XML says what Expat says, or nothing.
+// The fast reader of simple XML agrees with Expat, or gives up.
 
 #include "format/write_random_scene.h"
 #include "scenefile/format/write_scene.h"
@@ -101,7 +101,7 @@ RC_GTEST_PROP(XmlPlainLaws, WrittenScenesArePlain, ()) {
   RC_CLASSIFY(end_of(text) == PlainEnd::complete);
 }
 
-// With pieces of markup in the wrong places, and with limits that are narrow.
+// With pieces of markup in wrong places, and with low limits.
 RC_GTEST_PROP(XmlPlainLaws, WhatItSaysIsWhatExpatSays, ()) {
   const auto piece = rc::gen::element<std::string>(
       "<a>", "</a>", "<a/>", "<b c='1'>", "</b>", "<b c=\"1\" d='2'/>", " ", "\n", "\r", "<!--",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures under seeds/: small, valid, one for each way of storing that the decoders know."""
+"""Writes the pictures under seeds/: small and valid, one for each encoding that the decoders support."""
 
 import struct
 import zlib
@@ -42,7 +42,7 @@ def make_png():
     write("image_png/interlaced.png", png(2, 2, 8, 2, passes + b"jkl", interlace=1))
 
 
-# JPEG: a code of two bits for each of three sizes of a difference, and of four runs.
+# JPEG: a two-bit code for three sizes of differences, and for four runs.
 
 def segment(marker, data):
     return bytes([0xFF, marker]) + struct.pack(">H", len(data) + 2) + data
@@ -86,7 +86,7 @@ def make_jpeg():
 # GIF
 
 def lzw(bits, pixels):
-    """Codes of bits + 1 bits alone: the table is cleared before they would grow."""
+    """Only codes of bits + 1 bits: clears the table before they would grow."""
     clear, end = 1 << bits, (1 << bits) + 1
     codes = []
     for i, pixel in enumerate(pixels):
@@ -164,7 +164,7 @@ def make_bmp():
           struct.pack("<IHHHH", 12, 3, 2, 1, 24) + bytes(range(24)))
 
 
-# Checkpoints: the state of a picture of 17 x 2 pixels, four pieces; tests/fuzz/checkpoint.cpp
+# Checkpoints: the state of a picture of 17 x 2 pixels, in four pieces; tests/fuzz/checkpoint.cpp
 
 def make_checkpoint():
     colors = struct.pack("<102f", *(i / 100 for i in range(102)))

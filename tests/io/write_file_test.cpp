@@ -115,7 +115,7 @@ TEST(WriteFile, WritesADeviceInPlace) {
 TEST(WriteFile, LeavesTheOldFileWhenTheDiskIsFull) {
   const TempFolder folder;
   const std::string file = folder.write("out", "old");
-  // A limit of the process stands in for a full disk.
+  // A file size limit simulates a full disk.
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
   rlimit old_limit{};
   ::getrlimit(RLIMIT_FSIZE, &old_limit);

@@ -1,5 +1,5 @@
 #pragma once
-// Compares the scanner of plain XML with Expat, which it stands in for.
+// Compares the fast reader of simple XML with Expat, which it replaces.
 
 #include "scenefile/base/limits.h"
 #include "scenefile/format/xml_reader.h"
@@ -9,14 +9,14 @@
 
 namespace scenefile::testing {
 
-/// What read_plain_events() told of a text, one line an event, and how it ended.
+/// The events of read_plain_events(), one per line, and how it ended.
 struct Told {
   PlainEnd end = PlainEnd::complete;
   std::string said;
 };
 Told plain_events(std::string_view text, const Limits& limits);
 
-/// Whether Expat says the same of the text, with the same places, or has to be asked.
+/// Whether the fast reader gives the same events and places as Expat, or gives up.
 bool agrees_with_expat(std::string_view text, const Limits& limits);
 
 }  // namespace scenefile::testing

@@ -1,6 +1,6 @@
 #pragma once
-// What packs the pixels of PNG files: ISA-L (isal_packer.cpp), or zlib where the build has no ISA-L
-// (zlib_packer.cpp). The bytes of files differ between the two, their pixels do not.
+// Compression of PNG files with ISA-L (isal_packer.cpp), or with zlib in builds without ISA-L
+// (zlib_packer.cpp). The bytes of files differ between the two, the pixels do not.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace scenefile {
 
-/// A zlib stream that is made piece by piece.
+/// A zlib stream, compressed piece by piece.
 class PngPacker {
  public:
   PngPacker();
@@ -18,7 +18,7 @@ class PngPacker {
   PngPacker(const PngPacker&) = delete;
   PngPacker& operator=(const PngPacker&) = delete;
 
-  /// Appends what is ready of the stream to `out`.
+  /// Appends the finished part of the stream to `out`.
   void put(std::vector<std::uint8_t>& bytes, bool last, std::string& out);
 
  private:
@@ -26,7 +26,7 @@ class PngPacker {
   std::unique_ptr<State> state_;
 };
 
-/// The CRC of PNG's chunks.
+/// The CRC of PNG chunks.
 std::uint32_t crc_of(const char* bytes, std::size_t count);
 
 }  // namespace scenefile

@@ -6,7 +6,8 @@
 
 namespace scenefile {
 
-/// A zlib stream of the bytes; levels 1 to 9, the last the smallest. Throws std::bad_alloc.
+/// Compresses bytes to a zlib stream; levels 1 to 9, where 9 gives the smallest result. Throws
+/// std::bad_alloc.
 std::string deflated(std::string_view bytes, int level);
 
 /// The CRC-32 of gzip and PNG.

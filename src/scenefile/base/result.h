@@ -23,7 +23,7 @@ enum class ErrorKind : std::uint8_t {
   environment,  ///< cannot read or write something (3)
   limit,        ///< the input is larger than the limits allow (4)
   input,        ///< the bytes are invalid (1)
-  usage,        ///< what is asked for makes no sense (2)
+  usage,        ///< the request is invalid (2)
   cancelled,    ///< stopped at the request of the caller (130)
 };
 
@@ -78,7 +78,7 @@ class [[nodiscard]] Result<void> {
   Error error_;
 };
 
-/// Why it failed; empty where it did not.
+/// Why it failed; empty if it succeeded.
 template <typename T>
 std::string error_text(const Result<T>& result) {
   return result ? std::string() : result.error().text;

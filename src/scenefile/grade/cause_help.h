@@ -1,6 +1,6 @@
 #pragma once
-// What each cause looks like, why it happens, and where in a student's program to look. No code:
-// finding the line is the student's work.
+// A help page for each cause: what it looks like, why it happens, and where to look in a student's
+// program. No code: finding the line is the student's work.
 
 #include "scenefile/grade/causes.h"
 
@@ -21,10 +21,10 @@ struct CauseHelp {
 
 const CauseHelp& help_of(Cause cause);
 
-/// The cause of that name (name_of), or nothing.
+/// The cause with that name (name_of), or nullopt.
 std::optional<Cause> find_cause(std::string_view name);
 
-/// All pages, as docs/mistakes.md has them.
+/// All pages, as in docs/mistakes.md.
 std::string causes_markdown();
 
 }  // namespace scenefile

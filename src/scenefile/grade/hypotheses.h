@@ -1,5 +1,5 @@
 #pragma once
-// The mistakes that are tried.
+// The mistakes to try.
 
 #include "scenefile/grade/causes.h"
 #include "scenefile/grade/mistakes.h"
@@ -10,47 +10,46 @@
 
 namespace scenefile {
 
-/// A scene that mistakes are made in. Its groups are empty for mistakes that leave the shapes as
-/// they are.
+/// A scene with mistakes. Its groups are empty if the mistake does not change the shapes.
 struct Trial {
   RenderScene scene;
   RenderOptions options;
   ModelMistakes mistakes;
-  glm::dvec2 shift{0};  ///< from the middles of pixels, in pixels: right and down
+  glm::dvec2 shift{0};  ///< from the centers of pixels, in pixels: right and down
 };
 
-/// What of a drawing a mistake touches; the first kinds cost less.
+/// Which part of a picture a mistake affects; earlier ones are cheaper to test.
 enum class Touches : std::uint8_t {
-  picture,  ///< the finished picture alone
-  shading,  ///< what rays meet stays
-  hits,     ///< what rays meet, among the same shapes
+  picture,  ///< only the finished picture
+  shading,  ///< not what rays hit
+  hits,     ///< what rays hit, with the same shapes
   camera,
   shapes,
 };
 
-/// Where in a picture its pixels come from.
+/// Flips of the picture.
 struct Turn {
   bool across = false;
   bool down = false;
   friend bool operator==(const Turn&, const Turn&) = default;
 };
 
-/// A mistake: what it does to the drawing of the scene or to the drawn picture.
+/// A mistake: its effect on drawing the scene, or on the finished picture.
 struct Hypothesis {
   Cause cause = Cause::rounding;
   std::string what;
   Touches touches = Touches::shading;
   std::function<void(Trial&)> draw;
   Turn turn;
-  /// Of a color that is not clamped yet; none: it stays.
+  /// For colors before clamping; empty: unchanged.
   std::function<glm::dvec3(const glm::dvec3&)> color;
 };
 
-/// Those that change the finished picture.
+/// Mistakes that change the finished picture.
 std::vector<Hypothesis> picture_hypotheses();
 
-/// Those that change what is drawn, as far as they can make a difference to this scene; the more
-/// common of two that look alike comes first.
+/// Mistakes that change what is drawn, if they can make a difference for this scene; of two that
+/// look alike, the more common one comes first.
 std::vector<Hypothesis> drawing_hypotheses(const SceneView& view, int width, int height);
 
 }  // namespace scenefile

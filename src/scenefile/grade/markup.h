@@ -5,7 +5,7 @@
 
 namespace scenefile {
 
-/// Text that may stand in XML and HTML, in attributes too. Characters that XML cannot hold become
+/// Escapes text for XML and HTML, including attributes. Characters that XML cannot represent become
 /// '?'.
 std::string markup(std::string_view text);
 

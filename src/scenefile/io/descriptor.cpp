@@ -89,7 +89,7 @@ Error too_large(std::string_view path, std::uint64_t max_bytes) {
   return error;
 }
 
-// Whether the file may be read.
+// Succeeds if the file may be read.
 Result<void> judge(const std::string& path, const struct stat& status, std::uint64_t max_bytes) {
   if (!S_ISREG(status.st_mode)) {
     return io_error(path, fmt::format("is {}, not a regular file", kind_of(status)));

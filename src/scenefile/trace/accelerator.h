@@ -1,5 +1,5 @@
 #pragma once
-// Rays against a whole scene.
+// Ray queries on a whole scene.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
@@ -18,40 +18,40 @@ namespace scenefile {
 struct Parts;
 class PartTree;
 
-/// Where a ray met a surface.
+/// The point where a ray hit a surface.
 struct Hit {
-  double t = 0;  ///< in lengths of the ray's direction
+  double t = 0;  ///< in units of the length of the ray's direction
   Shape shape = Shape::cube;
   Face face = Face::side;         ///< analytic shapes
   std::uint32_t mesh = no_index;  ///< meshes: into RenderScene::mesh_files
   std::uint32_t triangle = 0;     ///< meshes
-  double b1 = 0;                  ///< meshes: weight of the triangle's second corner
-  double b2 = 0;                  ///< meshes: of its third corner
+  double b1 = 0;                  ///< meshes: barycentric weight of the triangle's second corner
+  double b2 = 0;                  ///< meshes: the same for its third corner
   std::uint32_t material = 0;     ///< into RenderScene::materials
   std::uint32_t source = 0;       ///< of the primitive
-  const void* part = nullptr;     ///< which primitive; instances of it share the value
-  DAffine object_from_world;      ///< of the primitive, all instances composed
+  const void* part = nullptr;     ///< identifies the primitive; all its instances share the value
+  DAffine object_from_world;      ///< of the primitive, including all instances
   glm::dvec3 object_point{0};     ///< the point in object space
 };
 
-/// Whether two hits are on one object: the same primitive in the same chain of instances.
+/// Whether two hits are on the same object: the same primitive in the same chain of instances.
 bool same_object(const Hit& a, const Hit& b);
 
-/// How much light each material lets through to what lies behind an object of it, as -log2 of the
-/// factor in fixed point: sums do not depend on their order.
+/// The light that each material lets through to what is behind an object of it, as -log2 of the
+/// factor in fixed point, so that sums do not depend on their order.
 class Transmission {
  public:
-  /// The density of what lets no visible light through.
+  /// A density that blocks all visible light.
   static constexpr std::int64_t black = std::int64_t{12} << 32;
 
-  /// `factors`: by material, 0 blocks, 1 and more lets all through.
+  /// `factors`: by material; 0 blocks all light, 1 or more none.
   explicit Transmission(const std::vector<glm::dvec3>& factors);
 
   bool all_opaque() const { return all_opaque_; }
   const glm::i64vec3& density(std::uint32_t material) const { return densities_[material]; }
-  /// Whether what is left of light after so much density counts as nothing.
+  /// Whether this density leaves only a negligible amount of light.
   static bool blocks(const glm::i64vec3& density);
-  /// The factor of a density.
+  /// The factor for a density.
   static glm::dvec3 factor(const glm::i64vec3& density);
 
  private:
@@ -61,15 +61,15 @@ class Transmission {
 
 enum class AcceleratorStatus : std::uint8_t {
   ready,
-  too_deep,       ///< instances nest deeper than max_instance_nesting after merging
-  out_of_memory,  ///< or any other failure of the ray library
+  too_deep,       ///< instances are nested deeper than max_instance_nesting after merging
+  out_of_memory,  ///< or another failure of Embree
 };
 
-/// At which t a ray meets a mesh.
+/// How the distance to a mesh is measured.
 enum class MeshDistance : std::uint8_t {
-  of_world,  ///< where it does
-  /// At t times the length of the ray's direction in the space of the mesh: nearer by the factor of
-  /// the mesh's scale. The course's references have it so. For rays of unit length.
+  of_world,  ///< the actual distance
+  /// t times the length of the ray's direction in the mesh's space: too near by the scale of the
+  /// mesh. Reproduces the course's references. For rays of unit length.
   of_mesh,
 };
 
@@ -78,52 +78,54 @@ struct AcceleratorOptions {
   MeshDistance mesh_distance = MeshDistance::of_world;
 };
 
-/// Instances inside each other that a ray can follow.
+/// The maximum nesting depth of instances that rays can follow.
 inline constexpr std::uint32_t max_instance_nesting = 64;
 
 /// The acceleration structure. Refers to the meshes in `assets`, which must outlive it, but not to
-/// the scene. All queries are const, exact in double precision, and safe from several threads; of
-/// surfaces at exactly one distance the last in the file is hit, however the structure was built.
+/// the scene. All queries are const, exact in double precision, and thread-safe. If several
+/// surfaces are at exactly the same distance, the last one in the file is hit, regardless of the
+/// structure.
 class Accelerator {
  public:
   Accelerator(const RenderScene& scene, const Assets& assets,
               const AcceleratorOptions& options = {});
-  /// The same structure for another picture, with its own overwhelmed().
+  /// Shares the structure with another picture, with a separate overwhelmed().
   Accelerator(const Accelerator& shared, MeshDistance mesh_distance);
   ~Accelerator();
   Accelerator(const Accelerator&) = delete;
   Accelerator& operator=(const Accelerator&) = delete;
 
-  /// Queries may be made only when `ready`.
+  /// Queries are only allowed when `ready`.
   AcceleratorStatus status() const;
 
-  /// The nearest surface at t_min < t < t_max. A ray that is not finite hits nothing.
+  /// The nearest surface at t_min < t < t_max. A ray with a component that is not finite hits
+  /// nothing.
   bool closest(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
-  /// The same for those who know parts(): of a shape of the root group t, face and part are told
-  /// alone.
+  /// The same for callers that know parts(): for a shape of the root group, only sets t, face and
+  /// part.
   bool closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
-  /// The instances that the nearest surface lies in, as their `source`, the outermost first; empty
-  /// where they are unnamed or nothing is hit. Searches again.
+  /// The `source` of the instances around the nearest surface, outermost first; empty if they are
+  /// unnamed or nothing is hit. Repeats the search.
   std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;
 
-  /// Whether any surface lies at t_min < t < t_max.
+  /// Whether there is any surface at t_min < t < t_max.
   bool occluded(const Ray& ray, double t_min, double t_max) const;
 
-  /// What is left of light along the ray at t_min < t < t_max; each object in the way counts once.
-  /// `blocker`: becomes the Hit::part of what alone lets none through, if such was met.
+  /// The fraction of light that remains along the ray at t_min < t < t_max; each object counts
+  /// once. `blocker`: if the ray hits a part that lets no light through, set to its Hit::part.
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,
                            const Transmission& transmission, const void** blocker = nullptr) const;
 
-  /// What is searched, for those who search it otherwise. Of no groups when it is empty.
+  /// What is searched, for other search algorithms. Has no groups if it is empty.
   const Parts& parts() const;
-  /// The boxes of the root group's parts, for bundles of rays; empty where those are few, very
-  /// many, or not all shapes. Made when it is asked for first.
+  /// A BVH of the root group's parts, for bundles of rays; empty if there are few or very many
+  /// parts, or not only shapes. Built at the first call.
   const PartTree& part_tree() const;
 
-  /// A ray crossed more instances than is sane (templates that overlap without end) and was given
-  /// up; pictures made with it are wrong.
+  /// Whether a ray was given up because it entered too many instances (deeply nested overlapping
+  /// templates); pictures made with it are wrong.
   bool overwhelmed() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What traces rays on this machine, for reports of defects and of times.
+// The libraries and instruction set used for tracing, for bug reports and benchmarks.
 
 #include <string>
 #include <string_view>
@@ -7,8 +7,8 @@
 namespace scenefile {
 
 struct TraceBackend {
-  std::string embree;      ///< version of the library that is loaded, "4.3.3"; empty: unknown; "none": not built with it
-  std::string_view lanes;  ///< instruction set in use, "AVX2"
+  std::string embree;      ///< version such as "4.3.3"; empty: unknown; "none": built without
+  std::string_view lanes;  ///< instruction set in use, such as "AVX2"
 };
 
 TraceBackend trace_backend();

@@ -6,8 +6,8 @@
 
 namespace scenefile {
 
-/// The box around everything the scene draws, in world space; tight for primitives outside
-/// templates, conservative inside them. Empty for a scene that draws nothing.
+/// The bounding box of everything that the scene draws, in world space: tight for primitives
+/// outside of templates, conservative inside them. Empty for a scene that draws nothing.
 Bounds scene_bounds(const RenderScene& scene, const Assets& assets);
 
 }  // namespace scenefile

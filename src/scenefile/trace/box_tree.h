@@ -1,9 +1,9 @@
 #pragma once
-// A bounding volume hierarchy: which boxes a ray may meet.
+// A bounding volume hierarchy over boxes.
 //
-// A binary tree, split by the surface area heuristic over bins (Wald, "On fast Construction of
-// SAH-based Bounding Volume Hierarchies", 2007). Boxes are in single precision, rays in double: it
-// leaves out no box that a ray meets, wherever the ray begins.
+// A binary tree, split by the surface area heuristic with bins (Wald, "On fast Construction of
+// SAH-based Bounding Volume Hierarchies", 2007). Boxes are in single precision, rays in double; the
+// search is conservative: it skips no box that a ray hits, wherever the ray starts.
 
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/trace/parts.h"
@@ -21,14 +21,14 @@ class BoxTree {
  public:
   explicit BoxTree(const std::vector<FloatBox>& boxes);
 
-  /// Calls visit(index) for the boxes that the ray may meet at t_min <= t <= end(), roughly the
-  /// nearest first. `end` may shrink while it goes on; minus infinity ends the search. Direction
-  /// and origin are finite, the direction is not zero.
+  /// Calls visit(index) for the boxes that the ray may hit at t_min <= t <= end(), roughly from
+  /// near to far. `end` may decrease during the search; minus infinity stops it. Origin and
+  /// direction must be finite, and the direction not zero.
   template <typename End, typename Visit>
   void search(const Ray& ray, double t_min, const End& end, const Visit& visit) const;
 
  private:
-  // So many items, behind each other in items_; or, if count is 0, the node that splits them.
+  // A range of `count` items in items_; if count is 0, the index of an inner node.
   struct Child {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
@@ -40,7 +40,7 @@ class BoxTree {
   static_assert(sizeof(Node) == 64);
   struct Work;
 
-  // Where the heuristic does not end, halving does.
+  // Beyond this depth the heuristic is replaced by halving.
   static constexpr int most_levels = 64;
   static constexpr int most_waiting = most_levels + 32 + 1;
 
@@ -52,7 +52,7 @@ class BoxTree {
   Child root_;
 };
 
-/// A ray that is prepared for boxes.
+/// A ray prepared for box tests.
 class BoxRay {
  public:
   explicit BoxRay(const Ray& ray) : origin_(ray.origin), inverse_(1.0 / ray.direction) {
@@ -61,20 +61,20 @@ class BoxRay {
     }
   }
 
-  /// Where it enters the box between t_min and end; infinity where it does not.
+  /// The t where the ray enters the box between t_min and end; infinity if it does not.
   double enter(const FloatBox& box, double t_min, double end) const {
     double near = t_min;
     double far = end;
     for (int axis = 0; axis < 3; ++axis) {
       const double low = (double{box.min[axis]} - origin_[axis]) * inverse_[axis];
       const double high = (double{box.max[axis]} - origin_[axis]) * inverse_[axis];
-      // Not numbers where the ray lies in the plane of a face: then nothing is narrowed.
+      // NaN if the ray lies in the plane of a face; the interval is then unchanged.
       const double first = backward_[axis] ? high : low;
       const double last = backward_[axis] ? low : high;
       near = first > near ? first : near;
       far = last < far ? last : far;
     }
-    // Both are off by a few units of rounding.
+    // Both may be off by a few units of rounding.
     constexpr double slack = 2e-15;
     return near <= far + slack * std::abs(far) ? near : std::numeric_limits<double>::infinity();
   }

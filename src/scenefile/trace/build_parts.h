@@ -6,8 +6,8 @@
 
 namespace scenefile {
 
-/// The parts of a scene with their structures in `scenes`. What is returned is complete when that
-/// is good() and the scene is not too deep.
+/// The parts of a scene, with their structures in `scenes`. The result is complete if scenes.good()
+/// and the scene is not too deep.
 AcceleratorStatus build_parts(const RenderScene& scene, const Assets& assets, Instances instances,
                               RayScenes& scenes, Parts& parts);
 

@@ -6,12 +6,12 @@
 
 namespace scenefile {
 
-/// How far white stands out over black, in object space units.
+/// The height of white above black, in object space units.
 inline constexpr double bump_height = 1.0 / 16;
 
-/// The shading normal (world space, unit length) where the map raises the surface along its normal
-/// by bump_height times the mean of red, green and blue. Slopes are central differences over one
-/// texel, or over the footprint where that is wider.
+/// The shading normal (world space, unit length) of a surface displaced along its normal by
+/// bump_height times the mean of red, green and blue. Slopes are central differences over one
+/// texel, or over the footprint if that is wider.
 glm::dvec3 bumped_normal(const SurfacePoint& point, const Pyramid& map,
                          const UvFootprint& footprint);
 

@@ -1,5 +1,5 @@
-// Rays of a camera, for any number of lanes (base/one_lane.h).
-// No guard: included once for each number of lanes.
+// Camera rays for any number of lanes (base/one_lane.h). No include guard: included once for each
+// number of lanes.
 
 #include "scenefile/trace/camera_rays.h"
 
@@ -9,8 +9,8 @@ struct CameraRay {
   V3 origin, direction;
 };
 
-// The direction through (x, y) of the picture, in pixels, not of unit length. Counted in pixels
-// from the middle, so that opposite and diagonal pixels get exactly mirrored rays.
+// The direction through (x, y) of the picture, in pixels; not normalized. Computed from the center,
+// so that opposite pixels get exactly mirrored rays.
 inline V3 pinhole_forward(const CameraFrame& camera, F x, F y) {
   const F right = (x - splat(camera.middle_x)) * splat(camera.pixel);
   const F up = (splat(camera.middle_y) - y) * splat(camera.pixel);

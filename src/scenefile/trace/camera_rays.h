@@ -7,13 +7,13 @@
 
 namespace scenefile {
 
-/// A camera in numbers.
+/// The parameters of a camera.
 struct CameraFrame {
   glm::dvec3 position{0};
   glm::dvec3 u{1, 0, 0};  ///< to the right, unit length
   glm::dvec3 v{0, 1, 0};  ///< up
-  glm::dvec3 w{0, 0, 1};  ///< against the view direction
-  double middle_x = 0;    ///< of the picture, pixels
+  glm::dvec3 w{0, 0, 1};  ///< opposite to the view direction
+  double middle_x = 0;    ///< center of the picture, pixels
   double middle_y = 0;
   double pixel = 1;  ///< width of a pixel at unit distance
   double aperture = 0;
@@ -22,17 +22,17 @@ struct CameraFrame {
   bool has_lens() const { return aperture > 0 && focal_length > 0; }
 };
 
-/// From points of the picture to rays.
+/// Maps points of the picture to rays.
 class CameraRays {
  public:
   CameraRays(const RenderCamera& camera, int width, int height);
 
-  /// `pixel`: x to the right and y down in pixels, pixel (0, 0) reaches from 0 to 1. `lens`: where
-  /// the ray leaves the lens, in apertures along u and v; pinholes ignore it. Unit direction.
+  /// `pixel`: x to the right and y down, in pixels; pixel (0, 0) extends from 0 to 1. `lens`: point
+  /// on the lens, in apertures along u and v; ignored by pinholes. The direction has unit length.
   Ray ray(const glm::dvec2& pixel, const glm::dvec2& lens) const;
 
   bool has_lens() const { return frame_.has_lens(); }
-  /// Width of a pixel at unit distance.
+  /// The width of a pixel at unit distance.
   double pixel_spread() const { return frame_.pixel; }
   const CameraFrame& frame() const { return frame_; }
 

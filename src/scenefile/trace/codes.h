@@ -1,5 +1,5 @@
 #pragma once
-// The findings of check_view().
+// Findings of check_view().
 
 #include "scenefile/base/diagnostics.h"
 

@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// Color seen at a point of the picture, clamped to [0, 1].
+/// The color at a point of the picture, clamped to [0, 1].
 template <typename F>
 concept ColorAt = requires(F f, glm::dvec2 p) {
   { f(p) } -> std::convertible_to<Color>;
@@ -17,7 +17,7 @@ concept ColorAt = requires(F f, glm::dvec2 p) {
 
 namespace course {
 
-inline constexpr double max_difference = 50.0 / 255;  ///< between neighbors that stay as they are
+inline constexpr double max_difference = 50.0 / 255;  ///< neighbors that differ by more are refined
 inline constexpr int max_level = 3;                   ///< cells of 1, 1/2 and 1/4 pixel
 
 inline bool differ(const Color& a, const Color& b) {
@@ -25,7 +25,8 @@ inline bool differ(const Color& a, const Color& b) {
   return d.x > max_difference || d.y > max_difference || d.z > max_difference;
 }
 
-/// The corner of a quadrant of a cell: 0 top left, 1 top right, 2 bottom left, 3 bottom right.
+/// The corner of a quadrant of a cell; index: 0 top left, 1 top right, 2 bottom left, 3 bottom
+/// right.
 inline glm::dvec2 quadrant(const glm::dvec2& corner, double size, int index) {
   return corner + size / 2 * glm::dvec2(index % 2, index / 2);
 }
@@ -33,14 +34,14 @@ inline glm::dvec2 middle_of_quadrant(const glm::dvec2& corner, double size, int 
   return quadrant(corner, size, index) + size / 4;
 }
 
-/// Whether a quadrant of a cell differs from a horizontal or vertical neighbor.
+/// Whether a quadrant differs from its horizontal or vertical neighbor in the cell.
 inline bool uneven(const std::array<Color, 4>& colors, int index) {
   const auto i = static_cast<std::size_t>(index);
   return differ(colors[i], colors[i ^ 1]) || differ(colors[i], colors[i ^ 2]);
 }
 
-/// Average over a square cell: four samples in its quadrants, of which those that differ from a
-/// horizontal or vertical neighbor are cells themselves.
+/// The average over a square cell: four samples in its quadrants; those that differ from a
+/// horizontal or vertical neighbor are refined as cells.
 template <ColorAt F>
 Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) {
   std::array<Color, 4> colors;
@@ -56,17 +57,17 @@ Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) 
   return sum / 4.0;
 }
 
-/// Which samples of cell() replace which: for each the index of the one whose quadrant it lies in,
-/// no_index for the first four. By their points, in the order in which they were taken.
+/// Which samples of cell() are replaced by finer ones: for each sample, the index of the one whose
+/// quadrant contains it; no_index for the first four. `points` are in sampling order.
 std::vector<std::uint32_t> refined_samples(const std::vector<glm::dvec2>& points);
 
-/// Where the course's rays leave the lens, in apertures.
+/// The course's lens samples, in apertures.
 inline constexpr std::array<std::array<double, 2>, 8> lens_points{
     {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
 
 }  // namespace course
 
-/// A pixel of the course profile: one sample in its middle, the adaptive cell, or the lens.
+/// A pixel of the course profile: a sample at its center, the adaptive cell, or the lens samples.
 Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts);
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
 #pragma once
-// Features as words: `shadows reflect refract texture texture-filter super-sample depthoffield`,
-// the spelling of the course's configuration files.
+// Names of features: `shadows reflect refract texture texture-filter super-sample depthoffield`, as
+// spelled in the course's configuration files.
 
 #include "scenefile/trace/render.h"
 
@@ -9,14 +9,14 @@
 
 namespace scenefile {
 
-/// The seven words, in the order of the fields of Features.
+/// The seven names, in the order of the fields of Features.
 std::span<const std::string_view> feature_words();
 
-/// Reads a comma-separated list of the words, or `all`, or `none` (which an empty list means too).
-/// Returns the first word that is none of them, empty when all are; `features` is then complete.
+/// Parses a comma-separated list of names, or `all`, or `none` (or an empty list). Returns the
+/// first unknown name; empty on success, when `features` is complete.
 std::string_view parse_features(std::string_view list, Features& features);
 
-/// The field behind a word; null for any other word.
+/// The field for a name; null if unknown.
 bool* find_feature(Features& features, std::string_view word);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes of meshes and groups, for bounds.h and the accelerator.
+// Bounding boxes of meshes and groups, for bounds.h and the accelerator.
 
 #include "scenefile/trace/bounds.h"
 
@@ -7,13 +7,13 @@
 
 namespace scenefile {
 
-/// By mesh file; empty where there are no triangles.
+/// By mesh file; empty if there are no triangles.
 std::vector<Bounds> mesh_bounds(const RenderScene& scene, const Assets& assets);
 
-/// By group, in its own space, with all that stands in it; `meshes` as of mesh_bounds().
+/// By group, in its space, including its instances; `meshes` from mesh_bounds().
 std::vector<Bounds> group_bounds(const RenderScene& scene, const std::vector<Bounds>& meshes);
 
-/// The box around a transformed box; an empty one stays empty.
+/// The bounding box of a transformed box; an empty one stays empty.
 Bounds placed_bounds(const Bounds& box, const DAffine& to_from);
 
 }  // namespace scenefile

@@ -4,16 +4,16 @@
 
 namespace scenefile {
 
-/// What TBB sees to between the thread that gives work and those that do it, said once more in
-/// atomics: ThreadSanitizer cannot look into TBB and would take all data that is handed over for
-/// races. They order nothing between two pieces of the work, so that races there are found.
-/// Global, because a thread that has taken nothing yet may read nothing.
+/// Repeats the synchronization that TBB does between the thread that submits work and the workers,
+/// with atomics: TBB is not instrumented for ThreadSanitizer, which would otherwise report all data
+/// passed this way as races. Two pieces of work are not ordered by this, so that races between them
+/// are found. Global, because a thread without work must not read anything else.
 struct HandOver {
-  /// Before work is given to other threads, and after all of it is done.
+  /// Called before work is submitted, and after all of it is done.
   static void give() { given.fetch_add(1, std::memory_order_release); }
   static void collect() { static_cast<void>(done.load(std::memory_order_acquire)); }
 
-  /// While it lives, a piece of the work is done.
+  /// An object of this class exists while a piece of work runs.
   HandOver() { static_cast<void>(given.load(std::memory_order_acquire)); }
   ~HandOver() { done.fetch_add(1, std::memory_order_release); }
   HandOver(const HandOver&) = delete;

@@ -140,7 +140,7 @@ void LayerBuffers::put_means(std::size_t pixel, const PixelSurfaces& surfaces) {
   }
 }
 
-// As the samples count in the color of the pixel.
+// The weights that the samples have in the color of the pixel.
 std::vector<double> LayerBuffers::weights_of(const std::vector<SurfaceSample>& samples) const {
   std::vector<double> weights(samples.size(), 1.0 / static_cast<double>(samples.size()));
   if (!tracer_.course() || camera_.has_lens() || samples.size() == 1) {

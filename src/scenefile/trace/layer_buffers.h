@@ -1,5 +1,5 @@
 #pragma once
-// How the layers of a picture are filled.
+// Fills the layers of a picture.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/picture_state.h"
@@ -8,20 +8,19 @@
 
 namespace scenefile {
 
-/// The layers of the options, of so many pixels.
+/// Empty layers for the options, with the pixels of the region.
 std::vector<ImageLayer> make_layers(const RenderOptions& options, const PixelRegion& region);
 
 class LayerBuffers {
  public:
-  /// For the layers of tracer.options, in the state.
+  /// For the layers of tracer.options, stored in the state.
   LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture);
 
   bool empty() const { return layers_.empty(); }
-  /// The lights that have layers:
-  /// whose light is to be kept apart.
+  /// The lights that have layers, and are recorded separately.
   const std::vector<std::uint32_t>& lights() const { return lights_; }
 
-  /// Fills the pixel (x, y) of the picture. Different pixels may be filled by different threads.
+  /// Sets the pixel (x, y) of the picture. Thread-safe for different pixels.
   void put(int x, int y, const PixelSurfaces& pixel);
 
  private:

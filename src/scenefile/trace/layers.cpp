@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// By LayerKind.
+// Indexed by LayerKind.
 constexpr std::array<std::string_view, 8> words{
     "depth", "normal", "uv", "albedo", "object-id", "light-1", "shadow", "reflection-depth"};
 constexpr std::string_view light_prefix = "light-";
@@ -55,7 +55,7 @@ float share(const ValueRange& range, float value) {
   return range.most > range.least ? (value - range.least) / (range.most - range.least) : 0;
 }
 
-// Hues a golden section apart, in three brightnesses.
+// Hues at golden ratio steps, in three brightnesses.
 glm::vec3 color_of_id(float id) {
   if (id == 0) {
     return glm::vec3(0);

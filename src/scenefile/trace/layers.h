@@ -1,6 +1,6 @@
 #pragma once
-// Layers as words and as pictures: `depth normal uv albedo object-id light-1 shadow
-// reflection-depth`. What they hold: LayerKind and docs/layers.md.
+// Names of layers, and layers as pictures: `depth normal uv albedo object-id light-1 shadow
+// reflection-depth`. Their contents: LayerKind and docs/layers.md.
 
 #include "scenefile/trace/render.h"
 
@@ -12,15 +12,14 @@
 
 namespace scenefile {
 
-/// The words; light-N stands as "light-1" for all of its kind.
+/// The names; "light-1" represents all layers of its kind.
 std::span<const std::string_view> layer_words();
 
-/// Reads a comma-separated list of the words, light-1 being the scene's first light. Returns the
-/// first word that is none of them or stands twice, empty when all are good; `layers` is then
-/// complete. Whether the lights exist only the scene can tell.
+/// Parses a comma-separated list of names; light-1 is the scene's first light. Returns the first
+/// name that is unknown or repeated; empty on success. Does not check whether the lights exist.
 std::string_view parse_layers(std::string_view list, std::vector<Layer>& layers);
 
-/// The word of a layer: the inverse of parse_layers().
+/// The name of a layer: the inverse of parse_layers().
 std::string layer_name(const Layer& layer);
 
 /// Name and channels of a layer.
@@ -37,10 +36,10 @@ ValueRange range_of(std::span<const float> values);
 /// The range of both.
 ValueRange joined(const ValueRange& a, const ValueRange& b);
 
-/// A layer as a picture, for formats that hold only colors, in [0, 1]: depth is white at the
-/// nearest point, black at the farthest and where nothing is; normals are (n + 1) / 2, black where
-/// nothing is; u is red and v is green; each object-id has a color of its own; reflection-depth is
-/// divided by `max_depth`; the others are as they are.
+/// A layer as a picture in [0, 1], for formats that only store colors. Depth is white at the
+/// nearest point and black at the farthest or if nothing is hit; normals are (n + 1) / 2, black if
+/// nothing is hit; u is red and v is green; each object-id has a different color; reflection-depth
+/// is divided by `max_depth`; others are unchanged.
 Image layer_picture(const Layer& layer, const ImageLayer& values, int width, int height,
                     int max_depth);
 /// The same for some pixels: `range` is that of the whole layer. Writes 3 numbers a pixel to `rgb`.

@@ -6,7 +6,7 @@
 
 namespace scenefile {
 
-/// std::nextafter(value, infinity), without a call. Bits: the integer of the same size.
+/// std::nextafter(value, infinity), inlined. Bits: the integer type of the same size.
 template <typename Bits, typename Float>
 Float next_above(Float value) {
   if (!(value < std::numeric_limits<Float>::infinity())) {

@@ -6,8 +6,8 @@
 
 namespace scenefile {
 
-/// Denormal numbers count as zero in this thread while it lives: they are slow, and the ray library
-/// wants them off. Around everything that traces rays.
+/// Treats denormal numbers as zero in this thread during its lifetime: they are slow, and Embree
+/// requires it. Used around all ray tracing.
 class NoDenormals {
  public:
 #if defined(__SSE2__)

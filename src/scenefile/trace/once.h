@@ -1,13 +1,13 @@
 #pragma once
-// Work that is done at first use, from whichever thread needs it.
+// Lazy initialization from any thread.
 
 #include <atomic>
 #include <mutex>
 
 namespace scenefile {
 
-/// Like std::once_flag and std::call_once. Those pass exceptions through pthread_once, for which
-/// glibc loads libgcc_s: where memory has run out that ends the process instead.
+/// Like std::once_flag and std::call_once, but without pthread_once, for which glibc loads libgcc_s
+/// to propagate exceptions; if memory has run out, that would abort the process.
 class Once {
  public:
   /// Calls `work` unless an earlier call has finished it. If `work` throws, the next call tries

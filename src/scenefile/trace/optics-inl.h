@@ -1,5 +1,5 @@
-// Mirrored and refracted directions, for any number of lanes (base/one_lane.h); see optics.h.
-// No guard: included once for each number of lanes.
+// Reflected and refracted directions for any number of lanes (base/one_lane.h); see optics.h. No
+// include guard: included once for each number of lanes.
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -7,18 +7,18 @@ inline V3 mirrored(const V3& direction, const V3& normal) {
   return direction - splat(2) * dot(direction, normal) * normal;
 }
 
-/// Where rays of the profile course begin behind a surface: the smallest t of their hits.
+/// Start of secondary rays in the course profile: the smallest t of their hits.
 inline constexpr double course_offset = 1e-3;
 
-/// The same of the profile fine: hits are exact to about 1e-15 of the numbers involved. `point`:
-/// where they begin; `distance`: how far the ray went that led there.
+/// The same for the fine profile: hits are accurate to about 1e-15 of the numbers involved.
+/// `point`: start of the new ray; `distance`: length of the previous ray.
 inline F fine_offset(const V3& point, F distance) {
   const F size = greatest(greatest(magnitude(point.x), magnitude(point.y)), magnitude(point.z));
   return splat(1e-9) * (size + distance);
 }
 
 struct Refracted {
-  M through;  ///< no total internal reflection
+  M through;  ///< false: total internal reflection
   V3 direction;
 };
 

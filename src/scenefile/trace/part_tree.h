@@ -1,7 +1,7 @@
 #pragma once
-// The boxes of a group's parts as a tree for bundles of rays: what a whole bundle misses is left
-// out at once. Nodes of eight, without pointers: the children of entry e of a level are the entries
-// 8 e to 8 e + 7 of the level below.
+// A BVH of a group's parts for bundles of rays, which can skip subtrees that a whole bundle misses.
+// Nodes have eight children and no pointers: the children of entry e of a level are entries 8 e to
+// 8 e + 7 of the level below.
 
 #include "scenefile/trace/parts.h"
 
@@ -15,30 +15,30 @@ struct BoxNode {
   static constexpr int width = 8;
   static constexpr float far = std::numeric_limits<float>::max();
 
-  alignas(32) float min[3][width];  ///< by axis; those without a child are empty boxes
+  alignas(32) float min[3][width];  ///< by axis; missing children are empty boxes
   alignas(32) float max[3][width];
 
   BoxNode();
   void put(int at, const FloatBox& box);
-  /// Around all of its boxes.
+  /// The union of its boxes.
   FloatBox box() const;
 };
 
 class PartTree {
  public:
-  /// So few are tested one by one.
+  /// Up to this number, parts are tested one by one.
   static constexpr std::size_t fewest_parts = 8;
-  /// More parts than this are worth no tree: bundles of rays spread over too many.
+  /// With more parts, a BVH does not pay off, because the rays of bundles are too far apart.
   static constexpr std::size_t most_parts = 65536;
 
   PartTree() = default;
   explicit PartTree(const std::vector<FloatBox>& boxes);
 
   bool empty() const { return order_.empty(); }
-  /// Level 0 is that of the parts; the last one is a single node.
+  /// Level 0 contains the parts; the last level is a single node.
   int levels() const { return static_cast<int>(levels_.size()); }
   const BoxNode& node(int level, std::uint32_t index) const { return levels_[level][index]; }
-  /// The part of an entry of level 0.
+  /// The part of an entry at level 0.
   std::uint32_t part(std::uint32_t entry) const { return order_[entry]; }
 
  private:

@@ -1,6 +1,5 @@
 #pragma once
-// What rays are searched among: the groups of a scene that are kept (merge_groups.h), as arrays of
-// parts.
+// What rays are tested against: the kept groups of a scene (merge_groups.h), as arrays of parts.
 
 #include "scenefile/base/affine.h"
 #include "scenefile/geometry/mesh.h"
@@ -14,8 +13,8 @@ namespace scenefile {
 
 enum class PartKind : std::uint8_t { shape, mesh, group };
 
-/// One cache line. The transform is the definition of where the part is; single precision moves it
-/// by no more than the file's own numbers do.
+/// One cache line. The transform defines the position of the part; single precision changes it by
+/// no more than the precision of the file.
 struct Part {
   Affine part_from_group;
   PartKind kind = PartKind::shape;
@@ -31,38 +30,37 @@ struct FloatBox {
   float max[3];
 };
 
-/// Where the parts of a group or the triangles of a mesh are.
+/// The extent of the parts of a group or the triangles of a mesh.
 struct Extent {
   Bounds bounds;
   double diagonal = 0;
-  double scale =
-      1;  ///< of the copy that is searched, a power of two: enormous scenes fit its range
+  double scale = 1;  ///< of the searched copy; a power of two that brings huge scenes into range
 };
 
 struct Group {
   std::vector<Part> parts;
-  std::vector<FloatBox> boxes;                        ///< of the parts, unless they are very many
-  std::vector<std::vector<std::uint32_t>> instances;  ///< by part, where they have names
+  std::vector<FloatBox> boxes;                        ///< of the parts, unless there are very many
+  std::vector<std::vector<std::uint32_t>> instances;  ///< by part, if instances are named
   Extent extent;
-  void* scene = nullptr;  ///< of RayScenes; none for a few parts
+  void* scene = nullptr;  ///< from RayScenes; null for a few parts
 };
 
 struct MeshScene {
   const Mesh* mesh = nullptr;
-  std::vector<std::uint32_t> triangles;  ///< in the mesh, by that of the scene; empty: all
+  std::vector<std::uint32_t> triangles;  ///< indices in the mesh, by index in the scene; empty: all
   Extent extent;
-  void* scene = nullptr;  ///< of RayScenes
+  void* scene = nullptr;  ///< from RayScenes
 };
 
-/// All of them.
+/// Everything that rays are tested against.
 struct Parts {
-  std::vector<Group> groups;  ///< a group stands behind all that it contains
+  std::vector<Group> groups;  ///< each group comes after all groups that it contains
   std::vector<MeshScene> meshes;
   std::uint32_t root = 0;
-  double reach = 1;  ///< how much longer than in its mesh a vector may be in the world
+  double reach = 1;  ///< maximum factor by which a vector is longer in the world than in its mesh
 };
 
-/// The ray with which the part is tested. Its t are those of the given one.
+/// The ray in the space of the part, with the same t.
 inline Ray transform(const Affine& to_from, const Ray& ray) {
   const DAffine m(to_from);
   return {m.point(ray.origin), m.vector(ray.direction)};
@@ -70,15 +68,14 @@ inline Ray transform(const Affine& to_from, const Ray& ray) {
 
 Bounds scaled(const Bounds& box, double by);
 
-/// Of the parts or triangles in the box.
+/// The extent of the parts or triangles in the box.
 Extent extent_of(const Bounds& box);
 
-/// A single-precision box around what is to be found in a part of a group. The padding covers the
-/// rounding of the part's transform and of rays in single precision; it is kept small beside the
-/// part itself.
+/// A single-precision bounding box of a part in a group. The padding covers the rounding of the
+/// part's transform and of rays in single precision; it is small relative to the part.
 FloatBox padded(const Bounds& box, const Bounds& group);
 
-/// Parts::reach.
+/// Computes Parts::reach.
 double mesh_reach(const std::vector<Group>& groups, std::uint32_t root);
 
 }  // namespace scenefile

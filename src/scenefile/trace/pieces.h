@@ -1,5 +1,5 @@
 #pragma once
-// Which tiles of a picture are done.
+// Which tiles of a picture are finished.
 
 #include <atomic>
 #include <cstddef>
@@ -11,12 +11,13 @@ namespace scenefile {
 /// Width and height of a tile, pixels. Tiles at the right and lower border may be smaller.
 inline constexpr int tile_side = 16;
 
-/// How many tiles lie side by side in so many pixels.
+/// The number of tiles for this number of pixels.
 constexpr int tiles_across(int pixels) {
   return (pixels + tile_side - 1) / tile_side;
 }
 
-/// A flag for each tile of a picture, row by row. One thread may finish a tile while others ask.
+/// A flag for each tile of a picture, row by row. Tiles can be finished by one thread while others
+/// check them.
 class Pieces {
  public:
   Pieces() = default;
@@ -28,13 +29,13 @@ class Pieces {
   ~Pieces() = default;
 
   std::size_t count() const { return done_.size(); }
-  /// The tile of a pixel.
+  /// The index of the tile that contains a pixel.
   std::size_t at(int x, int y) const;
-  /// What was written to a tile before finish() can be read once it is done.
+  /// If done, everything written to the tile before finish() can be read.
   bool done(std::size_t piece) const { return done_[piece].load(std::memory_order_acquire) != 0; }
   void finish(std::size_t piece) { done_[piece].store(1, std::memory_order_release); }
   bool all_done() const;
-  /// No tile is done.
+  /// Marks all tiles as unfinished.
   void restart();
 
   int width() const { return width_; }

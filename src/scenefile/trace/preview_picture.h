@@ -1,5 +1,5 @@
 #pragma once
-// The picture on the way, as Preview wants it.
+// The picture for Preview.
 
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/tracer.h"
@@ -8,19 +8,19 @@
 
 namespace scenefile {
 
-/// Used by one thread at a time.
+/// Must be used by one thread at a time.
 class PreviewPicture {
  public:
-  /// Both must outlive it.
+  /// Both must outlive the object.
   PreviewPicture(const Preview& preview, const PictureState& picture);
 
-  /// Nothing else may be called where nobody looks.
+  /// If false, call nothing else.
   bool wanted() const { return preview_.show != nullptr; }
-  /// One ray for each block of pixels, before the first pass.
+  /// Traces one ray for each block of pixels, before the first pass.
   void start(const Tracer& tracer);
-  /// Takes over what is done in this pass.
+  /// Copies the pixels finished in this pass.
   void update() { copy_done(picture_, shown_); }
-  /// Shows the picture when it is time.
+  /// Shows the picture if the interval has passed.
   void show_in_time();
 
  private:

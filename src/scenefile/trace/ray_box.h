@@ -10,7 +10,7 @@ inline bool holds(const Bounds& box, const glm::dvec3& p) {
   return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
 }
 
-/// Narrows [t0, t1] to the part of the ray inside the box. Returns false when none is left.
+/// Clips [t0, t1] to the part of the ray inside the box. Returns false if nothing remains.
 inline bool clip_to_box(const Ray& ray, const Bounds& box, double& t0, double& t1) {
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis];

@@ -1,9 +1,9 @@
 #pragma once
-// Structures over parts and triangles, which say what a ray may meet: Embree's (embree_scenes.cpp)
-// or our own (box_scenes.cpp), as the build has it. Both find the same.
+// Acceleration structures for parts and triangles: Embree's (embree_scenes.cpp) or our own
+// (box_scenes.cpp), depending on the build. Both give the same hits.
 //
-// Each kept group is one scene, of its parts: analytic shapes, meshes, instances of other groups.
-// So is each mesh. They only find candidates; search.h decides.
+// Each kept group is a scene whose primitives are its parts: analytic shapes, meshes, and instances
+// of other groups. Each mesh is a scene too. They only find candidates; search.h decides.
 
 #include "scenefile/trace/search.h"
 
@@ -19,12 +19,12 @@ class RayScenes {
   RayScenes(const RayScenes&) = delete;
   RayScenes& operator=(const RayScenes&) = delete;
 
-  /// Nothing has failed so far. Once something has, no more are made: when memory runs out at one
-  /// place of a build, Embree's next build in that thread would wait for ever.
+  /// Whether nothing has failed so far. After a failure, no more scenes are built: if memory runs
+  /// out inside a build, Embree's next build in the same thread may hang.
   bool good() const;
-  /// Makes the scene of a group, by its parts and boxes. `group` must stay where it is.
+  /// Builds the scene of a group from its parts and boxes. `group` must not move afterwards.
   void add(Group& group);
-  /// Makes that of a mesh: all triangles, or those that its list names.
+  /// Builds the scene of a mesh: all its triangles, or those listed.
   void add(MeshScene& mesh);
 
  private:
@@ -32,13 +32,13 @@ class RayScenes {
   std::unique_ptr<State> state_;
 };
 
-/// Of the library that is loaded, "4.3.3"; empty when it cannot be asked, "none" without it.
+/// The version of the loaded library, such as "4.3.3"; empty if unknown, "none" without Embree.
 std::string embree_version();
 
-/// Offers the query the parts that the ray may meet, ray and parts in the space of the group.
+/// Tests the parts that the ray may hit; ray and parts are in the space of the group.
 void search_group_scene(Query& q, const Group& group, const Ray& ray);
 
-/// Offers the query the triangles of a mesh part. For shadow rays: whether any is met.
+/// Tests the triangles of a mesh part. For shadow rays: whether any is hit.
 bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray);
 
 }  // namespace scenefile

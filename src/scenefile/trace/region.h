@@ -1,6 +1,5 @@
 #pragma once
-// Convex parts of space: what a camera can see at most, what a light can reach at most. Internal to
-// the room.
+// Convex regions that enclose what a camera can see or a light can reach. Internal to the room.
 
 #include "scenefile/scene/render_scene.h"
 
@@ -16,14 +15,14 @@ struct HalfSpace {
   double distance = 0;
 };
 
-/// What all of the half-spaces have in common; without any, all of space.
+/// The intersection of half-spaces; all of space if empty.
 using Region = std::vector<HalfSpace>;
 
-/// Holds everything that the camera can see without mirrors, in a picture `aspect` times as wide as
-/// high or narrower.
+/// Encloses everything that the camera can see without mirrors, in a picture with at most this
+/// aspect ratio.
 Region view_region(const RenderCamera& camera, double aspect);
 
-/// Holds everything that the light can shine on.
+/// Encloses everything that the light can reach.
 Region lit_region(const RenderLight& light);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// The CPU ray tracer: ready scene + assets -> image. Semantics and their sources:
+// The CPU ray tracer: render scene and assets to image. Semantics and their sources:
 // docs/rendering.md.
 
 #include "scenefile/asset/image.h"
@@ -17,68 +17,67 @@ namespace scenefile {
 struct RenderStats {
   std::uint64_t primary_rays = 0;
   std::uint64_t shadow_rays = 0;
-  std::uint64_t secondary_rays = 0;  ///< reflected and refracted
+  std::uint64_t secondary_rays = 0;  ///< reflected and refracted rays
   double build_seconds = 0;          ///< wall time of building the acceleration structure
   double trace_seconds = 0;          ///< wall time of tracing
 };
 
 enum class RenderStatus : std::uint8_t {
   complete,
-  cancelled,      ///< the progress function said so; the image is partial
-  limit_reached,  ///< the scene nests instances deeper than the tracer can follow
+  cancelled,      ///< by the progress function; the image is partial
+  limit_reached,  ///< instances are nested deeper than the tracer supports
   failed,         ///< the acceleration structure could not be built (out of memory)
-  not_resumed,    ///< Checkpoints::resume is no state of such a picture; nothing was done
+  not_resumed,    ///< Checkpoints::resume does not fit the picture; nothing was done
 };
 
 struct RenderResult {
   Image image;
-  std::vector<ImageLayer> layers;  ///< as RenderOptions::layers
+  std::vector<ImageLayer> layers;  ///< like RenderOptions::layers
   RenderStatus status = RenderStatus::complete;
   RenderStats stats;
 };
 
-/// Called now and then, from any one thread at a time, with the share of the picture that is done
-/// in [0, 1]. Returns false to stop.
+/// Called occasionally, by one thread at a time, with the finished fraction of the picture in [0,
+/// 1]. Returns false to cancel.
 using Progress = std::function<bool(double done)>;
 
-/// For renders that something may cut short.
+/// For renders that may be interrupted.
 struct Checkpoints {
-  /// A state that `save` was given; empty: from the start. It must be of the same scene, assets,
-  /// options and build: nothing here can tell.
+  /// A state passed to `save` before; empty: start from the beginning. It must be of the same
+  /// scene, assets, options and build; this is not checked here.
   std::string resume;
-  /// Called as Progress is, with the state of the work, whenever `interval_seconds` have passed
-  /// since the last time, and when Progress says to stop.
+  /// Called like Progress, with the state of the work, whenever `interval_seconds` have passed, and
+  /// when Progress cancels.
   std::function<void(const std::string& state)> save;
   double interval_seconds = 4;
 };
 
-/// Pictures on the way, for someone who waits.
+/// Intermediate pictures for display.
 struct Preview {
-  /// Called as Progress is, with the picture as far as it is: first one color for each block of
-  /// pixels, then pixels, then better ones, in the end the result.
+  /// Called like Progress, with the picture so far: first one color per block of pixels, then
+  /// pixels, then refined ones, and finally the result.
   std::function<void(const Image& image)> show;
-  double interval_seconds = 2;  ///< at least, between calls
+  double interval_seconds = 2;  ///< minimum time between calls
 };
 
 class TraceScene;
 
-/// What render() may be given besides; all of it may be left out.
+/// Optional arguments of render().
 struct RenderControl {
   Progress progress = {};
   Checkpoints checkpoints = {};
   Preview preview = {};
-  /// A black image in which to draw the picture, if it has the same size; for those who know
-  /// cheaper memory than the allocator does (io/memory.h).
+  /// A black image to draw into, used if it has the right size; for callers with cheaper memory
+  /// than the allocator's (io/memory.h).
   Image canvas = {};
-  /// Of the same scene and assets, built before (trace_scene.h); null: render() builds what it
-  /// needs. With it the groups of the scene are not looked at and may be empty.
+  /// A structure built before for the same scene and assets (trace_scene.h); null: render() builds
+  /// it. If set, the groups of the scene are not used and may be empty.
   const TraceScene* traced = nullptr;
 };
 
-/// Renders. The picture is a function of scene, assets and options alone: any number of threads
-/// gives the same bytes, whether the work was resumed or not (statistics are of this run alone).
-/// `assets` must have been loaded for this scene. Who wants more say in the course of the work:
-/// picture_state.h.
+/// Renders the scene. The picture only depends on scene, assets and options: the result is the same
+/// for any number of threads, resumed or not. Statistics are those of this call. `assets` must be
+/// those of this scene. For more control over the process, see picture_state.h.
 RenderResult render(const RenderScene& scene, const Assets& assets, const RenderOptions& options,
                     RenderControl control = {});
 

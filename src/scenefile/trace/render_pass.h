@@ -1,5 +1,5 @@
 #pragma once
-// A pass with what all passes of one picture share already at hand. Internal to the room.
+// Draws a pass, given what all passes of a picture share. Internal to the room.
 
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/tracer.h"

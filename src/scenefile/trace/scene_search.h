@@ -1,6 +1,5 @@
 #pragma once
-// Questions about where the objects of a scene are, answered without an acceleration structure.
-// Internal to the room.
+// Queries about the positions of objects, without an acceleration structure. Internal to the room.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
@@ -13,24 +12,24 @@
 
 namespace scenefile {
 
-/// An object that a point lies inside of.
+/// An object that contains a point.
 struct Enclosure {
   const RenderPrimitive* primitive = nullptr;
-  bool holds_other = false;  ///< the other point too
+  bool holds_other = false;  ///< it also contains the other point
 };
 
-/// The work of all questions together is bounded; beyond that the answer is that nothing is known.
+/// The total work of all queries is bounded; beyond that the answer is "unknown".
 class SceneSearch {
  public:
   /// Keeps references. A mesh that is not loaded, or is empty, makes every answer about regions
   /// unknown.
   SceneSearch(const RenderScene& scene, const Assets& assets);
 
-  /// Whether all that the scene draws lies outside of the region, for certain.
+  /// Whether everything that the scene draws is certainly outside of the region.
   bool misses(const Region& region);
 
-  /// Visits the objects that the point lies inside of, until `visit` returns false. A mesh counts
-  /// when it is closed, as far as the point can tell, with its faces outward.
+  /// Visits the objects that contain the point, until `visit` returns false. A mesh counts if it is
+  /// closed, as far as its winding number at the point shows, with its faces outward.
   void enclosing(const glm::dvec3& point, const glm::dvec3& other,
                  const std::function<bool(const Enclosure&)>& visit);
 
@@ -43,7 +42,7 @@ class SceneSearch {
   bool meshes_known_;
   std::vector<Bounds> mesh_boxes_;   ///< by mesh, in its space
   std::vector<Bounds> group_boxes_;  ///< by group, in its space
-  double budget_ = 5e7;              ///< in primitives looked at
+  double budget_ = 5e7;              ///< number of primitives that may be tested
 };
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
-// Numbers in the two lanes of WebAssembly's SIMD128, in place of wide-inl.h: Highway 1.0.3 has no
-// arithmetic on doubles for it. base/one_lane.h says what each function is. Included where
-// <wasm_simd128.h> is.
+// Number types for the two lanes of WebAssembly's SIMD128, instead of wide-inl.h, because Highway
+// 1.0.3 has no arithmetic on doubles for it. base/one_lane.h describes the functions. Included
+// where <wasm_simd128.h> is.
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -79,7 +79,7 @@ inline bool every(M m) {
 inline M no_lanes() {
   return {wasm_i64x2_const(0, 0)};
 }
-/// Lanes 0 to count - 1.
+/// A mask of lanes 0 to count - 1.
 inline M first_lanes(std::size_t count) {
   return {wasm_i64x2_make(count > 0 ? -1 : 0, count > 1 ? -1 : 0)};
 }
@@ -95,38 +95,38 @@ inline F magnitude(F x) {
 inline F with_sign_of(F x, F sign) {
   return {wasm_v128_bitselect(sign.v, x.v, wasm_f64x2_const_splat(-0.0))};
 }
-// As std::min and std::max where the arguments are equal.
+// Like std::min and std::max for equal arguments.
 inline F least(F a, F b) {
   return {wasm_f64x2_pmin(a.v, b.v)};
 }
 inline F greatest(F a, F b) {
   return {wasm_f64x2_pmax(a.v, b.v)};
 }
-/// From and to memory that is aligned for it.
+/// From and to aligned memory.
 inline F load(const double* from) {
   return {wasm_v128_load(from)};
 }
 inline void store(F x, double* to) {
   wasm_v128_store(to, x.v);
 }
-/// A byte of each of so many numbers, 0 the lowest.
+/// Extracts a byte of each number; 0 is the lowest.
 template <int byte>
 F load_byte(const std::int32_t* from) {
   const v128_t shifted = wasm_i32x4_shr(wasm_v128_load64_zero(from), 8 * byte);
   return {wasm_f64x2_convert_low_i32x4(wasm_v128_and(shifted, wasm_i32x4_const_splat(255)))};
 }
-/// x / 255 of bytes.
+/// x / 255 for bytes.
 inline F share_of_255(F x) {
   return x / splat(255);
 }
-/// A bit for each lane.
+/// One bit per lane.
 inline unsigned bits(M m) {
   return static_cast<unsigned>(wasm_i64x2_bitmask(m.m));
 }
 inline M of_bits(unsigned mask) {
   return {wasm_i64x2_make(-std::int64_t{mask & 1}, -std::int64_t{mask >> 1 & 1})};
 }
-/// The next larger number of each positive one; infinity stays.
+/// The next larger number for positive numbers; infinity is unchanged.
 inline F above(F x) {
   const F next{wasm_i64x2_add(x.v, wasm_i64x2_const_splat(1))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
@@ -137,11 +137,11 @@ inline double least_lane(F x) {
 inline double greatest_lane(F x) {
   return std::max(wasm_f64x2_extract_lane(x.v, 0), wasm_f64x2_extract_lane(x.v, 1));
 }
-/// In any order.
+/// The order is unspecified.
 inline double sum_of_lanes(F x) {
   return wasm_f64x2_extract_lane(x.v, 0) + wasm_f64x2_extract_lane(x.v, 1);
 }
-/// From memory that is aligned for it.
+/// From aligned memory.
 inline F load_floats(const float* from) {
   return {wasm_f64x2_promote_low_f32x4(wasm_v128_load64_zero(from))};
 }

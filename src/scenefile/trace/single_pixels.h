@@ -1,5 +1,5 @@
 #pragma once
-// The samples of pixels, one after the other: for pictures with planted mistakes.
+// Samples pixels ray by ray: for pictures with deliberate mistakes.
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/drawn_pixel.h"
@@ -7,7 +7,7 @@
 
 namespace scenefile {
 
-/// As WaveSampler.
+/// Same interface as WaveSampler.
 class SingleSampler {
  public:
   SingleSampler(const Tracer& tracer, const CameraRays& camera, const SurfaceWish& wish,

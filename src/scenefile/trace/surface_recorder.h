@@ -1,5 +1,5 @@
 #pragma once
-// What the camera rays of a pixel met, told by the tracer of single rays.
+// Records what the camera rays of a pixel hit, for the single-ray tracer.
 
 #include "scenefile/trace/recorder.h"
 #include "scenefile/trace/surface_sample.h"
@@ -8,11 +8,11 @@ namespace scenefile {
 
 class SurfaceRecorder final : public Recorder {
  public:
-  /// `lights`: whose light is to be kept apart, into RenderScene::lights of the scene.
+  /// `lights`: those to record separately, into RenderScene::lights of the scene.
   SurfaceRecorder(const RenderScene& scene, std::vector<std::uint32_t> lights)
       : scene_(scene), lights_(std::move(lights)) {}
 
-  /// Starts another pixel.
+  /// Starts a new pixel.
   void clear();
 
   const PixelSurfaces& surfaces() const { return surfaces_; }
@@ -34,9 +34,9 @@ class SurfaceRecorder final : public Recorder {
   const RenderScene& scene_;
   std::vector<std::uint32_t> lights_;
   PixelSurfaces surfaces_;
-  Color unshadowed_{0};              // of the light that is being asked
-  Color diffused_{0};                // of that light
-  int nesting_ = 0;                  // rays inside each other
+  Color unshadowed_{0};  // of the current light
+  Color diffused_{0};    // of that light
+  int nesting_ = 0;      // number of nested rays
 };
 
 }  // namespace scenefile

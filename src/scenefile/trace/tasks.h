@@ -1,6 +1,6 @@
 #pragma once
-// Work for several threads: by oneTBB (tbb_tasks.cpp), or all of it by the caller
-// (serial_tasks.cpp), as the build has it.
+// Parallel loops: with oneTBB (tbb_tasks.cpp), or without threads (serial_tasks.cpp), depending on
+// the build.
 
 #include <cstddef>
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace scenefile {
 
-/// Allows so many threads to all parallel work of the process while it lives, that of the ray
-/// library included; 0: one a processor. The smallest of several counts.
+/// Limits the number of threads for all parallel work of the process during its lifetime, including
+/// Embree's; 0: one per processor. If there are several, the smallest limit applies.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -22,8 +22,7 @@ class ThreadLimit {
   std::unique_ptr<State> state_;
 };
 
-/// Calls `work` for 0 to count - 1 from all threads. Each computes with denormal numbers taken as
-/// zero.
+/// Calls `work` for 0 to count - 1 from all threads, which treat denormal numbers as zero.
 void for_each_task(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// A picture as work for several threads.
+// Divides a picture into work for several threads.
 
 #include "scenefile/trace/pieces.h"
 #include "scenefile/trace/render.h"
@@ -18,14 +18,13 @@ struct Tile {
   int y1 = 0;
 };
 
-/// Share of all work that a pass over the picture is.
+/// The range of the total work that a pass covers.
 struct PassShare {
   double begin = 0;
   double end = 1;
 };
 
-/// Tells the progress function how far the work is, from one thread at a time, and remembers when
-/// it said to stop.
+/// Reports progress, from one thread at a time, and remembers when the progress function cancels.
 class Watch {
  public:
   explicit Watch(const Progress& progress);
@@ -33,9 +32,9 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Counts a share of the work as done.
+  /// Adds a fraction of the work as done.
   void count(double share);
-  /// The same, and calls the progress function when it is time. False: stop.
+  /// The same, and calls the progress function if it is due. Returns false to stop.
   bool advance(double share);
   bool stopped() const;
 
@@ -44,8 +43,8 @@ class Watch {
   std::unique_ptr<State> state_;
 };
 
-/// Calls `work` for the pieces that are not done, until all are or the watch says stop; it returns
-/// whether it finished its piece. Each thread computes with denormal numbers taken as zero.
+/// Calls `work` for unfinished pieces until all are done or the watch stops it; `work` returns
+/// whether it finished its piece. Each thread treats denormal numbers as zero.
 void for_each_piece(Pieces& pieces, PassShare share, Watch& watch,
                     const std::function<bool(const Tile&)>& work);
 

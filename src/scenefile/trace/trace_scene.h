@@ -1,5 +1,5 @@
 #pragma once
-// What all pictures of one scene share: built once, kept as long as pictures of it are wanted.
+// What all pictures of a scene share; built once.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/scene/render_scene.h"
@@ -14,28 +14,28 @@ class Accelerator;
 class Pyramid;
 
 struct TraceSceneOptions {
-  int threads = 0;              ///< to build with; 0: one a processor
-  bool instance_names = false;  ///< remember which instances a part comes from (explain.h)
+  int threads = 0;              ///< for building; 0: one per processor
+  bool instance_names = false;  ///< store the instances around each part (explain.h)
 };
 
-/// The structure in which rays find what they hit, and the filtered textures. Copies share them.
+/// The acceleration structure and the filtered textures. Copies share them.
 ///
-/// It depends on the groups of the scene and on the meshes and textures alone: camera, lights,
-/// materials, coefficients and all options may change from picture to picture. It does not refer to
-/// the scene, whose groups may be given back once it is built (64 bytes a primitive and more); the
-/// assets must outlive it. Safe to use from several threads.
+/// Depends only on the scene's groups, meshes and textures: camera, lights, materials, coefficients
+/// and all options may change from picture to picture. It does not refer to the scene, whose groups
+/// may be freed after it is built (64 bytes per primitive and more). The assets must outlive it.
+/// Thread-safe.
 class TraceScene {
  public:
   TraceScene(const RenderScene& scene, const Assets& assets, const TraceSceneOptions& options = {});
 
-  /// `complete`, or why no picture can be made: limit_reached or failed.
+  /// `complete`, or the reason for failure: limit_reached or failed.
   RenderStatus status() const;
-  /// Wall time that building took.
+  /// Wall time of building.
   double build_seconds() const;
 
   const Assets& assets() const;
   const Accelerator& accelerator() const;
-  /// By texture. Made when they are asked for first.
+  /// By texture. Computed at the first call.
   const std::vector<Pyramid>& pyramids() const;
 
  private:

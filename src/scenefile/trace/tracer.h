@@ -1,5 +1,5 @@
 #pragma once
-// What every ray of one picture shares, made once before the first ray.
+// What all rays of a picture share, built once.
 
 #include "scenefile/trace/accelerator.h"
 #include "scenefile/trace/camera_rays.h"
@@ -17,26 +17,26 @@ namespace scenefile {
 
 class Recorder;
 
-/// What was traced.
+/// Counters of rays.
 struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t shadow = 0;
   std::uint64_t secondary = 0;
-  std::uint64_t penumbras = 0;   ///< area lights that were seen in part
-  Recorder* recorder = nullptr;  ///< is told everything (recorder.h); null: nobody asks
+  std::uint64_t penumbras = 0;   ///< area lights seen partially
+  Recorder* recorder = nullptr;  ///< records everything (recorder.h); null: not recording
 };
 
 struct Tracer {
   Tracer(const TraceScene& traced, const RenderScene& scene, const RenderOptions& options);
-  /// Builds what it needs.
+  /// Builds the TraceScene too.
   Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options);
 
-  /// Rays may be traced only when `complete`; later `limit_reached` where one had to be given up.
+  /// Rays may only be traced when `complete`; later `limit_reached` if one had to be given up.
   RenderStatus status() const;
-  /// With the lens, where that is switched on.
+  /// Includes the lens if that is enabled.
   CameraRays camera() const;
   bool course() const { return options.profile == Profile::course; }
-  /// Smallest t of a ray that starts on a surface at `point` and has a direction of unit length.
+  /// Smallest t of a ray that starts on a surface at `point` with a direction of unit length.
   double start_offset(const glm::dvec3& point, double distance) const;
   /// kt * Ct.
   Color transparency(const RenderMaterial& material) const;
@@ -45,10 +45,10 @@ struct Tracer {
   const RenderScene& scene;
   const Assets& assets;
   RenderOptions options;   ///< in range
-  double transparent = 0;  ///< kt, by the file or the profile
+  double transparent = 0;  ///< transparentcoeff of the file or the profile
   Accelerator accelerator;
   Transmission transmission;          ///< by material, for shadow rays
-  std::span<const Pyramid> pyramids;  ///< by texture, where lookups are filtered over footprints
+  std::span<const Pyramid> pyramids;  ///< by texture, if lookups are filtered over footprints
 };
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Rays and single triangles of a mesh.
+// Intersection of rays with single triangles of a mesh.
 
 #include "scenefile/trace/parts.h"
 
@@ -7,19 +7,19 @@
 
 namespace scenefile {
 
-/// Which triangle of the mesh one of its scene is.
+/// The index in the mesh of a primitive of its scene.
 inline std::uint32_t triangle_of(const MeshScene& mesh, std::uint32_t primitive) {
   return mesh.triangles.empty() ? primitive : mesh.triangles[primitive];
 }
 
 struct TriangleHit {
   double t = 0;
-  double b1 = 0;  ///< weight of the second corner
-  double b2 = 0;  ///< of the third
+  double b1 = 0;  ///< barycentric weight of the second corner
+  double b2 = 0;  ///< the same for the third corner
 };
 
-/// Where the ray meets the triangle's plane; what finds candidates has found that it is inside.
-/// Weights are clamped because at an edge the two disagree.
+/// The hit on the triangle's plane; the search has already found it to be inside. Weights are
+/// clamped because the two computations can disagree at edges.
 inline bool meet_triangle(const Mesh& mesh, std::uint32_t index, const Ray& ray, TriangleHit& hit) {
   const auto& corners = mesh.triangles[index];
   const glm::dvec3 p0(mesh.positions[corners[0]]);

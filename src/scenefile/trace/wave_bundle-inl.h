@@ -1,31 +1,31 @@
-// Bundles of rays that go much the same way, and which parts they may meet. No guard: included once
-// for each instruction set, behind wide-inl.h.
+// Bundles of coherent rays, and the parts that they may hit. No include guard: included once for
+// each instruction set, after wide-inl.h.
 //
-// Most of the direction is along one axis; how far the rays of a bundle stray along the other two
-// while they go one unit along it lies in an interval. With those of their origins that bounds
-// where all of them are beside a box (compare Boulos et al., "Geometric and Arithmetic Culling
+// The rays of a bundle mostly run along one axis. Intervals bound their slopes along the other two
+// axes, and their origins; together they bound all rays at the distance of a box (compare Boulos et
+// al., "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006).
 // Methods for Entire Ray Packets", 2006).
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// Where the rays go: all of a wave's forward along one axis.
+/// The main direction of the rays of a wave.
 struct Heading {
   int main = 2;  ///< the axis; 0, 1, 2
   int side[2] = {0, 1};
-  double sign = 1;      ///< of the directions along it
-  bool common = false;  ///< the rays are as good as that
+  double sign = 1;      ///< sign of the directions along the main axis
+  bool common = false;  ///< whether the rays are coherent enough
 };
 
-/// The space that the rays of a bundle may touch. Of coordinates along the main axis, times its
-/// sign, and the two others.
+/// Bounds of the space that the rays of a bundle may touch: coordinates along the main axis, times
+/// its sign, and along the two others.
 struct Bundle {
   double origin_low[3];  ///< main, sides
   double origin_high[3];
   double slope_low[2];
   double slope_high[2];
-  double reach;  ///< along the main axis from the origin, at most
+  double reach;  ///< maximum extent along the main axis from the origin
 };
 
 inline Bundle empty_bundle() {
@@ -49,15 +49,15 @@ inline F coordinate(const V3& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-/// A chunk of a wave that is to be searched.
+/// A chunk of a wave to search.
 struct Chunk {
   Rays rays;
-  F length;  ///< how long they are
-  M mask;    ///< which of them are asked for
+  F length;  ///< of the rays
+  M mask;    ///< active rays
 };
 
 inline Bundle bundle_of(const Chunk& chunk, const Heading& heading) {
-  // Wider than rounding may make a ray.
+  // Exceeds the rounding errors of a ray.
   constexpr double slack = 1e-7;
   const F far = splat(std::numeric_limits<double>::infinity());
   const auto& [rays, length, mask] = chunk;
@@ -86,7 +86,7 @@ inline Bundle bundle_of(const Chunk& chunk, const Heading& heading) {
   return bundle;
 }
 
-/// What all lanes of chunks `first` to `last` - 1 have in common; `chunk(c)` gives them.
+/// The common heading of chunks `first` to `last` - 1; `chunk(c)` returns a chunk.
 template <typename ChunkOf>
 Heading heading_of(int first, int last, const ChunkOf& chunk) {
   V3 sum{splat(0), splat(0), splat(0)};
@@ -104,7 +104,7 @@ Heading heading_of(int first, int last, const ChunkOf& chunk) {
   heading.side[0] = (heading.main + 1) % 3;
   heading.side[1] = (heading.main + 2) % 3;
   heading.sign = sums[heading.main] < 0 ? -1 : 1;
-  constexpr double steepest = 0.2;  // of a unit vector, along the main axis
+  constexpr double steepest = 0.2;  // minimum of a unit vector along the main axis
   M fine = !no_lanes();
   for (int c = first; c < last; ++c) {
     const Chunk one = chunk(c);
@@ -115,7 +115,7 @@ Heading heading_of(int first, int last, const ChunkOf& chunk) {
   return heading;
 }
 
-/// Parts that a bundle may meet, with their boxes.
+/// Parts that a bundle may hit, with their boxes.
 struct Candidates {
   static constexpr int most = 64;
   int count = 0;
@@ -124,7 +124,7 @@ struct Candidates {
   alignas(64) float max[3][most + BoxNode::width];
 };
 
-// Which of the boxes at `at` the bundle may touch; `boxes` has them as BoxNode has.
+// Which boxes starting at `at` the bundle may touch; `boxes` has the layout of BoxNode.
 template <typename Boxes>
 unsigned touched(const Boxes& boxes, int at, const Bundle& bundle, const Heading& heading) {
   const bool forward = heading.sign > 0;
@@ -155,7 +155,7 @@ void add_candidate(const Boxes& boxes, int at, std::uint32_t part, Candidates& l
   }
 }
 
-/// Those of the tree; a few more than `limit`, at most `most`, where they are too many.
+/// Candidates from the tree; slightly more than `limit`, at most `most`, if there are too many.
 inline void find_candidates(const PartTree& tree, const Bundle& bundle, const Heading& heading,
                             int limit, Candidates& list) {
   struct Entry {
@@ -183,7 +183,7 @@ inline void find_candidates(const PartTree& tree, const Bundle& bundle, const He
   }
 }
 
-/// Those of a list.
+/// Candidates from a list.
 inline void find_candidates(const Candidates& from, const Bundle& bundle, const Heading& heading,
                             Candidates& list) {
   list.count = 0;
@@ -197,15 +197,15 @@ inline void find_candidates(const Candidates& from, const Bundle& bundle, const 
   }
 }
 
-// Chunks `first` to `last` - 1, whose bundles are `bundles`, with the parts of `around`, or of the
-// tree.
+// Searches chunks `first` to `last` - 1, whose bundles are `bundles`, among the parts of `around`,
+// or of the tree.
 template <typename Test, typename GiveUp>
 void search_bundles(const PartTree& tree, const Bundle* bundles, int first, int last,
                     const Heading& heading, const Candidates* around, const Test& test,
                     const GiveUp& give_up) {
   constexpr int parting = 4;
-  constexpr int few = 2;    // to be tested by all chunks
-  constexpr int many = 16;  // to be tested by one
+  constexpr int few = 2;    // tested by all chunks
+  constexpr int many = 16;  // tested by one chunk
   const bool single = last - first == 1;
   const int limit = single ? many : Candidates::most;
   Bundle whole = bundles[first];
@@ -229,7 +229,7 @@ void search_bundles(const PartTree& tree, const Bundle* bundles, int first, int 
     }
     return;
   }
-  // Where many rays have too many parts, fewer have as a rule: each chunk for itself.
+  // If many rays have too many candidates, single chunks usually have fewer.
   const int step = too_many ? 1 : std::max(1, (last - first) / parting);
   for (int c = first; c < last; c += step) {
     search_bundles(tree, bundles, c, std::min(last, c + step), heading, too_many ? nullptr : &list,
@@ -238,7 +238,8 @@ void search_bundles(const PartTree& tree, const Bundle* bundles, int first, int 
 }
 
 /// Calls test(c, candidates) for chunks `first` to `last` - 1 with the parts that their rays may
-/// meet, or give_up(c) where those are too many or the rays go apart. `chunk(c)` gives the rays.
+/// hit, or give_up(c) if there are too many or the rays are incoherent. `chunk(c)` returns the
+/// rays.
 template <typename ChunkOf, typename Test, typename GiveUp>
 void search_tree(const PartTree& tree, int first, int last, const ChunkOf& chunk, const Test& test,
                  const GiveUp& give_up) {

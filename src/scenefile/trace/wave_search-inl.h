@@ -1,11 +1,11 @@
-// What the rays of a wave hit. No guard: included once for each instruction set, behind
-// wave_bundle-inl.h.
+// Finds what the rays of a wave hit. No include guard: included once for each instruction set,
+// after wave_bundle-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// A map in each lane.
+/// An affine map in each lane.
 struct Map {
   V3 x, y, z, offset;
 
@@ -20,7 +20,7 @@ inline Map splat_map(const Affine& m) {
   return {splat3(m.linear[0]), splat3(m.linear[1]), splat3(m.linear[2]), splat3(m.offset)};
 }
 
-// By one lane after the other: rays that crossing() cannot take.
+// Lane by lane, for rays outside the range of crossing().
 inline Crossing extreme_crossing(Shape shape, const Rays& rays, F t_min, F t_max, M active) {
   alignas(64) double numbers[8][lanes];
   store(rays.origin.x, numbers[0]);
@@ -72,7 +72,7 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   if (none(found.hit)) {
     return;
   }
-  // Of equal ones the last in the file, as improves() has it.
+  // Among equal ones the last in the file wins, like in improves().
   const F number = splat(index);
   const M later = (nearest.part >= splat(0)) & (number > nearest.part);
   const M better = found.hit & ((found.t < nearest.t) | ((found.t == nearest.t) & later));
@@ -81,7 +81,7 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   nearest.part = select(better, number, nearest.part);
 }
 
-// Hits of shapes of the root group are told as such, so that they are shaded together.
+// Stores hits of shapes in the root group as such, so that they are shaded in lanes.
 inline void put_hit(const std::vector<Part>& root, const Hit& hit, int i, WaveHits& hits) {
   const auto* const part = static_cast<const Part*>(hit.part);
   const bool of_root =
@@ -111,7 +111,7 @@ inline Chunk ray_chunk(const WaveRays& rays, int at) {
           present_lanes(at, rays.count) & finite_rays(chunk)};
 }
 
-// Tests parts; `part(i)` is the index of one.
+// Tests `count` parts; `part(i)` is the index of each.
 template <typename PartOf>
 void find_among(const std::vector<Part>& parts, int count, const PartOf& part, const WaveRays& rays,
                 int at, WaveHits& hits) {
@@ -127,7 +127,7 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
   store(nearest.part, hits.part + at);
 }
 
-/// What each ray of a generation hits first.
+/// Finds the nearest hit of each ray of a generation.
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
   const std::vector<Part>& parts = scene.root;
   if (scene.few_parts) {
@@ -154,13 +154,13 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
   }
 }
 
-// Shadow rays of a chunk, from the points.
+// The shadow rays of a chunk, from the points to the light.
 inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int at) {
   const Rays rays{load3(points.position, at), load3(light.to_light, at)};
   return {rays, load(light.end + at), of_bits(light.asks[at / lanes]) & finite_rays(rays)};
 }
 
-// The same from the light, if that is a point: so they begin all in one.
+// The same from the light, if it is a point, so that they have the same origin.
 inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int at) {
   Chunk chunk = shadow_chunk(points, light, at);
   if (light.at_a_point) {
@@ -169,16 +169,16 @@ inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int a
   return chunk;
 }
 
-// Shadow rays on their way through the parts.
+// Shadow rays being tested against parts.
 struct Shadows {
   const WaveScene& scene;
   const std::vector<Part>& parts;
   const Chunk& chunk;
   F start;
-  M open;  // those that light may still come by
+  M open;  // rays that are not blocked yet
   V3 density{splat(0), splat(0), splat(0)};
 
-  // Whether the part is in the way of some.
+  // Tests a part; returns whether it occludes any ray.
   bool meet(std::uint32_t index) {
     const Part& part = parts[index];
     const M met = part_crossing(part, chunk.rays, start, chunk.length, open).hit;
@@ -200,7 +200,7 @@ inline RecentBlockers& recent_blockers(WaveLight& light) {
   return light.recent[light.index % std::size(light.recent)];
 }
 
-// Parts that were in the way not long ago, all lanes at once.
+// Tests recent occluders, all lanes at once.
 inline void meet_recent(RecentBlockers& recent, Shadows& shadows) {
   for (std::uint32_t i = 0; i < RecentBlockers::most && any(shadows.open); ++i) {
     if (recent.part[i] != no_index && shadows.meet(recent.part[i])) {
@@ -245,7 +245,7 @@ inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& point
   light.blocked[at / lanes] = static_cast<std::uint8_t>(blocked);
 }
 
-// What is left of the light, where some passed through objects.
+// Stores the remaining light if some passed through objects.
 inline void put_left(const Shadows& shadows, int at, WaveLight& light) {
   const V3& d = shadows.density;
   store3(splat3(Color(1)), light.left, at);
@@ -285,7 +285,7 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
   }
 }
 
-/// Which of the points that ask for light do not see it.
+/// Finds which of the active points are in shadow.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
   if (scene.few_parts) {
     const auto count = static_cast<int>(scene.root.size());

@@ -1,5 +1,5 @@
-// Numbers in as many lanes as the instruction set has; base/one_lane.h says what each function is.
-// No guard: included once for each instruction set, where Highway is known.
+// The wide number types for the instruction set; base/one_lane.h describes the functions. No
+// include guard: included once for each instruction set, where Highway is included.
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -81,7 +81,7 @@ inline bool every(M m) {
 inline M no_lanes() {
   return {hn::FirstN(D(), 0)};
 }
-/// Lanes 0 to count - 1.
+/// A mask of lanes 0 to count - 1.
 inline M first_lanes(std::size_t count) {
   return {hn::FirstN(D(), count)};
 }
@@ -97,29 +97,29 @@ inline F magnitude(F x) {
 inline F with_sign_of(F x, F sign) {
   return {hn::CopySign(x.v, sign.v)};
 }
-// As std::min and std::max where the arguments are equal.
+// Like std::min and std::max for equal arguments.
 inline F least(F a, F b) {
   return {hn::Min(b.v, a.v)};
 }
 inline F greatest(F a, F b) {
   return {hn::Max(b.v, a.v)};
 }
-/// From and to memory that is aligned for it.
+/// From and to aligned memory.
 inline F load(const double* from) {
   return {hn::Load(D(), from)};
 }
 inline void store(F x, double* to) {
   hn::Store(x.v, D(), to);
 }
-/// A byte of each of so many numbers, 0 the lowest.
+/// Extracts a byte of each number; 0 is the lowest.
 template <int byte>
 F load_byte(const std::int32_t* from) {
   const hn::Rebind<std::int32_t, D> integers;
   const auto shifted = hn::ShiftRight<8 * byte>(hn::Load(integers, from));
   return {hn::PromoteTo(D(), hn::And(shifted, hn::Set(integers, 255)))};
 }
-// 1 / 255 in two parts: products of bytes with the first are exact, so that the sum is rounded
-// once.
+// 1 / 255 as a sum of two numbers: products of bytes with the first are exact, so the result is
+// rounded only once.
 inline constexpr double high_255th = 0x0.010101010101p0;
 inline constexpr double low_255th = 0x1p-48 / 255;
 constexpr bool divides_bytes() {
@@ -131,11 +131,11 @@ constexpr bool divides_bytes() {
   return true;
 }
 static_assert(divides_bytes());
-/// x / 255 of bytes.
+/// x / 255 for bytes.
 inline F share_of_255(F x) {
   return x * splat(high_255th) + x * splat(low_255th);
 }
-/// A bit for each lane.
+/// One bit per lane.
 inline unsigned bits(M m) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(D(), m.m, bytes);
@@ -145,7 +145,7 @@ inline M of_bits(unsigned mask) {
   const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(mask)};
   return {hn::LoadMaskBits(D(), bytes)};
 }
-/// The next larger number of each positive one; infinity stays.
+/// The next larger number for positive numbers; infinity is unchanged.
 inline F above(F x) {
   const hn::RebindToSigned<D> integers;
   const F next{hn::BitCast(D(), hn::Add(hn::BitCast(integers, x.v), hn::Set(integers, 1)))};

@@ -1,5 +1,5 @@
 #pragma once
-// How the meanings of two scenes differ (scene/diff.h), for people and for programs.
+// Compares the meanings of two scenes (scene/diff.h); as text and JSON.
 
 #include "scenefile/scene/diff.h"
 #include "scenefile/verbs/load_scene.h"
@@ -8,13 +8,13 @@
 
 namespace scenefile {
 
-/// Compares two scenes that can be used.
+/// Compares two usable scenes.
 SceneDiff compare_scenes(const LoadedScene& a, const LoadedScene& b);
 
-/// A line for each difference, and the verdict.
+/// A line for each difference, and a verdict.
 std::string compare_scenes_text(const LoadedScene& a, const LoadedScene& b, const SceneDiff& diff);
 
-/// `diff`: null where one of the scenes cannot be used.
+/// `diff`: null if one of the scenes is not usable.
 std::string compare_scenes_json(const LoadedScene& a, const LoadedScene& b, const SceneDiff* diff);
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
 #pragma once
-// Writes one JSON document. All characters outside ASCII are escaped, so that no input can play
-// with a terminal; bytes that are not UTF-8 become U+FFFD.
+// Writes a JSON document. Escapes all characters outside ASCII, so that input cannot control a
+// terminal; bytes that are not UTF-8 become U+FFFD.
 
 #include <glm/glm.hpp>
 
@@ -21,7 +21,7 @@ class Json {
   void value(bool b);
   void value(std::unsigned_integral auto n) { write_unsigned(n); }
   void value(std::signed_integral auto n) { write_signed(n); }
-  /// What JSON has no number for is null.
+  /// NaN and infinity become null.
   void value(std::floating_point auto d) { write_number(static_cast<double>(d)); }
   template <typename T, glm::qualifier Q>
   void value(const glm::vec<3, T, Q>& v) {
@@ -40,7 +40,7 @@ class Json {
     value(v);
   }
   void add(std::string_view name, const char* v) { add(name, std::string_view(v)); }
-  /// A value that is JSON already.
+  /// A value that is already JSON.
   void raw(std::string_view json);
 
   void begin_object();
@@ -50,7 +50,7 @@ class Json {
   void begin_array(std::string_view name);
   void end_array();
 
-  /// The document, when all that began has ended.
+  /// The document; everything that was begun must have ended.
   std::string text() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes from the files of this machine.
+// Loads scenes from files.
 
 #include "scenefile/io/asset_roots.h"
 #include "scenefile/io/folder.h"
@@ -11,20 +11,20 @@
 
 namespace scenefile {
 
-/// Which files a scene may open beside those in its own folders (docs/assets.md).
+/// Which files a scene may open in addition to those in its own folders (docs/assets.md).
 struct AssetAccess {
-  std::vector<std::string> roots;  ///< folders to look in too, in this order
-  bool allow_outside = false;      ///< any file of the machine
+  std::vector<std::string> roots;  ///< additional folders, in order
+  bool allow_outside = false;      ///< allow any file
 };
 
-/// What became of a file that the scene names.
+/// A file that the scene refers to, and where it was found.
 struct AssetFile {
   AssetKind kind = AssetKind::texture;
   FileReference reference;
   ResolvedAsset resolved;
 };
 
-/// load_scene() of a file, or of standard input for "-".
+/// load_scene() for a file, or for standard input if the path is "-".
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings = {},
                             const AssetAccess& access = {});
 
@@ -36,21 +36,20 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
 /// The picture in a file. The error names the file.
 Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
 
-/// Where the files may be that a scene at `path` names: `access`, and the folder that the
-/// environment variable CS123_DATA names, which is what /course/cs123/data was on the course's
-/// machines.
+/// Where the files of a scene at `path` may be: `access`, and the folder in the environment
+/// variable CS123_DATA, which replaces /course/cs123/data of the course's machines.
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
                                       const Limits& limits);
 
-/// What was read of an asset, as load_assets() and the importers ask for it.
+/// Converts the result of reading an asset for load_assets() and the importers.
 FileContents contents_of(Result<std::string> bytes);
 
-/// Where each file of the scene is, textures first.
+/// Where each file of the scene was found, textures first.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);
 
-/// Gives up what only messages about the file need (text, written scene, sources), for work that
-/// needs the memory.
+/// Frees what only messages about the file need (text, written scene, sources), for work that needs
+/// the memory.
 void forget_file(LoadedScene& scene);
 
 }  // namespace scenefile

@@ -1,7 +1,6 @@
 #pragma once
-// From the bytes of a scene to what can be drawn, with all findings on the way, as every program
-// does it. Opens no files: textures and meshes come through a callback (load_file.h has one for
-// the files of a machine).
+// Loads a scene from its bytes, with all findings, the same for every program. Opens no files:
+// textures and meshes come from a callback (load_file.h has one for files).
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
@@ -19,36 +18,36 @@
 
 namespace scenefile {
 
-/// How far to go.
+/// How much to load.
 enum class LoadDepth : std::uint8_t { prepared, with_meshes, with_all_assets };
 
 struct LoadSettings {
   LoadDepth depth = LoadDepth::with_all_assets;
-  bool compat_course = false;  ///< read as the course's programs did (ReadOptions)
+  bool compat_course = false;  ///< read like the course's programs (ReadOptions)
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
   Limits limits;
-  ForEach for_each = {};  ///< decodes textures; empty: one after the other
-  /// Told what begins, such as "reading the scene", in words that stay where they are.
+  ForEach for_each = {};  ///< for decoding textures; empty: sequentially
+  /// Called at the start of each phase, such as "reading the scene", with a static text.
   std::function<void(const char* phase)> entering = {};
 };
 
-/// A scene in all of its states.
+/// A scene in all its states.
 struct LoadedScene {
   std::string path;                 ///< as given; "-": standard input
-  std::string text;                 ///< its bytes
-  std::optional<Error> unreadable;  ///< why there are no bytes
+  std::string text;                 ///< the contents of the file
+  std::optional<Error> unreadable;  ///< why the file could not be read
   Scene written;
-  Prepared ready;  ///< not to be drawn when there are errors
+  Prepared ready;  ///< do not draw it if there are errors
   Assets assets;
-  std::uint64_t asset_fingerprint = 0;  ///< of names and bytes of all files that were loaded
+  std::uint64_t asset_fingerprint = 0;  ///< of names and contents of all loaded files
   Diagnostics diagnostics;
 
   /// Whether it can be drawn.
   bool usable() const { return !unreadable && !diagnostics.has_errors(); }
 };
 
-/// Reads, checks, prepares and loads, as far as settings.depth says, whatever is found on the way.
-/// `path` is only a name.
+/// Reads, checks, prepares and loads, up to settings.depth, regardless of findings. `path` is only
+/// used as a name.
 LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetch,
                        const LoadSettings& settings = {});
 
@@ -56,12 +55,12 @@ LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetc
 /// what was loaded before. Findings come after those that are there already.
 void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings = {});
 
-/// What a picture with these options looks at.
+/// What a picture with these options needs.
 LoadDepth depth_for(const RenderOptions& options);
 
-/// Adds findings about what any picture of a usable scene would show (trace/check_view.h).
+/// Adds findings that concern any picture of a usable scene (trace/check_view.h).
 void check_picture(LoadedScene& scene);
-/// The same of the picture that these options ask for, and what they make doubtful or certain.
+/// The same for a picture with these options, including findings that depend on them.
 void check_picture(LoadedScene& scene, const RenderOptions& options);
 
 /// The name of a scene in messages: <stdin> for "-".

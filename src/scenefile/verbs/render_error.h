@@ -1,5 +1,5 @@
 #pragma once
-// What the tracer's status means to who asked for a picture.
+// Converts the tracer's status to an error.
 
 #include "scenefile/base/result.h"
 #include "scenefile/trace/render.h"
@@ -8,8 +8,8 @@
 
 namespace scenefile {
 
-/// Nothing for RenderStatus::complete. A picture that was cancelled is no error of the input, so
-/// that whoever cancelled it says what it means.
+/// Nullopt for RenderStatus::complete. A canceled picture is not an error of the input, so the
+/// caller decides what it means.
 std::optional<Error> render_error(RenderStatus status);
 
 }  // namespace scenefile

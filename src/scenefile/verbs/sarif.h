@@ -1,5 +1,5 @@
 #pragma once
-// Findings as SARIF 2.1.0 (OASIS), the format that code hosts and editors show beside the lines.
+// Findings as SARIF 2.1.0 (OASIS), which code hosts and editors show next to the lines.
 
 #include "scenefile/verbs/load_scene.h"
 
@@ -11,24 +11,25 @@
 
 namespace scenefile {
 
-/// The path under which a reader of the log finds a file that the scene names; empty: nowhere.
+/// The path where a reader of the log finds a file that the scene refers to; empty: not found.
 using FindPath = std::function<std::string(const std::string& name)>;
 
-/// Collects the findings of several scenes, one log with one run.
+/// Collects the findings of several scenes in a log with one run.
 class SarifLog {
  public:
-  /// The scene's findings, after apply_policy(). Those in a mesh are placed in its file.
+  /// Adds the scene's findings, after apply_policy(). Findings about a mesh get the place in its
+  /// file.
   void add(const LoadedScene& scene, const FindPath& find_path);
-  /// `exit_status` is what the program is going to end with.
+  /// `exit_status` is that of the program.
   std::string text(int exit_status) const;
 
  private:
   struct Entry {
     std::string scene;  ///< its path
-    std::string file;   ///< the path of the mesh that the finding is in; empty: in the scene
-    Location used_at;   ///< where the scene names the mesh
+    std::string file;   ///< path of the mesh that the finding is about; empty: the scene
+    Location used_at;   ///< where the scene refers to the mesh
     Diagnostic finding;
-    std::string fingerprint;  ///< stays when lines in front of it come and go
+    std::string fingerprint;  ///< does not change if lines are added or removed before it
   };
   std::vector<Entry> entries_;
   std::vector<std::string> unreadable_;

@@ -1,5 +1,5 @@
 #pragma once
-// A scene with its findings as JSON, and the members that the answers of several verbs share.
+// A scene with its findings as JSON, and members shared by the output of several commands.
 // docs/formats.md describes the documents.
 
 #include "scenefile/trace/render_options.h"
@@ -12,21 +12,21 @@
 
 namespace scenefile {
 
-/// The version and the name of the verb; the document's object stays open.
+/// Writes the version and the name of the command; the document's object stays open.
 void begin_document(Json& json, std::string_view verb);
 
-/// The scene as a value of the open object or array: path, verdict, findings.
+/// Adds the scene as a value of the open object or array: path, verdict, findings.
 void add_scene(Json& json, const LoadedScene& scene);
-/// The same as a text of its own, to be collected.
+/// The same as a separate text.
 std::string scene_json(const LoadedScene& scene);
 
-/// The document of scenes that were checked: texts of scene_json().
+/// The document for checked scenes, from texts of scene_json().
 std::string check_json(const std::vector<std::string>& scenes);
 
-/// Line and column, where they are known, into the open object.
+/// Adds line and column to the open object, if known.
 void add_location(Json& json, Location location);
 
-/// Size, profile, features and so on, into the open object.
+/// Adds size, profile, features and so on to the open object.
 void add_render_options(Json& json, const RenderOptions& options);
 
 }  // namespace scenefile

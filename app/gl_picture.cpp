@@ -22,7 +22,7 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
   Drawing drawing =
       upload(*device, ready, scene.assets, upload_options(options.render), scene.diagnostics);
   if (options.realtime) {
-    // realtime.not-drawn says it of the assignment.
+    // For the assignment, realtime.not-drawn reports this.
     scene.diagnostics.rewrite([](const Code& code, Severity severity) {
       return &code == &gl_not_drawn ? std::nullopt : std::optional(severity);
     });
@@ -38,8 +38,8 @@ Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, G
   if (stats.left_out != 0) {
     scene.diagnostics.report(
         gl_copies_left_out, {},
-        fmt::format("the picture shows more than OpenGL draws in a fit time: of {} objects the "
-                    "farthest {} are left out; the ray tracer draws them all",
+        fmt::format("the picture shows more than OpenGL draws in a reasonable time: of {} objects "
+                    "the farthest {} are left out; the ray tracer draws them all",
                     stats.objects + stats.left_out, stats.left_out));
   }
   if (stats.shadowless != 0) {

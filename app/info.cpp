@@ -38,7 +38,7 @@ std::string counts_text(const std::array<std::size_t, n>& counts,
   return parts.empty() ? "0" : fmt::format("{} ({})", sum, fmt::join(parts, ", "));
 }
 
-// Exact as long as a double is.
+// Exact within the precision of a double.
 std::string virtual_text(double count) {
   constexpr double exact = 9e15;
   if (!std::isfinite(count)) {
@@ -82,7 +82,7 @@ std::string realtime_text(const RealtimeReport& report) {
     ++skipped[static_cast<std::size_t>(light.type)];
   }
   std::string text =
-      fmt::format("{}: {} lights shine, {:.0f} triangles of shapes with parameters {},{}",
+      fmt::format("{}: {} lights are used, {:.0f} triangles of shapes with parameters {},{}",
                   milestone_names[static_cast<std::size_t>(report.options.milestone)],
                   report.lights, report.triangles, parameters.parameter1, parameters.parameter2);
   if (!report.skipped_lights.empty()) {
@@ -160,7 +160,7 @@ InfoReport make_report(const LoadedScene& scene, const Options& options, Context
 }  // namespace
 
 ExitCode run_info(const Options& options, Context& context) {
-  // Meshes have bounds; textures are only looked for.
+  // Meshes are loaded for their bounds; textures are only looked up.
   const LoadedScene scene = load_scene(options.arguments.front(), options, LoadDepth::with_meshes,
                                        /*allow_missing=*/true, context);
   const ExitCode status = status_of(scene);

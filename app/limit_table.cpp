@@ -38,14 +38,15 @@ constexpr std::uint64_t any_size = std::uint64_t{1} << 50;
 
 constexpr std::array table{
     row<&Limits::file_bytes>("file-bytes", "a scene or asset file", any_size, true),
-    row<&Limits::nesting>("nesting", "elements or values inside each other", 1u << 20),
+    row<&Limits::nesting>("nesting", "nested elements or values", 1u << 20),
     row<&Limits::attributes>("attributes", "attributes of one element", any32),
     row<&Limits::name_bytes>("name-bytes", "a name of an element, object or file", any32, true),
     row<&Limits::value_bytes>("value-bytes", "any other attribute or string", any32, true),
     row<&Limits::messages_per_code>("messages-per-code",
                                     "messages of one code; the rest is counted", any32),
     row<&Limits::message_bytes>("message-bytes", "all messages", any32, true),
-    row<&Limits::lights>("lights", "lights in the world, copies of templates included", 1u << 20),
+    row<&Limits::lights>("lights", "lights in world space, including instances of templates",
+                         1u << 20),
     row<&Limits::texture_side>("texture-side", "width and height of a texture, in pixels",
                                1u << 24),
     row<&Limits::texture_bytes>("texture-bytes", "all textures, decoded", any_size, true),
@@ -55,7 +56,7 @@ constexpr std::array table{
     row<&Limits::image_side>("image-side", "width and height of a picture, in pixels", 1u << 20),
 };
 
-// The power of two that a letter behind a number stands for; 0: none.
+// The power of two of a suffix; 0: none.
 unsigned shift_of(char letter) {
   switch (letter) {
     case 'K':
@@ -143,10 +144,9 @@ std::string set_limit(Limits& limits, const std::string& assignment) {
 std::string limits_text(std::size_t width) {
   std::string text =
       wrapped(
-          "Limits keep a hostile or mistaken file from costing more than a scene is worth. A "
-          "file that reaches one is refused with a message and exit status 4. Each is set by "
-          "--limit NAME=VALUE; K, M and G after a number of bytes stand for 2^10, 2^20 and "
-          "2^30.",
+          "Limits keep a hostile or faulty file from using too much time or memory. A file that "
+          "exceeds one is rejected with a message and exit status 4. Each is set by --limit "
+          "NAME=VALUE; K, M and G after a number of bytes mean 2^10, 2^20 and 2^30.",
           0, 0, width) +
       "\n\n";
   constexpr std::size_t column = 31;
@@ -159,7 +159,7 @@ std::string limits_text(std::size_t width) {
   }
   return text + "\n" +
          wrapped(
-             "Besides: --max-memory for the memory of the whole run, --timeout for its time, "
+             "See also: --max-memory for the memory of the whole run, --timeout for its time, "
              "--max-depth for rays.",
              0, 0, width) +
          "\n";

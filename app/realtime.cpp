@@ -16,7 +16,7 @@ namespace scenefile::app {
 
 namespace {
 
-// Of the group that is the world: all triangles of its shapes, those of instances included.
+// The triangles of all shapes in the root group, including instances.
 double count_triangles(const RenderScene& scene, const TessellationParameters& parameters) {
   std::array<double, shape_count> each{};
   for (std::size_t i = 0; i < shape_count; ++i) {
@@ -85,21 +85,20 @@ void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
     const bool in_action = has_light(Milestone::action, light.type);
     scene.diagnostics.report(
         realtime_light_skipped, light.location,
-        fmt::format("the milestone {} has no {} lights: this one does not shine{}", milestone,
+        fmt::format("the milestone {} has no {} lights: this one is not used{}", milestone,
                     word_of(light.type), in_action ? "; --milestone action has them" : ""));
   }
   if (report.lights == 0 && !report.skipped_lights.empty()) {
-    scene.diagnostics.report(
-        realtime_no_light, {},
-        fmt::format("none of the scene's lights shines in the milestone {}: the picture shows "
-                    "ambient light only",
-                    milestone));
+    scene.diagnostics.report(realtime_no_light, {},
+                             fmt::format("none of the scene's lights is used in the milestone {}: "
+                                         "the picture shows ambient light only",
+                                         milestone));
   }
   if (const auto missing = features_not_drawn(scene.ready.scene); !missing.empty()) {
-    scene.diagnostics.report(realtime_not_drawn, {},
-                             fmt::format("the scene has what the assignment Realtime does not "
-                                         "draw: {}",
-                                         fmt::join(missing, ", ")));
+    scene.diagnostics.report(
+        realtime_not_drawn, {},
+        fmt::format("the scene has features that the assignment Realtime does not draw: {}",
+                    fmt::join(missing, ", ")));
   }
 }
 

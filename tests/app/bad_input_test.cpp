@@ -1,4 +1,4 @@
-// Input that makes no sense: what check says of it, and that a render does not pass over it.
+// Invalid input: check reports it, and render does not ignore it.
 
 #include "app/run_program.h"
 
@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The good scene with other text in place of some.
+// The good scene with a text replaced.
 std::string replaced(const std::string& what, const std::string& with) {
   std::string text = good_scene;
   return text.replace(text.find(what), what.size(), with);
@@ -39,8 +39,8 @@ TEST(BadInput, AMatrixWithARowTwiceIsCalledThat) {
                                    "volume; objects inside it are not drawn [transform.flat]"));
   const ProgramRun no_last =
       check(with_transform("<matrix>" + row + last + third + third + "</matrix>"));
-  EXPECT_THAT(no_last.out, HasSubstr("the last row of the matrix is 0 0 1 0; the third row stands "
-                                     "there twice."));
+  EXPECT_THAT(no_last.out, HasSubstr("the last row of the matrix is 0 0 1 0; it repeats the third "
+                                     "row."));
   const ProgramRun five =
       check(with_transform("<matrix>" + row + row + third + third + last + "</matrix>"));
   EXPECT_EQ(five.status, 1);

@@ -1,4 +1,4 @@
-// The window as a user meets it, on a screen without a monitor: a tour through the real program.
+// The window from a user's view, on a virtual screen: a tour of the real program.
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
@@ -20,7 +20,7 @@ namespace {
 using namespace testing_support;
 using ::testing::HasSubstr;
 
-/// An X server of its own. It chooses a number that is free.
+/// A separate X server with an unused display number.
 class Screen {
  public:
   Screen() {
@@ -36,7 +36,7 @@ class Screen {
       ::_exit(127);
     }
     ::close(ends[1]);
-    // The server writes the line in two pieces.
+    // The server writes the line in two parts.
     std::string digits;
     for (char c = 0; ::read(ends[0], &c, 1) == 1 && c != '\n';) {
       digits += c;
@@ -53,7 +53,7 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// Empty: there is no Xvfb.
+  /// Empty if Xvfb is not installed.
   const std::string& name() const { return name_; }
 
  private:
@@ -61,7 +61,7 @@ class Screen {
   std::string name_;
 };
 
-// A sphere left of a cube, seen from the front.
+// A sphere to the left of a cube, seen from the front.
 const std::string scene = R"(<scenefile>
   <globaldata><ambientcoeff v="1"/><diffusecoeff v="1"/><specularcoeff v="1"/></globaldata>
   <cameradata> <!-- as it hangs -->
@@ -88,7 +88,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-// Middles of the sphere and the cube in a window of 800x600.
+// Centers of the sphere and the cube in a window of 800x600.
 constexpr int sphere_x = 455;
 constexpr int cube_x = 675;
 constexpr int middle_y = 299;
@@ -121,7 +121,7 @@ struct View : ::testing::Test {
   std::string shot(const std::string& name) const {
     return "screenshot " + folder.path(name) + "\n";
   }
-  // 'r', 'g' or 'b' where one channel rules, '.' elsewhere.
+  // 'r', 'g' or 'b' if one channel dominates, otherwise '.'.
   static char color_at(const Texture& picture, int x, int y) {
     const std::uint8_t* const p = picture.texel(x, y);
     for (int i = 0; i < 3; ++i) {
@@ -131,7 +131,7 @@ struct View : ::testing::Test {
     }
     return '.';
   }
-  // How many pixels have exactly this color.
+  // The number of pixels with exactly this color.
   static int count(const Texture& picture, int r, int g, int b) {
     int found = 0;
     for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
@@ -208,7 +208,7 @@ TEST_F(View, ComparesWithAReference) {
   EXPECT_EQ(run.status, 0) << run.err;
   const Texture split = picture("split.png");
   EXPECT_GT(count(split, 255, 255, 255), 300) << "the line of the split";
-  // Our own picture is the reference to the last bit: no difference anywhere.
+  // Our own picture is the reference, so there is no difference anywhere.
   const Texture difference = picture("difference.png");
   EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
   EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
@@ -244,7 +244,7 @@ TEST_F(View, SaysWhatIsWrong) {
   EXPECT_THAT(view({folder.path("empty")}).err, HasSubstr("no scene in this folder"));
   const ProgramRun run = tour("settle\njump\n");
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is no step"));
+  EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is not a step"));
   EXPECT_THAT(tour("settle\ncopy none.xml b.xml\n").err, HasSubstr("the script, line 2: none.xml"));
   EXPECT_THAT(view({path, "--frames", "5"}).err, HasSubstr("--frames is for --screenshot"));
   const ProgramRun broken =

@@ -1,4 +1,4 @@
-// Files that are cut, damaged, or lie about their size.
+// Files that are truncated, damaged, or lie about their size.
 
 #include "asset/sample_files.h"
 #include "support/cpu_time.h"
@@ -19,7 +19,7 @@ using test::u32;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-// Every prefix of every fixture: refused, or the whole picture when only a trailer is missing.
+// Every prefix of every fixture is rejected, or decoded completely if only a trailer is missing.
 TEST(HostileImage, CutAtEveryByte) {
   for (const std::string& name : test::image_fixtures()) {
     const std::string whole = fixture(name);
@@ -69,7 +69,7 @@ TEST(HostileImage, PngThatLiesAboutItsSize) {
       {0x7fffffff, 0x7fffffff, "the limit is 16384 pixels on a side", true},
       {0xffffffff, 0xffffffff, "the limit is 16384 pixels on a side", true},
       {16385, 1, "the limit is 16384 pixels on a side", true},
-      {16384, 16384, "so many cannot be in ", false},
+      {16384, 16384, "that many cannot be in ", false},
   };
   for (const auto& c : cases) {
     const Decoded d = decode(png_header(c.width, c.height, 8, 2) + end);
@@ -98,7 +98,7 @@ TEST(HostileImage, PngWithoutItsPaletteOrBeyondIt) {
             "");
 }
 
-// Chunks that unpack to much, or hold nonsense, are not looked at.
+// Chunks that decompress to large data, or contain nonsense, are skipped.
 TEST(HostileImage, PngAncillaryChunksAreSkipped) {
   const std::string whole = fixture("rgb.png");
   const std::string before = whole.substr(0, 33);
@@ -131,7 +131,7 @@ TEST(HostileImage, PngTextsAreNotUnpacked) {
   EXPECT_LT(cpu_seconds() - start, 1);
 }
 
-// A PNG of 4 x 4 gray pixels, with so many bytes behind them in the compressed data.
+// A PNG of 4 x 4 gray pixels, followed by surplus bytes in the compressed data.
 std::string png_with_surplus(std::size_t surplus) {
   const std::string pixels(4 * 5 + surplus, '\0');
   uLongf size = compressBound(pixels.size());
@@ -178,7 +178,7 @@ TEST(HostileImage, JpegWorkingMemoryIsBounded) {
 
 TEST(HostileImage, JpegOfEndlessPasses) {
   const std::string whole = fixture("progressive.jpg");
-  // The first scan, again and again.
+  // Repeats the first scan many times.
   const std::size_t begin = whole.find("\xff\xda");
   const std::size_t end = whole.find("\xff\xc4", begin);
   std::string bytes = whole.substr(0, end);
@@ -188,7 +188,7 @@ TEST(HostileImage, JpegOfEndlessPasses) {
   EXPECT_THAT(decode(bytes + whole.substr(end)).error, HasSubstr("100 passes"));
 }
 
-// A table that names more codes than there are symbols.
+// A table that declares more codes than there are symbols.
 TEST(HostileImage, JpegWithAnImpossibleHuffmanTable) {
   std::string bytes = fixture("rgb.jpg");
   const std::size_t table = bytes.find("\xff\xc4");
@@ -217,7 +217,7 @@ TEST(HostileImage, GifByHand) {
   ASSERT_EQ(whole.error, "");
   EXPECT_EQ(whole.texture.rgb,
             (std::vector<std::uint8_t>{255, 255, 255, 10, 20, 30, 255, 255, 255, 255, 255, 255}));
-  // A frame smaller than the image leaves the background.
+  // A frame smaller than the image leaves the rest as background.
   const std::string one("\x02\x02\x4c\x01\x00", 5);
   const Decoded part = decode(gif(2, 2, frame(1, 0, 1, 1, one)));
   ASSERT_EQ(part.error, "");
@@ -244,7 +244,7 @@ TEST(HostileImage, GifThatMakesNoSense) {
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\x0c\x00", 4))), "ends early"},
       {gif(2, 2, frame(0, 0, 2, 2, std::string("\x02\x01\x2c\x00", 4))), "ends early"},
       {gif(0, 2, frame(0, 0, 2, 2, pixels)), "at least one pixel"},
-      {gif(16000, 16000, frame(0, 0, 2, 2, pixels)), "so many cannot be in"},
+      {gif(16000, 16000, frame(0, 0, 2, 2, pixels)), "that many cannot be in"},
       {gif(65535, 65535, ";"), "16384 pixels on a side"},
   };
   for (const auto& [bytes, error] : cases) {
@@ -269,8 +269,8 @@ TEST(HostileImage, BmpThatMakesNoSense) {
       {bmp(10, 40, 2, 2, 24, 0, 0), "begin inside its header"},
       {bmp(54, 40, 2, 2, 8, 0, 300), "a palette of 300 colors"},
       {bmp(58, 40, 2, 2, 8, 0, 1), "beyond the end of the palette"},
-      {bmp(4000000000u, 40, 2, 2, 24, 0, 0), "so many cannot be in"},
-      {bmp(54, 40, 2, 30, 24, 0, 0), "so many cannot be in"},
+      {bmp(4000000000u, 40, 2, 2, 24, 0, 0), "that many cannot be in"},
+      {bmp(54, 40, 2, 30, 24, 0, 0), "that many cannot be in"},
       {bmp(54, 40, 0x80000000u, 2, 24, 0, 0), "at least one pixel"},
       {bmp(54, 40, 2, 0x80000000u, 24, 0, 0), "pixels on a side"},
       {bmp(54, 40, 0x7fffffff, 0x7fffffff, 32, 0, 0), "pixels on a side"},
@@ -288,12 +288,12 @@ TEST(HostileImage, TgaIsKnownOnlyWhenItMakesSense) {
     bytes[at] = static_cast<char>(value);
     return decode(bytes).error;
   };
-  EXPECT_EQ(with(1, 2), unknown);      // kind of palette
-  EXPECT_EQ(with(2, 4), unknown);      // kind of image
+  EXPECT_EQ(with(1, 2), unknown);      // palette type
+  EXPECT_EQ(with(2, 4), unknown);      // image type
   EXPECT_EQ(with(5, 1), unknown);      // a palette length without a palette
   EXPECT_EQ(with(16, 23), unknown);    // bits
   EXPECT_EQ(with(17, 0x40), unknown);  // interleaving
-  EXPECT_THAT(with(12, 100), HasSubstr("TGA of 100 x 11 pixels: so many cannot be in"));
+  EXPECT_THAT(with(12, 100), HasSubstr("TGA of 100 x 11 pixels: that many cannot be in"));
   EXPECT_EQ(decode("this is not an image\n").error, unknown);
   EXPECT_EQ(decode("<svg xmlns=\"http://www.w3.org/2000/svg\"/>").error, unknown);
   EXPECT_EQ(decode(std::string(64, '\0')).error, unknown);
@@ -306,10 +306,10 @@ TEST(HostileImage, TgaPacketsThatEndEarly) {
   const std::string run_of_16 = "\x8f\7\7\7";
   EXPECT_EQ(decode(head + run + run + run + run_of_16).error, "");
   EXPECT_THAT(decode(head + run + run + run).error, HasSubstr("ends early"));
-  EXPECT_THAT(decode(head + run).error, HasSubstr("so many cannot be in"));
+  EXPECT_THAT(decode(head + run).error, HasSubstr("that many cannot be in"));
 }
 
-// TGA 1 lets packets run from a row into the next; out of the picture none may.
+// In TGA 1, packets may continue in the next row, but not past the end of the picture.
 TEST(HostileImage, TgaPacketsThatRunTooFar) {
   const std::string head = std::string("\0\0\x0a", 3) + std::string(9, '\0') + u16(3) + u16(2) +
                            std::string("\x18\x20", 2);
@@ -317,9 +317,9 @@ TEST(HostileImage, TgaPacketsThatRunTooFar) {
   const std::string two = "\x81\x9\x9\x9";
   const Decoded whole = decode(head + four + two);
   EXPECT_EQ(whole.error, "");
-  EXPECT_THAT(decode(head + four + four).error, HasSubstr("goes on past the last pixel"));
+  EXPECT_THAT(decode(head + four + four).error, HasSubstr("continues past the last pixel"));
   const std::string three_raw = "\2\1\1\1\2\2\2\3\3\3";
-  EXPECT_THAT(decode(head + four + three_raw).error, HasSubstr("goes on past the last pixel"));
+  EXPECT_THAT(decode(head + four + three_raw).error, HasSubstr("continues past the last pixel"));
 }
 
 }  // namespace

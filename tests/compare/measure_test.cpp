@@ -36,7 +36,7 @@ TEST(Measure, EachThresholdIsHeldByItself) {
               ElementsAre("the mean difference is 10.000/255, more than 9.5"));
   EXPECT_THAT(broken_thresholds({.max_difference = 10}, m), IsEmpty());
   EXPECT_THAT(broken_thresholds({.max_difference = 9}, m),
-              ElementsAre("the greatest difference is 10/255, more than 9"));
+              ElementsAre("the maximum difference is 10/255, more than 9"));
   EXPECT_THAT(broken_thresholds({.max_share = 1}, m), IsEmpty());
   EXPECT_THAT(broken_thresholds({.max_share = 0.5}, m),
               ElementsAre("100.000 % of the pixels are off, more than 50 %"));

@@ -1,5 +1,5 @@
-// Spellings of old programs and students, and the lines of the format text that contradict each
-// other or the programs: each has a verdict.
+// Spellings of old programs and of students, and the passages where the format's documentation
+// contradicts itself or the programs; each with its ruling.
 
 #include "format/reading.h"
 
@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 struct Verdict {
-  std::string file;                   // in fixtures/format, behind "checklist."
+  std::string file;                   // in fixtures/format, after "checklist."
   std::vector<std::string> findings;  // exactly these
 };
 
@@ -90,7 +90,7 @@ TEST(XmlDialect, NamesCountBeforeTheOrder) {
   EXPECT_THAT(
       messages(reading.diagnostics),
       ElementsAre("4:12 the attributes of <translate> were read by their names; programs that "
-                  "go by their order differ: write them in the order x, y, z"));
+                  "use their order differ: write them in the order x, y, z"));
   EXPECT_EQ(translation(reading), glm::vec3(1, 2, 3));
 }
 
@@ -379,7 +379,7 @@ TEST(XmlDialect, FalseCommentsAreForCompatCourse) {
   }
 }
 
-// Only comments: the same characters elsewhere mean what they mean.
+// Only in comments: elsewhere the same characters keep their meaning.
 TEST(XmlDialect, DashesElsewhereAreNoComments) {
   for (const std::string inside :
        {"<transblock><object type=\"tree\" name=\"a -- <!-- b\"><transblock><object "

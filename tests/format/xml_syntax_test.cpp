@@ -1,4 +1,4 @@
-// What is not well-formed, too large, or not to be trusted.
+// Texts that are not well-formed, too large, or unsafe.
 
 #include "format/reading.h"
 
@@ -71,12 +71,12 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_THAT(one("<!-- a -- b -->"), HasSubstr("-- is not allowed inside a comment"));
   EXPECT_EQ(one("a\x01"), "4:2 the character \"\\u{1}\" is not allowed in XML");
   EXPECT_THAT(one("a \xFF"), HasSubstr("is not valid UTF-8"));
-  EXPECT_EQ(one("< scale/>"), "4:2 a name must follow < at once");
+  EXPECT_EQ(one("< scale/>"), "4:2 a name must directly follow <");
   EXPECT_EQ(one("<--> note -->"), "4:1 a comment starts with <!--, not with <--");
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by blanks, not by commas");
-  EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag is followed by > at once");
+  EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag must be directly followed by >");
   EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));
   EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");
   EXPECT_EQ(one("<a\u00A0b=\"1\"/>"), "4:3 a special blank, U+00A0; use an ordinary one");
@@ -144,7 +144,7 @@ TEST(XmlSyntax, NothingFollowsTheScene) {
 TEST(XmlSyntax, ConflictMarkersAreNamedWhereverTheyStand) {
   EXPECT_THAT(said(in_root("<<<<<<< HEAD\n<transblock/>\n=======\n>>>>>>> theirs")),
               ElementsAre("3:1 an unresolved git conflict: \"<<<<<<< HEAD\""));
-  // Here the marker's < is what is left over from the tag before it.
+  // Here the first < of the marker is taken as part of the tag before it.
   EXPECT_THAT(said(in_root("<transblock>\n<<<<<<< HEAD\n</transblock>")),
               ElementsAre("4:1 an unresolved git conflict: \"<<<<<<< HEAD\""));
 }
@@ -217,7 +217,7 @@ TEST(XmlLimits, NestingOfElementsThatAreIgnoredCountsToo) {
 
 TEST(XmlLimits, ALongTagIsRefusedBeforeItsEnd) {
   Limits limits;
-  // None of these tags ends: only the limit can stop the reader early.
+  // These tags do not end: only the limit can stop the reader early.
   EXPECT_THAT(found("<scenefile><a b=\"" + std::string(2'000'000, 'x'), limits),
               ElementsAre("1:12 error xml.length-limit"));
   EXPECT_THAT(found("<scenefile><" + std::string(2'000'000, 'x'), limits),
@@ -289,8 +289,8 @@ TEST(XmlDamage, EveryPrefixEndsWithAnError) {
   }
 }
 
-// The outcome does not matter, only that there is one, and that it says no less than "error" when
-// the text is not well-formed. Sanitizer builds see the rest.
+// The outcome does not matter, but there must be one, and an error if the text is not well-formed.
+// Sanitizers check the rest.
 TEST(XmlDamage, EveryChangedByteIsSurvived) {
   std::string text = small_scene;
   for (std::size_t at = 0; at < text.size(); ++at) {

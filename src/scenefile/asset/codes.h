@@ -9,9 +9,9 @@ namespace scenefile {
 
 inline constexpr Code texture_missing{
     "texture.missing", Severity::warning, "a texture file cannot be read",
-    "The object is shaded with its diffuse color instead. Paths are looked up beside the scene, in "
-    "the folders image, images, texture, textures next to it and its parent, and in each "
-    "--asset-root. Names are compared without regard to case only when nothing fits exactly."};
+    "The object is shaded with its diffuse color instead. Paths are looked up next to the scene, "
+    "in the folders image, images, texture, textures next to it and its parent, and in each "
+    "--asset-root. Case is ignored only if there is no exact match."};
 
 inline constexpr Code texture_undecodable{
     "texture.undecodable", Severity::warning, "a texture file is not an image, or is damaged",
@@ -22,17 +22,15 @@ inline constexpr Code texture_undecodable{
 inline constexpr Code texture_limit{
     "texture.limit", Severity::warning, "a texture is larger than the limits allow",
     "The object is shaded with its diffuse color instead. The limits keep a small file that "
-    "unpacks to a huge image from using up the memory. Make the image smaller, or raise the "
-    "limit.",
+    "unpacks to a huge image from using up memory. Make the image smaller, or raise the limit.",
     CodeKind::limit};
 
 inline constexpr Code mesh_missing{
     "mesh.missing",
     Severity::error,
     "a mesh file cannot be read",
-    "Paths are looked up beside the scene, in the folders mesh, meshes, model, models next to it "
-    "and its parent, and in each --asset-root. With --allow-missing the scene is drawn without "
-    "it.",
+    "Paths are looked up next to the scene, in the folders mesh, meshes, model, models next to it "
+    "and its parent, and in each --asset-root. With --allow-missing the scene is drawn without it.",
     CodeKind::plain,
     Severity::warning};
 
@@ -88,8 +86,8 @@ inline constexpr Code mesh_short_face{"mesh.short-face", Severity::warning,
 
 inline constexpr Code mesh_degenerate{
     "mesh.degenerate", Severity::warning, "triangles without area",
-    "Their corners coincide or lie on a line; they are left out. They do not show in a picture, "
-    "but they often tell of a fault in the program that wrote the file."};
+    "Their corners coincide or lie on a line; they are left out. They are invisible, but often a "
+    "sign of a bug in the program that wrote the file."};
 
 inline constexpr Code mesh_zero_normal{
     "mesh.zero-normal", Severity::warning, "normals of length zero",
@@ -97,12 +95,11 @@ inline constexpr Code mesh_zero_normal{
 
 inline constexpr Code mesh_unknown_keyword{
     "mesh.unknown-keyword", Severity::warning, "a line of a mesh file is not understood",
-    "Polygons are read (v, vt, vn, f); groups, materials, lines and points are skipped without a "
-    "word. Free-form curves and surfaces are not drawn. Reported once for each keyword."};
+    "Polygons are read (v, vt, vn, f); groups, materials, lines and points are skipped silently. "
+    "Free-form curves and surfaces are not drawn. Reported once for each keyword."};
 
-inline constexpr Code mesh_empty{
-    "mesh.empty", Severity::warning, "a mesh has nothing to draw",
-    "The file holds no face with an area, so the object is invisible."};
+inline constexpr Code mesh_empty{"mesh.empty", Severity::warning, "a mesh has nothing to draw",
+                                 "The file has no face with an area, so the object is invisible."};
 
 /// All of the above.
 std::span<const Code* const> asset_codes();

@@ -49,7 +49,7 @@ std::string implausible(const ImageHeader& header, std::size_t bytes) {
     return "an image needs at least one pixel";
   }
   if (bytes < header.least_bytes) {
-    return fmt::format("so many cannot be in {} bytes: the file is cut or damaged", bytes);
+    return fmt::format("that many cannot be in {} bytes: the file is truncated or damaged", bytes);
   }
   return {};
 }

@@ -250,7 +250,7 @@ class ObjReader {
     }
     if (count < 3) {
       report(mesh_short_face, location,
-             fmt::format("a face with {} corner{} is left out: it takes three", count,
+             fmt::format("a face with {} corner{} is left out: it needs three", count,
                          count == 1 ? "" : "s"));
     }
   }

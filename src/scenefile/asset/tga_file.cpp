@@ -171,7 +171,7 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
   }
   // Packets may run from one row into the next, as those of TGA 1 do, but not out of the picture.
   if (pixels.in_packet()) {
-    error = "the run-length data goes on past the last pixel";
+    error = "the run-length data continues past the last pixel";
     return false;
   }
   return true;

@@ -55,7 +55,7 @@ std::vector<std::string> broken_thresholds(const Thresholds& thresholds,
   at_most(thresholds.max_mean, measures.difference.mean, 1,
           "the mean difference is {:.3f}/255, more than {:g}");
   at_most(thresholds.max_difference, measures.difference.max, 1,
-          "the greatest difference is {:g}/255, more than {:g}");
+          "the maximum difference is {:g}/255, more than {:g}");
   at_most(thresholds.max_share, measures.difference.share_over, 100,
           "{:.3f} % of the pixels are off, more than {:g} %");
   at_least(thresholds.min_ssim, measures.ssim, "SSIM is {:.4f}, less than {:g}");

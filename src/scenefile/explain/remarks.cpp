@@ -79,7 +79,7 @@ class Remarks {
     }
     if (facing * shading < 0) {
       add(RemarkKind::normal_past_horizon,
-          "the interpolated or bumped normal faces another side than the surface itself");
+          "the interpolated or bumped normal points to the other side of the surface");
     }
     const RenderMaterial& m = material(s);
     if (s.specular_color != Color(0) && m.shininess <= 0) {
@@ -94,7 +94,8 @@ class Remarks {
       return;
     }
     if (m.blend == 0) {
-      add(RemarkKind::texture_hidden, "the material has a texture, but blend is 0: it is not seen");
+      add(RemarkKind::texture_hidden,
+          "the material has a texture, but blend is 0: it is not visible");
     } else if (!s.texture.has_value()) {
       add(RemarkKind::texture_missing,
           "the texture could not be loaded: the diffuse color is used instead");
@@ -129,7 +130,7 @@ class Remarks {
         break;
       case Fate::too_many:
         add(RemarkKind::too_many,
-            fmt::format("the {} ray is not followed: the sample has spent its rays", ray));
+            fmt::format("the {} ray is not followed: the sample has used up its rays", ray));
         break;
     }
   }
@@ -137,8 +138,8 @@ class Remarks {
   void about_light(const SurfaceRecord& s, const LightRecord& record) {
     const std::uint32_t light = record.light;
     if (record.unlit == Unlit::in_this_mode) {
-      add(RemarkKind::light_of_another_mode,
-          "the course's ray caster knows directional lights alone", light);
+      add(RemarkKind::light_of_another_mode, "the course's ray caster only uses directional lights",
+          light);
     } else if (record.unlit == Unlit::out_of_reach) {
       add(RemarkKind::light_out_of_reach, reach_text(scene_.lights[light], s.position), light);
     }
@@ -151,7 +152,7 @@ class Remarks {
       const bool highlight = largest(sample.specular * sample.color) >= half_step;
       add(highlight ? RemarkKind::highlight_from_behind : RemarkKind::light_behind,
           highlight ? "the light is behind the surface, yet its highlight counts: the equation "
-                      "asks for R.V > 0 alone"
+                      "only requires R.V > 0"
                     : fmt::format("the surface faces away (N.L = {:.4g}): no diffuse light",
                                   sample.n_dot_l),
           light);
@@ -175,7 +176,7 @@ class Remarks {
             glm::degrees(double(light.outer_angle)));
       }
       case LightType::area:
-        return "behind the area light: it shines on the side of its direction";
+        return "behind the area light, which shines only in its direction";
       case LightType::point:
       case LightType::directional:
         break;
@@ -195,12 +196,12 @@ class Remarks {
       const bool acne = lit_side && (s.shape != Shape::mesh || self->t < acne_distance);
       if (acne) {
         add(RemarkKind::shadow_acne,
-            fmt::format("shadow acne: the shadow ray meets the surface it starts on, at t = {:.4g}",
+            fmt::format("shadow acne: the shadow ray hits the surface it starts on, at t = {:.4g}",
                         self->t),
             record.light);
       } else {
         add(RemarkKind::shadow_by_itself,
-            fmt::format("the object is in its own light, at t = {:.4g}", self->t), record.light);
+            fmt::format("the object shadows itself, at t = {:.4g}", self->t), record.light);
       }
       return;
     }

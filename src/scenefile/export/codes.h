@@ -8,18 +8,18 @@
 namespace scenefile {
 
 inline constexpr Code export_approximate{
-    "export.approximate", Severity::note, "glTF or OBJ says this in another way",
-    "The materials and lights of glTF describe physical surfaces, those of OBJ files know no "
-    "mirror colors. The nearest counterpart is written; docs/formats.md lists which. glTF files "
-    "hold the scene's own values beside it, so that convert reads them back."};
+    "export.approximate", Severity::note, "glTF or OBJ represents this differently",
+    "glTF has physical materials and lights, and OBJ has no mirror colors. The nearest equivalent "
+    "is written; docs/formats.md lists which. glTF files also contain the scene's own values, so "
+    "that convert can read them back."};
 inline constexpr Code export_lost{
-    "export.lost", Severity::warning, "glTF or OBJ has no word for this",
-    "The file is written without it. Keep the scene file; it is the only one that says all."};
+    "export.lost", Severity::warning, "glTF or OBJ cannot represent this",
+    "The file is written without it. Keep the scene file; only it is complete."};
 inline constexpr Code export_size_limit{
     "export.size-limit", Severity::error, "the file would be too large",
-    "glTF and OBJ files have no instances of groups: each copy of a template is written out, which "
-    "templates of templates make very many, and a GLB file holds 4 GB at most. Convert a part of "
-    "the scene.",
+    "glTF and OBJ files have no instances of groups: each instance of a template is written out, "
+    "so nested templates become very large, and a GLB file can have at most 4 GB. Convert a part "
+    "of the scene.",
     CodeKind::limit};
 inline constexpr Code pov_approximate{
     "pov.approximate", Severity::note, "POV-Ray expresses this differently",

@@ -60,15 +60,14 @@ std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics&
     case LightType::spot:
       type = "spot";
       more = cone(light);
-      note("the edge of a spot light falls off by the cosine of the angle, not by the angle");
+      note("the edge of a spotlight falls off by the cosine of the angle, not by the angle");
       if (double(light.outer_angle) > pi / 2) {
-        report_once(export_lost, "a spot light of more than a half space becomes one of a half",
+        report_once(export_lost, "a spotlight wider than 180 degrees becomes one of 180 degrees",
                     diagnostics);
       }
       break;
     case LightType::area:
-      report_once(export_lost,
-                  "glTF has no area lights: a point light stands in the middle of each",
+      report_once(export_lost, "glTF has no area lights: each becomes a point light at its center",
                   diagnostics);
       own = fmt::format(R"(,"width":{},"height":{})", 2 * glm::length(light.half_u),
                         2 * glm::length(light.half_v));
@@ -79,8 +78,8 @@ std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics&
   if (has_position(light.type)) {
     factor = candela(light, box);
     note(
-        "lights of glTF fade by the square of the distance: their strength is right in the "
-        "middle of the scene");
+        "lights in glTF have inverse-square falloff: their intensity matches at the center of the "
+        "scene");
     own = fmt::format(R"(,"extras":{{"scenefile":{{"attenuation":{},"candela":{}{}}}}})",
                       attenuation(light), factor, own);
   }

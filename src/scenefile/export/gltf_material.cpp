@@ -22,23 +22,21 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
   };
   const bool mirror = largest(phong.reflective) > 0;
   if (largest(phong.ambient) > 0) {
-    note(
-        "ambient light becomes emission: programs that follow light let it shine on other "
-        "surfaces");
+    note("ambient light becomes emission: path tracers let it shine on other surfaces");
   }
   if (phong.shininess > 0 && largest(phong.specular) > 0) {
-    note(mirror ? "a mirror has no highlight of its own"
+    note(mirror ? "a mirror has no separate highlight"
                 : "highlights have the nearest roughness and reflectance");
   }
   if (mirror) {
-    note("mirrors reflect more where they are seen from the side");
+    note("mirrors reflect more at grazing angles");
   }
   if (largest(phong.transparent) > 0) {
     note("glass takes its color from the light that it lets through");
   }
   if (largest(phong.diffuse) > 1 || largest(phong.reflective) > 1 ||
       largest(phong.transparent) > 1) {
-    note("colors over 1 are cut to 1");
+    note("colors over 1 are clamped to 1");
   }
   if (material.bump_map.used()) {
     report_once(export_lost, "bump maps are left out", diagnostics);

@@ -120,7 +120,7 @@ void report_differences(const PovMaterial& m, Diagnostics& diagnostics) {
     note("the ambient light of a textured object takes the color of the texture");
   }
   if (m.transparent()) {
-    note("glass dims its surface and lets light through to what is behind it");
+    note("transparency dims the color of the surface itself");
   }
   if (m.options.texture && material.bump_map.used()) {
     report_once(pov_lost, "bump maps are left out", diagnostics);

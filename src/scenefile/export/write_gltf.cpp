@@ -88,7 +88,7 @@ class GltfWriter {
       return refuse();
     }
     if (textures_.clipped()) {
-      report_once(export_approximate, "colors over 1 are cut to 1", diagnostics_);
+      report_once(export_approximate, "colors over 1 are clamped to 1", diagnostics_);
     }
     return assemble();
   }
@@ -97,7 +97,7 @@ class GltfWriter {
   std::string refuse() {
     diagnostics_.report(
         export_size_limit, {},
-        fmt::format("with all copies of its templates the scene has more than {} nodes",
+        fmt::format("with all instances of its templates the scene has more than {} nodes",
                     options_.most_nodes));
     return {};
   }
@@ -156,7 +156,8 @@ class GltfWriter {
     node.place.rotation = glm::normalize(glm::quat_cast(glm::dmat3(c.u, c.v, c.w)));
     add_node(none, node);
     if (c.aperture > 0 && c.focal_length > 0) {
-      report_once(export_lost, "the lens of the camera is left out: all is in focus", diagnostics_);
+      report_once(export_lost, "the lens of the camera is left out: everything is in focus",
+                  diagnostics_);
     }
   }
 
@@ -393,9 +394,9 @@ class GltfWriter {
     const std::uint64_t total =
         12 + 8 + std::uint64_t{json.size()} + (bytes.empty() ? 0 : 8 + bytes.size());
     if (total > 0xffffffffu) {
-      diagnostics_.report(
-          export_size_limit, {},
-          fmt::format("the file would have {} MB, and GLB holds 4,294", total / 1'000'000));
+      diagnostics_.report(export_size_limit, {},
+                          fmt::format("the file would have {} MB, and the limit of GLB is 4,294",
+                                      total / 1'000'000));
       return {};
     }
     std::string file = "glTF";

@@ -40,7 +40,7 @@ class ObjWriter {
     if (count_triangles() > static_cast<double>(options_.most_triangles)) {
       diagnostics_.report(
           export_size_limit, {},
-          fmt::format("with all copies of its templates the scene has more than {} triangles",
+          fmt::format("with all instances of its templates the scene has more than {} triangles",
                       options_.most_triangles));
       return {};
     }
@@ -48,7 +48,7 @@ class ObjWriter {
     files_.obj = fmt::format("mtllib {}.mtl\n", options_.stem);
     objects();
     if (textures_.clipped()) {
-      report_once(export_approximate, "colors over 1 are cut to 1 in pictures", diagnostics_);
+      report_once(export_approximate, "colors over 1 are clamped to 1 in pictures", diagnostics_);
     }
     files_.pictures = textures_.files();
     return std::move(files_);

@@ -68,7 +68,7 @@ class PovWriter {
     if (options_.lens && c.aperture > 0 && c.focal_length > 0) {
       text_ += fmt::format(" aperture {} blur_samples 16 focal_point {}", 2 * c.aperture,
                            pov_vector(c.position - c.focal_length * c.w));
-      note("the lens takes samples of its own");
+      note("the lens uses other samples");
     }
     text_ += " }\n";
   }
@@ -96,7 +96,7 @@ class PovWriter {
   }
 
   std::string spot(const RenderLight& light) {
-    note("the edge of a spot light falls off by the cosine of the angle, not by the angle");
+    note("the edge of a spotlight falls off by the cosine of the angle, not by the angle");
     return fmt::format(" spotlight point_at {} radius {} falloff {} tightness 0",
                        pov_vector(light.position + light.direction),
                        glm::degrees(double(light.inner_angle)),
@@ -110,13 +110,13 @@ class PovWriter {
     const int power = a.z > 0 ? 2 : 1;
     const float factor = power == 2 ? a.z : a.y;
     if (a.z > 0 && a.y > 0) {
-      note("a light that fades by distance and its square fades by the square alone");
+      note("of linear and quadratic attenuation, only the quadratic term is kept");
     }
     if (factor <= 0) {
       return fmt::format(" {}",
                          pov_color(a.x > 0 ? light.color / std::max(1.0f, a.x) : light.color));
     }
-    note("a light that fades is brighter than its color where it is near");
+    note("an attenuated light is brighter than its color at short distances");
     const float constant = std::max(a.x, 1e-6f);
     const double distance = power == 2 ? std::sqrt(constant / factor) : constant / factor;
     return fmt::format(" {} fade_power {} fade_distance {}",

@@ -14,7 +14,7 @@ std::span<const Code* const> format_codes();
 
 inline constexpr Code format_empty{
     "format.empty", Severity::error, "the file has no content",
-    "A scene file holds one XML element <scenefile> or one JSON object."};
+    "A scene file contains one XML element <scenefile> or one JSON object."};
 inline constexpr Code format_unknown{
     "format.unknown", Severity::error, "the file is neither XML nor JSON",
     "The first character that is not white space decides: < is XML, { or [ is JSON. The name of "
@@ -129,18 +129,18 @@ inline constexpr Code xml_missing_attribute{"xml.missing-attribute", Severity::e
                                             "The element has no meaning without it."};
 inline constexpr Code xml_alias_attribute{
     "xml.alias-attribute", Severity::warning, "an attribute has another name",
-    "Some programs go by the order of attributes, not by their names, so files with other names "
-    "exist. Programs that go by names reject them.",
+    "Some programs use the order of attributes, not their names, so files with other names exist. "
+    "Programs that use the names reject them.",
     CodeKind::dialect};
 inline constexpr Code xml_positional_attributes{
     "xml.positional-attributes", Severity::warning, "attributes were read by their order",
-    "None of the names that the format gives these attributes is present. Some programs go by the "
-    "order alone; those that go by names reject the file.",
+    "None of the names that the format gives these attributes is present. Some programs use only "
+    "the order; those that use the names reject the file.",
     CodeKind::dialect};
 inline constexpr Code xml_attribute_order{
     "xml.attribute-order", Severity::warning, "attributes are in an unusual order",
-    "They were read by their names. Programs that go by the order mix them up and draw another "
-    "picture. `scenefile convert old.xml new.xml` writes the usual order.",
+    "They were read by their names. Programs that use the order read wrong values and draw a "
+    "different picture. `scenefile convert old.xml new.xml` writes the usual order.",
     CodeKind::dialect};
 inline constexpr Code xml_color_alpha{
     "xml.color-alpha", Severity::note, "a color has a fourth value",
@@ -231,7 +231,7 @@ inline constexpr Code xml_master_after_root{"xml.master-after-root", Severity::w
                                             CodeKind::dialect};
 inline constexpr Code xml_nested_master{
     "xml.nested-master", Severity::warning, "an instance names a tree inside another tree",
-    "The format allows any name to be used again, but most programs know only the trees at the top "
+    "The format allows any name to be used again, but most programs only find trees at the top "
     "level of the file. Declare it there.",
     CodeKind::dialect};
 inline constexpr Code xml_instance_children{
@@ -265,7 +265,7 @@ inline constexpr Code xml_rotate_axis{"xml.rotate-axis", Severity::warning,
                                       "a rotation has no axis", "Nothing is rotated."};
 inline constexpr Code xml_matrix_rows{
     "xml.matrix-rows", Severity::error, "a matrix does not have four rows",
-    "A matrix has four elements, one a row, with four numbers each."};
+    "A matrix has four elements, one for each row, with four numbers each."};
 inline constexpr Code xml_matrix_not_affine{
     "xml.matrix-not-affine",
     Severity::warning,
@@ -297,7 +297,7 @@ inline constexpr Code json_trailing_comma{
     "JSON allows commas only between members and elements. Remove the comma before the closing "
     "bracket, or add the missing element."};
 inline constexpr Code json_comment{"json.comment", Severity::error, "a comment",
-                                   "JSON has no comments. Remove it, or say it in a \"name\"."};
+                                   "JSON has no comments. Remove it, or put it into a \"name\"."};
 inline constexpr Code json_number{
     "json.number",
     Severity::error,
@@ -318,7 +318,7 @@ inline constexpr Code json_conflict_marker{
     "git left both versions of a part in the file, between lines of <<<<<<<, ======= and >>>>>>>. "
     "Keep one version and remove these lines."};
 inline constexpr Code json_string{
-    "json.string", Severity::error, "a string that JSON cannot say",
+    "json.string", Severity::error, "a string that is not valid JSON",
     "Inside a string, line breaks, tabs and other control characters must be written \\n, \\t or "
     "\\u0000, a backslash \\\\ and a quote \\\". A \\u escape has four digits, and characters "
     "beyond "
@@ -375,8 +375,8 @@ inline constexpr Code json_light_default{
     "The default given in the message is used."};
 inline constexpr Code json_no_light{
     "json.no-light", Severity::warning, "something else among the lights",
-    "The list \"lights\" holds lights, each with \"type\" and \"color\". Groups belong into "
-    "\"groups\"; a light stands at the origin of the group that holds its list."};
+    "The list \"lights\" contains lights, each with \"type\" and \"color\". Groups belong in "
+    "\"groups\"; a light is at the origin of the group that contains it."};
 inline constexpr Code json_unknown_primitive_type{
     "json.unknown-primitive-type",
     Severity::warning,
@@ -391,19 +391,17 @@ inline constexpr Code json_area_light{
     "Area lights belong to the format, but the course's JSON reader does not support them and "
     "rejects the file. width and height are read here."};
 inline constexpr Code json_matrix_with_others{
-    "json.matrix-with-others", Severity::warning, "a matrix beside other transforms",
+    "json.matrix-with-others", Severity::warning, "a matrix next to other transforms",
     "The order is translate, rotate, scale, matrix, whatever the order of the keys: the matrix "
-    "acts first. Some programs reject a matrix beside others; nested groups make the order "
-    "visible."};
+    "acts first. Some programs reject this; nested groups make the order explicit."};
 inline constexpr Code json_no_groups{"json.no-groups", Severity::warning, "a scene without groups",
                                      "Everything visible, and all lights, are in groups."};
 inline constexpr Code json_instance_keys{
     "json.instance-keys", Severity::warning, "an instance with keys that are ignored",
-    "A group whose name is that of a template group declared before stands for that template, and "
-    "its other keys are ignored. To place an instance, put it into a group with the transforms: "
-    "{\"translate\": [1, 0, 0], \"groups\": [{\"name\": \"chair\"}]}. If no instance is meant, "
-    "give "
-    "the group another name."};
+    "A group whose name is that of a template group declared before is an instance of that "
+    "template, and its other keys are ignored. To place an instance, put it into a group with the "
+    "transforms: {\"translate\": [1, 0, 0], \"groups\": [{\"name\": \"chair\"}]}. If it should not "
+    "be an instance, give the group another name."};
 inline constexpr Code json_template_order{
     "json.template-order", Severity::warning, "a group with the name of a later template",
     "A template can use only templates declared before it; here the name is declared later, and "
@@ -449,17 +447,16 @@ inline constexpr Code write_default_camera{
     "write.default-camera", Severity::note, "the default camera is written",
     "JSON requires a camera; the scene has none, so the default camera is written."};
 inline constexpr Code write_transforms_nested{
-    "write.transforms-nested", Severity::note, "transforms become groups in groups",
-    "A JSON group has one translate, rotate, scale and matrix each, "
-    "applied in a fixed order. Other "
-    "orders are said by groups that hold one group each."};
+    "write.transforms-nested", Severity::note, "transforms become nested groups",
+    "A JSON group has one translate, rotate, scale and matrix each, applied in a fixed order. "
+    "Other orders become nested groups."};
 inline constexpr Code write_renamed{
     "write.renamed", Severity::note, "a group is renamed",
     "In JSON, a group with a template's name is an instance of that template. In XML, names of "
     "trees are unique, and root is the name of the scene."};
 inline constexpr Code write_empty_group{
     "write.empty-group", Severity::note, "an empty group is dropped",
-    "In XML, a transblock holds an object, and a tree is not empty."};
+    "In XML, a transblock contains an object, and a tree is not empty."};
 inline constexpr Code write_matrix_row{
     "write.matrix-row", Severity::note, "the last row of a matrix is written as 0 0 0 1",
     "Transforms are affine; their last row is 0 0 0 1. Other values have no effect."};
@@ -480,16 +477,16 @@ inline constexpr Code config_syntax{
     "A line is a [section], a key = value, or a comment that starts with a semicolon. Values may "
     "be in double quotes, which must end on the same line."};
 inline constexpr Code config_backslash{
-    "config.backslash", Severity::error, "a backslash that is no escape",
-    "The course's reader (QSettings) takes a backslash for the start of an escape and loses what "
+    "config.backslash", Severity::error, "a backslash that is not an escape",
+    "The course's reader (QSettings) treats a backslash as the start of an escape and drops what "
     "follows. Write / between folders, \\\\ for a backslash, \\\" for a quote, \\x with the number "
     "in hexadecimal for any other character."};
 inline constexpr Code config_unknown_key{
     "config.unknown-key", Severity::warning, "a key of the configuration that is not known",
     "Known are scene and output in [IO], width and height in [Canvas], maximum-recursive-depth and "
     "only-render-normals in [Settings], and in [Feature] shadows, reflect, refract, texture, "
-    "texture-filter, super-sample, depthoffield; parallel and acceleration too, on which no pixel "
-    "depends. Others have no effect."};
+    "texture-filter, super-sample, depthoffield; parallel and acceleration are accepted, but do "
+    "not affect the picture. Others have no effect."};
 inline constexpr Code config_key_case{
     "config.key-case", Severity::warning, "a key of the configuration in another case",
     "Names of sections and keys were matched ignoring case. The course's program does so only on "
@@ -499,8 +496,7 @@ inline constexpr Code config_duplicate_key{"config.duplicate-key", Severity::war
                                            "The last one counts. Delete the others."};
 inline constexpr Code config_missing_key{
     "config.missing-key", Severity::error, "the configuration lacks a key",
-    "A configuration says at least what to draw, where to and how large: scene and output in [IO], "
-    "width and height in [Canvas]."};
+    "A configuration needs at least scene and output in [IO], width and height in [Canvas]."};
 inline constexpr Code config_picture_format{
     "config.picture-format", Severity::warning, "the picture is written as PNG",
     "The extension of output decides: .png, .exr or .pfm. Any other extension gives a PNG."};

@@ -88,7 +88,7 @@ bool read_value(const Line& line, std::size_t offset, std::string& value,
     if (c == '\\') {
       if (!read_escape(line.text, offset, value)) {
         diagnostics.report(config_backslash, line.at(place),
-                           "a backslash starts an escape, and this is none; write / between "
+                           "a backslash starts an escape, and this is not one; write / between "
                            "folders, or \\\\ for a backslash");
         return false;
       }

@@ -56,7 +56,7 @@ bool convert(JsonContext& context, JsonIndex key, JsonIndex item, float& out) {
   out = static_cast<float>(number.value);
   if (underflows(text, out)) {
     context.report(json_number_underflow, item,
-                   fmt::format("the number {} of {} is too small to be kept; it counts as 0",
+                   fmt::format("the number {} of {} is too small to be represented; it counts as 0",
                                quoted(text), key_name(context, key)));
   }
   return true;

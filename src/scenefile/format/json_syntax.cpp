@@ -195,7 +195,7 @@ class Explainer {
         return true;
       case JsonFault::surrogate:
         f.message =
-            "a string holds half of a surrogate pair (\\ud800 to \\udfff), which is not a "
+            "a string contains half of a surrogate pair (\\ud800 to \\udfff), which is not a "
             "character; write both halves, or the character itself";
         return true;
       case JsonFault::encoding:

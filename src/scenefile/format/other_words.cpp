@@ -77,8 +77,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::string_view to_the_group =
-    "transforms belong to the group that holds this in its list";
+constexpr std::string_view to_the_group = "transforms belong to the group whose list contains this";
 constexpr std::string_view into_a_group = "put it into a group of \"groups\"";
 constexpr std::string_view to_the_scene =
     "it belongs at the top level of the scene, next to \"groups\"";

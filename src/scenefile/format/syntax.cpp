@@ -128,9 +128,8 @@ char first_character(std::string_view text) {
 std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnostics) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) {
-    diagnostics.report(
-        format_empty, {1, 1},
-        text.empty() ? "the file is empty" : "the file is empty but for white space");
+    diagnostics.report(format_empty, {1, 1},
+                       text.empty() ? "the file is empty" : "the file contains only white space");
     return std::nullopt;
   }
   const std::string_view content = text.substr(first);

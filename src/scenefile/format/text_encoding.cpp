@@ -50,7 +50,7 @@ std::optional<std::string_view> decode_utf16(std::string_view bytes, bool little
                                              std::string& storage, Diagnostics& diagnostics) {
   if (bytes.size() % 2 != 0) {
     report_encoding(diagnostics,
-                    "the file is UTF-16 but has an odd number of bytes; it is cut off");
+                    "the file is UTF-16 but has an odd number of bytes; it is truncated");
     return std::nullopt;
   }
   const auto unit = [&](std::size_t i) {

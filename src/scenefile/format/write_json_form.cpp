@@ -55,10 +55,10 @@ class JsonForm {
       split_transforms(id);
     }
     if (splits_ != 0) {
-      diagnostics_.report(write_transforms_nested, {},
-                          fmt::format("the transforms of {} group{} have an order that JSON says "
-                                      "with groups in groups",
-                                      splits_, splits_ == 1 ? "" : "s"));
+      diagnostics_.report(
+          write_transforms_nested, {},
+          fmt::format("the transforms of {} group{} have an order that needs nested groups in JSON",
+                      splits_, splits_ == 1 ? "" : "s"));
     }
     drop_empty_groups(scene_, {}, diagnostics_);
     keep_templates_names();
@@ -76,7 +76,7 @@ class JsonForm {
         clear_unused(light, false);
         if (!course_json_has(light.type)) {
           diagnostics_.report(write_area_light, light.location,
-                              "the course's JSON reader knows no area lights");
+                              "the course's JSON reader does not support area lights");
         }
       }
       const bool is_root = id == scene_.root;

@@ -114,9 +114,9 @@ class WorldCopies {
     result.width = static_cast<float>(2 * glm::length(glm::dvec3(wanted.half_u)));
     result.height = static_cast<float>(2 * glm::length(glm::dvec3(wanted.half_v)));
     if (!same_sides()) {
-      diagnostics_.report(write_light_turned, light.location,
-                          "the area light is turned or skewed by its group in a way that XML "
-                          "cannot say");
+      diagnostics_.report(
+          write_light_turned, light.location,
+          "the area light is rotated or sheared by its group in a way that XML cannot express");
     }
   }
 

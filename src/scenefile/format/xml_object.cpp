@@ -49,9 +49,10 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
         shape == shape_words.size()
             ? did_you_mean(in_our_words(attribute.value, type_names))
             : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
-    context.report(xml_unknown_object_type, attribute,
-                   fmt::format("object type {} is not of the format, so the object was ignored{}",
-                               type, hint));
+    context.report(
+        xml_unknown_object_type, attribute,
+        fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
+                    hint));
   } else {
     context.report(xml_object_type, attribute,
                    fmt::format("unknown object type {}{}", type, did_you_mean(near)));
@@ -212,7 +213,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
     if (near.empty()) {
       context.diagnostics.report(
           xml_unknown_shape, object.name_place,
-          fmt::format("shape {} is not of the format ({}); it is not drawn{}", shape,
+          fmt::format("shape {} is not part of the format ({}); it is not drawn{}", shape,
                       fmt::join(shape_words, ", "),
                       did_you_mean(in_our_words(object.name, shape_words))));
       return std::nullopt;

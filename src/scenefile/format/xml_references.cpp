@@ -139,12 +139,10 @@ void XmlReferences::resolve_nested(const XmlContext& context, Scene& scene,
       continue;
     }
     const Location place = scene.nodes[found->second].location;
-    context.diagnostics.report(
-        xml_nested_master, use.place,
-        fmt::format(
-            "{} is a tree inside another tree, at line {}; most programs know only those at "
-            "the top of the file",
-            quoted(name), place.line));
+    context.diagnostics.report(xml_nested_master, use.place,
+                               fmt::format("{} is a tree inside another tree, at line {}; most "
+                                           "programs only find those at the top level of the file",
+                                           quoted(name), place.line));
     if (declared_.emplace(name, place).second) {
       make_template(scene, found->second);
     }
@@ -167,7 +165,7 @@ void XmlReferences::resolve_root(const XmlContext& context, Scene& scene,
   }
   const std::string hint =
       templates.size() == 1
-          ? fmt::format("; is {} meant to be it?", quoted(scene.nodes[templates[0]].name))
+          ? fmt::format("; did you mean {}?", quoted(scene.nodes[templates[0]].name))
           : std::string();
   context.diagnostics.report(xml_no_root, scenefile,
                              "the scene has no tree named root, so the picture is empty" + hint);

@@ -319,7 +319,7 @@ bool SceneBuilder::open_top_object(const XmlTag& tag) {
   }
   if (object->type != ObjectType::tree) {
     return ignore(xml_misplaced_element, tag,
-                  "only trees may stand at the top of the file: this object must be inside a "
+                  "only trees may be at the top level of the file: this object must be inside a "
                   "transblock of a tree; it was ignored");
   }
   if (object->name.empty()) {
@@ -423,8 +423,7 @@ bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
   }
   if (top().has_content) {
     context_.report(xml_after_object_used, tag,
-                    fmt::format("{} follows the first object of a transblock; it was used all the "
-                                "same",
+                    fmt::format("{} follows the first object of a transblock; it was used anyway",
                                 element_text(tag.name)));
   }
   switch (static_cast<BlockField>(*field)) {

@@ -270,10 +270,10 @@ std::string hint_before(std::string_view text, std::size_t at) {
   const char before = at == 0 ? ' ' : text[at - 1];
   if (before == '<') {
     return text.substr(at).starts_with("--") ? "a comment starts with <!--"
-                                             : "a name must follow < at once";
+                                             : "a name must directly follow <";
   }
   if (before == '/') {
-    return "the / that ends a tag is followed by > at once";
+    return "the / that ends a tag must be directly followed by >";
   }
   if (text[at] == '\\') {
     return "a tag ends with >, or with /> where nothing is inside; no \\ belongs there";
@@ -288,7 +288,7 @@ std::string hint_before(std::string_view text, std::size_t at) {
         found);
   }
   if (text[at] == '"' || text[at] == '\'') {
-    return "a quotation mark without a value that it opens; a value is written name=\"value\"";
+    return "a quotation mark that does not open a value; a value is written name=\"value\"";
   }
   std::size_t sign = at;
   while (sign > 0 && is_blank(text[sign - 1])) {

@@ -43,8 +43,7 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
     report(Severity::warning, "the matrix was divided by its last number to make it 0 0 0 1");
     rows /= last.w;
   } else if (repeated) {
-    report(Severity::warning,
-           "the third row stands there twice. It must be 0 0 0 1, so it has no effect");
+    report(Severity::warning, "it repeats the third row. It must be 0 0 0 1, so it has no effect");
   } else if (no_translation && last.w == 1) {
     report(Severity::warning,
            "it has no effect. The matrix seems to be transposed: a translation belongs in the last "

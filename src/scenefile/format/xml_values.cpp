@@ -427,7 +427,7 @@ void report_order(const XmlContext& context, const XmlTag& tag,
     names.push_back(escaped(attribute->name, 40));
   }
   context.report(xml_attribute_order, **other.first,
-                 fmt::format("the attributes of {} were read by their names; programs that go by "
+                 fmt::format("the attributes of {} were read by their names; programs that use "
                              "their order differ: write them in the order {}",
                              element_text(tag.name), fmt::join(names, ", ")));
 }

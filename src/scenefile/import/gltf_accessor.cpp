@@ -89,7 +89,7 @@ bool find_layout(const GltfFile& file, std::uint32_t index, std::size_t componen
   }
   const JsonValue& accessor = file.accessors[index];
   if (accessor["sparse"]) {
-    error = " is sparse, which is not read";
+    error = " is sparse, which is not supported";
     return false;
   }
   layout.component = static_cast<Component>(accessor["componentType"].whole().value_or(0));
@@ -114,7 +114,7 @@ bool find_layout(const GltfFile& file, std::uint32_t index, std::size_t componen
   layout.stride = file.views[view].stride == 0 ? size : file.views[view].stride;
   if (layout.stride < size || offset > bytes.size() || size > bytes.size() - offset ||
       (bytes.size() - offset - size) / layout.stride < count - 1) {
-    error = " leads outside of its bufferView";
+    error = " points outside of its bufferView";
     return false;
   }
   layout.first = bytes.data() + offset;

@@ -35,7 +35,7 @@ std::string split(std::string_view bytes, Chunks& chunks) {
     return "the file ends within its header";
   }
   if (const std::uint32_t version = number_at(bytes, 4); version != 2) {
-    return fmt::format("it is version {} of GLB, and 2 is read", version);
+    return fmt::format("it is version {} of GLB, and only 2 is supported", version);
   }
   const std::uint32_t length = number_at(bytes, 8);
   if (length > bytes.size()) {

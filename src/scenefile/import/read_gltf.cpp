@@ -134,8 +134,8 @@ class GltfReader {
 
   void report_left_out() {
     const std::pair<std::string_view, std::string_view> parts[] = {
-        {"animations", "animations are left out: it is shown as it lies"},
-        {"skins", "skins are left out: meshes are shown as they were before they were posed"}};
+        {"animations", "animations are left out: the model is shown at rest"},
+        {"skins", "skins are left out: meshes are shown in their rest pose"}};
     for (const auto& [member, message] : parts) {
       if (!file_.root[member].elements().empty()) {
         diagnostics_.report(import_left_out, {}, std::string(message));
@@ -464,7 +464,7 @@ class GltfReader {
       light.penumbra_deg =
           static_cast<float>(glm::degrees(std::clamp(outer - inner, 0.0, std::min(outer, pi / 2))));
     } else if (type != "point") {
-      fail(fmt::format("lights[{}].type is none of directional, point and spot", at));
+      fail(fmt::format("lights[{}].type is not directional, point or spot", at));
       return;
     }
     add_own(json["extras"]["scenefile"], light, factor);

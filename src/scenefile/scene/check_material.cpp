@@ -80,9 +80,9 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
                                 "through it; glass has 1.5",
                                 subject.what));
   } else if (ior != 0 && (ior < least_ior || ior > most_ior)) {
-    reporter.report(
-        material_ior_unusual, subject, Field::ior,
-        fmt::format("ior {} of the {} is that of no material", number_text(ior), subject.what));
+    reporter.report(material_ior_unusual, subject, Field::ior,
+                    fmt::format("ior {} of the {} is not that of a real material", number_text(ior),
+                                subject.what));
   }
 }
 
@@ -134,7 +134,7 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
     const Location place = material.texture->location;
     reporter.report(material_texture_without_blend,
                     {subject.what, place.known() ? place : subject.location, subject.node},
-                    fmt::format("texture {} of the {} is not seen, because its blend is 0",
+                    fmt::format("texture {} of the {} is not visible, because its blend is 0",
                                 quoted(material.texture->file), subject.what));
   } else if (!material.texture && blend > 0) {
     reporter.report(material_blend_without_texture, subject, Field::blend,

@@ -21,7 +21,7 @@ inline constexpr Code scene_not_finite{"scene.not-finite", Severity::error,
                                        "Infinity and NaN spread to every pixel they touch. Files "
                                        "cannot cause this; a computation in a program can."};
 inline constexpr Code scene_empty{"scene.empty", Severity::warning, "nothing to draw",
-                                  "The root holds no primitive, neither itself nor through "
+                                  "The root contains no primitive, neither directly nor through "
                                   "templates. The picture will be black.",
                                   CodeKind::absence};
 inline constexpr Code scene_no_light{

@@ -15,7 +15,7 @@ namespace scenefile {
 namespace {
 
 constexpr glm::vec3 black(0);
-constexpr std::string_view nothing_lit = "none of the lights lights anything that can be seen";
+constexpr std::string_view nothing_lit = "none of the lights reaches anything visible";
 
 class ViewCheck {
  public:
@@ -53,7 +53,7 @@ class ViewCheck {
   }
 
  private:
-  // "the sphere of line 12".
+  // For example "the sphere of line 12".
   std::string text_of(const RenderPrimitive& primitive) const {
     const std::string_view name = word_of(primitive.shape);
     const Location place = question_.place_of(primitive.source);
@@ -61,7 +61,7 @@ class ViewCheck {
                          : fmt::format("a {}", name);
   }
 
-  // Whether the light may contribute; says so when it cannot.
+  // Returns whether the light may contribute; reports it otherwise.
   bool reaches(const RenderLight& light) {
     if (search_.misses(lit_region(light))) {
       diagnostics_.report(light_misses, question_.place_of(light.source),
@@ -73,8 +73,8 @@ class ViewCheck {
     return !is_shut_in(light);
   }
 
-  // Whether an opaque object around the light, but not around the camera, keeps its light in. A
-  // highlight may still show on the object's outside: N.L < 0 does not cut it.
+  // Whether an opaque object encloses the light, but not the camera. A highlight may still appear
+  // on the outside of the object, because N.L < 0 does not suppress it.
   bool is_shut_in(const RenderLight& light) {
     const bool has_a_place = light.type == LightType::point || light.type == LightType::spot;
     bool shut_in = false;
@@ -108,11 +108,11 @@ class ViewCheck {
                                 (global.diffuse != 0 && m.diffuse != black);
                        });
   }
-  // Why no light shows.
+  // Why no light is visible.
   std::string_view dark_text() const {
     return answers_light(RenderGlobal())
-               ? "the diffuse or specular coefficient of the global data is 0, which takes away "
-                 "all that light could show"
+               ? "the diffuse or specular coefficient of the global data is 0, so that no light is "
+                 "visible"
                : "no material has a diffuse or specular part that light could show";
   }
 
@@ -135,7 +135,7 @@ void check_view(const RenderScene& scene, const Assets& assets, const ViewQuesti
   const bool empty = std::all_of(scene.groups.begin(), scene.groups.end(),
                                  [](const RenderGroup& group) { return group.primitives.empty(); });
   if (empty) {
-    return;  // check() has said so
+    return;  // reported by check()
   }
   ViewCheck check(scene, assets, question, diagnostics);
   check.check_camera();

@@ -1,5 +1,5 @@
 #pragma once
-// All codes of all rooms, and those of the verbs themselves.
+// All codes of all rooms, and those of the verbs.
 
 #include "scenefile/base/diagnostics.h"
 
@@ -9,21 +9,22 @@
 namespace scenefile {
 
 inline constexpr Code render_no_directional_light{
-    "render.no-directional-light", Severity::warning, "no light counts in this mode",
-    "The course's ray caster (--profile course --mode intersect) knows directional lights alone, "
-    "and the scene has none: the picture shows ambient light only. With --profile fine, or with "
-    "--mode ray, the other lights count too."};
+    "render.no-directional-light", Severity::warning, "no light is used in this mode",
+    "The course's ray caster (--profile course --mode intersect) only uses directional lights, and "
+    "the scene has none: the picture shows ambient light only. With --profile fine, or with --mode "
+    "ray, the other lights are used too."};
 
 inline constexpr Code realtime_light_skipped{
-    "realtime.light-skipped", Severity::note, "a light that the milestone does not know",
-    "The milestone Lights, Camera of the assignment Realtime has directional lights alone, Action "
-    "also point lights and spotlights. The program of the assignment skips all other lights "
+    "realtime.light-skipped", Severity::note, "a light that the milestone does not support",
+    "The milestone Lights, Camera of the assignment Realtime only has directional lights; Action "
+    "also has point lights and spotlights. The assignment's program skips all other lights "
     "silently, and so does --profile realtime."};
 
 inline constexpr Code realtime_no_light{
-    "realtime.no-light", Severity::warning, "no light shines in this milestone",
-    "The scene has lights, but none of a type that the milestone knows: the picture shows ambient "
-    "light only. Scenes with point lights and spotlights are drawn with --milestone action."};
+    "realtime.no-light", Severity::warning, "no light is used in this milestone",
+    "The scene has lights, but none of a type that the milestone supports: the picture shows "
+    "ambient light only. Scenes with point lights and spotlights are drawn with --milestone "
+    "action."};
 
 inline constexpr Code realtime_not_drawn{
     "realtime.not-drawn", Severity::note, "what the assignment Realtime does not draw",
@@ -32,8 +33,8 @@ inline constexpr Code realtime_not_drawn{
 
 inline constexpr Code convert_comments{
     "convert.comments", Severity::note, "comments are not carried over",
-    "A scene is written from its meaning, and comments have none; JSON has no comments at all. "
-    "scenefile format lays out a file and keeps its comments."};
+    "Only the meaning of the scene is converted, and JSON has no comments at all. To keep "
+    "comments, use scenefile format, which only changes white space."};
 
 inline constexpr Code convert_file_left_behind{
     "convert.file-left-behind", Severity::warning, "a texture or mesh stays in another folder",
@@ -51,7 +52,7 @@ inline constexpr Code convert_file_renamed{
 std::span<const Code* const> all_codes();
 /// Their names, in the same order.
 std::span<const std::string_view> code_names();
-/// The code of that name, or null.
+/// The code with that name, or null.
 const Code* find_code(std::string_view name);
 
 /// "note", "warning" or "error".

@@ -38,7 +38,7 @@ void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& 
   scene.asset_fingerprint = hash.value();
 }
 
-// Asks about a scene without errors. `question` need not say where things are in the file.
+// Checks the view of a scene without errors. Sets the file places in `question`.
 void ask(LoadedScene& scene, ViewQuestion question) {
   if (scene.written.camera) {
     question.camera = scene.written.camera->location;
@@ -49,7 +49,7 @@ void ask(LoadedScene& scene, ViewQuestion question) {
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 
-// Whether the course's ray caster would see no light at all.
+// Whether the course's ray caster would use no light at all.
 bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
   return options.profile == Profile::course && options.mode == Mode::intersect &&
          !scene.lights.empty() &&
@@ -57,7 +57,7 @@ bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
                       [](const RenderLight& l) { return l.type == LightType::directional; });
 }
 
-// Whether the picture depends on what an absent transparentcoeff means.
+// Whether the picture depends on the default of transparentcoeff.
 bool guesses_transparency(const RenderOptions& options) {
   return options.profile == Profile::fine && options.mode == Mode::ray && options.features.refract;
 }
@@ -109,9 +109,9 @@ void check_picture(LoadedScene& scene, const RenderOptions& options) {
   question.shadows = options.mode == Mode::ray && options.features.shadows;
   ask(scene, question);
   if (dark_in_caster(options, scene.ready.scene)) {
-    scene.diagnostics.report(render_no_directional_light, {},
-                             "the scene has no directional light, and the course's ray caster "
-                             "knows no other");
+    scene.diagnostics.report(
+        render_no_directional_light, {},
+        "the scene has no directional light, and the course's ray caster uses no other");
   }
   if (!guesses_transparency(options)) {
     scene.diagnostics.rewrite([](const Code& code, Severity severity) {

@@ -56,7 +56,7 @@ Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
   }
   error = picture != nullptr
               ? device_error(state)
-              : fmt::format("{} draws no picture of {}x{}", state.renderer, width, height);
+              : fmt::format("{} cannot draw a picture of {}x{}", state.renderer, width, height);
   if (!error.empty()) {
     return {};
   }

@@ -115,7 +115,7 @@ void report_not_drawn(const RenderScene& scene, Diagnostics& diagnostics) {
   if (!missing.empty()) {
     diagnostics.report(
         gl_not_drawn, {},
-        fmt::format("the scene has what OpenGL leaves out: {}", fmt::join(missing, ", ")));
+        fmt::format("the scene has features that OpenGL leaves out: {}", fmt::join(missing, ", ")));
   }
 }
 

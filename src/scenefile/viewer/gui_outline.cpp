@@ -335,7 +335,7 @@ void build_light_of(Session& session, std::uint32_t source) {
   build_light(*found);
   const auto index = static_cast<std::uint32_t>(found - scene.lights.begin());
   bool alone = session.only_light == index;
-  if (ImGui::Checkbox("this light alone", &alone)) {
+  if (ImGui::Checkbox("only this light", &alone)) {
     show_only_light(session, alone ? std::optional(index) : std::nullopt);
   }
 }

@@ -105,9 +105,9 @@ void paint_comparison(const Session& session, const GuiFrame& frame) {
   if (session.compare == CompareView::split) {
     paint_split(session, frame);
   } else {
-    static constexpr std::array<const char*, 3> names{
-        "reference", "difference: black is none, yellow is all",
-        "FLIP: what an eye notices, black is nothing"};
+    static constexpr std::array<const char*, 3> names{"reference",
+                                                      "difference: black is none, yellow is all",
+                                                      "FLIP: visible differences, black is none"};
     const auto index = static_cast<std::size_t>(session.compare) -
                        static_cast<std::size_t>(CompareView::reference);
     paint_label(session.picture.at + glm::dvec2(12, 10) * frame.scale, names[index], {0, 0},

@@ -191,7 +191,7 @@ Script parse_script(std::string_view text) {
       continue;
     }
     if (!parser.parse(line, number)) {
-      return {{}, fmt::format("line {}: {} is no step", number, quoted(line.substr(first)))};
+      return {{}, fmt::format("line {}: {} is not a step", number, quoted(line.substr(first)))};
     }
   }
   return {std::move(parser.steps), {}};

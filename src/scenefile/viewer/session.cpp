@@ -350,7 +350,7 @@ std::string mode_text(const Session& session) {
                : "Realtime, Lights, Camera: " + text;
   }
   if (session.only_light) {
-    text += fmt::format(", light {} alone", *session.only_light + 1);
+    text += fmt::format(", only light {}", *session.only_light + 1);
   }
   return text;
 }

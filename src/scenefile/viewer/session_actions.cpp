@@ -31,7 +31,7 @@ void save(Session& session) {
   if (!saved.refused.empty()) {
     say(session, fmt::format("the view is not saved: {}", saved.refused), true);
   } else if (saved.text == session.known_text) {
-    say(session, fmt::format("{} says this view already", name));
+    say(session, fmt::format("{} already has this view", name));
   } else {
     session.saved_over = {session.path, std::move(session.known_text), session.home};
     session.known_text = std::move(saved.text);

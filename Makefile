@@ -218,13 +218,16 @@ tidy: ## clang-tidy all sources
 	@$(MAKE) $(QUIET) configure-tests
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
 
-.PHONY: bench bench-build
+.PHONY: bench bench-build bench-quality
 BENCH_TARGETS = scenefile $(addprefix scenefile_bench_,load kernels psnr inside replay memory)
 bench-build:
 	@scripts/install-deps core bench
 	@$(MAKE) $(QUIET) configure
 	@grep -qs SCENEFILE_BENCH:BOOL=ON $(BUILD)/CMakeCache.txt || cmake $(PRESET) -DSCENEFILE_BENCH=ON > /dev/null
 	@cmake --build $(PRESET) --target $(BENCH_TARGETS)
+bench-quality: bench-build ## CPU time for a picture of equal quality, against POV-Ray; CORPUS=DIR: also the course's scenes
+	@mkdir -p out
+	@bench/quality $(BUILD) $(SCENES) --out out/quality.json --runs $(or $(RUNS),2) $(if $(CORPUS),--corpus "$(CORPUS)")
 bench: bench-build ## CPU time and memory of renders and their parts, against POV-Ray; CORPUS=DIR: also the course's scenes
 	@mkdir -p out
 	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)" --samples --all)

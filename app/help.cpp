@@ -36,7 +36,7 @@ const std::vector<Heading>& headings() {
         "--fresnel", "--max-depth", "--segments"}},
       {"Realtime", {"--milestone", "--parameters", "--near", "--far", "--filter"}},
       {"Motion", {"--turntable", "--path", "--range", "--fps"}},
-      {"Quality", {"--samples", "--seed", "--denoise"}},
+      {"Quality", {"--samples", "--min-samples", "--seed", "--denoise"}},
       {"Layers", {"--aov"}},
       {"Comparison",
        {"--references", "--scenes", "--scene", "--min-psnr", "--max-mean", "--max-difference",

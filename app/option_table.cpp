@@ -451,6 +451,14 @@ constexpr std::array table{
         for_tracing,
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
         "samples"},
+    OptionRow{"--min-samples", "", "N",
+              "Smallest number of samples per pixel, for the profile fine (default 1). With the "
+              "same number for --samples every pixel takes exactly so many.",
+              for_tracing,
+              [](Options& o, const std::string& v) {
+                return set_number(v, 1, 65536, o.render.min_samples);
+              },
+              "min_samples"},
     OptionRow{
         "--fresnel", "", "",
         "Glass reflects the share of light that Fresnel's equations give, for the profile fine.",

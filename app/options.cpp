@@ -177,6 +177,10 @@ std::string check_known(const Options& options) {
     }
   }
   const int samples = options.render.samples;
+  if (options.render.min_samples > samples) {
+    return fmt::format("--min-samples {0}: more than the {1} of --samples; add --samples {0}",
+                       options.render.min_samples, samples);
+  }
   return options.engine == Engine::trace || !was_given(options, "--samples") || samples == 1 ||
                  samples == 4 || samples == 16 || samples == 64
              ? std::string()

@@ -34,5 +34,5 @@ int main(int argc, char** argv) {
     std::fputs("one of the pictures cannot be read\n", stderr);
     return 1;
   }
-  std::printf("%.1f\n", compare_images(a, b).psnr_db);
+  std::printf("%.2f\n", compare_images(a, b).psnr_db);
 }

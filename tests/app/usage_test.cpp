@@ -86,6 +86,9 @@ TEST(Usage, JudgesValues) {
   is_misuse(render("--features", "shadow"), "did you mean shadows?");
   is_misuse(render("--features", "shadows,none"), "--features: none cannot be combined");
   is_misuse(render("--samples", "0"), R"(--samples: "0" is not a whole number from 1)");
+  is_misuse(render("--min-samples", "0"), R"(--min-samples: "0" is not a whole number from 1)");
+  is_misuse(render("--min-samples", "17"),
+            "--min-samples 17: more than the 16 of --samples; add --samples 17");
   is_misuse(render("--max-depth", "65"), "from 0 to 64");
   is_misuse(render("--threads", "-1"), "--threads");
   is_misuse(render("--seed", "1.5"), "--seed");
@@ -126,7 +129,7 @@ TEST(Usage, MissesWhatIsMissing) {
 
 TEST(Usage, TheCourseHasSamplesOfItsOwn) {
   const std::vector<std::string> course{"render", "a.xml", "-o", "b.png", "--profile", "course"};
-  for (const std::string option : {"--samples", "--seed"}) {
+  for (const std::string option : {"--samples", "--min-samples", "--seed"}) {
     std::vector<std::string> words = course;
     words.insert(words.end(), {option, "3"});
     is_misuse(words, option + " is for the profile fine: leave it out, or --profile course");

@@ -70,48 +70,6 @@ TEST(Lighting, PointLightsFallOffWithTheSquare) {
   EXPECT_NEAR(b.seen().x, 1 / 6.25, tolerance);
 }
 
-TEST(Lighting, PlantedMistakes) {
-  RenderMaterial m;
-  m.specular = glm::vec3(0.5);
-  m.shininess = 4;
-  SceneBuilder b = floor_scene(m);
-  b.light(LightType::directional, slanted(60), glm::vec3(0.5));
-  const double phong = 0.25 * std::pow(0.5, 4);
-  EXPECT_NEAR(b.seen().x, 0.25 + phong, tolerance);
-  RenderOptions wrong = default_options(Profile::course);
-  wrong.mistakes.blinn = true;
-  EXPECT_NEAR(b.seen(wrong).x, 0.25 + 0.25 * std::pow(std::cos(glm::radians(30.0)), 4), tolerance);
-  wrong.mistakes = {};
-  wrong.mistakes.diffuse = 0;
-  EXPECT_NEAR(b.seen(wrong).x, phong, tolerance);
-}
-
-TEST(Lighting, PlantedNormalsWithoutTheInverseTranspose) {
-  SceneBuilder b;
-  const std::uint32_t m = b.material(white());
-  // A flat sphere, seen 0.3 beside its top.
-  b.add(Shape::sphere, scale({1, 0.5, 1}), m);
-  b.look({0.3f, 3, 0}, {0.3f, 0, 0});
-  b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));
-  const glm::dvec3 n(0.3, 0.4, 0);
-  EXPECT_NEAR(b.seen().x, 0.5 * 2 * n.y / std::hypot(n.x, 2 * n.y), 1e-5);
-  RenderOptions wrong = default_options(Profile::course);
-  wrong.mistakes.untransposed_normals = true;
-  EXPECT_NEAR(b.seen(wrong).x, 0.5 * 0.5 * n.y / std::hypot(n.x, 0.5 * n.y), 1e-5);
-}
-
-TEST(Lighting, PlantedLinearSpots) {
-  SceneBuilder b = floor_scene(white());
-  RenderLight& l = b.light(LightType::spot, {0, 2, 0}, glm::vec3(0.5));
-  l.direction = slanted(25);
-  l.inner_angle = glm::radians(20.0f);
-  l.outer_angle = glm::radians(40.0f);
-  EXPECT_NEAR(b.seen().x, 0.5 * (1 - 0.0625 * 2.5), tolerance);
-  RenderOptions wrong = default_options(Profile::course);
-  wrong.mistakes.linear_spots = true;
-  EXPECT_NEAR(b.seen(wrong).x, 0.5 * 0.75, tolerance);
-}
-
 TEST(Lighting, AttenuationHasThreeTermsAndNeverBrightens) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::point, {0, 2, 0}, glm::vec3(1)).attenuation = {1, 0.5, 0.25};

@@ -37,7 +37,7 @@ struct Leaves {
   Visit visit;
   template <typename T>
   void operator()(const OptionField& field, T& value) {
-    if constexpr (std::is_same_v<T, Features> || std::is_same_v<T, Mistakes>) {
+    if constexpr (std::is_same_v<T, Features>) {
       visit_options(value, *this);
     } else {
       visit(field, value);
@@ -93,6 +93,8 @@ TEST(Options, WhoKnowsThem) {
   EXPECT_TRUE(knows_option(Engine::gl, who_knows("samples")));
   EXPECT_FALSE(knows_option(Profile::course, who_knows("samples")));
   EXPECT_FALSE(knows_option(Engine::gl, who_knows("seed")));
+  EXPECT_FALSE(knows_option(Engine::gl, who_knows("min_samples")));
+  EXPECT_FALSE(knows_option(Profile::course, who_knows("min_samples")));
   EXPECT_TRUE(knows_option(Profile::course, who_knows("max_depth")));
   EXPECT_TRUE(knows_option(Engine::gl, who_knows("no such field")));
 }

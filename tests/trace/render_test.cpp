@@ -126,6 +126,35 @@ TEST(Render, LayersAndNoiseAreTheSameForAnyNumberOfThreads) {
   }
 }
 
+// Rays of the camera, in a picture of 40 x 30 pixels that hold a disk on black.
+std::uint64_t camera_rays(int samples, int min_samples, const RenderOptions& others = {}) {
+  SceneBuilder b;
+  RenderMaterial plain;
+  plain.ambient = glm::vec3(1);
+  b.add(Shape::sphere, translate({0, 0, -3}), b.material(plain));
+  b.look({0, 0, 0}, {0, 0, -1});
+  RenderOptions options = others;
+  options.width = 40;
+  options.height = 30;
+  options.samples = samples;
+  options.min_samples = min_samples;
+  return render(b.scene, b.assets, options).stats.primary_rays;
+}
+
+TEST(Render, SamplesMayBeForced) {
+  constexpr std::uint64_t pixels = 40 * 30;
+  EXPECT_EQ(camera_rays(16, 16), 16 * pixels);
+  EXPECT_EQ(camera_rays(5, 5), 5 * pixels);
+  EXPECT_GT(camera_rays(16, 1), camera_rays(1, 1)) << "an edge takes more";
+  EXPECT_LT(camera_rays(16, 1), 8 * pixels);
+  EXPECT_GT(camera_rays(16, 6), 6 * pixels);
+  EXPECT_LT(camera_rays(16, 6), 9 * pixels);
+  RenderOptions crop;
+  crop.crop = {10, 10, 20, 15};
+  EXPECT_EQ(camera_rays(16, 16, crop), 16u * 10 * 5) << "nobody asks the neighbors";
+  EXPECT_EQ(camera_rays(4, 9), camera_rays(4, 4)) << "no more than the most";
+}
+
 TEST(Render, SeedChangesTheNoiseAndNothingElse) {
   const SceneBuilder b = busy_scene();
   RenderOptions options = default_options(Profile::fine);

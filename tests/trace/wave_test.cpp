@@ -5,9 +5,9 @@
 
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/integrator.h"
-#include "scenefile/trace/single_pixels.h"
 #include "scenefile/trace/wave_pixels.h"
 #include "trace/build_scene.h"
+#include "trace/single_pixels.h"
 
 #include <gtest/gtest.h>
 
@@ -140,7 +140,6 @@ void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
   SCOPED_TRACE(options.profile == Profile::fine ? "fine" : "course");
   const Tracer tracer(b.scene, b.assets, options);
   ASSERT_EQ(tracer.status(), RenderStatus::complete);
-  ASSERT_TRUE(takes_waves(tracer));
   RayCounts expected_counts;
   const std::vector<WaveSight> expected = alone(tracer, expected_counts);
   for (const WaveKernel* kernel : wave_kernels()) {

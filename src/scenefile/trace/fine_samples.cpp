@@ -48,7 +48,8 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))) {}
 
 std::uint32_t FineSampler::first_samples(const RenderOptions& options) {
-  return std::min(first_round, static_cast<std::uint32_t>(std::max(1, options.samples)));
+  const auto most = static_cast<std::uint32_t>(std::max(1, options.samples));
+  return std::min(most, std::max(first_round, static_cast<std::uint32_t>(options.min_samples)));
 }
 
 CameraSample FineSampler::sample(int x, int y, std::uint32_t index) const {

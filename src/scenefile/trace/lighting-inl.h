@@ -24,19 +24,18 @@ inline F attenuated(const glm::vec3& coefficients, F distance) {
   return select(denominator > splat(1), splat(1) / denominator, splat(1));
 }
 
-inline F spot_share(const RenderLight& light, F cosine, bool linear) {
+inline F spot_share(const RenderLight& light, F cosine) {
   const auto angle_of = [](double c, double) { return std::acos(std::clamp(c, -1.0, 1.0)); };
   const F angle = each(cosine == cosine, angle_of, cosine, cosine);
   const double width = double(light.outer_angle) - double(light.inner_angle);
   const F t = (angle - splat(light.inner_angle)) / splat(width);
-  const F falling = linear ? splat(1) - t : splat(1) - t * t * (splat(3) - splat(2) * t);
+  const F falling = splat(1) - t * t * (splat(3) - splat(2) * t);
   return select(angle <= splat(light.inner_angle), splat(1),
                 select(angle > splat(light.outer_angle), splat(0), falling));
 }
 
 /// Light of any but directional lights, from the point of an area light at (u, v).
-inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F v,
-                              bool linear_spots) {
+inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F v) {
   V3 from = splat3(light.position);
   if (light.type == LightType::area) {
     from = from + (splat(2) * u - splat(1)) * splat3(light.half_u);
@@ -53,14 +52,14 @@ inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F 
   }
   light_here.attenuation = attenuated(light.attenuation, light_here.distance);
   light_here.spot_factor =
-      light.type == LightType::spot ? spot_share(light, cosine, linear_spots) : splat(1);
+      light.type == LightType::spot ? spot_share(light, cosine) : splat(1);
   light_here.arrives = arrives & (light_here.attenuation * light_here.spot_factor > splat(0));
   return light_here;
 }
 
-inline Arriving arriving(const RenderLight& light, const V3& point, F u, F v, bool linear_spots) {
+inline Arriving arriving(const RenderLight& light, const V3& point, F u, F v) {
   if (light.type != LightType::directional) {
-    return arriving_from(light, point, u, v, linear_spots);
+    return arriving_from(light, point, u, v);
   }
   const M always = !no_lanes();
   return {always, -splat3(light.direction), splat(std::numeric_limits<double>::infinity()),

@@ -10,8 +10,8 @@ double attenuation(const glm::vec3& coefficients, double distance) {
   return one::attenuated(coefficients, distance);
 }
 
-double spot_factor(const RenderLight& light, double cosine, bool linear) {
-  return one::spot_share(light, cosine, linear);
+double spot_factor(const RenderLight& light, double cosine) {
+  return one::spot_share(light, cosine);
 }
 
 double highlight(double cosine, double shininess) {
@@ -19,9 +19,9 @@ double highlight(double cosine, double shininess) {
 }
 
 bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
-                Illumination& result, const Mistakes& mistakes) {
+                Illumination& result) {
   const one::Arriving arriving =
-      one::arriving(light, one::splat3(point), on_light.x, on_light.y, mistakes.linear_spots);
+      one::arriving(light, one::splat3(point), on_light.x, on_light.y);
   result.to_light = {arriving.to_light.x, arriving.to_light.y, arriving.to_light.z};
   result.distance = arriving.distance;
   result.attenuation = arriving.attenuation;

@@ -2,7 +2,6 @@
 // Light that arrives at a point, before anything blocks it.
 
 #include "scenefile/scene/render_scene.h"
-#include "scenefile/trace/mistakes.h"
 
 #include <glm/glm.hpp>
 
@@ -20,8 +19,8 @@ struct Illumination {
 double attenuation(const glm::vec3& coefficients, double distance);
 
 /// Share of full light at an angle (given by its cosine) from the axis of a spot: 1 up to the inner
-/// angle, a smoothstep of the angle (or a straight line) down to 0 at the outer.
-double spot_factor(const RenderLight& light, double cosine, bool linear = false);
+/// angle, a smoothstep of the angle down to 0 at the outer.
+double spot_factor(const RenderLight& light, double cosine);
 
 /// `cosine` to the power `shininess`, both positive: how bright a highlight is.
 double highlight(double cosine, double shininess);
@@ -29,6 +28,6 @@ double highlight(double cosine, double shininess);
 /// `on_light` in [0, 1]^2 chooses a point of an area light. Returns false when nothing arrives: the
 /// point is outside a spot's cone, behind an area light, or at the light itself.
 bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
-                Illumination& result, const Mistakes& mistakes = {});
+                Illumination& result);
 
 }  // namespace scenefile

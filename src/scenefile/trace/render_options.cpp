@@ -73,6 +73,7 @@ RenderOptions in_range(RenderOptions options) {
   options.width = std::max(1, options.width);
   options.height = std::max(1, options.height);
   options.samples = std::clamp(options.samples, 1, 1 << 20);
+  options.min_samples = std::clamp(options.min_samples, 1, options.samples);
   options.threads = std::clamp(options.threads, 0, 1024);
   options.max_depth = std::clamp(options.max_depth, 0, 64);
   if (options.crop.has_value()) {

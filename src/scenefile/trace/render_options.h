@@ -3,7 +3,6 @@
 // options alike visits them with visit_options.h.
 
 #include "scenefile/asset/image.h"
-#include "scenefile/trace/mistakes.h"
 
 #include <array>
 #include <cstdint>
@@ -84,6 +83,7 @@ struct RenderOptions {
   int width = 1024;  ///< pixels, at least 1
   int height = 768;
   int samples = 16;        ///< fine: most samples a pixel, at least 1
+  int min_samples = 1;     ///< fine: fewest samples a pixel, at most `samples`
   int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
   std::uint64_t seed = 0;  ///< fine: another noise pattern
   bool fresnel = false;    ///< fine: glass mirrors the share that Fresnel's equations say
@@ -93,7 +93,6 @@ struct RenderOptions {
   std::optional<PixelRegion> crop;
   std::vector<Layer> layers;  ///< to be returned beside the picture; lights must exist
   bool denoise = false;       ///< fine: take noise away (denoise.h)
-  Mistakes mistakes;          ///< made on purpose
 };
 
 /// The defaults of a profile: course has no super_sample and 4 bounces.

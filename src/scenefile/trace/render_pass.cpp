@@ -1,14 +1,12 @@
 #include "scenefile/trace/render_pass.h"
 
 #include "scenefile/trace/layer_buffers.h"
-#include "scenefile/trace/single_pixels.h"
 #include "scenefile/trace/tiles.h"
 #include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
 #include <atomic>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace scenefile {
@@ -99,29 +97,20 @@ class Renderer {
   // Calls draw(sampler, pixels) for the pixels of each piece, with a sampler of its thread.
   template <typename F>
   void for_each_sampler(PassShare share, const F& draw) {
-    if (takes_waves(tracer_)) {
-      const WaveScene scene(tracer_, camera_);
-      WavePool pool;
-      for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
-        WaveSampler waves(scene, pool, wish_, counts);
-        draw(waves, pixels);
-      });
-    } else {
-      for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
-        SingleSampler sampler(tracer_, camera_, wish_, counts);
-        draw(sampler, pixels);
-      });
-    }
+    const WaveScene scene(tracer_, camera_);
+    WavePool pool;
+    for_each_tile(share, [&](std::vector<glm::ivec2>& pixels, RayCounts& counts) {
+      WaveSampler waves(scene, pool, wish_, counts);
+      draw(waves, pixels);
+    });
   }
 
   void run_course() {
     const bool one_sample = !camera_.has_lens() && !tracer_.options.features.super_sample;
-    for_each_sampler({0, 1}, [&](auto& sampler, const std::vector<glm::ivec2>& pixels) {
-      if constexpr (std::is_same_v<decltype(sampler), WaveSampler&>) {
-        if (one_sample && !wish_.wanted) {
-          put_middles(sampler, pixels);
-          return;
-        }
+    for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      if (one_sample && !wish_.wanted) {
+        put_middles(sampler, pixels);
+        return;
       }
       for (const DrawnPixel& pixel : sampler.course(pixels)) {
         put(pixel.at, pixel.color);

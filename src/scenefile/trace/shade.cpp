@@ -74,8 +74,7 @@ struct Reflector {
   Color specular;
 
   double highlight_cosine(const glm::dvec3& to_light, double cosine) const {
-    return tracer.options.mistakes.blinn ? glm::dot(point.normal, glm::normalize(to_light + to_eye))
-                                         : glm::dot(2 * cosine * point.normal - to_light, to_eye);
+    return glm::dot(2 * cosine * point.normal - to_light, to_eye);
   }
 
   Color lit_by(const Illumination& light, RayCounts& counts) const {
@@ -107,7 +106,7 @@ struct Reflector {
           grid ? glm::dvec2(i % side + 0.5, i / side + 0.5) / double(side)
                : stratified_2d(key.sample * samples + i, mixed_bits(key.pattern, 16 + index));
       Illumination arriving;
-      if (illuminate(light, point.position, on_light, arriving, tracer.options.mistakes)) {
+      if (illuminate(light, point.position, on_light, arriving)) {
         const Color color = lit_by(arriving, counts);
         lit += color == Color(0) ? 0 : 1;
         sum += color;
@@ -127,8 +126,7 @@ struct Reflector {
       return lit_by_area(light, index, key, counts);
     }
     Illumination arriving;
-    const bool arrives =
-        illuminate(light, point.position, {0.5, 0.5}, arriving, tracer.options.mistakes);
+    const bool arrives = illuminate(light, point.position, {0.5, 0.5}, arriving);
     const Color color = arrives ? lit_by(arriving, counts) : Color(0);
     if (counts.recorder != nullptr) {
       counts.recorder->light(index, 1, color);
@@ -146,16 +144,11 @@ bool shines_in(const Tracer& tracer, const RenderLight& light) {
 
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
             const SampleKey& key, RayCounts& counts) {
-  if (tracer.options.mistakes.untransposed_normals) {
-    point.normal =
-        glm::normalize(glm::inverse(point.hit.object_from_world.linear) * point.object.normal);
-  }
   apply_bump(tracer, point, direction, width);
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
   const Reflector reflector{tracer, point, -direction,
-                            double(tracer.options.mistakes.diffuse) *
-                                diffuse_color(tracer, point, direction, width, counts.recorder),
+                            diffuse_color(tracer, point, direction, width, counts.recorder),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
   if (counts.recorder != nullptr) {

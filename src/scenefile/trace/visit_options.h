@@ -63,8 +63,8 @@ concept OptionsOf = std::same_as<std::remove_const_t<T>, Struct>;
 /// Calls visit(const OptionField&, field) for each field, in the order of JSON answers.
 template <OptionsOf<RenderOptions> T, typename Visit>
 constexpr void visit_options(T& options, Visit&& visit) {
-  auto& [profile, mode, features, width, height, samples, max_depth, seed, fresnel, threads, crop,
-         layers, denoise, mistakes] = options;
+  auto& [profile, mode, features, width, height, samples, min_samples, max_depth, seed, fresnel,
+         threads, crop, layers, denoise] = options;
   visit(OptionField{"width"}, width);
   visit(OptionField{"height"}, height);
   visit(OptionField{"profile"}, profile);
@@ -72,13 +72,13 @@ constexpr void visit_options(T& options, Visit&& visit) {
   visit(OptionField{"features"}, features);
   visit(OptionField{"max_depth", known_to_tracer}, max_depth);
   visit(OptionField{"samples", known_to_fine}, samples);
+  visit(OptionField{"min_samples", known_to_fine_tracer}, min_samples);
   visit(OptionField{"seed", known_to_fine_tracer}, seed);
   visit(OptionField{"fresnel", known_to_fine_tracer}, fresnel);
   visit(OptionField{"threads", known_to_tracer, false, InAnswers::never}, threads);
   visit(OptionField{"crop", known_to_tracer, true, InAnswers::when_set}, crop);
   visit(OptionField{"layers", known_to_tracer, true, InAnswers::when_set}, layers);
   visit(OptionField{"denoise", known_to_fine_tracer, true, InAnswers::when_set}, denoise);
-  visit(OptionField{"mistakes", known_to_tracer, true, InAnswers::never}, mistakes);
 }
 
 /// The same for the features, under the words of the course's configuration files.
@@ -108,15 +108,6 @@ constexpr void visit_options(T& region, Visit&& visit) {
   visit(OptionField{"y0"}, y0);
   visit(OptionField{"x1"}, x1);
   visit(OptionField{"y1"}, y1);
-}
-
-template <OptionsOf<Mistakes> T, typename Visit>
-constexpr void visit_options(T& mistakes, Visit&& visit) {
-  auto& [diffuse, blinn, untransposed_normals, linear_spots] = mistakes;
-  visit(OptionField{"diffuse"}, diffuse);
-  visit(OptionField{"blinn"}, blinn);
-  visit(OptionField{"untransposed_normals"}, untransposed_normals);
-  visit(OptionField{"linear_spots"}, linear_spots);
 }
 
 /// What the field of this name of RenderOptions is; known_to_all where there is none.

@@ -316,10 +316,6 @@ std::vector<const WaveKernel*> wave_kernels() {
   return result;
 }
 
-bool takes_waves(const Tracer& tracer) {
-  return tracer.options.mistakes == Mistakes{};
-}
-
 void WaveDeleter::operator()(WaveMemory* memory) const {
   delete memory;
 }

@@ -80,10 +80,6 @@ struct WaveScene {
   const PartTree& tree;       ///< of more, where all are shapes and not too many
 };
 
-/// Whether pictures of this kind are made of waves. Those with planted mistakes are made ray by
-/// ray.
-bool takes_waves(const Tracer& tracer);
-
 /// The memory of one wave, to be used again for the same scene: it remembers what was in the way of
 /// lights, which changes no color. Large.
 struct WaveDeleter {

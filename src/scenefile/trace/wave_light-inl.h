@@ -14,7 +14,7 @@ void find_light(const WaveScene& scene, const RenderLight& light, const OnLight&
   for (int at = 0; at < points.count; at += lanes) {
     const V3 normal = load3(points.normal, at);
     const auto [u, v] = on_light(at);
-    const Arriving here = arriving(light, load3(points.position, at), u, v, false);
+    const Arriving here = arriving(light, load3(points.position, at), u, v);
     const F cosine = dot(normal, here.to_light);
     const F mirrored = mirrored_cosine(normal, here.to_light, cosine, -load3(points.direction, at));
     const M shines = (mirrored > splat(0)) & (load(points.shininess + at) > splat(0));

@@ -65,7 +65,6 @@ void add_option(Json& json, const std::vector<Layer>& layers) {
   }
   json.end_array();
 }
-void add_option(Json& /*json*/, const Mistakes& /*mistakes*/) {}
 
 bool is_set(bool value) {
   return value;

@@ -1,4 +1,4 @@
-#include "scenefile/trace/single_pixels.h"
+#include "trace/single_pixels.h"
 
 namespace scenefile {
 

@@ -1,4 +1,4 @@
-#include "scenefile/trace/surface_recorder.h"
+#include "trace/surface_recorder.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/drawn_pixel.h"
-#include "scenefile/trace/surface_recorder.h"
+#include "trace/surface_recorder.h"
 
 namespace scenefile {
 

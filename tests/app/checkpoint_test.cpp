@@ -15,7 +15,7 @@ using namespace testing_support;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Soft shadows everywhere: every pixel takes all its samples.
+// Soft shadows everywhere.
 constexpr const char* slow_scene = R"(<scenefile>
   <globaldata>
     <ambientcoeff v="0.5"/> <diffusecoeff v="0.5"/> <specularcoeff v="0.5"/>
@@ -40,8 +40,9 @@ constexpr const char* slow_scene = R"(<scenefile>
 
 // A render that takes far longer than the tests wait.
 std::vector<std::string> long_render(const std::string& seed = "0") {
-  return {"render", "s.xml",     "-o",  "out.png", "--size", "1600x1200",    "--threads",
-          "1",      "--samples", "256", "--seed",  seed,     "--checkpoint", "ck"};
+  return {"render",    "s.xml", "-o",           "out.png", "--size",        "1600x1200",
+          "--threads", "1",     "--samples",    "256",     "--min-samples", "256",
+          "--seed",    seed,    "--checkpoint", "ck"};
 }
 
 // How long it runs. Under a sanitizer the grace after a signal may be over before the state is

@@ -54,7 +54,7 @@ PictureState empty_state(int width, int height, bool two_passes) {
   RenderOptions options = default_options(Profile::fine);
   options.width = width;
   options.height = height;
-  options.samples = two_passes ? 16 : 4;
+  options.samples = two_passes ? 16 : 1;
   return make_state({}, options);
 }
 

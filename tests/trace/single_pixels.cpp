@@ -28,18 +28,22 @@ std::vector<DrawnPixel> SingleSampler::course(std::span<const glm::ivec2> places
   });
 }
 
-std::vector<DrawnPixel> SingleSampler::take(const FineSampler& sampler,
-                                            std::span<const glm::ivec2> places) {
+std::vector<DrawnPixel> SingleSampler::take_middles(const FineSampler& sampler,
+                                                    std::span<const glm::ivec2> places) {
   return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
-    sampler.take(pixel.at.x, pixel.at.y, sampler.first_samples(), pixel.samples, counts);
+    const std::uint64_t penumbras = counts.penumbras;
+    const Color color =
+        trace_sample(tracer_, camera_, sampler.middle(pixel.at.x, pixel.at.y), counts);
+    pixel.samples.add(color, counts.penumbras != penumbras);
   });
 }
 
-std::vector<DrawnPixel> SingleSampler::refine(const FineSampler& sampler,
-                                              std::span<const glm::ivec2> places) {
+std::vector<DrawnPixel> SingleSampler::take(const FineSampler& sampler,
+                                            std::span<const glm::ivec2> places,
+                                            std::span<const std::uint8_t> marks) {
+  std::size_t i = 0;
   return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
-    sampler.take(pixel.at.x, pixel.at.y, sampler.first_samples(), pixel.samples, counts);
-    sampler.refine(pixel.at.x, pixel.at.y, pixel.samples, counts);
+    sampler.take(pixel.at.x, pixel.at.y, marks[i++], pixel.samples, counts);
   });
 }
 

@@ -14,8 +14,10 @@ class SingleSampler {
                 RayCounts& counts);
 
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
-  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
-  std::vector<DrawnPixel> refine(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
+                                       std::span<const glm::ivec2> pixels);
+  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
+                               std::span<const std::uint8_t> marks);
 
  private:
   template <typename Draw>

@@ -59,7 +59,8 @@ void SurfaceRecorder::light(std::uint32_t index, std::uint32_t taken, const Colo
     if (scene_.lights[index].type == LightType::area) {
       surfaces_.samples.back().diffused += diffused_ / double(taken);
     }
-    Color* const colors = surfaces_.light_colors.data() + (surfaces_.samples.size() - 1) * lights_.size();
+    Color* const colors =
+        surfaces_.light_colors.data() + (surfaces_.samples.size() - 1) * lights_.size();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
       colors[i] = lights_[i] == index ? contribution : colors[i];
     }

@@ -16,7 +16,7 @@ double height(const Pyramid& map, const RenderTexture& use, const glm::dvec2& uv
 // Largest reach of the footprint along one coordinate.
 double reach(const UvFootprint& footprint, int coordinate) {
   const double size =
-      std::max(std::abs(footprint.major[coordinate]), std::abs(footprint.minor[coordinate]));
+      std::max(std::abs(footprint.right[coordinate]), std::abs(footprint.down[coordinate]));
   return std::isfinite(size) ? std::min(size, 0.25) : 0.25;
 }
 

@@ -14,9 +14,10 @@ namespace scenefile {
 
 struct DrawnPixel {
   glm::ivec2 at{0};
-  Color color{0};          ///< of the course profile
-  PixelSamples samples;    ///< of the fine profile
-  PixelSurfaces surfaces;  ///< where they are wished for
+  Color color{0};               ///< of the course profile
+  PixelSamples samples;         ///< of the fine profile
+  std::uint32_t signature = 0;  ///< of the last of them, where waves took them
+  PixelSurfaces surfaces;       ///< where they are wished for
 };
 
 /// What is to be told of the surfaces that camera rays meet.

@@ -1,10 +1,12 @@
 #include "scenefile/trace/explain.h"
 
 #include "scenefile/trace/course_samples.h"
+#include "scenefile/trace/edges.h"
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/no_denormals.h"
 #include "scenefile/trace/recorder.h"
 #include "scenefile/trace/tiles.h"
+#include "scenefile/trace/wave.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,48 +16,63 @@ namespace scenefile {
 
 namespace {
 
-// What is read back from an image.
-Color stored(const Color& color) {
-  return Color(glm::vec3(color));
-}
+// What the middles of a pixel and of its neighbors see, and where in them it is itself.
+struct Neighborhood {
+  std::vector<CameraSample> samples;
+  std::vector<WaveSight> sights;
+  std::size_t middle = 0;
+};
 
-Color first_mean(const FineSampler& sampler, int x, int y) {
-  PixelSamples samples;
-  RayCounts counts;
-  sampler.take(x, y, sampler.first_samples(), samples, counts);
-  return stored(samples.mean());
-}
-
-bool differs_from_neighbors(const Tracer& tracer, const FineSampler& sampler, int x, int y,
-                            const Color& color) {
+Neighborhood neighborhood(const Tracer& tracer, const CameraRays& camera,
+                          const FineSampler& sampler, int x, int y) {
+  Neighborhood result;
   for (int y1 = std::max(0, y - 1); y1 <= std::min(tracer.options.height - 1, y + 1); ++y1) {
     for (int x1 = std::max(0, x - 1); x1 <= std::min(tracer.options.width - 1, x + 1); ++x1) {
-      const bool itself = x1 == x && y1 == y;
-      if (!itself && differ(stored(color), first_mean(sampler, x1, y1))) {
-        return true;
+      if (x1 == x && y1 == y) {
+        result.middle = result.samples.size();
       }
+      result.samples.push_back(sampler.middle(x1, y1));
     }
   }
-  return false;
+  result.sights.resize(result.samples.size());
+  const WaveScene scene(tracer, camera);
+  RayCounts counts;
+  trace_wave(scene, result.samples.data(), static_cast<int>(result.samples.size()), *make_wave(),
+             result.sights.data(), counts);
+  return result;
 }
 
-// As render() does it in two passes over the picture.
+float largest_contrast(const Neighborhood& near) {
+  const auto kept = [](const WaveSight& s) { return kept_signature(s.signature, s.penumbra); };
+  const WaveSight& middle = near.sights[near.middle];
+  const glm::vec3 color(middle.color);
+  float most = 0;
+  for (const WaveSight& sight : near.sights) {
+    const glm::vec3 beside(sight.color);
+    most = std::max(most, contrast(&color.x, &beside.x, kept(sight) == kept(middle)));
+  }
+  return most;
+}
+
+// As render() does it in its passes over the picture.
 Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts,
                  MoreSamples& more) {
   const FineSampler sampler(tracer, camera);
-  const std::uint32_t first = sampler.first_samples();
+  std::uint8_t mark = 0;
+  if (sampler.plan().two_passes()) {
+    const Neighborhood near = neighborhood(tracer, camera, sampler, x, y);
+    const float most = largest_contrast(near);
+    more.penumbra = near.sights[near.middle].penumbra;
+    more.neighbors = sampler.mark_of(most, false) != 0;
+    mark = sampler.mark_of(most, more.penumbra);
+  }
+  if (sampler.plan().middles && mark == 0) {
+    return trace_sample(tracer, camera, sampler.middle(x, y), counts);
+  }
   PixelSamples samples;
-  sampler.take(x, y, first, samples, counts);
-  if (static_cast<std::uint32_t>(tracer.options.samples) <= first) {
-    return samples.mean();
-  }
-  more.penumbra = std::exchange(samples.penumbra, false);
-  more.noisy = !settled(samples);
-  samples.penumbra = more.penumbra;
-  more.neighbors = differs_from_neighbors(tracer, sampler, x, y, samples.mean());
-  if (more.penumbra || more.noisy || more.neighbors) {
-    sampler.refine(x, y, samples, counts);
-  }
+  const std::uint32_t first = sampler.next_count(0);
+  sampler.take(x, y, mark, samples, counts);
+  more.noisy = samples.count > first;
   return samples.mean();
 }
 

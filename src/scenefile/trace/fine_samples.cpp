@@ -15,10 +15,57 @@ constexpr std::uint32_t first_round = 4;
 // Points on each area light seen from what a camera ray hits; bounced rays look at one.
 constexpr std::uint32_t light_samples = 4;
 
-// A pixel is settled when its mean is uncertain by less than this.
+// The least variance of a pixel that sees an area light in part, over the square of its color:
+// points on a light are spread so evenly that a few samples may agree and be wrong.
+constexpr double variance_of_penumbra = 1.0 / 16;
+
+// A pixel of this variance is worth the most samples that are allowed, or these where less are
+// allowed: then pixels take fewer, but as many pixels take any.
+constexpr double worst_variance = 1.0 / 32;
+constexpr std::uint32_t usual_samples = 16;
+
+// Variance within a pixel over the contrast with its neighbors: 1/12 where colors change evenly.
+constexpr double variance_of_contrast = 1.0 / 12;
+
+// What the contrast foretells counts as so many samples.
+constexpr double weight_of_contrast = 1;
+
+// Marks are square roots of contrasts in these units.
+constexpr double mark_unit = 1.0 / 255;
+
+// From so many samples on all pixels get a share of them.
+constexpr std::uint32_t samples_for_exactness = 256;
+constexpr std::uint32_t share_for_exactness = 32;
+
+// Where pixels begin with samples of their own.
+constexpr std::uint32_t first_samples = 4;
+
+// A pixel that is seen through a lens is settled when its mean is uncertain by less.
 constexpr double settled_error = 1.0 / 256;
 
-constexpr double visible_difference = 1.0 / 16;
+// Squared error of the mean of so many samples, for variance 1.
+double error_of(std::uint32_t count) {
+  return 1 / (count * std::sqrt(double(count)));
+}
+
+double gain(std::uint32_t count, std::uint32_t more) {
+  return (error_of(count) - error_of(more)) / (more - count);
+}
+
+// Of the last half of so many samples.
+double gain_of_last(std::uint32_t count) {
+  return gain(count / 2, count);
+}
+
+bool has_area_light(const RenderScene& scene) {
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const RenderLight& light) { return light.type == LightType::area; });
+}
+
+double expected_variance(std::uint8_t mark) {
+  const double difference = mark * mark_unit;
+  return variance_of_contrast * difference * difference;
+}
 
 }  // namespace
 
@@ -31,74 +78,115 @@ void PixelSamples::add(const Color& color, bool partly_lit) {
   ++count;
 }
 
-double PixelSamples::error() const {
+double PixelSamples::variance() const {
   if (count < 2) {
     return 0;
   }
   const Color mean_clamped = clamped_sum / double(count);
-  const Color variance = (sum_of_squares - double(count) * mean_clamped * mean_clamped) /
-                         (double(count) * (count - 1.0));
-  return std::sqrt(std::max(0.0, largest(variance)));
+  const Color of_channels =
+      (sum_of_squares - double(count) * mean_clamped * mean_clamped) / (count - 1.0);
+  return std::max(0.0, (of_channels.x + of_channels.y + of_channels.z) / 3);
+}
+
+SamplePlan sample_plan(const RenderOptions& options, bool soft) {
+  SamplePlan plan;
+  plan.most = static_cast<std::uint32_t>(std::max(1, options.samples));
+  plan.first = static_cast<std::uint32_t>(std::max(1, options.min_samples));
+  if (plan.most >= samples_for_exactness) {
+    plan.first = std::max(plan.first, plan.most / share_for_exactness);
+  }
+  if (soft) {
+    plan.first = std::max(plan.first, first_samples);
+  }
+  plan.first = std::min(plan.first, plan.most);
+  plan.middles = plan.first == 1 && !soft;
+  return plan;
 }
 
 FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
     : tracer_(tracer),
       camera_(camera),
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
-                       static_cast<std::uint32_t>(tracer.options.seed >> 32))) {}
+                       static_cast<std::uint32_t>(tracer.options.seed >> 32))),
+      plan_(sample_plan(tracer.options, camera.has_lens() || has_area_light(tracer.scene))),
+      least_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
-std::uint32_t FineSampler::first_samples(const RenderOptions& options) {
-  const auto most = static_cast<std::uint32_t>(std::max(1, options.samples));
-  return std::min(most, std::max(first_round, static_cast<std::uint32_t>(options.min_samples)));
+// Of a quarter of the pixel, as four samples share it.
+CameraSample FineSampler::sample_at(int x, int y, std::uint32_t index,
+                                    const glm::dvec2& in_pixel) const {
+  const std::uint32_t pixel =
+      mixed_bits(mixed_bits(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)), seed_);
+  const glm::dvec2 on_lens = camera_.has_lens()
+                                 ? disk_of_square(stratified_2d(index, mixed_bits(pixel, 2)))
+                                 : glm::dvec2(0);
+  return {glm::dvec2(x, y) + in_pixel, on_lens, 0.5, {index, mixed_bits(pixel, 3), light_samples}};
+}
+
+CameraSample FineSampler::middle(int x, int y) const {
+  CameraSample sample = sample_at(x, y, 0, glm::dvec2(0.5));
+  sample.width = 1;
+  sample.key.texture_grid = 2;
+  return sample;
 }
 
 CameraSample FineSampler::sample(int x, int y, std::uint32_t index) const {
   const std::uint32_t pixel =
       mixed_bits(mixed_bits(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)), seed_);
-  const bool alone = tracer_.options.samples <= 1;
-  const glm::dvec2 in_pixel = alone ? glm::dvec2(0.5) : stratified_2d(index, mixed_bits(pixel, 1));
-  const glm::dvec2 on_lens = camera_.has_lens()
-                                 ? disk_of_square(stratified_2d(index, mixed_bits(pixel, 2)))
-                                 : glm::dvec2(0);
-  // The first samples share the pixel between them, so each filters textures over its share.
-  const RayCone cone{0, camera_.pixel_spread() / std::sqrt(double(first_samples()))};
-  const SampleKey key{index, mixed_bits(pixel, 3), light_samples};
-  return {glm::dvec2(x, y) + in_pixel, on_lens, cone, key};
-}
-
-void FineSampler::take(int x, int y, std::uint32_t count, PixelSamples& samples,
-                       RayCounts& counts) const {
-  while (samples.count < count) {
-    const std::uint64_t penumbras = counts.penumbras;
-    const Color color = trace_sample(tracer_, camera_, sample(x, y, samples.count), counts);
-    samples.add(color, counts.penumbras != penumbras);
-  }
+  const glm::dvec2 in_pixel =
+      plan_.most == 1 ? glm::dvec2(0.5) : stratified_2d(index, mixed_bits(pixel, 1));
+  return sample_at(x, y, index, in_pixel);
 }
 
 std::uint32_t FineSampler::next_count(std::uint32_t count) const {
-  const auto most = static_cast<std::uint32_t>(tracer_.options.samples);
   // Few samples of a wide blur agree by chance, mostly on what is behind it: to end then would
   // darken small bright things.
-  return camera_.has_lens() || count > most / 2 ? most : count * 2;
+  if (camera_.has_lens() && count != 0) {
+    return plan_.most;
+  }
+  const std::uint32_t first = plan_.middles ? first_round : plan_.first;
+  return std::min(count == 0 ? first : 2 * count, plan_.most);
 }
 
-void FineSampler::refine(int x, int y, PixelSamples& samples, RayCounts& counts) const {
+bool FineSampler::worth(double variance, std::uint32_t count, std::uint32_t more) const {
+  return variance * gain(count, more) > least_gain_;
+}
+
+bool FineSampler::enough(const PixelSamples& samples, std::uint8_t mark) const {
+  if (samples.count >= plan_.most) {
+    return true;
+  }
+  if (camera_.has_lens()) {
+    return !samples.penumbra && samples.variance() <= settled_error * settled_error * samples.count;
+  }
+  const double degrees = samples.count - 1.0;
+  const double weight = mark == 0 ? 0 : weight_of_contrast;
+  double variance = (weight * expected_variance(mark) + degrees * samples.variance()) /
+                    std::max(1.0, weight + degrees);
+  if (samples.penumbra) {
+    const Color mean = samples.clamped_sum / double(samples.count);
+    variance = std::max(variance, variance_of_penumbra * glm::dot(mean, mean) / 3);
+  }
+  return !worth(variance, samples.count, next_count(samples.count));
+}
+
+void FineSampler::take(int x, int y, std::uint8_t mark, PixelSamples& samples,
+                       RayCounts& counts) const {
   do {
-    take(x, y, next_count(samples.count), samples, counts);
-  } while (!enough(samples));
+    for (const std::uint32_t count = next_count(samples.count); samples.count < count;) {
+      const std::uint64_t penumbras = counts.penumbras;
+      const Color color = trace_sample(tracer_, camera_, sample(x, y, samples.count), counts);
+      samples.add(color, counts.penumbras != penumbras);
+    }
+  } while (!enough(samples, mark));
 }
 
-bool FineSampler::enough(const PixelSamples& samples) const {
-  return samples.count >= static_cast<std::uint32_t>(tracer_.options.samples) || settled(samples);
-}
-
-bool settled(const PixelSamples& samples) {
-  return !samples.penumbra && samples.error() <= settled_error;
-}
-
-bool differ(const Color& a, const Color& b) {
-  const Color d = glm::abs(glm::clamp(a, Color(0), Color(1)) - glm::clamp(b, Color(0), Color(1)));
-  return largest(d) > visible_difference;
+std::uint8_t FineSampler::mark_of(float contrast, bool penumbra) const {
+  const double rounded = std::ceil(std::sqrt(double(contrast)) / mark_unit);
+  const auto mark = static_cast<std::uint8_t>(std::clamp(rounded, 0.0, 255.0));
+  // The middle goes to waste: so many samples as the first round has gain what is left to gain.
+  const std::uint32_t first = next_count(0);
+  const double all = expected_variance(mark) * (1 - error_of(first)) / first;
+  return penumbra ? std::max<std::uint8_t>(mark, 1) : all > least_gain_ ? mark : 0;
 }
 
 }  // namespace scenefile

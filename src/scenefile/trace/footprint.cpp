@@ -1,82 +1,108 @@
 #include "scenefile/trace/footprint.h"
 
-#include <algorithm>
-#include <cmath>
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/trace/camera-inl.h"
+#include "scenefile/trace/footprint-inl.h"
 
 namespace scenefile {
 
 namespace {
 
-// Below this share of grazing light the footprint grows no further.
-constexpr double min_cosine = 1.0 / 64;
+using one::splat3;
 
-// (du, dv) of a step on the surface, by the tangents (both in world space).
-glm::dvec2 uv_step(const glm::dvec3& tangent_u, const glm::dvec3& tangent_v,
-                   const glm::dvec3& step) {
+glm::dvec3 vector_of(const one::V3& v) {
+  return {v.x, v.y, v.z};
+}
+
+PixelSteps steps_of(const one::Steps& steps) {
+  return {vector_of(steps.x), vector_of(steps.y)};
+}
+
+one::Steps in_lane(const PixelSteps& steps) {
+  return {splat3(steps.x), splat3(steps.y)};
+}
+
+double number_of(Shape shape) {
+  return static_cast<int>(shape);
+}
+double number_of(Face face) {
+  return static_cast<int>(face);
+}
+
+// (du, dv) of a step on the surface, by the tangents, all in object space.
+one::UvStep mesh_uv_step(const glm::dvec3& tangent_u, const glm::dvec3& tangent_v,
+                         const glm::dvec3& step) {
   const glm::dvec3 area = glm::cross(tangent_u, tangent_v);
   const double squared = glm::dot(area, area);
   if (!(squared > 1e-30 * glm::dot(tangent_u, tangent_u) * glm::dot(tangent_v, tangent_v))) {
-    return {1, 0};  // a pole: all of u meets there
+    return {1, 0};
   }
   return {glm::dot(glm::cross(step, tangent_v), area) / squared,
           glm::dot(glm::cross(tangent_u, step), area) / squared};
 }
 
-// The two axes of the surface under the ray: along its slant, and across.
-void surface_axes(const glm::dvec3& normal, const glm::dvec3& direction, glm::dvec3& along,
-                  glm::dvec3& across) {
-  along = direction - glm::dot(direction, normal) * normal;
-  const double length = glm::length(along);
-  if (length > 1e-9) {
-    along /= length;
-  } else {
-    const bool x_is_best = std::abs(normal.x) < 0.5;
-    along =
-        glm::normalize(glm::cross(normal, x_is_best ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
-  }
-  across = glm::cross(normal, along);
+glm::dvec2 uv_step(const SurfacePoint& point, const glm::dvec3& world_step) {
+  const glm::dvec3 step = point.hit.object_from_world.linear * world_step;
+  const one::UvStep uv =
+      point.hit.shape == Shape::mesh
+          ? mesh_uv_step(point.object.tangent_u, point.object.tangent_v, step)
+          : one::shape_uv_step(number_of(point.hit.shape), number_of(point.hit.face),
+                               splat3(point.hit.object_point), splat3(step));
+  return {uv.u, uv.v};
+}
+
+// Turns of the normal on the side that it is wanted for.
+one::Steps turns_of(const SurfacePoint& point, const PixelSteps& steps, const glm::dvec3& wanted) {
+  return one::on_side(in_lane(normal_turns(point, steps)), splat3(point.geometric), splat3(wanted));
 }
 
 }  // namespace
 
-UvFootprint uv_footprint(const SurfacePoint& point, const glm::dvec3& direction, double width) {
+RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
+                                    const glm::dvec2& lens, double width) {
+  return {{}, steps_of(one::camera_steps(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
+}
+
+PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
+                          const SurfacePoint& point) {
+  return steps_of(one::arriving_steps(in_lane(ray.origin), in_lane(ray.direction),
+                                      splat3(direction), splat3(point.geometric), point.hit.t));
+}
+
+UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps) {
   if (!point.has_uv) {
     return {};
   }
-  const glm::dmat3 world_from_object = glm::inverse(point.hit.object_from_world.linear);
-  const glm::dvec3 tangent_u = world_from_object * point.object.tangent_u;
-  const glm::dvec3 tangent_v = world_from_object * point.object.tangent_v;
-  glm::dvec3 along;
-  glm::dvec3 across;
-  surface_axes(point.geometric, direction, along, across);
-  const double cosine = std::max(std::abs(glm::dot(point.geometric, direction)), min_cosine);
-  return {uv_step(tangent_u, tangent_v, (width / cosine) * along),
-          uv_step(tangent_u, tangent_v, width * across)};
+  return {uv_step(point, steps.x), uv_step(point, steps.y)};
 }
 
-RayCone bent_cone(const SurfacePoint& point, const RayCone& cone, double t, double turning) {
-  RayCone bent{cone.width_at(t), cone.spread};
-  if (point.hit.shape == Shape::mesh || point.hit.shape == Shape::cube ||
-      point.hit.face != Face::side) {
-    return bent;
-  }
-  // How fast the normal turns along the surface, by looking a little aside.
-  const glm::dmat3 world_from_object = glm::inverse(point.hit.object_from_world.linear);
-  const double step = 1e-4;
-  for (const glm::dvec3& tangent : {point.object.tangent_u, point.object.tangent_v}) {
-    const double length = glm::length(tangent);
-    if (!(length > 0)) {
-      continue;
-    }
-    const glm::dvec3 aside = (step / length) * tangent;
-    const Surface beside =
-        surface_at(point.hit.shape, point.hit.face, point.hit.object_point + aside);
-    const double turn =
-        glm::length(world_normal(point.hit.object_from_world, beside.normal) - point.geometric);
-    const double way = glm::length(world_from_object * aside);
-    bent.spread = std::max(bent.spread, cone.spread + turning * bent.width * turn / way);
-  }
-  return bent;
+PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps) {
+  const glm::dmat3& map = point.hit.object_from_world.linear;
+  const auto turn = [&](const glm::dvec3& step) {
+    return vector_of(one::world_normal_turn(splat3(map[0]), splat3(map[1]), splat3(map[2]),
+                                            number_of(point.hit.shape), number_of(point.hit.face),
+                                            splat3(point.hit.object_point),
+                                            splat3(point.object.normal), splat3(step)));
+  };
+  return {turn(steps.x), turn(steps.y)};
+}
+
+RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
+                                      const SurfacePoint& point, const PixelSteps& steps,
+                                      const glm::dvec3& normal) {
+  return {steps,
+          steps_of(one::mirrored_steps(splat3(direction), splat3(normal), in_lane(ray.direction),
+                                       turns_of(point, steps, normal)))};
+}
+
+RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
+                                       const SurfacePoint& point, const PixelSteps& steps,
+                                       const glm::dvec3& normal, double eta) {
+  return {steps,
+          steps_of(one::refracted_steps(splat3(direction), splat3(normal), eta,
+                                        in_lane(ray.direction), turns_of(point, steps, normal)))};
 }
 
 }  // namespace scenefile

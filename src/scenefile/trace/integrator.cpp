@@ -48,10 +48,10 @@ class Integrator {
     if (counts_.recorder != nullptr) {
       counts_.recorder->met(path.ray, path.start, point);
     }
-    const double width = path.cone.width_at(hit.t);
+    const PixelSteps steps = arriving_steps(path.differential, path.ray.direction, point);
     const bool inner = leaves(path, hit);
     Color color =
-        inner ? Color(0) : shade(tracer_, point, path.ray.direction, width, path.key, counts_);
+        inner ? Color(0) : shade(tracer_, point, path.ray.direction, steps, path.key, counts_);
     if (counts_.recorder != nullptr) {
       if (inner) {
         counts_.recorder->inner_wall();
@@ -59,7 +59,7 @@ class Integrator {
       counts_.recorder->shaded(color);
     }
     if (tracer_.options.mode == Mode::ray) {
-      color += follow(path, point, inner);
+      color += follow(path, point, steps, inner);
     }
     if (counts_.recorder != nullptr) {
       counts_.recorder->summed(color);
@@ -101,12 +101,13 @@ class Integrator {
     const double start = path.start;
     glm::dvec3 direction;
     const bool through = refract_direction(path.ray.direction, normal, ior, direction);
+    const PixelSteps steps = arriving_steps(path.differential, path.ray.direction, wall);
     if (through) {
       path.inside = path.inside->around;
-      redirect(path, wall, direction, std::abs(ior - 1));
+      refract(path, wall, steps, normal, ior, direction);
     } else {
       ++path.depth;
-      redirect(path, wall, reflect_direction(path.ray.direction, normal), 2);
+      mirror(path, wall, steps, normal);
     }
     if (counts_.recorder != nullptr) {
       counts_.recorder->wall(arriving, start, wall, normal, path.ray.direction, !through);
@@ -122,11 +123,25 @@ class Integrator {
     return glm::dot(normal, direction) < 0 ? normal : geometric;
   }
 
-  void redirect(Path& path, const SurfacePoint& point, const glm::dvec3& direction,
-                double turning) const {
+  void mirror(Path& path, const SurfacePoint& point, const PixelSteps& steps,
+              const glm::dvec3& normal) const {
     if (!tracer_.course()) {
-      path.cone = bent_cone(point, path.cone, point.hit.t, turning);
+      path.differential =
+          mirrored_differential(path.differential, path.ray.direction, point, steps, normal);
     }
+    redirect(path, point, reflect_direction(path.ray.direction, normal));
+  }
+
+  void refract(Path& path, const SurfacePoint& point, const PixelSteps& steps,
+               const glm::dvec3& normal, double eta, const glm::dvec3& direction) const {
+    if (!tracer_.course()) {
+      path.differential =
+          refracted_differential(path.differential, path.ray.direction, point, steps, normal, eta);
+    }
+    redirect(path, point, direction);
+  }
+
+  void redirect(Path& path, const SurfacePoint& point, const glm::dvec3& direction) const {
     path.ray = {point.position, direction};
     path.start = tracer_.start_offset(point.position, point.hit.t);
   }
@@ -148,19 +163,19 @@ class Integrator {
     return result;
   }
 
-  Color follow(const Path& path, const SurfacePoint& point, bool inner) {
+  Color follow(const Path& path, const SurfacePoint& point, const PixelSteps& steps, bool inner) {
     const Features& features = tracer_.options.features;
-    const auto [mirror, glass] = branches(path, point, inner);
+    const auto [of_mirrors, glass] = branches(path, point, inner);
     // A passage counts as one bounce: the way out is none.
     const int depth_behind = path.depth + (inner ? 0 : 1);
-    const Fate of_mirror = fate(path, features.reflect || inner, mirror, path.depth + 1);
+    const Fate of_mirror = fate(path, features.reflect || inner, of_mirrors, path.depth + 1);
     const Fate of_glass = fate(path, features.refract, glass, depth_behind);
     const bool reflects = of_mirror == Fate::followed;
     const bool refracts = of_glass == Fate::followed;
     const std::uint32_t children = std::uint32_t(reflects) + std::uint32_t(refracts);
     const bool too_many = path.budget <= children;
     if (counts_.recorder != nullptr) {
-      counts_.recorder->branches({reflects && too_many ? Fate::too_many : of_mirror, mirror},
+      counts_.recorder->branches({reflects && too_many ? Fate::too_many : of_mirror, of_mirrors},
                                  {refracts && too_many ? Fate::too_many : of_glass, glass});
     }
     if (children == 0 || too_many) {
@@ -170,14 +185,13 @@ class Integrator {
     Color sum(0);
     if (reflects) {
       const glm::dvec3 normal = inner ? inner_normal(point, path.ray.direction) : point.normal;
-      const glm::dvec3 direction = reflect_direction(path.ray.direction, normal);
-      Path next = child(path, mirror, budget, RayKind::reflected);
-      redirect(next, point, direction, 2);
-      sum += mirror * trace(next);
+      Path next = child(path, of_mirrors, budget, RayKind::reflected);
+      mirror(next, point, steps, normal);
+      sum += of_mirrors * trace(next);
     }
     if (refracts) {
       const Inside inside{&point.hit, path.inside};
-      Path next = refracted(path, point, glass, budget, inside, inner);
+      Path next = refracted(path, point, steps, glass, budget, inside, inner);
       next.depth = depth_behind;
       sum += glass * trace(next);
     }
@@ -211,8 +225,8 @@ class Integrator {
   }
 
   // At total internal reflection the light that would have left is mirrored.
-  Path refracted(const Path& path, const SurfacePoint& point, const Color& factor,
-                 std::uint32_t budget, const Inside& inside, bool inner) {
+  Path refracted(const Path& path, const SurfacePoint& point, const PixelSteps& steps,
+                 const Color& factor, std::uint32_t budget, const Inside& inside, bool inner) {
     const bool entering = enters(path, point, inner);
     const glm::dvec3 normal = inner_normal(point, path.ray.direction);
     const double ratio = eta(path, point, inner);
@@ -220,9 +234,9 @@ class Integrator {
     glm::dvec3 direction;
     const bool through = refract_direction(path.ray.direction, normal, ratio, direction);
     if (through) {
-      redirect(next, point, direction, std::abs(ratio - 1));
+      refract(next, point, steps, normal, ratio, direction);
     } else {
-      redirect(next, point, reflect_direction(path.ray.direction, normal), 2);
+      mirror(next, point, steps, normal);
       if (counts_.recorder != nullptr) {
         counts_.recorder->total_reflection();
       }
@@ -263,21 +277,7 @@ Color trace_normal(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
   return color;
 }
 
-}  // namespace
-
-Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
-                   RayCounts& counts) {
-  const Ray ray = camera.ray(sample.point, sample.lens);
-  if (counts.recorder == nullptr) {
-    return trace_camera_ray(tracer, ray, sample.cone, sample.key, counts);
-  }
-  counts.recorder->begin_sample(sample.point, sample.lens);
-  const Color color = trace_camera_ray(tracer, ray, sample.cone, sample.key, counts);
-  counts.recorder->end_sample(color);
-  return color;
-}
-
-Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone,
+Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayDifferential& differential,
                        const SampleKey& key, RayCounts& counts) {
   ++counts.primary;
   if (tracer.options.mode == Mode::normals) {
@@ -285,9 +285,26 @@ Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone
   }
   Path path;
   path.ray = ray;
-  path.cone = cone;
+  path.differential = differential;
   path.key = key;
   return trace_path(tracer, path, counts);
+}
+
+}  // namespace
+
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
+                   RayCounts& counts) {
+  const Ray ray = camera.ray(sample.point, sample.lens);
+  const RayDifferential differential =
+      tracer.course() ? RayDifferential{}
+                      : camera_differential(camera, sample.point, sample.lens, sample.width);
+  if (counts.recorder == nullptr) {
+    return trace_camera_ray(tracer, ray, differential, sample.key, counts);
+  }
+  counts.recorder->begin_sample(sample.point, sample.lens);
+  const Color color = trace_camera_ray(tracer, ray, differential, sample.key, counts);
+  counts.recorder->end_sample(color);
+  return color;
 }
 
 Color trace_path(const Tracer& tracer, const Path& path, RayCounts& counts) {

@@ -10,10 +10,6 @@ namespace scenefile {
 Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
                    RayCounts& counts);
 
-/// What a camera ray sees, in the mode and profile of the tracer. `direction` of unit length.
-Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayCone& cone,
-                       const SampleKey& key, RayCounts& counts);
-
 /// What a ray sees, with all that comes of it, in the ray tracing modes.
 Color trace_path(const Tracer& tracer, const Path& path, RayCounts& counts);
 

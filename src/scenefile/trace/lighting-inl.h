@@ -51,8 +51,7 @@ inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F 
     arrives = arrives & (cosine > splat(0));
   }
   light_here.attenuation = attenuated(light.attenuation, light_here.distance);
-  light_here.spot_factor =
-      light.type == LightType::spot ? spot_share(light, cosine) : splat(1);
+  light_here.spot_factor = light.type == LightType::spot ? spot_share(light, cosine) : splat(1);
   light_here.arrives = arrives & (light_here.attenuation * light_here.spot_factor > splat(0));
   return light_here;
 }

@@ -20,8 +20,7 @@ double highlight(double cosine, double shininess) {
 
 bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
                 Illumination& result) {
-  const one::Arriving arriving =
-      one::arriving(light, one::splat3(point), on_light.x, on_light.y);
+  const one::Arriving arriving = one::arriving(light, one::splat3(point), on_light.x, on_light.y);
   result.to_light = {arriving.to_light.x, arriving.to_light.y, arriving.to_light.z};
   result.distance = arriving.distance;
   result.attenuation = arriving.attenuation;

@@ -25,13 +25,13 @@ inline constexpr double min_weight = 1.0 / 1024;
 struct CameraSample {
   glm::dvec2 point{0};
   glm::dvec2 lens{0};
-  RayCone cone;
+  double width = 0;  ///< what the sample stands for, in pixels: textures are filtered over it
   SampleKey key;
 };
 
 struct Path {
   Ray ray;
-  RayCone cone;
+  RayDifferential differential;
   SampleKey key;
   double start = 0;  ///< smallest t of a hit
   RayKind kind = RayKind::camera;

@@ -21,27 +21,31 @@ struct Head {
   std::uint32_t marks = 0;       // whether there are any
   std::uint32_t channels = 0;    // of all layers together
   std::uint32_t statistics = 0;  // whether there are any
+  std::uint32_t profile = 0;
 
   friend bool operator==(const Head&, const Head&) = default;
 };
 static_assert(std::is_trivially_copyable_v<PixelStatistics>);
-
-bool has_two_passes(const RenderOptions& options) {
-  return options.profile == Profile::fine &&
-         static_cast<std::uint32_t>(options.samples) > FineSampler::first_samples(options);
-}
 
 bool has_lens(const RenderScene& scene, const RenderOptions& options) {
   return options.features.depthoffield && scene.camera.aperture > 0 &&
          scene.camera.focal_length > 0;
 }
 
+// Whether lenses or area lights leave noise.
+bool is_soft(const RenderScene& scene, const RenderOptions& options) {
+  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
+  return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
+}
+
+bool has_two_passes(const RenderScene& scene, const RenderOptions& options) {
+  return options.profile == Profile::fine &&
+         sample_plan(options, is_soft(scene, options)).two_passes();
+}
+
 // Whether there is noise that shall be taken away.
 bool takes_noise_away(const RenderScene& scene, const RenderOptions& options) {
-  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
-  return options.denoise && options.profile == Profile::fine &&
-         (has_lens(scene, options) ||
-          std::any_of(scene.lights.begin(), scene.lights.end(), is_area));
+  return options.denoise && options.profile == Profile::fine && is_soft(scene, options);
 }
 
 PixelRegion overlap(const PixelRegion& a, const PixelRegion& b) {
@@ -63,7 +67,8 @@ std::size_t pixels_of(const PixelRegion& region) {
 // The crop and the own pixels are known; everything else follows.
 void allocate(const RenderScene& scene, const RenderOptions& options, const PixelRegion& most,
               Image canvas, PictureState& state) {
-  const bool two_passes = has_two_passes(options);
+  const bool two_passes = has_two_passes(scene, options);
+  state.profile = options.profile;
   state.region =
       empty(state.own) ? PixelRegion{} : overlap(grown(state.own, two_passes ? 1 : 0), most);
   const int width = state.region.width();
@@ -91,7 +96,8 @@ Head head_of(const PictureState& state) {
             state.pass,
             !state.marked.empty(),
             0,
-            !state.statistics.empty()};
+            !state.statistics.empty(),
+            static_cast<std::uint32_t>(state.profile)};
   for (const ImageLayer& layer : state.layers) {
     head.channels += static_cast<std::uint32_t>(layer.channels.size());
   }
@@ -134,7 +140,7 @@ std::size_t bytes_of_pixel(const PictureState& state) {
 }
 
 std::size_t byte_count(const PictureState& state) {
-  return sizeof(Head) + state.pieces.count() + state.marked.size() +
+  return sizeof(Head) + state.pieces.count() + sizeof(std::uint16_t) * state.marked.size() +
          bytes_of_pixel(state) * pixels_of(state.region);
 }
 
@@ -247,9 +253,10 @@ std::string encode_state(const PictureState& state) {
     return done[state.pieces.at(int(i % width), int(i / width))];
   };
   for (std::size_t i = 0; i < state.marked.size(); ++i) {
-    to[i] = whole(i) || state.pass == 1 ? char(state.marked[i]) : '\0';
+    const std::uint16_t mark = whole(i) || state.pass == 1 ? state.marked[i] : std::uint16_t{0};
+    std::memcpy(to, &mark, sizeof mark);
+    to += sizeof mark;
   }
-  to += state.marked.size();
   // What no thread is writing: done pieces, and what the second pass leaves alone.
   for_each_array(state, [&](const auto* from, std::size_t bytes) {
     const char* const first = reinterpret_cast<const char*>(from);
@@ -283,8 +290,11 @@ bool decode_state(std::string_view bytes, PictureState& state) {
     }
   }
   bytes.remove_prefix(state.pieces.count());
-  std::copy_n(bytes.data(), state.marked.size(), state.marked.data());
-  bytes.remove_prefix(state.marked.size());
+  const std::size_t of_marks = sizeof(std::uint16_t) * state.marked.size();
+  if (of_marks != 0) {
+    std::memcpy(state.marked.data(), bytes.data(), of_marks);
+  }
+  bytes.remove_prefix(of_marks);
   for_each_array(state, [&](auto* to, std::size_t of_pixel) {
     const std::size_t size = of_pixel * pixels_of(state.region);
     std::memcpy(static_cast<void*>(to), bytes.data(), size);

@@ -26,12 +26,13 @@
 namespace scenefile {
 
 /// Arrays hold the pixels of `region`, row by row. The course profile takes one pass; so does the
-/// fine profile where the first samples of a pixel are all that it may have. Else its second pass
-/// takes more samples of the pixels that are marked.
+/// fine profile where pixels do not depend on their neighbors (fine_samples.h). Else its first pass
+/// takes a sample of each pixel, the second those of the pixels that are marked.
 ///
 /// During a pass threads write pixels of pieces that are not done. Another thread may read the
 /// pixels of pieces that are.
 struct PictureState {
+  Profile profile = Profile::fine;
   PixelRegion crop;    ///< the pixels of the result
   PixelRegion own;     ///< those drawn to the end: of the crop, and what taking noise away reads
   PixelRegion region;  ///< those drawn at all: neighbors tell which pixels need more samples
@@ -41,8 +42,10 @@ struct PictureState {
   bool sharp = true;                        ///< see denoised()
   Pieces pieces;                            ///< done in this pass; tiles of the region
   std::uint32_t pass = 0;                   ///< 0 or 1
-  std::vector<std::uint8_t> marked;         ///< by pixel; empty: one pass is all
-  std::size_t merged = 0;                   ///< pixels that merge() put in
+  /// By pixel; empty: one pass is all. In the first pass kept_signature() (fine_samples.h), in the
+  /// second FineSampler::mark_of(): 0 where nothing more is needed.
+  std::vector<std::uint16_t> marked;
+  std::size_t merged = 0;  ///< pixels that merge() put in
 };
 
 /// The whole picture, with nothing drawn. `canvas`: a black image to draw in, if it has the size of

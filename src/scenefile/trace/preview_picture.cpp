@@ -27,10 +27,9 @@ void PreviewPicture::start(const Tracer& tracer) {
   for_each_line((shown_.height + block - 1) / block, [&](int row) {
     for (int x = 0; x < shown_.width; x += block) {
       const glm::dvec2 corner(picture_.region.x0 + x, picture_.region.y0 + row * block);
-      const RayCone cone{0, camera.pixel_spread() * block};
       RayCounts counts;
       fill(x, row * block,
-           trace_sample(tracer, camera, {corner + block / 2.0, {}, cone, {}}, counts));
+           trace_sample(tracer, camera, {corner + block / 2.0, {}, block, {}}, counts));
     }
   });
   show();

@@ -1,5 +1,6 @@
 #include "scenefile/trace/render_pass.h"
 
+#include "scenefile/trace/edges.h"
 #include "scenefile/trace/layer_buffers.h"
 #include "scenefile/trace/tiles.h"
 #include "scenefile/trace/wave_pixels.h"
@@ -109,7 +110,7 @@ class Renderer {
     const bool one_sample = !camera_.has_lens() && !tracer_.options.features.super_sample;
     for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
       if (one_sample && !wish_.wanted) {
-        put_middles(sampler, pixels);
+        put_sights(pixels, sampler.middles(pixels));
         return;
       }
       for (const DrawnPixel& pixel : sampler.course(pixels)) {
@@ -119,51 +120,73 @@ class Renderer {
     });
   }
 
-  // The common case, with as little as possible for each pixel.
-  void put_middles(WaveSampler& waves, const std::vector<glm::ivec2>& pixels) {
-    const std::span<const WaveSight> sights = waves.middles(pixels);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      put(pixels[i], sights[i].color);
-    }
-  }
-
   void run_fine() {
     const FineSampler sampler(tracer_, camera_);
-    const bool two_passes = !picture_.marked.empty();
-    const double first_share = two_passes ? 0.4 : 1.0;
+    const double first_share = sampler.plan().two_passes() ? 0.4 : 1.0;
     if (picture_.pass == 0 && !picture_.pieces.all_done()) {
-      sample_all(sampler, first_share);
+      sampler.plan().middles ? take_middles(sampler, first_share) : take_all(sampler);
       return;
     }
     if (picture_.pass == 0) {
-      mark_edges();
+      mark_uneven(sampler);
       picture_.pass = 1;
       picture_.pieces.restart();
     }
     watch_.count(first_share);
-    refine_marked(sampler, first_share);
+    take_marked(sampler, first_share);
   }
 
-  void sample_all(const FineSampler& fine, double share) {
-    for_each_sampler({0, share}, [&](auto& sampler, const std::vector<glm::ivec2>& pixels) {
-      for (const DrawnPixel& pixel : sampler.take(fine, pixels)) {
+  void take_middles(const FineSampler& fine, double share) {
+    for_each_sampler({0, share}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      if (!wish_.wanted) {
+        put_sights(pixels, sampler.middles(fine, pixels));
+        return;
+      }
+      for (const DrawnPixel& pixel : sampler.take_middles(fine, pixels)) {
         put(pixel.at, pixel.samples.mean());
         keep(pixel);
-        if (!picture_.marked.empty()) {
-          picture_.marked[index(pixel.at)] = !settled(pixel.samples);
-        }
+        mark(pixel.at, pixel.signature, pixel.samples.penumbra);
       }
     });
   }
 
-  void refine_marked(const FineSampler& fine, double from) {
-    for_each_sampler({from, 1}, [&](auto& sampler, std::vector<glm::ivec2>& pixels) {
+  void take_all(const FineSampler& fine) {
+    for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+      const std::vector<std::uint8_t> marks(pixels.size());
+      put_pixels(sampler.take(fine, pixels, marks));
+    });
+  }
+
+  void take_marked(const FineSampler& fine, double from) {
+    for_each_sampler({from, 1}, [&](WaveSampler& sampler, std::vector<glm::ivec2>& pixels) {
       std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at); });
-      for (const DrawnPixel& pixel : sampler.refine(fine, pixels)) {
-        put(pixel.at, pixel.samples.mean());
-        keep(pixel);
+      std::vector<std::uint8_t> marks;
+      for (const glm::ivec2& at : pixels) {
+        marks.push_back(static_cast<std::uint8_t>(picture_.marked[index(at)]));
       }
+      put_pixels(sampler.take(fine, pixels, marks));
     });
+  }
+
+  void put_pixels(const std::vector<DrawnPixel>& pixels) {
+    for (const DrawnPixel& pixel : pixels) {
+      put(pixel.at, pixel.samples.mean());
+      keep(pixel);
+    }
+  }
+
+  // The common case, with as little as possible for each pixel.
+  void put_sights(const std::vector<glm::ivec2>& pixels, std::span<const WaveSight> sights) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      put(pixels[i], sights[i].color);
+      mark(pixels[i], sights[i].signature, sights[i].penumbra);
+    }
+  }
+
+  void mark(const glm::ivec2& at, std::uint32_t signature, bool penumbra) {
+    if (!picture_.marked.empty()) {
+      picture_.marked[index(at)] = kept_signature(signature, penumbra);
+    }
   }
 
   // Whether the pixel needs more samples.
@@ -173,22 +196,16 @@ class Renderer {
            picture_.marked[index(at)] != 0;
   }
 
-  // Neighbors that differ both need more samples.
-  void mark_edges() {
-    constexpr glm::ivec2 steps[] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}};
-    for (int y = region_.y0; y < region_.y1; ++y) {
-      for (int x = region_.x0; x < region_.x1; ++x) {
-        for (const glm::ivec2& step : steps) {
-          const glm::ivec2 at(x, y);
-          const glm::ivec2 beside = at + step;
-          if (beside.x >= region_.x0 && beside.x < region_.x1 && beside.y < region_.y1 &&
-              differ(get(at), get(beside))) {
-            picture_.marked[index(at)] = 1;
-            picture_.marked[index(beside)] = 1;
+  // Makes of signatures marks of what pixels need.
+  void mark_uneven(const FineSampler& fine) {
+    const std::vector<std::uint16_t> surfaces = picture_.marked;
+    for_each_row_of_contrasts(
+        picture_.image, surfaces, [&](int y, std::span<const float> contrasts) {
+          std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.size()];
+          for (std::size_t x = 0; x < contrasts.size(); ++x) {
+            marks[x] = fine.mark_of(contrasts[x], (marks[x] & 1) != 0);
           }
-        }
-      }
-    }
+        });
   }
 
   // What was recorded of a pixel.
@@ -206,11 +223,6 @@ class Renderer {
     for (int c = 0; c < 3; ++c) {
       pixel[c] = static_cast<float>(color[c]);
     }
-  }
-
-  Color get(const glm::ivec2& at) const {
-    const float* const pixel = &picture_.image.rgb[3 * index(at)];
-    return {pixel[0], pixel[1], pixel[2]};
   }
 
   std::size_t index(const glm::ivec2& at) const {

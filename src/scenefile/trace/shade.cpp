@@ -9,8 +9,8 @@
 
 namespace scenefile {
 
-Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
-                    double width, Recorder* recorder) {
+Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const PixelSteps& steps,
+                    int grid, Recorder* recorder) {
   const RenderMaterial& material = *point.material;
   const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
   const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
@@ -27,7 +27,7 @@ Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::
     color = lookup_course_filter(texture, material.texture, uv);
   } else {
     color = lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
-                            uv_footprint(point, direction, width));
+                            uv_footprint(point, steps), grid);
   }
   if (recorder != nullptr) {
     recorder->textured(texture, material, uv, color);
@@ -35,15 +35,16 @@ Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::
   return glm::mix(plain, color, double(material.blend));
 }
 
-void apply_bump(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
-                double width) {
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid) {
   const RenderTexture& map = point.material->bump_map;
   if (!map.used() || !point.has_uv || tracer.pyramids.empty() ||
       tracer.pyramids[map.file].empty()) {
     return;
   }
-  point.normal =
-      bumped_normal(point, tracer.pyramids[map.file], uv_footprint(point, direction, width));
+  UvFootprint footprint = uv_footprint(point, steps);
+  footprint.right /= grid;
+  footprint.down /= grid;
+  point.normal = bumped_normal(point, tracer.pyramids[map.file], footprint);
 }
 
 namespace {
@@ -142,13 +143,13 @@ bool shines_in(const Tracer& tracer, const RenderLight& light) {
          light.type == LightType::directional;
 }
 
-Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
-            const SampleKey& key, RayCounts& counts) {
-  apply_bump(tracer, point, direction, width);
+Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
+            const PixelSteps& steps, const SampleKey& key, RayCounts& counts) {
+  apply_bump(tracer, point, steps, key.texture_grid);
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
   const Reflector reflector{tracer, point, -direction,
-                            diffuse_color(tracer, point, direction, width, counts.recorder),
+                            diffuse_color(tracer, point, steps, key.texture_grid, counts.recorder),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
   if (counts.recorder != nullptr) {

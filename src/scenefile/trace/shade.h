@@ -12,6 +12,7 @@ struct SampleKey {
   std::uint32_t sample = 0;         ///< of the pixel, from 0
   std::uint32_t pattern = 0;        ///< differs from pixel to pixel and from bounce to bounce
   std::uint32_t light_samples = 1;  ///< points on each area light (fine profile)
+  int texture_grid = 1;  ///< 2: each quarter of a footprint is looked up by itself (fine profile)
 };
 
 /// The course profile looks at the middles of so many cells along each side of an area light.
@@ -20,19 +21,18 @@ inline constexpr std::uint32_t course_light_side = 4;
 /// Whether the light counts in this mode: the course's ray caster knows only directional lights.
 bool shines_in(const Tracer& tracer, const RenderLight& light);
 
-/// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it. `width`:
-/// of the ray that found the point, in `direction`. Tells the recorder of textures, if there is
-/// one.
-Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const glm::dvec3& direction,
-                    double width, Recorder* recorder);
+/// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it. `steps`:
+/// of the point, from pixel to pixel; `grid`: see SampleKey. Tells the recorder of textures, if
+/// there is one.
+Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const PixelSteps& steps,
+                    int grid, Recorder* recorder);
 
 /// Replaces the shading normal by the bumped one.
-void apply_bump(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
-                double width);
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid);
 
 /// Ambient, diffuse and specular light that the point sends back against `direction`, the unit
 /// direction of the ray that found it. Bumps the shading normal.
-Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction, double width,
-            const SampleKey& key, RayCounts& counts);
+Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
+            const PixelSteps& steps, const SampleKey& key, RayCounts& counts);
 
 }  // namespace scenefile

@@ -1,14 +1,17 @@
 #include "scenefile/trace/texture_lookup.h"
 
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/trace/camera-inl.h"
+#include "scenefile/trace/footprint-inl.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace scenefile {
 
 namespace {
-
-// More samples than this along a long footprint cost more than they show.
-constexpr int max_taps = 16;
 
 int wrap(double index, int size) {
   const double wrapped = index - size * std::floor(index / size);
@@ -86,21 +89,25 @@ Texture halved(const Texture& texture) {
   return result;
 }
 
-glm::dvec3 smooth_at(const Pyramid& pyramid, int level, const glm::dvec2& base_position) {
-  const Texture& base = pyramid.level(0);
-  const Texture& texture = pyramid.level(level);
-  const glm::dvec2 scale(double(texture.width) / base.width, double(texture.height) / base.height);
-  return bilinear(texture, base_position * scale - 0.5);
-}
+// A texture in the one lane that filtered() knows.
+struct OneTexture {
+  const Pyramid& pyramid;
 
-glm::dvec3 between_levels(const Pyramid& pyramid, double level, const glm::dvec2& base_position) {
-  const double last = pyramid.levels() - 1;
-  const double clamped = std::clamp(level, 0.0, last);
-  const int low = static_cast<int>(clamped);
-  const double f = clamped - low;
-  const glm::dvec3 color = smooth_at(pyramid, low, base_position);
-  return f > 0 ? glm::mix(color, smooth_at(pyramid, low + 1, base_position), f) : color;
-}
+  double levels() const { return pyramid.levels(); }
+
+  one::V3 smooth(double level, bool wanted, double x, double y) const {
+    if (!wanted) {
+      return {0, 0, 0};
+    }
+    const Texture& base = pyramid.level(0);
+    const Texture& texture = pyramid.level(static_cast<int>(level));
+    return one::bilinear(
+        texture.width, texture.height, x * (double(texture.width) / base.width) - 0.5,
+        y * (double(texture.height) / base.height) - 0.5, [&](double column, double row) {
+          return one::splat3(texel(texture, static_cast<int>(column), static_cast<int>(row)));
+        });
+  }
+};
 
 }  // namespace
 
@@ -128,27 +135,16 @@ Pyramid::Pyramid(const Texture& texture) : base_(&texture) {
 }
 
 glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
-                           const UvFootprint& footprint) {
+                           const UvFootprint& footprint, int grid) {
   const Texture& base = pyramid.level(0);
-  const glm::dvec2 scale(double(use.repeat_u) * base.width, -double(use.repeat_v) * base.height);
-  glm::dvec2 major = footprint.major * scale;
-  double longer = glm::length(major);
-  double shorter = glm::length(footprint.minor * scale);
-  if (shorter > longer) {
-    std::swap(longer, shorter);
-    major = footprint.minor * scale;
-  }
-  const double level_width = std::max({shorter, longer / max_taps, 1.0});
-  const double level = std::isfinite(level_width) ? std::log2(level_width) : pyramid.levels();
-  const double ratio = std::isfinite(longer) ? std::ceil(longer / level_width) : 1.0;
-  const int taps = static_cast<int>(std::clamp(ratio, 1.0, double(max_taps)));
-  const glm::dvec2 center = texel_position(base, use, uv);
-  glm::dvec3 sum(0);
-  for (int i = 0; i < taps; ++i) {
-    const double along = (i + 0.5) / taps - 0.5;
-    sum += between_levels(pyramid, level, taps == 1 ? center : center + along * major);
-  }
-  return sum / double(taps);
+  const one::V3 color =
+      one::filtered(OneTexture{pyramid}, one::texel_x(uv.x, use.repeat_u, base.width),
+                    one::texel_y(uv.y, use.repeat_v, base.height),
+                    one::texel_footprint({footprint.right.x, footprint.right.y},
+                                         {footprint.down.x, footprint.down.y}, use.repeat_u,
+                                         use.repeat_v, base.width, base.height),
+                    grid, true);
+  return {color.x, color.y, color.z};
 }
 
 }  // namespace scenefile

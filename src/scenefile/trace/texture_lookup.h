@@ -36,15 +36,16 @@ class Pyramid {
   std::vector<Texture> smaller_;
 };
 
-/// The parallelogram of (u, v) that a ray sees, by its two half axes times two.
+/// The parallelogram of (u, v) that a ray sees, by its sides: how (u, v) change for a step to the
+/// right in the picture, and for one down.
 struct UvFootprint {
-  glm::dvec2 major{0};
-  glm::dvec2 minor{0};
+  glm::dvec2 right{0};
+  glm::dvec2 down{0};
 };
 
 /// Average over the footprint; interpolates between texel middles where the footprint is smaller
-/// than a texel.
+/// than a texel. `grid`: 2 to look up each quarter of the footprint by itself.
 glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
-                           const UvFootprint& footprint);
+                           const UvFootprint& footprint, int grid = 1);
 
 }  // namespace scenefile

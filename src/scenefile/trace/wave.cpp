@@ -52,6 +52,7 @@ HWY_BEFORE_NAMESPACE();
 #include "scenefile/geometry/crossings-inl.h"
 #include "scenefile/geometry/normals-inl.h"
 #include "scenefile/trace/camera-inl.h"
+#include "scenefile/trace/footprint-inl.h"
 #include "scenefile/trace/lighting-inl.h"
 #include "scenefile/trace/optics-inl.h"
 #include "scenefile/trace/wave_rays-inl.h"
@@ -73,7 +74,6 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
     rays.origin.y[i] = sample.point.y;
     rays.direction.x[i] = sample.lens.x;
     rays.direction.y[i] = sample.lens.y;
-    rays.cone[i] = sample.cone;
     rays.key[i] = sample.key;
   }
   std::iota(rays.node, rays.node + count, 0u);
@@ -89,9 +89,20 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
   memory.full = false;
   memory.hits.apart = false;
   for (int at = 0; at < count; at += lanes) {
-    const CameraRay ray =
-        camera_ray(scene.camera.frame(), load(rays.origin.x + at), load(rays.origin.y + at),
-                   load(rays.direction.x + at), load(rays.direction.y + at));
+    const F x = load(rays.origin.x + at);
+    const F y = load(rays.origin.y + at);
+    const F lens_x = load(rays.direction.x + at);
+    const F lens_y = load(rays.direction.y + at);
+    const CameraRay ray = camera_ray(scene.camera.frame(), x, y, lens_x, lens_y);
+    if (scene.by_footprint) {
+      alignas(64) double widths[lanes];
+      for (int i = 0; i < lanes; ++i) {
+        widths[i] = samples[std::min(at + i, count - 1)].width;
+      }
+      store_steps(no_steps(), rays.origin_steps, at);
+      store_steps(camera_steps(scene.camera.frame(), x, y, lens_x, lens_y, load(widths)),
+                  rays.direction_steps, at);
+    }
     store3(ray.origin, rays.origin, at);
     store3(ray.direction, rays.direction, at);
   }
@@ -107,9 +118,10 @@ void select_points(const WaveScene& scene, const WaveRays& rays, WaveMemory& mem
     }
     const Inside* const inside = rays.inside[i];
     const double part = memory.hits.part[i];
-    const bool wall = inside != nullptr &&
-                      (part < 0 ? same_object(*inside->object, memory.hits.others[i])
-                                : inside->object->part == &scene.root[static_cast<std::size_t>(part)]);
+    const bool wall =
+        inside != nullptr &&
+        (part < 0 ? same_object(*inside->object, memory.hits.others[i])
+                  : inside->object->part == &scene.root[static_cast<std::size_t>(part)]);
     WavePoints& list = wall ? memory.walls : memory.points;
     list.ray[list.count++] = static_cast<std::uint32_t>(i);
   }
@@ -143,6 +155,39 @@ void record_surfaces(const WaveRays& rays, const WavePoints& points, bool lit,
   }
 }
 
+// A number for the surface that ray r hit.
+std::uint32_t surface_number(const WaveHits& hits, std::uint32_t r) {
+  if (hits.part[r] >= 0) {
+    return static_cast<std::uint32_t>(hits.part[r]) * 16 + static_cast<std::uint32_t>(hits.face[r]);
+  }
+  const Hit& hit = hits.others[r];
+  const glm::dvec3& place = hit.object_from_world.offset;
+  std::uint32_t number = signed_with(hit.source, static_cast<std::uint32_t>(hit.face));
+  number = signed_with(number, hit.shape == Shape::mesh ? hit.triangle : 0);
+  for (const double x : {place.x, place.y, place.z}) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    number = signed_with(number, static_cast<std::uint32_t>(bits ^ (bits >> 32)));
+  }
+  return number;
+}
+
+// What is not filtered over footprints is never the same.
+bool uneven(const WaveMaterial& material) {
+  return material.bumped || material.texture != nullptr;
+}
+
+void sign_points(const WaveRays& rays, const WavePoints& points, WaveMemory& memory) {
+  for (int k = 0; k < points.count; ++k) {
+    const std::uint32_t r = points.ray[k];
+    std::uint32_t& signature = memory.nodes[rays.node[r]].signature;
+    signature = signed_with(signature, surface_number(memory.hits, r));
+    signature = signed_with(signature, points.lit[k]);
+    if (uneven(*points.material[k])) {
+      signature = signed_with(signature, rays.key[r].pattern);
+    }
+  }
+}
+
 // One generation of rays: what they see, and which rays come of it.
 void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& next,
                       WaveMemory& memory, RayCounts& counts, const WaveRecord* record) {
@@ -152,6 +197,7 @@ void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& ne
   find_hits(scene, rays, memory.hits);
   select_points(scene, rays, memory);
   find_surfaces(scene, rays, memory.hits, lit, memory.points);
+  std::fill_n(memory.points.lit, memory.points.count, 0u);
   if (record != nullptr) {
     record_surfaces(rays, memory.points, lit, *record);
   }
@@ -161,6 +207,9 @@ void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& ne
     color_by_normals(memory.points);
   }
   keep_colors(rays, memory);
+  if (!scene.course) {
+    sign_points(rays, memory.points, memory);
+  }
   if (mode == Mode::ray) {
     follow_points(scene, memory, rays, next, memory.points, false, counts);
     find_surfaces(scene, rays, memory.hits, false, memory.walls);
@@ -184,6 +233,7 @@ bool trace(const WaveScene& scene, const CameraSample* samples, int count, WaveM
   for (int i = 0; i < count; ++i) {
     sights[i].color = memory.nodes[i].color;
     sights[i].penumbra = memory.nodes[i].penumbra;
+    sights[i].signature = memory.nodes[i].signature;
     if (record != nullptr) {
       record->samples[i].bounces = memory.nodes[i].bounces;
     }
@@ -255,10 +305,11 @@ WaveMaterial wave_material(const Tracer& tracer, const RenderMaterial& m) {
   out.refracts = features.refract && glass != Color(0);
   const bool textured = tracer.options.mode == Mode::ray && features.texture && m.texture.used() &&
                         m.blend != 0 && !tracer.assets.textures[m.texture.file].empty();
-  const bool bumped = !tracer.pyramids.empty() && m.bump_map.used();
-  out.by_footprint = bumped || (textured && features.texture_filter && !tracer.course());
-  if (textured && !out.by_footprint) {
-    out.texture = &tracer.assets.textures[m.texture.file];
+  out.bumped = !tracer.pyramids.empty() && m.bump_map.used();
+  if (textured) {
+    const bool filtered = features.texture_filter && !tracer.course();
+    out.texture = filtered ? nullptr : &tracer.assets.textures[m.texture.file];
+    out.pyramid = filtered ? &tracer.pyramids[m.texture.file] : nullptr;
     out.blend = m.blend;
   }
   return out;
@@ -276,7 +327,8 @@ const std::vector<Part>& root_parts(const Parts& parts) {
 
 // What it points to for the samples from `first` on.
 WaveRecord from(const WaveRecord& record, int first) {
-  return {record.samples + first, record.light_colors + first * record.lights.size(), record.lights};
+  return {record.samples + first, record.light_colors + first * record.lights.size(),
+          record.lights};
 }
 
 void add(const RayCounts& more, RayCounts& counts) {
@@ -299,7 +351,7 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());
-    by_footprint = by_footprint || materials.back().by_footprint;
+    by_footprint = by_footprint || materials.back().pyramid != nullptr || materials.back().bumped;
   }
   few_parts = root.size() <= PartTree::fewest_parts &&
               std::all_of(root.begin(), root.end(),

@@ -29,8 +29,9 @@ struct WaveMaterial {
   double blend;       ///< of the texture, 0 where there is none
   double density[3];  ///< that shadow rays gather, as Transmission has it
   const RenderMaterial* material;
-  const Texture* texture;  ///< if it is looked up in lanes
-  bool by_footprint;       ///< has a texture or bump map that is filtered over what a ray covers
+  const Texture* texture;  ///< if it is not filtered over what a ray covers
+  const Pyramid* pyramid;  ///< if it is
+  bool bumped;             ///< has a bump map
   bool mirrors;            ///< rays go on by it
   bool refracts;
 };
@@ -39,6 +40,10 @@ struct WaveMaterial {
 struct WaveSight {
   Color color{0};
   bool penumbra = false;  ///< area lights in part
+  /// Fine profile: of two samples that saw the same parts and faces in the same light, by way of
+  /// the same mirrors and glass, it is the same. Such samples differ by what changes evenly, and by
+  /// textures, which are filtered.
+  std::uint32_t signature = 0;
 };
 
 /// Where to write what the camera rays met; arrays by sample.
@@ -75,7 +80,7 @@ struct WaveScene {
   bool clear_shadows;             ///< light may pass through objects
   bool fresnel;                   ///< glass mirrors by Fresnel's equations
   std::vector<WaveMaterial> materials;
-  bool by_footprint = false;  ///< a material is
+  bool by_footprint = false;  ///< a texture or bump map is filtered over what rays cover
   bool few_parts = false;     ///< all are shapes, and so few that each is tested
   const PartTree& tree;       ///< of more, where all are shapes and not too many
 };

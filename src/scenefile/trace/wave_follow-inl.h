@@ -17,20 +17,39 @@ inline V3 facing_normal(const V3& normal, const V3& geometric, const V3& directi
 struct Onward {
   alignas(64) double mirrored[3][lanes];
   alignas(64) double refracted[3][lanes];
-  alignas(64) double cosine[lanes];  // of the angle between ray and normal
-  unsigned through = 0;              // bits: refracted, not mirrored inside
-  unsigned entering = 0;             // bits: from the outside
+  alignas(64) double mirrored_steps[2][3][lanes];
+  alignas(64) double refracted_steps[2][3][lanes];
+  alignas(64) double cosine[lanes] = {};  // of the angle between ray and normal
+  unsigned through = 0;                   // bits: refracted, not mirrored inside
+  unsigned entering = 0;                  // bits: from the outside
 };
 
+inline void store_rows(const Steps& steps, double (&to)[2][3][lanes]) {
+  store_rows(steps.x, to[0]);
+  store_rows(steps.y, to[1]);
+}
+
+inline Steps turns_at(const WavePoints& points, int at, const V3& wanted) {
+  return on_side(load_steps(points.turns, at), load3(points.geometric, at), wanted);
+}
+
 // `inner`: the rays are inside of objects and meet their walls.
-inline void find_mirrored(const WavePoints& points, int at, bool inner, Onward& onward) {
+inline void find_mirrored(const WaveScene& scene, const WaveRays& rays, const WavePoints& points,
+                          int at, bool inner, Onward& onward) {
   const V3 direction = load3(points.direction, at);
   const V3 normal = load3(points.normal, at);
   const V3 facing = inner ? facing_normal(normal, load3(points.geometric, at), direction) : normal;
   store_rows(mirrored(direction, facing), onward.mirrored);
+  if (scene.by_footprint) {
+    store_rows(
+        mirrored_steps(direction, facing, gather_steps(rays.direction_steps, points.ray + at),
+                       turns_at(points, at, facing)),
+        onward.mirrored_steps);
+  }
 }
 
-inline void find_refracted(const WavePoints& points, int at, bool inner, Onward& onward) {
+inline void find_refracted(const WaveScene& scene, const WaveRays& rays, const WavePoints& points,
+                           int at, bool inner, Onward& onward) {
   alignas(64) double iors[lanes];
   for (int i = 0; i < lanes; ++i) {
     iors[i] = points.material[at + i]->ior;
@@ -43,6 +62,15 @@ inline void find_refracted(const WavePoints& points, int at, bool inner, Onward&
   const F eta = inner ? ior : select(entering, splat(1) / ior, ior);
   const Refracted found = refraction(direction, facing, eta);
   store_rows(select(found.through, found.direction, mirrored(direction, facing)), onward.refracted);
+  if (scene.by_footprint) {
+    const Steps before = gather_steps(rays.direction_steps, points.ray + at);
+    const Steps turns = turns_at(points, at, facing);
+    const Steps through = refracted_steps(direction, facing, eta, before, turns);
+    const Steps back = mirrored_steps(direction, facing, before, turns);
+    store_rows(
+        Steps{select(found.through, through.x, back.x), select(found.through, through.y, back.y)},
+        onward.refracted_steps);
+  }
   store(-dot(facing, direction), onward.cosine);
   onward.through = bits(found.through);
   onward.entering = inner ? 0 : bits(entering);
@@ -55,14 +83,13 @@ inline Path path_of(const WaveRays& rays, std::uint32_t r) {
   path.start = rays.start[r];
   path.depth = rays.depth[r];
   path.weight = rays.weight[r];
-  path.cone = rays.cone[r];
   path.key = rays.key[r];
   path.budget = rays.budget[r];
   path.inside = rays.inside[r];
   return path;
 }
 
-inline void push(const Path& path, std::uint32_t node, WaveRays& rays) {
+inline void push(const WaveScene& scene, const Path& path, std::uint32_t node, WaveRays& rays) {
   const int i = rays.count++;
   put(path.ray.origin, rays.origin, i);
   put(path.ray.direction, rays.direction, i);
@@ -70,25 +97,26 @@ inline void push(const Path& path, std::uint32_t node, WaveRays& rays) {
   rays.node[i] = node;
   rays.depth[i] = path.depth;
   rays.weight[i] = path.weight;
-  rays.cone[i] = path.cone;
+  if (scene.by_footprint) {
+    put(path.differential.origin.x, rays.origin_steps.x, i);
+    put(path.differential.origin.y, rays.origin_steps.y, i);
+    put(path.differential.direction.x, rays.direction_steps.x, i);
+    put(path.differential.direction.y, rays.direction_steps.y, i);
+  }
   rays.key[i] = path.key;
   rays.budget[i] = path.budget;
   rays.inside[i] = path.inside;
 }
 
-// Sends a path on from point k, where it arrived; `turning` as bent_cone() has it.
-inline void redirect(const WaveScene& scene, const WaveHits& hits, const WavePoints& points, int k,
-                     const glm::dvec3& direction, double turning, Path& path) {
+// Sends a path on from point k, where it arrived.
+inline void redirect(const WaveScene& scene, const WavePoints& points, int k, int lane,
+                     const double (&direction)[3][lanes], const double (&steps)[2][3][lanes],
+                     Path& path) {
   if (scene.by_footprint) {
-    const Tracer& tracer = scene.tracer;
-    const auto surface = [&] {
-      const Hit hit = hit_of(scene, hits, points.ray[k], path.ray);
-      return surface_point(tracer.scene, tracer.assets, path.ray, hit, true);
-    };
-    path.cone =
-        bent_cone(points.known[k] ? points.surface[k] : surface(), path.cone, points.t[k], turning);
+    path.differential = {{get(points.steps.x, k), get(points.steps.y, k)},
+                         {lane_of(steps[0], lane), lane_of(steps[1], lane)}};
   }
-  path.ray = {get(points.position, k), direction};
+  path.ray = {get(points.position, k), lane_of(direction, lane)};
   path.start = points.offset[k];
 }
 
@@ -100,11 +128,12 @@ inline void arrive(WaveMemory& memory, std::uint32_t ray, const WaveNode& child,
   (mirrored ? memory.links[ray].mirrored : memory.links[ray].refracted) = seen;
   (mirrored ? node.mirrored : node.refracted) = true;
   node.penumbra = node.penumbra || child.penumbra;
+  node.signature = signed_with(node.signature, child.signature + (mirrored ? 1 : 2));
   node.bounces = std::max(node.bounces, child.bounces);
 }
 
-inline void add_child(WaveMemory& memory, WaveRays& rays, const Path& path, const Color& factor,
-                      std::uint32_t parent, RayCounts& counts) {
+inline void add_child(const WaveScene& scene, WaveMemory& memory, WaveRays& rays, const Path& path,
+                      const Color& factor, std::uint32_t parent, RayCounts& counts) {
   ++counts.secondary;
   if (rays.count == wave_rays || memory.node_count == wave_nodes) {
     memory.full = true;
@@ -117,7 +146,7 @@ inline void add_child(WaveMemory& memory, WaveRays& rays, const Path& path, cons
   node.parent = parent;
   node.kind = path.kind;
   node.bounces = static_cast<std::uint8_t>(path.depth);
-  push(path, index, rays);
+  push(scene, path, index, rays);
 }
 
 // What the path is in behind point k.
@@ -183,8 +212,8 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   const std::uint32_t parent = from.node[ray];
   if (mirrors) {
     Path next = child_of(path, mirror, budget, RayKind::reflected);
-    redirect(scene, memory.hits, points, k, lane_of(onward.mirrored, lane), 2, next);
-    add_child(memory, to, next, mirror, parent, counts);
+    redirect(scene, points, k, lane, onward.mirrored, onward.mirrored_steps, next);
+    add_child(scene, memory, to, next, mirror, parent, counts);
   }
   if (refracts) {
     const bool through = (onward.through >> lane & 1) != 0;
@@ -195,9 +224,8 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
     } else if (through == entering) {
       next.inside = enter(scene, memory, points, k, path);
     }
-    redirect(scene, memory.hits, points, k, lane_of(onward.refracted, lane),
-             through ? std::abs(eta - 1) : 2, next);
-    add_child(memory, to, next, glass, parent, counts);
+    redirect(scene, points, k, lane, onward.refracted, onward.refracted_steps, next);
+    add_child(scene, memory, to, next, glass, parent, counts);
   }
 }
 
@@ -212,12 +240,12 @@ inline void follow_points(const WaveScene& scene, WaveMemory& memory, const Wave
     };
     const bool refracts = inner || some(&WaveMaterial::refracts);
     const bool mirrors = (scene.fresnel && refracts) || some(&WaveMaterial::mirrors);
-    Onward onward{};
+    Onward onward;
     if (mirrors) {
-      find_mirrored(points, at, inner, onward);
+      find_mirrored(scene, from, points, at, inner, onward);
     }
     if (refracts) {
-      find_refracted(points, at, inner, onward);
+      find_refracted(scene, from, points, at, inner, onward);
     }
     for (int k = at; k < end && (mirrors || refracts); ++k) {
       follow_point(scene, memory, from, to, points, inner, k, k - at, onward, counts);
@@ -232,8 +260,7 @@ inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays
   const bool through = (onward.through >> lane & 1) != 0;
   ++counts.secondary;
   Path path = path_of(from, ray);
-  redirect(scene, memory.hits, walls, k, lane_of(onward.refracted, lane),
-           through ? std::abs(walls.material[k]->ior - 1) : 2, path);
+  redirect(scene, walls, k, lane, onward.refracted, onward.refracted_steps, path);
   if (through) {
     path.inside = path.inside->around;
   } else if (++path.depth > scene.tracer.options.max_depth) {
@@ -243,7 +270,7 @@ inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays
     memory.full = true;
     return;
   }
-  push(path, from.node[ray], to);
+  push(scene, path, from.node[ray], to);
 }
 
 /// Sends rays inside of objects through their walls or back from them. By Fresnel's equations a
@@ -256,8 +283,8 @@ inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRay
     return;
   }
   for (int at = 0; at < walls.count; at += lanes) {
-    Onward onward{};
-    find_refracted(walls, at, true, onward);
+    Onward onward;
+    find_refracted(scene, from, walls, at, true, onward);
     for (int k = at; k < std::min(walls.count, at + lanes); ++k) {
       pass_wall(scene, memory, from, to, k, k - at, onward, counts);
     }

@@ -175,6 +175,17 @@ inline void record_light(const LightSamples& samples, const V3* sums, const Reco
   }
 }
 
+// Notes for each point whether it sees the light.
+inline void note_lit(const WaveLight& light, int chunks, WavePoints& points) {
+  const std::uint32_t place = light.index % 32;
+  for (int c = 0; c < chunks; ++c) {
+    const unsigned sees = light.asks[c] & ~unsigned{light.blocked[c]};
+    for (int i = 0; i < lanes; ++i) {
+      points.lit[c * lanes + i] ^= (sees >> i & 1u) << place;
+    }
+  }
+}
+
 // `record`: null but for camera rays of which more is to be told.
 inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveMemory& memory,
                       RayCounts& counts, const WaveRecord* record) {
@@ -195,6 +206,9 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
     if (shadows) {
       counts.shadow += static_cast<std::uint64_t>(count_bits(light.asks, chunks));
       find_blocked(scene, points, light);
+    }
+    if (!scene.course && samples.count == 1) {
+      note_lit(light, chunks, points);
     }
     for (int c = 0; c < chunks; ++c) {
       const V3 one = lit(points, light, color, dimmed, c * lanes);

@@ -38,6 +38,12 @@ struct WaveVectors {
   alignas(64) double z[wave_rays];
 };
 
+/// Changes from pixel to pixel (footprint.h).
+struct WaveSteps {
+  WaveVectors x;
+  WaveVectors y;
+};
+
 /// One generation of rays.
 struct WaveRays {
   int count = 0;
@@ -47,7 +53,8 @@ struct WaveRays {
   std::uint32_t node[wave_rays];
   int depth[wave_rays];
   double weight[wave_rays];
-  WaveArray<RayCone, wave_rays> cone;
+  WaveSteps origin_steps;     ///< where WaveScene::by_footprint
+  WaveSteps direction_steps;  ///< likewise
   WaveArray<SampleKey, wave_rays> key;
   std::uint32_t budget[wave_rays];
   const Inside* inside[wave_rays];
@@ -68,12 +75,11 @@ struct WavePoints {
   int count = 0;
   std::uint32_t ray[wave_rays];  ///< rising
   const WaveMaterial* material[wave_rays];
-  bool known[wave_rays];  ///< in full, as `surface`
-  WaveArray<SurfacePoint, wave_rays>
-      surface;  ///< of points that were made by the functions for one
   WaveVectors position;
   WaveVectors normal;
   WaveVectors geometric;  ///< normal of the surface itself
+  WaveSteps steps;        ///< of points from where rays go on, where WaveScene::by_footprint
+  WaveSteps turns;        ///< of their geometric normals, likewise
   WaveVectors direction;  ///< of the ray
   alignas(64) double t[wave_rays];
   alignas(64) double offset[wave_rays];  ///< smallest t of rays that begin here
@@ -81,7 +87,14 @@ struct WavePoints {
   WaveVectors specular;
   alignas(64) double shininess[wave_rays];
   WaveVectors color;
+  std::uint32_t lit[wave_rays];  ///< fine profile: a bit for each light that is seen, in turn
 };
+
+/// A signature with one thing more.
+inline std::uint32_t signed_with(std::uint32_t signature, std::uint32_t thing) {
+  const std::uint32_t mixed = (signature ^ thing) * 0x9e3779b1u;
+  return mixed ^ (mixed >> 15);
+}
 
 /// Parts of the root group that were in the way of a light not long ago: with luck they are so
 /// again. Those that prove themselves rise.
@@ -117,6 +130,7 @@ struct WaveLight {
 struct WaveNode {
   Color color{0};  ///< without what follows
   std::uint32_t parent = no_index;
+  std::uint32_t signature = 0;  ///< see WaveSight, of it and of what came of it
   RayKind kind = RayKind::camera;
   std::uint8_t bounces = 0;  ///< of it or of what came of it, most
   bool penumbra = false;     ///< saw area lights in part, or what came of it did

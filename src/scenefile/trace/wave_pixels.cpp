@@ -220,44 +220,56 @@ std::vector<DrawnPixel> WaveSampler::course(std::span<const glm::ivec2> places) 
   return pixels;
 }
 
-// All pixels have as many samples.
-void WaveSampler::take(const FineSampler& sampler, const std::vector<DrawnPixel*>& pixels,
-                       std::uint32_t count) {
-  if (pixels.empty()) {
-    return;
-  }
-  const std::uint32_t taken = pixels.front()->samples.count;
-  const std::size_t each = count - taken;
+// Takes so many samples of each pixel: sample_of(pixel, i) is number i of them.
+template <typename SampleOf>
+void WaveSampler::take(const std::vector<DrawnPixel*>& pixels, std::size_t each,
+                       const SampleOf& sample_of) {
   trace(
       each * pixels.size(),
       [&](std::size_t i) {
-        const glm::ivec2& at = pixels[i / each]->at;
-        return sampler.sample(at.x, at.y, taken + static_cast<std::uint32_t>(i % each));
+        return sample_of(*pixels[i / each], static_cast<std::uint32_t>(i % each));
       },
       [&](std::size_t i, int k) {
         DrawnPixel& pixel = *pixels[i / each];
         const WaveSight& sight = sights_[static_cast<std::size_t>(k)];
         pixel.samples.add(sight.color, sight.penumbra);
+        pixel.signature = sight.signature;
         add_surface(k, pixel.surfaces);
       });
 }
 
-std::vector<DrawnPixel> WaveSampler::take(const FineSampler& sampler,
-                                          std::span<const glm::ivec2> places) {
+std::span<const WaveSight> WaveSampler::middles(const FineSampler& sampler,
+                                                std::span<const glm::ivec2> pixels) {
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    samples_[k] = sampler.middle(pixels[k].x, pixels[k].y);
+  }
+  trace(static_cast<int>(pixels.size()), false);
+  return {sights_.data(), pixels.size()};
+}
+
+std::vector<DrawnPixel> WaveSampler::take_middles(const FineSampler& sampler,
+                                                  std::span<const glm::ivec2> places) {
   std::vector<DrawnPixel> pixels = pixels_at(places);
-  take(sampler, pointers_to(pixels), sampler.first_samples());
+  take(pointers_to(pixels), 1, [&](const DrawnPixel& pixel, std::uint32_t) {
+    return sampler.middle(pixel.at.x, pixel.at.y);
+  });
   return pixels;
 }
 
-std::vector<DrawnPixel> WaveSampler::refine(const FineSampler& sampler,
-                                            std::span<const glm::ivec2> places) {
-  std::vector<DrawnPixel> pixels = take(sampler, places);
+std::vector<DrawnPixel> WaveSampler::take(const FineSampler& sampler,
+                                          std::span<const glm::ivec2> places,
+                                          std::span<const std::uint8_t> marks) {
+  std::vector<DrawnPixel> pixels = pixels_at(places);
   std::vector<DrawnPixel*> left = pointers_to(pixels);
-  std::uint32_t count = sampler.first_samples();
-  while (!left.empty()) {
-    count = sampler.next_count(count);
-    take(sampler, left, count);
-    std::erase_if(left, [&](const DrawnPixel* pixel) { return sampler.enough(pixel->samples); });
+  for (std::uint32_t count = 0; !left.empty();) {
+    const std::uint32_t next = sampler.next_count(count);
+    take(left, next - count, [&](const DrawnPixel& pixel, std::uint32_t i) {
+      return sampler.sample(pixel.at.x, pixel.at.y, count + i);
+    });
+    count = next;
+    std::erase_if(left, [&](const DrawnPixel* pixel) {
+      return sampler.enough(pixel->samples, marks[static_cast<std::size_t>(pixel - pixels.data())]);
+    });
   }
   return pixels;
 }

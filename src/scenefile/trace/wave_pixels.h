@@ -35,18 +35,24 @@ class WaveSampler {
   std::span<const WaveSight> middles(std::span<const glm::ivec2> pixels);
   /// course_pixel() of each.
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
-  /// FineSampler::take() of the first samples of each pixel.
-  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
-  /// The same, and refine().
-  std::vector<DrawnPixel> refine(const FineSampler& sampler, std::span<const glm::ivec2> pixels);
+  /// What FineSampler::middle() sees of pixels, at most wave_samples, in the order of `pixels`;
+  /// until the next call. Not recorded.
+  std::span<const WaveSight> middles(const FineSampler& sampler,
+                                     std::span<const glm::ivec2> pixels);
+  /// The same as a sample of each pixel, recorded.
+  std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
+                                       std::span<const glm::ivec2> pixels);
+  /// FineSampler::take() of each pixel with its mark.
+  std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
+                               std::span<const std::uint8_t> marks);
 
  private:
   template <typename SampleOf, typename Keep>
   void trace(std::size_t count, const SampleOf& sample_of, const Keep& keep);
   void trace(int count, bool recorded);
   void add_surface(int index, PixelSurfaces& surfaces) const;
-  void take(const FineSampler& sampler, const std::vector<DrawnPixel*>& pixels,
-            std::uint32_t count);
+  template <typename SampleOf>
+  void take(const std::vector<DrawnPixel*>& pixels, std::size_t each, const SampleOf& sample_of);
   void lens_pixels(std::vector<DrawnPixel>& pixels);
   void cell_pixels(std::vector<DrawnPixel>& pixels);
 

@@ -14,6 +14,15 @@ inline void store3(const V3& v, WaveVectors& to, int at) {
   store(v.z, to.z + at);
 }
 
+inline Steps load_steps(const WaveSteps& from, int at) {
+  return {load3(from.x, at), load3(from.y, at)};
+}
+
+inline void store_steps(const Steps& steps, WaveSteps& to, int at) {
+  store3(steps.x, to.x, at);
+  store3(steps.y, to.y, at);
+}
+
 inline void put(const Color& color, WaveVectors& to, int at) {
   to.x[at] = color.x;
   to.y[at] = color.y;

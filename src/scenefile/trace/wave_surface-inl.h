@@ -92,6 +92,27 @@ inline void put_material(const WaveMaterial& material, const Color& diffuse, Wav
   points.shininess[i] = material.shininess;
 }
 
+inline RayDifferential differential_of(const WaveRays& rays, std::uint32_t r) {
+  const int i = static_cast<int>(r);
+  return {{get(rays.origin_steps.x, i), get(rays.origin_steps.y, i)},
+          {get(rays.direction_steps.x, i), get(rays.direction_steps.y, i)}};
+}
+
+// Those of a chunk of rays.
+inline V3 gather3(const WaveVectors& from, const std::uint32_t* ray) {
+  alignas(64) double rows[3][lanes];
+  for (int i = 0; i < lanes; ++i) {
+    rows[0][i] = from.x[ray[i]];
+    rows[1][i] = from.y[ray[i]];
+    rows[2][i] = from.z[ray[i]];
+  }
+  return {load(rows[0]), load(rows[1]), load(rows[2])};
+}
+
+inline Steps gather_steps(const WaveSteps& from, const std::uint32_t* ray) {
+  return {gather3(from.x, ray), gather3(from.y, ray)};
+}
+
 // What ray r of a wave hit, in full.
 inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r, const Ray& ray) {
   if (hits.part[r] < 0) {
@@ -117,14 +138,21 @@ inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const W
   const std::uint32_t r = points.ray[i];
   const Ray ray{get(rays.origin, r), get(rays.direction, r)};
   const Hit hit = hit_of(scene, hits, r, ray);
-  SurfacePoint& point = points.surface[i];
-  point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
-  points.known[i] = true;
-  const double width = rays.cone[r].width_at(hit.t);
+  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
+  PixelSteps steps;
+  if (scene.by_footprint) {
+    steps = arriving_steps(differential_of(rays, r), ray.direction, point);
+    const PixelSteps turns = normal_turns(point, steps);
+    put(steps.x, points.steps.x, i);
+    put(steps.y, points.steps.y, i);
+    put(turns.x, points.turns.x, i);
+    put(turns.y, points.turns.y, i);
+  }
   Color diffuse(0);
   if (lit) {
-    apply_bump(tracer, point, ray.direction, width);
-    diffuse = diffuse_color(tracer, point, ray.direction, width, nullptr);
+    const int grid = rays.key[r].texture_grid;
+    apply_bump(tracer, point, steps, grid);
+    diffuse = diffuse_color(tracer, point, steps, grid, nullptr);
   }
   put(point.position, points.position, i);
   put(point.normal, points.normal, i);
@@ -185,15 +213,15 @@ inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
   return chunk;
 }
 
-// Colors of texels at whole positions.
-inline V3 texels(const ChunkTextures& chunk, F x, F y) {
+// Colors of texels at whole positions of textures that are so wide.
+inline V3 texels(const Texture* const (&texture)[lanes], F width, F x, F y) {
   alignas(64) double offsets[lanes];
   alignas(32) std::int32_t rgb[lanes] = {};
-  store(splat(3) * (y * chunk.width + x), offsets);
+  store(splat(3) * (y * width + x), offsets);
   for (int i = 0; i < lanes; ++i) {
-    if (chunk.texture[i] != nullptr) {
+    if (texture[i] != nullptr) {
       const std::uint8_t* const texel =
-          chunk.texture[i]->rgb.data() + static_cast<std::size_t>(offsets[i]);
+          texture[i]->rgb.data() + static_cast<std::size_t>(offsets[i]);
       rgb[i] = texel[0] | texel[1] << 8 | texel[2] << 16;
     }
   }
@@ -201,34 +229,122 @@ inline V3 texels(const ChunkTextures& chunk, F x, F y) {
           share_of_255(load_byte<2>(rgb))};
 }
 
-// A whole position within a texture that repeats.
-inline F wrapped(F index, F size) {
-  const F inside = index - size * down(index / size);
-  return select(inside >= splat(0), least(inside, size - splat(1)), splat(0));
-}
-
-inline V3 mix(const V3& a, const V3& b, F share) {
-  return (splat(1) - share) * a + share * b;
-}
-
 inline V3 texture_at(const WaveScene& scene, const ChunkTextures& chunk, F u, F v) {
-  const F x = u * chunk.repeat_u * chunk.width;
-  const F y = (splat(1) - v) * chunk.repeat_v * chunk.height;
-  const F left = down(x);
-  const F top = down(y);
-  const F x0 = wrapped(left, chunk.width);
-  const F y0 = wrapped(top, chunk.height);
+  const F x = texel_x(u, chunk.repeat_u, chunk.width);
+  const F y = texel_y(v, chunk.repeat_v, chunk.height);
+  const auto at = [&](F column, F row) { return texels(chunk.texture, chunk.width, column, row); };
   if (!scene.tracer.options.features.texture_filter) {
-    return texels(chunk, x0, y0);
+    return at(wrapped(down(x), chunk.width), wrapped(down(y), chunk.height));
   }
-  const auto next = [](F at, F size) {
-    return select(at + splat(1) == size, splat(0), at + splat(1));
+  return bilinear(chunk.width, chunk.height, x, y, at);
+}
+
+// The textures of a chunk that are filtered over footprints, as filtered() knows them.
+struct ChunkPyramids {
+  const Pyramid* pyramid[lanes] = {};
+  M used = no_lanes();
+  F count, width, height, repeat_u, repeat_v, blend, grid;
+
+  F levels() const { return count; }
+
+  V3 smooth(F level, M wanted, F x, F y) const {
+    const Texture* texture[lanes] = {};
+    alignas(64) double numbers[3][lanes];
+    store(level, numbers[0]);
+    const unsigned lanes_wanted = bits(wanted);
+    for (int i = 0; i < lanes; ++i) {
+      numbers[1][i] = numbers[2][i] = 1;
+      if ((lanes_wanted >> i & 1) != 0) {
+        texture[i] = &pyramid[i]->level(static_cast<int>(numbers[0][i]));
+        numbers[1][i] = texture[i]->width;
+        numbers[2][i] = texture[i]->height;
+      }
+    }
+    const F columns = load(numbers[1]);
+    const F rows = load(numbers[2]);
+    return bilinear(columns, rows, x * (columns / width) - splat(0.5),
+                    y * (rows / height) - splat(0.5),
+                    [&](F column, F row) { return texels(texture, columns, column, row); });
+  }
+};
+
+inline ChunkPyramids chunk_pyramids(const WaveRays& rays, const WavePoints& points, int at) {
+  ChunkPyramids chunk;
+  alignas(64) double numbers[7][lanes];
+  unsigned used = 0;
+  for (int i = 0; i < lanes; ++i) {
+    const WaveMaterial& material = *points.material[at + i];
+    const bool has = material.pyramid != nullptr;
+    used |= has ? 1u << i : 0u;
+    chunk.pyramid[i] = material.pyramid;
+    numbers[0][i] = has ? material.pyramid->levels() : 1;
+    numbers[1][i] = has ? material.pyramid->level(0).width : 1;
+    numbers[2][i] = has ? material.pyramid->level(0).height : 1;
+    numbers[3][i] = has ? material.material->texture.repeat_u : 1;
+    numbers[4][i] = has ? material.material->texture.repeat_v : 1;
+    numbers[5][i] = material.blend;
+    numbers[6][i] = rays.key[points.ray[at + i]].texture_grid;
+  }
+  chunk.used = of_bits(used);
+  chunk.count = load(numbers[0]);
+  chunk.width = load(numbers[1]);
+  chunk.height = load(numbers[2]);
+  chunk.repeat_u = load(numbers[3]);
+  chunk.repeat_v = load(numbers[4]);
+  chunk.blend = load(numbers[5]);
+  chunk.grid = load(numbers[6]);
+  return chunk;
+}
+
+// What a chunk of points on shapes knows of itself in object space.
+struct ChunkShapes {
+  Map map;
+  F shape;
+  F face;
+  V3 point;
+  V3 normal;  // in object space
+};
+
+inline void filtered_texture_chunk(const ChunkShapes& shapes, const Steps& steps,
+                                   const WaveRays& rays, WavePoints& points, int at) {
+  const ChunkPyramids chunk = chunk_pyramids(rays, points, at);
+  F u;
+  F v;
+  object_uv(shapes.shape, shapes.face, shapes.point, chunk.used, u, v);
+  const auto uv_step = [&](const V3& step) {
+    return shape_uv_step(shapes.shape, shapes.face, shapes.point, shapes.map.vector(step));
   };
-  const F x1 = next(x0, chunk.width);
-  const F y1 = next(y0, chunk.height);
-  const V3 above = mix(texels(chunk, x0, y0), texels(chunk, x1, y0), x - left);
-  const V3 below = mix(texels(chunk, x0, y1), texels(chunk, x1, y1), x - left);
-  return mix(above, below, y - top);
+  const TexelFootprint footprint =
+      texel_footprint(uv_step(steps.x), uv_step(steps.y), chunk.repeat_u, chunk.repeat_v,
+                      chunk.width, chunk.height);
+  const V3 color =
+      filtered(chunk, texel_x(u, chunk.repeat_u, chunk.width),
+               texel_y(v, chunk.repeat_v, chunk.height), footprint, chunk.grid, chunk.used);
+  const V3 plain = load3(points.diffuse, at);
+  store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
+}
+
+// What pixels cover of the surfaces, for textures and for rays that go on.
+inline void footprint_chunk(const ChunkShapes& shapes, const WaveRays& rays, bool textured,
+                            WavePoints& points, int at) {
+  const std::uint32_t* const ray = points.ray + at;
+  const V3 geometric = load3(points.geometric, at);
+  const Steps steps =
+      arriving_steps(gather_steps(rays.origin_steps, ray), gather_steps(rays.direction_steps, ray),
+                     load3(points.direction, at), geometric, load(points.t + at));
+  if (textured) {
+    filtered_texture_chunk(shapes, steps, rays, points, at);
+  }
+  const bool goes_on = std::any_of(points.material + at, points.material + at + lanes,
+                                   [](const WaveMaterial* m) { return m->mirrors || m->refracts; });
+  if (goes_on) {
+    const auto turn = [&](const V3& step) {
+      return world_normal_turn(shapes.map.x, shapes.map.y, shapes.map.z, shapes.shape, shapes.face,
+                               shapes.point, shapes.normal, step);
+    };
+    store_steps(steps, points.steps, at);
+    store_steps({turn(steps.x), turn(steps.y)}, points.turns, at);
+  }
 }
 
 inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, WavePoints& points,
@@ -252,20 +368,20 @@ inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[l
     store3(splat_row(first.specular), points.specular, at);
     store3(splat_row(first.ambient), points.color, at);
     store(splat(first.shininess), points.shininess + at);
-    return first.texture != nullptr;
+    return first.texture != nullptr || first.pyramid != nullptr;
   }
   bool textured = false;
   for (int i = 0; i < lanes; ++i) {
     const WaveMaterial& material = scene.materials[parts[i]->material];
     put_material(material, color_of(material.diffuse), points, at + i);
-    textured = textured || material.texture != nullptr;
+    textured = textured || material.texture != nullptr || material.pyramid != nullptr;
   }
   return textured;
 }
 
 // Of shapes of the root group alone.
-inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, bool lit,
-                           WavePoints& points, int at) {
+inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
+                           bool lit, WavePoints& points, int at) {
   const Part* parts[lanes];
   alignas(64) double faces[lanes];
   for (int i = 0; i < lanes; ++i) {
@@ -277,11 +393,17 @@ inline void shape_surfaces(const WaveScene& scene, const WaveHits& hits, bool li
   const ChunkParts chunk = chunk_parts(parts);
   const V3 position = load3(points.normal, at) + load(points.t + at) * load3(points.direction, at);
   const V3 object_point = chunk.map.point(position);
-  const V3 normal = world_normal(chunk.map, object_normal(chunk.shape, load(faces), object_point));
+  const V3 normal_there = object_normal(chunk.shape, load(faces), object_point);
+  const V3 normal = world_normal(chunk.map, normal_there);
   store3(position, points.position, at);
   store3(normal, points.normal, at);
   store3(normal, points.geometric, at);
-  if (textured) {
+  const bool filtered = !scene.course && scene.tracer.options.features.texture_filter;
+  if (scene.by_footprint) {
+    footprint_chunk({chunk.map, chunk.shape, load(faces), object_point, normal_there}, rays,
+                    textured && filtered, points, at);
+  }
+  if (textured && !filtered) {
     texture_chunk(scene, chunk.shape, load(faces), object_point, points, at);
   }
 }
@@ -297,11 +419,10 @@ inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const Wa
     const bool shapes = std::all_of(points.ray + at, points.ray + at + lanes,
                                     [&](std::uint32_t r) { return hits.part[r] >= 0; });
     if (shapes) {
-      shape_surfaces(scene, hits, lit, points, at);
+      shape_surfaces(scene, rays, hits, lit, points, at);
     }
     for (int i = at; i < at + lanes; ++i) {
-      points.known[i] = false;
-      if (!shapes || (lit && points.material[i]->by_footprint)) {
+      if (!shapes || (lit && points.material[i]->bumped)) {
         surface_of_one(scene, rays, hits, lit, points, i);
       }
     }

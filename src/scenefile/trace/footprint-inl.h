@@ -1,0 +1,261 @@
+// How rays change from one pixel to the next, on their way over mirrors and through glass, and what
+// their pixels cover of a texture; for any number of lanes (base/one_lane.h). After Igehy, "Tracing
+// Ray Differentials", 1999. No guard: included once for each number of lanes.
+
+#include "scenefile/base/shape.h"
+#include "scenefile/geometry/shapes.h"
+#include "scenefile/trace/camera_rays.h"
+
+namespace scenefile::SCENEFILE_LANES {
+
+/// A change for a step to the right in the picture, and for one down.
+struct Steps {
+  V3 x, y;
+};
+
+inline Steps no_steps() {
+  const V3 none{splat(0), splat(0), splat(0)};
+  return {none, none};
+}
+
+/// Below this share of grazing light changes grow no further.
+inline constexpr double least_cosine = 1.0 / 64;
+
+/// Of the unit directions of camera rays; steps of `width` pixels.
+inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_y, F width) {
+  V3 forward = pinhole_forward(camera, x, y);
+  F step = width * splat(camera.pixel);
+  if (camera.has_lens()) {
+    forward = splat(camera.focal_length) * forward -
+              splat(camera.aperture) * (lens_x * splat3(camera.u) + lens_y * splat3(camera.v));
+    step = splat(camera.focal_length) * step;
+  }
+  const F size = length(forward);
+  const V3 direction = forward / size;
+  const auto turned = [&](const V3& change) {
+    return (change - dot(change, direction) * direction) / size;
+  };
+  return {turned(step * splat3(camera.u)), turned(-(step * splat3(camera.v)))};
+}
+
+/// Of the points where rays meet a surface of that normal at distance t.
+inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V3& ray,
+                            const V3& normal, F t) {
+  const F cosine = dot(ray, normal);
+  const F slant = with_sign_of(greatest(magnitude(cosine), splat(least_cosine)), cosine);
+  const auto on_surface = [&](const V3& from, const V3& turn) {
+    const V3 moved = from + t * turn;
+    return moved - (dot(moved, normal) / slant) * ray;
+  };
+  return {on_surface(origin.x, direction.x), on_surface(origin.y, direction.y)};
+}
+
+inline M shape_is(F shape, Shape kind) {
+  return shape == splat(static_cast<int>(kind));
+}
+
+inline M face_is(F face, Face which) {
+  return face == splat(static_cast<int>(which));
+}
+
+/// How the object-space normal of a shape turns for a step on its surface at p.
+inline V3 object_normal_turn(F shape, F face, const V3& p, const V3& step) {
+  const V3 still{splat(0), splat(0), splat(0)};
+  const M round =
+      face_is(face, Face::side) & (shape_is(shape, Shape::sphere) |
+                                   shape_is(shape, Shape::cylinder) | shape_is(shape, Shape::cone));
+  if (none(round)) {
+    return still;
+  }
+  const auto across = [](const V3& out, const V3& v) { return v - dot(out, v) * out; };
+  const F size = length(p);
+  const V3 ball = across(p / size, step) / size;
+  const Around around = around_axis(p);
+  const V3 flat_step{step.x, splat(0), step.z};
+  const V3 tube = across({around.cosine, splat(0), around.sine}, flat_step) / around.distance;
+  const V3 cone = splat(2 / 2.2360679774997896964) * tube;
+  const M beside = round & (around.distance > splat(0));
+  V3 turn = select(beside & shape_is(shape, Shape::cylinder), tube, still);
+  turn = select(beside & shape_is(shape, Shape::cone), cone, turn);
+  return select(round & shape_is(shape, Shape::sphere) & (size > splat(0)), ball, turn);
+}
+
+/// How the unit normal of a shape turns in world space for a step on its surface there. `x`, `y`,
+/// `z`: columns of the map to object space; `normal`: in object space.
+inline V3 world_normal_turn(const V3& x, const V3& y, const V3& z, F shape, F face, const V3& p,
+                            const V3& normal, const V3& step) {
+  const V3 object_step{x.x * step.x + y.x * step.y + z.x * step.z,
+                       x.y * step.x + y.y * step.y + z.y * step.z,
+                       x.z * step.x + y.z * step.y + z.z * step.z};
+  const V3 object_turn = object_normal_turn(shape, face, p, object_step);
+  const V3 scaled{dot(x, normal), dot(y, normal), dot(z, normal)};
+  const V3 turn{dot(x, object_turn), dot(y, object_turn), dot(z, object_turn)};
+  const F size = length(scaled);
+  const V3 unit = scaled / size;
+  const M known = (size > splat(0)) & finite(size);
+  return select(known, (turn - dot(unit, turn) * unit) / size, V3{splat(0), splat(0), splat(0)});
+}
+
+/// Turns of the normal `geometric` for the normal `wanted`, which may be on the other side.
+inline Steps on_side(const Steps& turn, const V3& geometric, const V3& wanted) {
+  const M other = dot(geometric, wanted) < splat(0);
+  return {select(other, -turn.x, turn.x), select(other, -turn.y, turn.y)};
+}
+
+/// The changes of a mirrored direction. `turn`: of the normal.
+inline Steps mirrored_steps(const V3& ray, const V3& normal, const Steps& direction,
+                            const Steps& turn) {
+  const F cosine = dot(ray, normal);
+  const auto mirrored = [&](const V3& d, const V3& n) {
+    return d - splat(2) * (cosine * n + (dot(d, normal) + dot(ray, n)) * normal);
+  };
+  return {mirrored(direction.x, turn.x), mirrored(direction.y, turn.y)};
+}
+
+/// The same of a refracted direction; see refraction().
+inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps& direction,
+                             const Steps& turn) {
+  const F cosine = -dot(ray, normal);
+  const F squared = splat(1) - eta * eta * (splat(1) - cosine * cosine);
+  const F out = root(greatest(squared, splat(least_cosine * least_cosine)));
+  const F along = eta * cosine - out;
+  const F rate = eta - eta * eta * cosine / out;
+  const auto refracted = [&](const V3& d, const V3& n) {
+    const F change = -(dot(d, normal) + dot(ray, n));
+    return eta * d + along * n + (rate * change) * normal;
+  };
+  return {refracted(direction.x, turn.x), refracted(direction.y, turn.y)};
+}
+
+/// A change of (u, v).
+struct UvStep {
+  F u, v;
+};
+
+/// For a step on the surface of a shape at p, all in object space. At a pole all of u meets.
+inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
+  const auto is = [&](Face f) { return face_is(face, f); };
+  const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
+  const M below = is(Face::bottom) | is(Face::neg_y);
+  F u = select(is(Face::pos_x), -step.z, step.x);
+  u = select(is(Face::neg_x), step.z, select(is(Face::neg_z), -step.x, u));
+  F v = select(on_side, step.y, select(below, step.z, -step.z));
+  const M round = is(Face::side);
+  if (none(round)) {
+    return {u, v};
+  }
+  const F squared = p.x * p.x + p.z * p.z;
+  const F around = (p.z * step.x - p.x * step.z) / squared / splat(2 * 3.14159265358979323846);
+  // Also false where it is no number.
+  const M apart = (around >= splat(-1)) & (around <= splat(1));
+  u = select(round, select(apart, around, splat(1)), u);
+  const F distance = root(squared);
+  const F outward = select(distance > splat(0), (p.x * step.x + p.z * step.z) / distance, splat(0));
+  const F up =
+      (distance * step.y - p.y * outward) / (squared + p.y * p.y) / splat(3.14159265358979323846);
+  v = select(round, select(shape_is(shape, Shape::sphere), up, step.y), v);
+  return {u, v};
+}
+
+/// What a pixel covers of a texture, in texels: a parallelogram about the point that is looked up.
+struct TexelFootprint {
+  F right_x, right_y;  ///< along the step to the right
+  F down_x, down_y;
+};
+
+/// Texel coordinates: x right and y down.
+inline F texel_x(F u, F repeat, F width) {
+  return u * repeat * width;
+}
+inline F texel_y(F v, F repeat, F height) {
+  return (splat(1) - v) * repeat * height;
+}
+
+inline TexelFootprint texel_footprint(const UvStep& right, const UvStep& down, F repeat_u,
+                                      F repeat_v, F width, F height) {
+  const F across = repeat_u * width;
+  const F along = -(repeat_v * height);
+  return {right.u * across, right.v * along, down.u * across, down.v * along};
+}
+
+/// More lookups than this along a long footprint cost more than they show.
+inline constexpr double most_taps = 16;
+
+/// A place between texels, where whole numbers are their middles.
+inline F wrapped(F index, F size) {
+  const F inside = index - size * down(index / size);
+  return select(inside >= splat(0), least(inside, size - splat(1)), splat(0));
+}
+
+inline V3 mix(const V3& a, const V3& b, F share) {
+  return (splat(1) - share) * a + share * b;
+}
+
+/// Between the four texels around (x, y); `texels(x, y)` gives those at whole positions.
+template <typename Texels>
+V3 bilinear(F width, F height, F x, F y, const Texels& texels) {
+  const F left = down(x);
+  const F top = down(y);
+  const F x0 = wrapped(left, width);
+  const F y0 = wrapped(top, height);
+  const auto next = [](F at, F size) {
+    return select(at + splat(1) == size, splat(0), at + splat(1));
+  };
+  const F x1 = next(x0, width);
+  const F y1 = next(y0, height);
+  const V3 above = mix(texels(x0, y0), texels(x1, y0), x - left);
+  const V3 below = mix(texels(x0, y1), texels(x1, y1), x - left);
+  return mix(above, below, y - top);
+}
+
+/// Average over footprints about (x, y), in texels of the largest level. `textures` knows
+///   F levels()                                   how many there are
+///   V3 smooth(F level, M wanted, F x, F y)       the color there, interpolated in that level
+/// `grid`: 1, or 2 for four lookups at the quarters of the footprint, as four samples would have
+/// it. Lanes outside of `wanted` get any color.
+template <typename Textures>
+V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F grid, M wanted) {
+  const auto size = [](F a, F b) { return root(a * a + b * b); };
+  const F right = size(pixel.right_x, pixel.right_y);
+  const F below = size(pixel.down_x, pixel.down_y);
+  const M limited = finite(right + below);
+  const M rightward = right >= below;
+  // What is small against a texel one lookup tells as well as four.
+  const M quarters = limited & (grid > splat(1)) & (greatest(right, below) > splat(0.25));
+  const F part = splat(1) / grid;
+  const F longer = part * select(rightward, right, below);
+  const F shorter = part * select(rightward, below, right);
+  const F major_x = part * select(rightward, pixel.right_x, pixel.down_x);
+  const F major_y = part * select(rightward, pixel.right_y, pixel.down_y);
+  const F width = greatest(greatest(shorter, longer / splat(most_taps)), splat(1));
+  // Texels of the level are about as wide as the footprint.
+  const F last = textures.levels() - splat(1);
+  F level = splat(0);
+  F texel = splat(1.5);
+  for (M wider = wanted; any(wider); texel = texel + texel) {
+    wider = wider & (level < last) & !(width < texel);
+    level = select(wider, level + splat(1), level);
+  }
+  const F taps = select(limited, within(-down(-(longer / width)), 1, most_taps), splat(1));
+  V3 sum{splat(0), splat(0), splat(0)};
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const M here = quarter == 0 ? wanted : wanted & quarters;
+    const F aside = select(quarters, splat(quarter % 2 == 0 ? -0.25 : 0.25), splat(0));
+    const F behind = select(quarters, splat(quarter / 2 == 0 ? -0.25 : 0.25), splat(0));
+    const F at_x = x + aside * pixel.right_x + behind * pixel.down_x;
+    const F at_y = y + aside * pixel.right_y + behind * pixel.down_y;
+    for (int i = 0;; ++i) {
+      const M active = here & (taps > splat(i));
+      if (none(active)) {
+        break;
+      }
+      const F along = select(taps > splat(1), splat(i + 0.5) / taps - splat(0.5), splat(0));
+      const V3 color = textures.smooth(level, active, select(limited, at_x + along * major_x, x),
+                                       select(limited, at_y + along * major_y, y));
+      sum = sum + select(active, color, V3{splat(0), splat(0), splat(0)});
+    }
+  }
+  return sum / (taps * select(quarters, splat(4), splat(1)));
+}
+
+}  // namespace scenefile::SCENEFILE_LANES

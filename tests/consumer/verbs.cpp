@@ -65,7 +65,7 @@ void loads_and_checks() {
   expect(holds(findings_text(bad), "did you mean <diffuse>?"), "which the report explains");
   SarifLog log;
   log.add(bad, [](const std::string&) { return std::string(); });
-  expect(holds(log.text(1), R"("ruleId": "xml.unknown-element")"), "and SARIF, too");
+  expect(holds(log.text(1), R"("ruleId": "xml.misspelled-element")"), "and SARIF, too");
 }
 
 void fetches_textures() {

@@ -185,6 +185,17 @@ slurm-test: ## a real Slurm cluster of two nodes on this machine, one of which i
 	@$(MAKE) $(QUIET) build
 	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 320x240
 
+.PHONY: web web-test
+web: ## the program as WebAssembly in an npm package: out/npm/scenefile-VERSION.tgz
+	@scripts/install-deps core web
+	$(call quietly,bindings/web/build)
+	@tail -1 build/log.txt
+web-test: web ## the same, and its tests; CORPUS=DIR: also that it draws and checks as the native program does
+	@bindings/web/test
+	@test -z "$(CORPUS)" || { $(MAKE) $(QUIET) build && scripts/same-answers $(BUILD)/scenefile \
+	  "node build/wasm/package/bin/scenefile.js" "$(CORPUS)" && scripts/same-answers --check \
+	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }
+
 .PHONY: ci-full
 ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
 	@.ci/run
@@ -201,6 +212,7 @@ ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, fail
 	@$(MAKE) $(QUIET) slurm-test
 	@$(MAKE) $(QUIET) coverage
 	@$(MAKE) $(QUIET) fuzz SECONDS=60
+	@$(MAKE) $(QUIET) web-test
 
 .PHONY: portable
 portable: ## the portable rooms with clang 14 and libc++ 14

@@ -59,13 +59,11 @@ std::uint64_t physical_memory() {
   return pages > 0 && page > 0 ? std::uint64_t(pages) * std::uint64_t(page) : unlimited;
 }
 
-std::uint64_t soft_limit(int resource) {
+// The type of `resource` differs between C libraries.
+std::uint64_t soft_limit(auto resource) {
   rlimit limit{};
-  // The type of the first argument differs between C libraries.
-  return ::getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0 &&
-                 limit.rlim_cur != RLIM_INFINITY
-             ? limit.rlim_cur
-             : unlimited;
+  return ::getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? limit.rlim_cur
+                                                                               : unlimited;
 }
 
 }  // namespace

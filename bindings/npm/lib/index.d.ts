@@ -1,0 +1,140 @@
+/** A scene file: its text, or its bytes as they are on disk. */
+export type SceneSource = string | Uint8Array;
+
+/** Files that are beside the scene, such as textures and meshes, by their path from its folder. */
+export type Files = Record<string, string | Uint8Array> | Map<string, string | Uint8Array>;
+
+export interface SceneOptions {
+  /** The name in messages; its ending does not matter. Default: scene.xml or scene.json. */
+  name?: string;
+  files?: Files;
+  /** Read as the course's programs did (`--compat course`). */
+  compatCourse?: boolean;
+}
+
+export type Severity = 'note' | 'warning' | 'error';
+
+export interface Finding {
+  /** Stable; `scenefile help CODE` explains it. */
+  code: string;
+  severity: Severity;
+  message: string;
+  /** From 1; absent where the finding has no place. */
+  line?: number;
+  /** From 1, in Unicode code points. */
+  column?: number;
+  /** The file, where that is not the scene. */
+  file?: string;
+}
+
+export interface CheckResult {
+  file: string;
+  verdict: 'fine' | 'warnings' | 'errors' | 'unreadable';
+  error?: string;
+  errors: number;
+  warnings: number;
+  notes: number;
+  /** Findings that are counted but not listed, because there are very many. */
+  not_listed: number;
+  findings: Finding[];
+}
+
+export interface CheckOptions extends SceneOptions {
+  /** false: look for no textures and meshes. */
+  assets?: boolean;
+  /** Folders of this machine in which textures and meshes are looked for, too. */
+  roots?: string[];
+  /** Spellings that only some programs read are errors. */
+  strict?: boolean;
+}
+
+/** What is wrong or doubtful in a scene. */
+export function check(scene: SceneSource, options?: CheckOptions): Promise<CheckResult>;
+
+/** What is in a scene: camera, counts, lights, files (the answer of `scenefile info --json`). */
+export function read(scene: SceneSource, options?: SceneOptions): Promise<Record<string, unknown>>;
+
+/** The file laid out anew; comments and values stay. Throws a SceneError if it is broken. */
+export function format(scene: SceneSource, options?: SceneOptions): Promise<string>;
+
+export interface Converted {
+  bytes: Uint8Array;
+  /** Files that were written beside it. */
+  files: Map<string, Uint8Array>;
+  /** What the other format cannot say, for people. */
+  messages: string;
+}
+
+/** The scene in another format. Throws a SceneError if it has errors. */
+export function convert(
+  scene: SceneSource,
+  to: 'xml' | 'json' | 'pov' | 'glb' | 'gltf' | 'obj',
+  options?: SceneOptions,
+): Promise<Converted>;
+
+export interface RenderOptions extends SceneOptions {
+  /** Pixels. Default: 640. */
+  width?: number;
+  /** Default: 480. */
+  height?: number;
+  profile?: 'fine' | 'course';
+  mode?: 'ray' | 'intersect' | 'normals';
+  /** Names as in the course's configuration files. */
+  features?: string[];
+  samples?: number;
+  maxDepth?: number;
+  seed?: number;
+  /** As `--crop` has it: draw a part of the picture, for example in strips by several workers. */
+  crop?: string;
+  /** Draw without meshes that are missing. */
+  allowMissing?: boolean;
+}
+
+export interface Picture {
+  width: number;
+  height: number;
+  /** RGBA, row 0 on top. */
+  data: Uint8ClampedArray;
+  /** The same as a PNG file. */
+  png: Uint8Array;
+  /** The answer of `scenefile render --json`. */
+  report: Record<string, unknown>;
+}
+
+/** Draws the scene by ray tracing: the pixels of `scenefile render`. Throws a SceneError if it has errors. */
+export function render(scene: SceneSource, options?: RenderOptions): Promise<Picture>;
+
+/** Why a pixel of render() has its color (docs/explain.md describes the answer). */
+export function explain(
+  scene: SceneSource,
+  x: number,
+  y: number,
+  options?: RenderOptions,
+): Promise<Record<string, unknown>>;
+
+export interface SceneDiff {
+  equal: boolean;
+  same_meaning: boolean;
+  differences: Record<string, unknown>[];
+}
+
+/** How the meanings of two scenes differ, in whichever format each is. */
+export function diff(a: SceneSource, b: SceneSource, options?: SceneOptions): Promise<SceneDiff>;
+
+export interface RunResult {
+  status: number;
+  stdout: Uint8Array;
+  stderr: string;
+  /** All files that are there afterwards. */
+  files: Map<string, Uint8Array>;
+}
+
+/** Runs any command of the program among files in memory. */
+export function run(words: string[], options?: { files?: Files; stdin?: string | Uint8Array }): Promise<RunResult>;
+
+/** A scene that cannot be used for what was asked. */
+export class SceneError extends Error {
+  /** The exit status of the program. */
+  status: number;
+  findings: Finding[];
+}

@@ -1,0 +1,3 @@
+# Headers alone.
+find_path(RAPIDJSON_INCLUDE_DIRS rapidjson/reader.h REQUIRED)
+set(RapidJSON_FOUND ON)

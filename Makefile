@@ -183,7 +183,7 @@ partitions: ## SCENES="...": 200 pictures in random parts, 50 killed workers and
 slurm-test: ## a real Slurm cluster of two nodes on this machine, one of which is killed (needs root)
 	@scripts/install-deps slurm
 	@$(MAKE) $(QUIET) build
-	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 320x240
+	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 640x480
 
 .PHONY: web web-test
 web: ## the program as WebAssembly in an npm package: out/npm/scenefile-VERSION.tgz

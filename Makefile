@@ -89,14 +89,17 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 	$(call compile,scenefile_realtime)
 	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
 
-.PHONY: driver
+.PHONY: mistakes
 mistakes: ## ask diff for the causes of pictures with planted mistakes; CORPUS=DIR: also of the course's scenes
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile)
 	$(call compile,scenefile_student)
 	@CORPUS="$(CORPUS)" python3 tests/student/mistakes.py --build $(BUILD)
 	@python3 tests/student/mistakes.py --build $(BUILD) --combinations 40
+	@python3 tests/student/mistakes.py --build $(BUILD) --clean 120
+	@python3 tests/student/mistakes.py --build $(BUILD) --strange
 
+.PHONY: driver
 driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests

@@ -41,7 +41,8 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
       threshold, m.ssim, m.flip_mean, m.flip_max);
 }
 
-std::string verdict_text(const PictureComparison& found) {
+std::string verdict_text(const PictureComparison& found, const std::string& scene,
+                         const std::string& test) {
   if (found.measures.difference.max == 0 && found.measures.same_size) {
     return "equal\n";
   }
@@ -49,7 +50,8 @@ std::string verdict_text(const PictureComparison& found) {
   for (const std::string& clause : found.broken) {
     text += fmt::format("different: {}\n", clause);
   }
-  return text.empty() ? "the same within the thresholds\n" : text + causes_text(found);
+  return text.empty() ? "the same within the thresholds\n"
+                      : text + causes_text(found) + where_text(found, scene, test);
 }
 
 // `scene`: of --scene, or null. `found`: null when something cannot be used.
@@ -167,7 +169,7 @@ ExitCode diff_images(const Options& options, Context& context) {
                                ? std::string()
                                : heading(a, b) + "\n" +
                                      measures_text(found.measures, options.pixel_threshold) +
-                                     verdict_text(found);
+                                     verdict_text(found, options.scene, options.arguments[1]);
   ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
   status = worse(status, write_maps(options, a.picture, b.picture, found, context));
   return text.empty() ? status : worse(status, answer(text));

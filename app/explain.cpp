@@ -2,11 +2,52 @@
 
 #include "app/command.h"
 #include "app/load.h"
+#include "app/load_picture.h"
 #include "app/output.h"
+#include "scenefile/base/text.h"
+
+#include <fmt/format.h>
 
 namespace scenefile::app {
 
-ExitCode run_explain(const Options& options, Context& context) {
+namespace {
+
+// The picture of --mine decides the size where no size is given. Says what went wrong.
+ExitCode take_mine(Options& options, LoadedPicture& mine, Context& context) {
+  if (options.mine.empty()) {
+    return ExitCode::fine;
+  }
+  mine = load_picture(options.mine, context);
+  if (!mine.error.empty()) {
+    say_error(mine.error);
+    return mine.status;
+  }
+  const Texture& picture = mine.picture;
+  if (!was_given(options, "--size")) {
+    options.render.width = picture.width;
+    options.render.height = picture.height;
+  } else if (options.render.width != picture.width || options.render.height != picture.height) {
+    say_error(fmt::format("{} is {}x{}, and --size says {}x{}", quoted(options.mine, 400),
+                          picture.width, picture.height, options.render.width,
+                          options.render.height));
+    return ExitCode::usage;
+  }
+  if (options.pixel->x >= picture.width || options.pixel->y >= picture.height) {
+    say_error(fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", options.pixel->x,
+                          options.pixel->y, picture.width - 1, picture.height - 1));
+    return ExitCode::usage;
+  }
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+ExitCode run_explain(const Options& given, Context& context) {
+  Options options = given;
+  LoadedPicture mine;
+  if (const ExitCode status = take_mine(options, mine, context); status != ExitCode::fine) {
+    return status;
+  }
   const LoadedScene scene = load_for_tracing(options, context);
   if (!options.json) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
@@ -18,7 +59,7 @@ ExitCode run_explain(const Options& options, Context& context) {
                         : status;
   }
   context.phase = "tracing";
-  const Result<ExplainReport> report =
+  Result<ExplainReport> report =
       explain_pixel(scene, options.render, options.pixel->x, options.pixel->y, options.sample);
   if (!report) {
     const Outcome outcome = judge(report.error(), context);
@@ -28,6 +69,10 @@ ExitCode run_explain(const Options& options, Context& context) {
     }
     say_error(outcome.error);
     return outcome.status;
+  }
+  if (!options.mine.empty()) {
+    const std::uint8_t* const v = mine.picture.texel(options.pixel->x, options.pixel->y);
+    report->yours = compare_with_yours(scene.ready.scene, report->pixel, {v[0], v[1], v[2]});
   }
   if (options.json) {
     return answer(explain_json(scene, options.render, &*report));

@@ -102,6 +102,8 @@ constexpr std::array table{
             "explains a difference. The exit status is 1 when a picture did not pass.",
             "scenefile grade handed-in --references right\n"
             "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
+            "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
+            "scenefile grade mine --references right --gradescope results.json\n"
             "scenefile grade mine --references right --max-share 2 --junit results.xml",
             run_grade},
     Command{"format", for_format, "FILE...", "lay out scene files, in place",
@@ -121,6 +123,7 @@ constexpr std::array table{
             "shadows, reflections and refractions. The numbers add up to the pixel.",
             "scenefile explain chess.xml --pixel 320,240 --size 640x480\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
+            "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
     Command{"view", for_view, "SCENE [REFERENCE]", "look at a scene in a window",

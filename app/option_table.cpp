@@ -181,6 +181,13 @@ std::string set_features(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
     return wrong;
   }
+  // The course's projects by their names.
+  if (value == "intersect" || value == "illuminate") {
+    options.render.mode = value == "intersect" ? Mode::intersect : options.render.mode;
+    parse_features(value == "intersect" ? "none" : "shadows,reflect,texture",
+                   options.render.features);
+    return {};
+  }
   const std::string_view unknown = parse_features(value, options.render.features);
   if (unknown.empty()) {
     return {};
@@ -189,7 +196,7 @@ std::string set_features(Options& options, const std::string& value) {
     return fmt::format("{} cannot be combined with other words", unknown);
   }
   std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
-  words.insert(words.end(), {"all", "none"});
+  words.insert(words.end(), {"all", "none", "intersect", "illuminate"});
   return unknown_word("feature", unknown, words);
 }
 
@@ -398,6 +405,9 @@ constexpr std::array table{
               "width"},
     OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
               for_explain, set_pixel},
+    OptionRow{"--mine", "", "PICTURE",
+              "Your picture of the scene: its value beside ours, and what of ours would give it.",
+              for_explain, set_name<&Options::mine>},
     OptionRow{
         "--sample", "", "N",
         "Show sample N of the pixel in full, counted from 0 (default: the one nearest to its "
@@ -437,8 +447,9 @@ constexpr std::array table{
               for_realtime, set_filter},
     OptionRow{"--features", "", "LIST",
               "What is switched on, separated by commas: shadows, reflect, refract, texture, "
-              "texture-filter, super-sample, depthoffield; or all, or none. Default: all, for "
-              "course without super-sample.",
+              "texture-filter, super-sample, depthoffield; or all, or none; or a project of the "
+              "course: intersect (also sets --mode) or illuminate. Default: all, for course "
+              "without super-sample.",
               for_tracing | for_convert | for_pictures | for_view, set_features, "features"},
     OptionRow{"--mode", "", "NAME",
               "ray (default), intersect (the course's ray caster: no shadows, reflections or "
@@ -494,8 +505,21 @@ constexpr std::array table{
     OptionRow{"--scenes", "", "DIR",
               "The scenes of the pictures, by the same names (default: with the references).",
               for_grade, set_name<&Options::scenes>},
-    OptionRow{"--report", "", "OUT", "Write a page for the browser that needs no other file.",
+    OptionRow{
+        "--map", "", "FILE",
+        "Which picture is which, where names differ: a line for each with the name handed in, "
+        "a comma, and the name of the reference.",
+        for_grade, set_name<&Options::name_map>},
+    OptionRow{"--report", "", "OUT",
+              "Write a page for the browser; pictures of large classes go into OUT-pictures.",
               for_grade, set_name<&Options::report>},
+    OptionRow{"--pages", "", "DIR", "Write a page for each student into this folder.", for_grade,
+              set_name<&Options::pages>},
+    OptionRow{"--csv", "", "OUT", "Write the results as a table for spreadsheets.", for_grade,
+              set_name<&Options::csv>},
+    OptionRow{"--gradescope", "", "OUT",
+              "Write the results of one student as Gradescope reads them: results.json.", for_grade,
+              set_name<&Options::gradescope>},
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",

@@ -110,7 +110,8 @@ std::string check_pixel(const Options& options) {
     return "explain needs a pixel: --pixel X,Y";
   }
   const auto [x, y] = *options.pixel;
-  return x < options.render.width && y < options.render.height
+  // With --mine the picture decides the size, and it is not read yet.
+  return !options.mine.empty() || (x < options.render.width && y < options.render.height)
              ? std::string()
              : fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", x, y,
                            options.render.width - 1, options.render.height - 1);

@@ -79,6 +79,7 @@ struct Options {
   int segments = 64;  ///< of a full turn of round shapes in files that have triangles alone
   std::optional<PixelPlace> pixel;
   std::optional<std::uint32_t> sample;  ///< to show in full
+  std::string mine;                     ///< the picture of another program, to explain its value
 
   std::string scene;  ///< what the reference picture shows
   std::string heatmap;
@@ -89,6 +90,10 @@ struct Options {
   std::string scenes;
   std::string report;
   std::string junit;
+  std::string csv;
+  std::string gradescope;
+  std::string pages;     ///< a folder of pages, one for each student
+  std::string name_map;  ///< a file that says which picture is which
 
   std::array<int, 2> window{};  ///< size in pixels; 0: as it was last
   bool live_trace = false;

@@ -142,6 +142,44 @@ TEST_F(DiffImages, ASceneIsNotAPicture) {
   }
 }
 
+TEST_F(DiffImages, SaysWhereToLook) {
+  const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("worst: "), HasSubstr("it shows root"),
+                    HasSubstr("try: scenefile explain ball.xml --pixel "),
+                    HasSubstr(" --size 64x48 --profile "), HasSubstr(" --mine wrong.png")));
+  EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png"}).out, HasSubstr("look at pixel "));
+  const rapidjson::Document document = parse_json(
+      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
+  const auto& worst = document["worst"];
+  EXPECT_LE(worst["x0"].GetInt(), worst["x"].GetInt());
+  EXPECT_GE(worst["x1"].GetInt(), worst["x"].GetInt());
+  EXPECT_GT(worst["line"].GetInt(), 0);
+  EXPECT_GT(worst["share"].GetDouble(), 0.1);
+}
+
+TEST_F(DiffImages, ExplainComparesWithMine) {
+  const rapidjson::Document document = parse_json(
+      in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"}).out);
+  const std::string pixel = std::to_string(document["worst"]["x"].GetInt()) + "," +
+                            std::to_string(document["worst"]["y"].GetInt());
+  const std::vector<std::string> words{"explain", "ball.xml",  "--pixel",
+                                       pixel,     "--profile", "course"};
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return in_folder(all);
+  };
+  EXPECT_THAT(with({"--mine", "wrong.png"}).out,
+              HasSubstr("equals ours with the ambient term twice"));
+  EXPECT_THAT(with({"--mine", "right.png"}).out, HasSubstr("of 255: equals ours"));
+  const rapidjson::Document yours = parse_json(with({"--mine", "wrong.png", "--json"}).out);
+  EXPECT_FALSE(yours["pixel"]["yours"]["equal"].GetBool());
+  EXPECT_EQ(with({"--mine", "wrong.png", "--size", "32x24"}).status, 2);
+  EXPECT_EQ(with({"--mine", "none.png"}).status, 3);
+  EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "64,0", "--mine", "right.png"}).status, 2);
+}
+
 TEST_F(DiffImages, AnswersPrograms) {
   const ProgramRun run =
       in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"});
@@ -215,6 +253,53 @@ TEST_F(Grade, FoldersAndNamesInUse) {
   const ProgramRun run = in_folder({"grade", "mine/", "--references", "right"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("mine  2 of 2 passed\n"));
+}
+
+TEST_F(Grade, AMapAndAllKindsOfResults) {
+  for (const char* name : {"right", "mine/results"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/results/my picture.png", folder.read("right.png"));
+  folder.write("names.csv", "# handed in, reference\n\nresults/my picture.png, ball\n");
+  const ProgramRun run =
+      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv", "--csv", "a.csv",
+                 "--gradescope", "results.json", "--pages", "pages"});
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+  EXPECT_THAT(folder.read("a.csv"), HasSubstr("\"mine\",\"ball\",passed,99.00"));
+  EXPECT_THAT(folder.read("pages/mine.html"), HasSubstr("mine: 1 of 1 pictures passed"));
+  const rapidjson::Document results = parse_json(folder.read("results.json"));
+  EXPECT_EQ(results["score"].GetInt(), 1);
+  EXPECT_STREQ(results["tests"][0]["status"].GetString(), "passed");
+  folder.write("names.csv", "ball\n");
+  const ProgramRun bad =
+      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_THAT(bad.err, HasSubstr("line 1: expected the name handed in, a comma"));
+}
+
+TEST_F(Grade, GradescopeIsForOneStudent) {
+  for (const char* name : {"right", "class/anna", "class/ben"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  for (const char* name : {"right", "class/anna", "class/ben"}) {
+    folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
+  }
+  const ProgramRun run =
+      in_folder({"grade", "class", "--references", "right", "--gradescope", "results.json"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("--gradescope is for one student, and \"class\" holds 2"));
+}
+
+TEST_F(Grade, AnotherSizeIsScaledAndSaid) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/ball.png", folder.read("small.png"));
+  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, HasSubstr("the size is 32x24, expected 64x48; compared after scaling"));
 }
 
 TEST_F(Grade, NothingMatchesIsAnErrorAndNoZeros) {

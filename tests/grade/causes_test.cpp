@@ -1,10 +1,9 @@
-// Each mistake is made by a renderer that shares nothing with the tracer, on generated scenes, and
-// must be named on nine of ten; right pictures must not be blamed for anything.
+// Each mistake is made by the student's tracer, which shares nothing with the tracer, on generated
+// scenes, and must be named on nine of ten; right pictures must not be blamed for anything.
 
 #include "scenefile/grade/causes.h"
 
 #include "grade/generated_scene.h"
-#include "grade/student_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,10 @@ namespace scenefile::grade_test {
 namespace {
 
 constexpr std::uint32_t scenes = 10;
+constexpr int width = 96;
+constexpr int height = 72;
 
+using Mistakes = std::set<std::string, std::less<>>;
 using Change = std::function<Texture(const Texture&)>;
 
 SceneView view_of(const GeneratedScene& scene) {
@@ -28,8 +30,7 @@ SceneView view_of(const GeneratedScene& scene) {
 Texture reference_of(const GeneratedScene& scene, bool super_sample) {
   RenderOptions options = view_of(scene).options;
   options.features.super_sample = super_sample;
-  const Plan plan;
-  return quantize(scene.builder.picture(plan.width, plan.height, options), Rounding::truncate);
+  return quantize(scene.builder.picture(width, height, options), Rounding::truncate);
 }
 
 std::string said(const CauseReport& report) {
@@ -45,15 +46,13 @@ std::string said(const CauseReport& report) {
 }
 
 // On how many scenes the cause is the first and only claim.
-void expect_named(Cause cause, const std::function<void(Plan&)>& plant, const Change& change = {},
+void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = {},
                   bool with_scene = true) {
   std::uint32_t named = 0;
   std::string others;
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
     const GeneratedScene scene(seed);
-    Plan plan;
-    plant(plan);
-    Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+    Texture picture = scene.drawn_by_student(mistakes);
     if (change) {
       picture = change(picture);
     }
@@ -67,7 +66,7 @@ void expect_named(Cause cause, const std::function<void(Plan&)>& plant, const Ch
   EXPECT_GE(named, 9u) << name_of(cause) << "\n" << others;
 }
 
-void nothing(Plan& /*plan*/) {}
+const Mistakes nothing;
 
 TEST(Causes, RightPicturesAreNotBlamed) {
   for (std::uint32_t seed = 1; seed <= 2 * scenes; ++seed) {
@@ -75,7 +74,7 @@ TEST(Causes, RightPicturesAreNotBlamed) {
     const SceneView view = view_of(scene);
     for (const bool super_sample : {false, true}) {
       const Texture reference = reference_of(scene, super_sample);
-      const Texture student = draw(scene.builder.scene, scene.builder.assets, {});
+      const Texture student = scene.drawn_by_student({});
       const CauseReport report = find_causes(reference, student, &view);
       EXPECT_TRUE(report.claims.empty()) << seed << ": " << said(report);
       EXPECT_LT(report.share_scene_unlike, 0.02) << seed;
@@ -90,8 +89,7 @@ TEST(Causes, OtherSamplesAreNotBlamed) {
     const SceneView view = view_of(scene);
     RenderOptions fine = default_options(Profile::fine);
     fine.features.texture_filter = false;
-    const Plan plan;
-    const Image drawn = scene.builder.picture(plan.width, plan.height, fine);
+    const Image drawn = scene.builder.picture(width, height, fine);
     const CauseReport report =
         find_causes(reference_of(scene, false), quantize(drawn, Rounding::truncate), &view);
     EXPECT_TRUE(report.claims.empty()) << seed << ": " << said(report);
@@ -114,7 +112,7 @@ TEST(Causes, NoiseIsNotBlamed) {
 }
 
 TEST(Causes, Rounding) {
-  expect_named(Cause::rounding, [](Plan& p) { p.round = true; });
+  expect_named(Cause::rounding, {"habit-rounds"});
 }
 
 Change turned(bool across, bool down) {
@@ -161,73 +159,69 @@ TEST(Causes, SwappedChannels) {
 }
 
 TEST(Causes, HalfPixelShift) {
-  expect_named(Cause::half_pixel_shift, [](Plan& p) { p.pixel_x = p.pixel_y = 0; });
-  expect_named(Cause::half_pixel_shift, [](Plan& p) { p.pixel_x = 1; });
+  expect_named(Cause::half_pixel_shift, {"camera-corners"});
+  expect_named(Cause::half_pixel_shift, {"camera-right-edges"});
 }
 
 TEST(Causes, Ambient) {
-  expect_named(Cause::ambient, [](Plan& p) { p.ambient = 0; });
-  expect_named(Cause::ambient, [](Plan& p) { p.ambient = 2; });
+  expect_named(Cause::ambient, {"ambient-missing"});
+  expect_named(Cause::ambient, {"ambient-twice"});
 }
 
 TEST(Causes, Diffuse) {
-  expect_named(Cause::diffuse, [](Plan& p) { p.diffuse = 0; });
-  expect_named(Cause::diffuse, [](Plan& p) { p.diffuse = 2; });
+  expect_named(Cause::diffuse, {"diffuse-missing"});
+  expect_named(Cause::diffuse, {"diffuse-twice"});
 }
 
 TEST(Causes, Specular) {
-  expect_named(Cause::specular, [](Plan& p) { p.specular = 0; });
-  expect_named(Cause::specular, [](Plan& p) { p.specular = 2; });
+  expect_named(Cause::specular, {"specular-missing"});
+  expect_named(Cause::specular, {"specular-twice"});
 }
 
 TEST(Causes, Blinn) {
-  expect_named(Cause::blinn, [](Plan& p) { p.blinn = true; });
+  expect_named(Cause::blinn, {"specular-blinn"});
 }
 
 TEST(Causes, Attenuation) {
-  expect_named(Cause::attenuation, [](Plan& p) { p.attenuation = false; });
+  expect_named(Cause::attenuation, {"attenuation-none"});
 }
 
 TEST(Causes, Normals) {
-  expect_named(Cause::normals, [](Plan& p) { p.inverse_transpose = false; });
+  expect_named(Cause::normals, {"normal-by-matrix"});
 }
 
 TEST(Causes, Shadows) {
-  expect_named(Cause::shadows, [](Plan& p) { p.shadows = false; });
+  expect_named(Cause::shadows, {"shadow-none"});
 }
 
 TEST(Causes, Acne) {
-  expect_named(Cause::acne, [](Plan& p) { p.offset = false; });
+  expect_named(Cause::acne, {"shadow-acne", "mirror-acne"});
 }
 
 TEST(Causes, TexturesUpsideDown) {
-  expect_named(Cause::texture, [](Plan& p) { p.texture_up = true; });
+  expect_named(Cause::texture, {"texture-flip-v"});
 }
 
 TEST(Causes, TexturesNotRepeated) {
-  expect_named(Cause::texture, [](Plan& p) { p.repeat = false; });
+  expect_named(Cause::texture, {"texture-not-repeated"});
 }
 
 TEST(Causes, RecursionDepth) {
-  expect_named(Cause::recursion_depth, [](Plan& p) { p.depth = 0; });
-  expect_named(Cause::recursion_depth, [](Plan& p) { p.depth = 1; });
+  expect_named(Cause::recursion_depth, {"mirror-missing"});
+  expect_named(Cause::recursion_depth, {"mirror-depth-one"});
 }
 
 TEST(Causes, SpotFalloff) {
-  for (const Plan::Spot spot :
-       {Plan::Spot::linear, Plan::Spot::hard, Plan::Spot::none, Plan::Spot::outside}) {
-    expect_named(Cause::spot_falloff, [=](Plan& p) { p.spot = spot; });
+  for (const char* spot : {"spot-linear", "spot-no-penumbra", "spot-as-point", "spot-outside"}) {
+    expect_named(Cause::spot_falloff, {spot});
   }
 }
 
 TEST(Causes, TwoAtOnce) {
   const GeneratedScene scene(3);
   const SceneView view = view_of(scene);
-  Plan plan;
-  plan.shadows = false;
-  plan.ambient = 2;
   const Texture reference = reference_of(scene, false);
-  Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+  Texture picture = scene.drawn_by_student({"shadow-none", "ambient-twice"});
   const auto causes = [](const CauseReport& report) {
     std::set<Cause> found;
     for (const Claim& claim : report.claims) {
@@ -237,8 +231,7 @@ TEST(Causes, TwoAtOnce) {
   };
   const CauseReport two = find_causes(reference, picture, &view);
   EXPECT_EQ(causes(two), (std::set{Cause::shadows, Cause::ambient})) << said(two);
-  plan.ambient = 1;
-  picture = turned(false, true)(draw(scene.builder.scene, scene.builder.assets, plan));
+  picture = turned(false, true)(scene.drawn_by_student({"shadow-none"}));
   const CauseReport turned_too = find_causes(reference, picture, &view);
   EXPECT_EQ(causes(turned_too), (std::set{Cause::shadows, Cause::vertical_flip}))
       << said(turned_too);
@@ -259,10 +252,8 @@ TEST(Causes, AnotherSceneNamesNothingOfTheScene) {
   const GeneratedScene scene(1);
   const GeneratedScene other(2);
   const SceneView view = view_of(other);
-  Plan plan;
-  plan.shadows = false;
-  const CauseReport report = find_causes(
-      reference_of(scene, false), draw(scene.builder.scene, scene.builder.assets, plan), &view);
+  const CauseReport report =
+      find_causes(reference_of(scene, false), scene.drawn_by_student({"shadow-none"}), &view);
   EXPECT_GT(report.share_scene_unlike, 0.1);
   EXPECT_TRUE(report.claims.empty()) << said(report);
 }
@@ -270,9 +261,7 @@ TEST(Causes, AnotherSceneNamesNothingOfTheScene) {
 TEST(Causes, StopsWhenTold) {
   const GeneratedScene scene(1);
   const SceneView view = view_of(scene);
-  Plan plan;
-  plan.shadows = false;
-  const Texture picture = draw(scene.builder.scene, scene.builder.assets, plan);
+  const Texture picture = scene.drawn_by_student({"shadow-none"});
   int asked = 0;
   find_causes(reference_of(scene, false), picture, &view, [&](double) { return ++asked < 3; });
   EXPECT_EQ(asked, 3);

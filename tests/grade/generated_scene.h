@@ -1,9 +1,12 @@
 #pragma once
 // Scenes with something of everything that a mistake can be made in.
 
+#include "student/student_tracer.h"
 #include "trace/build_scene.h"
 
 #include <random>
+#include <set>
+#include <string>
 
 namespace scenefile::grade_test {
 
@@ -24,7 +27,70 @@ class GeneratedScene {
 
   trace_test::SceneBuilder builder;
 
+  /// As a file would say it.
+  Scene written() const {
+    const RenderScene& ready = builder.scene;
+    Scene scene;
+    scene.global.ambient = ready.global.ambient;
+    scene.global.diffuse = ready.global.diffuse;
+    scene.global.specular = ready.global.specular;
+    Camera camera;
+    camera.position = glm::vec3(ready.camera.position);
+    camera.look = glm::vec3(-ready.camera.w);
+    camera.up = glm::vec3(ready.camera.v);
+    camera.height_angle_deg = static_cast<float>(glm::degrees(ready.camera.fov_y));
+    scene.camera = camera;
+    for (const RenderPrimitive& part : ready.groups[ready.root].primitives) {
+      const Affine& a = part.group_from_object;
+      glm::mat4 matrix(a.linear);
+      matrix[3] = glm::vec4(a.offset, 1);
+      Node& node = scene.nodes[add_child(scene, scene.root)];
+      node.transforms.push_back({Matrix(matrix), {}});
+      node.primitives.push_back({part.shape, {}, written(ready.materials[part.material]), {}});
+    }
+    for (const RenderLight& light : ready.lights) {
+      Light l;
+      l.type = light.type;
+      l.color = light.color;
+      l.position = light.position;
+      l.direction = light.direction;
+      l.attenuation = light.attenuation;
+      l.angle_deg = glm::degrees(light.outer_angle);
+      l.penumbra_deg = glm::degrees(light.outer_angle - light.inner_angle);
+      scene.nodes[scene.root].lights.push_back(l);
+    }
+    return scene;
+  }
+
+  /// As the student draws it, with these mistakes.
+  Texture drawn_by_student(std::set<std::string, std::less<>> mistakes, int width = 96,
+                           int height = 72) const {
+    student::Job job;
+    job.width = width;
+    job.height = height;
+    job.mistakes = std::move(mistakes);
+    const std::string name = "ramp.png";
+    return student::draw(written(), builder.assets, {&name, 1}, job);
+  }
+
  private:
+  Material written(const RenderMaterial& ready) const {
+    Material m;
+    m.ambient = ready.ambient;
+    m.diffuse = ready.diffuse;
+    m.specular = ready.specular;
+    m.reflective = ready.reflective;
+    m.shininess = ready.shininess;
+    m.blend = ready.blend;
+    if (ready.texture.used()) {
+      m.texture = TextureUse{builder.scene.texture_files[ready.texture.file].name,
+                             ready.texture.repeat_u,
+                             ready.texture.repeat_v,
+                             {}};
+    }
+    return m;
+  }
+
   float uniform(float low, float high) {
     return low + (high - low) * static_cast<float>(random_() % 10001) / 10000.0f;
   }

@@ -61,8 +61,66 @@ TEST(Gradebook, HtmlStandsAloneAndEscapes) {
                           HasSubstr("a&lt;b"), HasSubstr("data:image/png;base64,UE5H"),
                           HasSubstr("there are no shadows"), HasSubstr("href=\"#p1-1\""),
                           HasSubstr("id=\"p1-1\"")));
-  EXPECT_THAT(html,
-              AllOf(Not(HasSubstr("http")), Not(HasSubstr("<script")), Not(HasSubstr("a<b"))));
+  EXPECT_THAT(html, AllOf(Not(HasSubstr("http")), Not(HasSubstr("a<b"))));
+  // Only the page's own script, after all that students wrote.
+  EXPECT_EQ(html.find("<script"), html.rfind("<script"));
+  EXPECT_GT(html.find("<script"), html.find("</main>"));
+}
+
+TEST(Gradebook, NoNameRunsInThePage) {
+  Gradebook book = two_students();
+  book.students[1].name = "<script>alert(1)</script>";
+  book.students[1].pictures[1].name = "\"><img src=x onerror=alert(1)>";
+  const std::string html = gradebook_html(book, "t");
+  EXPECT_EQ(html.find("<script"), html.rfind("<script"));
+  EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
+  EXPECT_THAT(student_html(book.students[1], "t"), Not(HasSubstr("<script")));
+}
+
+TEST(Gradebook, PicturesMayLieBesideThePage) {
+  Gradebook book = two_students();
+  book.students[1].pictures[1].png.clear();
+  book.students[1].pictures[1].png_file = "report-pictures/2-2.png";
+  const std::string html = gradebook_html(book, "t");
+  EXPECT_THAT(html, HasSubstr("<img loading=\"lazy\" alt=\"reference, picture and difference of "
+                              "a&lt;b\" src=\"report-pictures/2-2.png\">"));
+  EXPECT_THAT(html, Not(HasSubstr("base64")));
+}
+
+TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {
+  Gradebook book = two_students();
+  book.students[1].pictures[0].verdict = Verdict::differs;
+  book.students[1].pictures[0].causes = book.students[1].pictures[1].causes;
+  const std::vector<CauseCount> counts = count_causes(book.students);
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts[0].cause, Cause::shadows);
+  EXPECT_EQ(counts[0].pictures, 2u);
+  EXPECT_EQ(counts[0].students, 1u);
+  const std::string html = gradebook_html(book, "t");
+  EXPECT_THAT(html, AllOf(HasSubstr("shadows in 2 of 2"),
+                          HasSubstr("shadows: 1 of 2 students, 2 pictures")));
+  EXPECT_THAT(student_html(book.students[1], "t"), HasSubstr("shadows in 2 of 2"));
+}
+
+TEST(Gradebook, Csv) {
+  Gradebook book = two_students();
+  book.students[0].name = "=cmd|' /C calc'!A0";
+  book.students[0].pictures.resize(1);
+  EXPECT_EQ(gradebook_csv(book),
+            "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons\r\n"
+            "\"'=cmd|' /C calc'!A0\",\"ball\",passed,99.00,1.0000,0.0000,\"\",\"\",\"\"\r\n"
+            "\"ben & co\",\"ball\",missing,,,,\"\",\"\",\"there is no such picture\"\r\n"
+            "\"ben & co\",\"a<b\",differs,99.00,1.0000,0.0000,\"shadows\",\"there are no shadows\","
+            "\"PSNR is 31.20 dB, less than 40\"\r\n");
+}
+
+TEST(Gradebook, Gradescope) {
+  EXPECT_EQ(
+      gradescope_json({"eve \"x\"", {two_students().students[1].pictures[1]}}),
+      "{\n  \"score\": 0,\n  \"output_format\": \"text\",\n  \"tests\": [\n    {\"name\": "
+      "\"a<b\", \"number\": \"1\", \"score\": 0, \"max_score\": 1, \"status\": \"failed\", "
+      "\"output\": \"PSNR is 31.20 dB, less than 40\\nCause: there are no shadows [shadows]\\n  "
+      "because\\n\", \"tags\": [\"shadows\"], \"visibility\": \"visible\"}\n  ]\n}\n");
 }
 
 TEST(Gradebook, Junit) {

@@ -4,6 +4,8 @@ mistakes, and counts the answers that are right, wrong, and none.
 
   mistakes.py --build build/release                 every visible mistake over our own scenes
   mistakes.py --build build/release --combinations 40
+  mistakes.py --build build/release --clean 120     pairs from right programs: nothing may be named
+  mistakes.py --build build/release --strange       pictures that are wrong in ways unheard of: the same
   CORPUS=DIR mistakes.py ...                        and those of the course (references.tsv)
   mistakes.py --per-mistake 2 --only light          a sample, some mistakes
 """
@@ -13,52 +15,14 @@ from concurrent.futures import ThreadPoolExecutor
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-def run(words):
-    return subprocess.run(words, capture_output=True, text=True)
+UNKNOWN = ("habits", "strange")  # families of what must not be named
 
 
-def pixels(path):
-    """Rows of an 8-bit RGB picture."""
-    data = open(path, "rb").read()
-    at, body, width, height = 8, b"", 0, 0
-    while at < len(data):
-        size = int.from_bytes(data[at:at + 4], "big")
-        kind, chunk = data[at + 4:at + 8], data[at + 8:at + 8 + size]
-        if kind == b"IHDR":
-            width, height = int.from_bytes(chunk[:4], "big"), int.from_bytes(chunk[4:8], "big")
-        elif kind == b"IDAT":
-            body += chunk
-        at += 12 + size
-    raw, rows, last = zlib.decompress(body), [], bytes(3 * width)
-    for y in range(height):
-        line = raw[y * (3 * width + 1):(y + 1) * (3 * width + 1)]
-        row = bytearray(line[1:])
-        if line[0] == 1:
-            for i in range(3, len(row)):
-                row[i] = (row[i] + row[i - 3]) & 255
-        elif line[0] == 2:
-            row = bytearray((a + b) & 255 for a, b in zip(row, last))
-        elif line[0] == 3:
-            for i in range(len(row)):
-                row[i] = (row[i] + ((row[i - 3] if i >= 3 else 0) + last[i]) // 2) & 255
-        elif line[0] == 4:
-            for i in range(len(row)):
-                a, b, c = (row[i - 3] if i >= 3 else 0), last[i], (last[i - 3] if i >= 3 else 0)
-                p = a + b - c
-                pa, pb, pc = abs(p - a), abs(p - b), abs(p - c)
-                row[i] = (row[i] + (a if pa <= pb and pa <= pc else b if pb <= pc else c)) & 255
-        last = bytes(row)
-        rows.append(last)
-    return rows
-
-
-def share_off(a, b):
-    off = count = 0
-    for p, q in zip(a, b):
-        for i in range(0, len(p), 3):
-            count += 1
-            off += abs(p[i] - q[i]) > 8 or abs(p[i + 1] - q[i + 1]) > 8 or abs(p[i + 2] - q[i + 2]) > 8
-    return off / max(1, count)
+def run(words, seconds=None):
+    try:
+        return subprocess.run(words, capture_output=True, text=True, timeout=seconds)
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(words, 1, "", "too slow")
 
 
 class Bench:
@@ -87,39 +51,52 @@ class Bench:
             scene, reference, mode, features = (line + "\t\t\t").split("\t")[:4]
             if "grading_illuminate" not in reference and "grading_intersect" not in reference:
                 continue
-            size = open(os.path.join(corpus, reference), "rb").read(24)
-            size = "%dx%d" % (int.from_bytes(size[16:20], "big"), int.from_bytes(size[20:24], "big"))
-            self.scenes.append((reference, os.path.join(corpus, scene), os.path.join(corpus, reference),
-                                "intersect" if mode == "intersect" else features or "none", size))
+            path, picture = os.path.join(corpus, scene), os.path.join(corpus, reference)
+            features = features.replace(",super-sample", "").replace("super-sample", "")
+            if self.options.corpus_size == "own":
+                size = open(picture, "rb").read(24)
+                size = "%dx%d" % (int.from_bytes(size[16:20], "big"), int.from_bytes(size[20:24], "big"))
+            else:
+                # Smaller, as the program draws it.
+                size = self.options.corpus_size
+                picture = os.path.join(self.folder, reference.replace("/", "_"))
+                run([self.program, "render", "-q", path, "-o", picture, "--profile", "course", "--size", size] +
+                    (["--mode", "intersect"] if mode == "intersect" else ["--features", features or "none"]))
+            self.scenes.append((reference, path, picture, "intersect" if mode == "intersect" else features or "none",
+                                size))
 
     def draw(self, scene, mistakes):
         out = os.path.join(self.folder, "%s.%s.png" % (scene[0].replace("/", "_"), "+".join(mistakes) or "clean"))
-        drawn = run([self.student, scene[1], out, scene[4], scene[3]] + list(mistakes))
+        drawn = run([self.student, scene[1], out, scene[4], scene[3]] + list(mistakes), self.options.patience)
         return out if drawn.returncode == 0 else None
 
-    def clean_rows(self, scene):
+    def share_off(self, a, b):
+        """Share of the pixels that are off by more than 8/255."""
+        return json.loads(run([self.program, "diff", a, b, "--json", "--max-share", "1"]).stdout)["share_over"]
+
+    def clean_picture(self, scene):
         if scene[0] not in self.clean:
             out = self.draw(scene, ())
-            rows = pixels(out) if out else None
             # A scene that the student's tracer cannot draw (meshes, area lights) tells nothing.
-            good = out and share_off(pixels(scene[2]), rows) < 0.02
-            self.clean[scene[0]] = rows if good else None
+            good = out and self.share_off(scene[2], out) < 0.02
+            self.clean[scene[0]] = out if good else None
         return self.clean[scene[0]]
 
     def visible(self, scene, mistakes):
         """The picture with the mistakes, where each of them changes it."""
-        clean = self.clean_rows(scene)
+        clean = self.clean_picture(scene)
         if clean is None:
             return None
         out = self.draw(scene, mistakes)
         if out is None:
             return None
-        rows = pixels(out)
-        if share_off(rows, clean) < self.options.visible:
+        if all(self.mistakes[m][0] == "habits" for m in mistakes):
+            return out
+        if self.share_off(out, clean) < self.options.visible:
             return None
         for one in mistakes if len(mistakes) > 1 else ():
             without = self.draw(scene, tuple(m for m in mistakes if m != one))
-            if without is None or share_off(rows, pixels(without)) < 2 * self.options.visible:
+            if without is None or self.share_off(out, without) < 2 * self.options.visible:
                 return None
         return out
 
@@ -132,16 +109,20 @@ class Bench:
         except ValueError:
             return ("error", [], seconds, answer.stderr)
         found = [c["cause"] for c in said["causes"] if c["cause"] != "rounding"]
+        rivals = [c["cause"] for c in said.get("rivals", [])]
         words = [c["what"] for c in said["causes"]]
         wanted = [self.mistakes[m][1] for m in mistakes]
-        if found == ["black"] and max(max(row) for row in pixels(out)) <= 2:
+        if any(self.mistakes[m][0] in UNKNOWN for m in mistakes):
+            return ("wrong" if found else "right", words, seconds, "; ".join(c["what"] for c in said.get("partial", [])))
+        # Black pictures are black pictures, whatever the mistake.
+        if found == ["black"]:
             return ("right", words, seconds, "")
         named = [any(f in w for f in found) for w in wanted]
         strange = [f for f in found if not any(f in w for w in wanted)]
         if any(c["cause"] == "rounding" for c in said["causes"]):
             strange.append("rounding")
-        if strange and not any(f for f in found if any(f in w for w in wanted)):
-            verdict = "wrong"
+        if strange and len(found) == 1 and any(r in w for r in rivals for w in wanted):
+            verdict = "tie"  # the pictures are the same, and both mistakes are said
         elif strange:
             verdict = "wrong"
         elif all(named):
@@ -155,11 +136,15 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", default="build/release")
     parser.add_argument("--program", help="another scenefile than that of the build")
-    parser.add_argument("--size", default="320x240")
+    parser.add_argument("--size", default="240x180")
     parser.add_argument("--only", default="")
     parser.add_argument("--scene", default="")
     parser.add_argument("--per-mistake", type=int, default=0, help="scenes a mistake, 0: all")
     parser.add_argument("--combinations", type=int, default=0)
+    parser.add_argument("--clean", type=int, default=0, help="so many pairs from right programs")
+    parser.add_argument("--strange", action="store_true", help="mistakes outside of all families")
+    parser.add_argument("--corpus-size", default="240x180", help="of the course's scenes; own: that of the references")
+    parser.add_argument("--patience", type=float, default=20, help="seconds for a picture of the student")
     parser.add_argument("--visible", type=float, default=0.005, help="share of pixels that must change")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--verbose", action="store_true")
@@ -167,18 +152,28 @@ def main():
     bench = Bench(options)
     scenes = [s for s in bench.scenes if options.scene in s[0]]
     for scene in scenes:
-        bench.clean_rows(scene)
+        bench.clean_picture(scene)
     tasks = []
     chance = random.Random(7)
-    if options.combinations:
-        names = [m for m in bench.mistakes if m != "output-black" and m != "camera-corners"]
+    scenes = [s for s in scenes if bench.clean[s[0]] is not None]
+    habits = [m for m in bench.mistakes if bench.mistakes[m][0] == "habits"]
+    if options.clean:
+        choices = [(s, (h,)) for s in scenes for h in habits]
+        choices += [(s, (a, b)) for s in scenes for a in habits for b in habits if a < b]
+        chance.shuffle(choices)
+        tasks = choices[:options.clean]
+    elif options.combinations:
+        names = [m for m in bench.mistakes if bench.mistakes[m][0] not in UNKNOWN and
+                 m not in ("output-black", "camera-corners", "output-misses-black")]
         while len(tasks) < 40 * options.combinations:
             count = 2 if chance.random() < 0.7 else 3
             chosen = tuple(sorted(chance.sample(names, count)))
             if len({bench.mistakes[m][0] for m in chosen}) == count:
                 tasks.append((chance.choice(scenes), chosen))
     else:
-        for index, name in enumerate(m for m in bench.mistakes if options.only in m):
+        for index, name in enumerate(m for m in bench.mistakes if options.only in m and
+                                     (bench.mistakes[m][0] == "strange" if options.strange
+                                      else bench.mistakes[m][0] not in UNKNOWN)):
             order = scenes[index % len(scenes):] + scenes[:index % len(scenes)]
             tasks.append((order, (name,)))
     results = []
@@ -187,36 +182,37 @@ def main():
         places, mistakes = task
         answers = []
         for scene in places if isinstance(places, list) else [places]:
-            if options.combinations and len(results) >= options.combinations:
+            if options.combinations and not options.clean and len(results) >= options.combinations:
                 break
             out = bench.visible(scene, mistakes)
             if out is None:
                 continue
             verdict, words, seconds, more = bench.ask(scene, mistakes, out)
             answers.append((scene[0], mistakes, verdict, words, seconds, more))
+            if verdict != "right" or options.verbose:
+                print("%-7s %-22s %-40s %5.1f s  %s%s" % (verdict, scene[0][-22:], "+".join(mistakes), seconds,
+                                                      " | ".join(words), "  [in part: %s]" % more if more else ""),
+                      flush=True)
             if options.combinations:
                 results.append(answers[-1])
             if options.per_mistake and len(answers) >= options.per_mistake:
                 break
         return answers
 
-    # Black pictures are black pictures, whatever the mistake; they are read where they are asked for.
     with ThreadPoolExecutor(options.jobs) as pool:
         answers = [a for list_ in pool.map(judge, tasks) for a in list_]
     if options.combinations:
         answers = answers[:options.combinations]
     table = collections.defaultdict(collections.Counter)
     for scene, mistakes, verdict, words, seconds, more in answers:
-        family = "combinations" if len(mistakes) > 1 else bench.mistakes[mistakes[0]][0]
+        family = "clean" if options.clean else "combinations" if len(mistakes) > 1 else bench.mistakes[mistakes[0]][0]
         table[family][verdict] += 1
         table["all"][verdict] += 1
-        if verdict != "right" or options.verbose:
-            print("%-7s %-22s %-40s %5.1f s  %s%s" % (verdict, scene[-22:], "+".join(mistakes), seconds, " | ".join(words),
-                                                  "  [in part: %s]" % more if more else ""))
-    print("\n%-14s %6s %6s %6s %6s %6s" % ("family", "right", "part", "wrong", "silent", "error"))
+    print("\n%-14s %6s %6s %6s %6s %6s %6s" % ("family", "right", "tie", "part", "wrong", "silent", "error"))
     for family in sorted(table, key=lambda f: (f == "all", f)):
         c = table[family]
-        print("%-14s %6d %6d %6d %6d %6d" % (family, c["right"], c["part"], c["wrong"], c["silent"], c["error"]))
+        print("%-14s %6d %6d %6d %6d %6d %6d" % (family, c["right"], c["tie"], c["part"], c["wrong"], c["silent"],
+                                             c["error"]))
     if answers:
         print("slowest %.1f s" % max(a[4] for a in answers))
 

@@ -1,18 +1,24 @@
-// Draws a scene as the student does: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES [MISTAKE]...
-// FEATURES: "all", "intersect", or words of the course's configuration with commas.
-// Without arguments: the list of mistakes, their families and the causes that are right answers.
+// Draws a scene as the student does: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES
+// [MISTAKE]... With --pair before the scene: the right picture to the left of it. FEATURES: "all",
+// "intersect", or words of the course's configuration with commas. Without arguments: the list of
+// mistakes, their families and the causes that are right answers.
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/compare/sheet.h"
 #include "scenefile/io/file.h"
 #include "student/student_tracer.h"
 #include "support/load_scene.h"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 int main(int count, char** words) {
   using namespace scenefile;
+  const bool pair = count > 1 && std::string_view(words[1]) == "--pair";
+  count -= pair ? 1 : 0;
+  words += pair ? 1 : 0;
   if (count < 5) {
     for (const student::KnownMistake& m : student::known_mistakes()) {
       std::printf("%s\t%s\t%s\n", std::string(m.name).c_str(), std::string(m.family).c_str(),
@@ -40,14 +46,18 @@ int main(int count, char** words) {
     job.texture = on("texture");
     job.directional_alone = on("intersect");
   }
-  for (int i = 5; i < count; ++i) {
-    job.mistakes.insert(words[i]);
-  }
   std::vector<std::string> names;
   for (const FileReference& file : scene.ready.scene.texture_files) {
     names.push_back(file.name);
   }
-  const Texture picture = student::draw(scene.written, scene.assets, names, job);
+  const auto drawn = [&] { return student::draw(scene.written, scene.assets, names, job); };
+  const Texture right = pair ? drawn() : Texture();
+  for (int i = 5; i < count; ++i) {
+    job.mistakes.insert(words[i]);
+  }
+  const Texture wrong = drawn();
+  const std::array<const Texture*, 2> both{&right, &wrong};
+  const Texture picture = pair ? side_by_side(both) : wrong;
   std::string error;
   const std::string bytes =
       encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);

@@ -133,6 +133,102 @@ constexpr KnownMistake table[] = {
     {"output-half", "output", "brightness"},
     {"output-normals", "output", "features"},
     {"output-black", "output", "black"},
+    // The same mistakes as others write them.
+    {"camera-pixels-less-one", "camera", "camera|half-pixel-shift"},
+    {"camera-backward-turned", "camera", "camera"},
+    {"camera-right-edges", "camera", "half-pixel-shift"},
+    {"camera-orthographic", "camera", "camera"},
+    {"transform-nesting-reversed", "transforms", "transforms"},
+    {"transform-all-transposed", "transforms", "transforms"},
+    {"transform-not-restored", "transforms", "transforms"},
+    {"transform-rays-forward", "transforms", "transforms"},
+    {"transform-lights-not", "transforms", "transforms|lights"},
+    {"normal-gradient", "normals", "normals"},
+    {"normal-not-normalized-by-matrix", "normals", "normals"},
+    {"shape-cone-normal-steep", "shapes", "shapes|normals"},
+    {"shape-double-size", "shapes", "shapes"},
+    {"hit-farthest-object", "nearest-hit", "nearest-hit"},
+    {"hit-object-compared", "nearest-hit", "nearest-hit"},
+    {"hit-behind", "nearest-hit", "nearest-hit"},
+    {"light-shading-reversed", "lights", "lights"},
+    {"light-direction-not-normalized", "lights", "lights"},
+    {"light-no-color-share", "lights", "lights|brightness"},
+    {"attenuation-square-unlimited", "attenuation", "attenuation"},
+    {"attenuation-inverse", "attenuation", "attenuation"},
+    {"attenuation-no-linear", "attenuation", "attenuation"},
+    {"spot-linear-cosine", "spots", "spot-falloff"},
+    {"spot-inner-only", "spots", "spot-falloff"},
+    {"spot-angles-swapped", "spots", "spot-falloff"},
+    {"shadow-bias-normal", "shadows", "shadows"},
+    {"shadow-bias-one-third", "shadows", "shadows"},
+    {"shadow-distance-of-eye", "shadows", "shadows"},
+    {"shadow-unit-distance", "shadows", "shadows"},
+    {"shadow-first-for-all", "shadows", "shadows"},
+    {"shadow-spots-none", "shadows", "shadows"},
+    {"ambient-twice", "ambient", "ambient"},
+    {"ambient-times-diffuse", "ambient", "ambient"},
+    {"diffuse-absolute-everywhere", "diffuse", "diffuse|lights"},
+    {"diffuse-half-lambert", "diffuse", "diffuse"},
+    {"diffuse-over-pi", "diffuse", "diffuse"},
+    {"specular-negative-power", "specular", "specular"},
+    {"specular-clamped-mirror", "specular", "specular"},
+    {"specular-lit-side", "specular", "specular"},
+    {"specular-half-exponent", "specular", "specular"},
+    {"texture-flip-both", "textures", "texture"},
+    {"texture-times-diffuse-no-blend", "textures", "texture"},
+    {"texture-rest-lacks-coefficient", "textures", "texture"},
+    {"texture-filtered", "textures", "texture|features"},
+    {"texture-missing-on-caps", "textures", "texture"},
+    {"mirror-wrong-sign", "mirrors", "reflection"},
+    {"mirror-acne", "mirrors", "reflection|acne"},
+    {"mirror-blended-plain", "mirrors", "reflection"},
+    {"mirror-blended-color", "mirrors", "reflection"},
+    {"mirror-specular-color", "mirrors", "reflection"},
+    {"mirror-deep", "mirrors", "recursion-depth"},
+    {"glass-same-ratio", "refraction", "refraction"},
+    {"glass-no-total-reflection", "refraction", "refraction"},
+    {"glass-no-coefficient", "refraction", "refraction"},
+    {"output-misses-black", "output", "background|samples"},
+    {"output-sum-of-samples", "output", "brightness|samples"},
+    {"output-scaled", "output", "overflow"},
+    {"output-gamma-two", "output", "gamma"},
+    {"output-srgb", "output", "gamma"},
+    {"output-blurred", "output", "samples"},
+    {"output-gray", "output", "brightness"},
+    // Right programs that are not ours: nothing is to be named.
+    {"habit-rounds", "habits", "rounding"},
+    {"habit-four-samples", "habits", ""},
+    {"habit-nine-samples", "habits", ""},
+    {"habit-jitter", "habits", ""},
+    {"habit-small-bias", "habits", ""},
+    {"habit-bias-along-normal", "habits", ""},
+    {"habit-coarse-distances", "habits", ""},
+    {"habit-clamped-lights", "habits", ""},
+    // Outside of all families: nothing is to be named.
+    {"strange-fog", "strange", ""},
+    {"strange-vignette", "strange", ""},
+    {"strange-noise", "strange", ""},
+    {"strange-steps", "strange", ""},
+    {"strange-rim", "strange", ""},
+    {"strange-stripes", "strange", ""},
+    {"strange-contrast", "strange", ""},
+    {"strange-saturation", "strange", ""},
+    {"strange-half-black", "strange", ""},
+    {"strange-moved-object", "strange", ""},
+    {"strange-headlight", "strange", ""},
+    {"strange-bumps", "strange", ""},
+    {"strange-posterized", "strange", ""},
+    {"strange-fisheye", "strange", ""},
+    {"strange-warm", "strange", ""},
+    {"strange-lifted", "strange", ""},
+    {"strange-soft-shadows", "strange", ""},
+    {"strange-depth-dark", "strange", ""},
+    {"strange-oren", "strange", ""},
+    {"strange-fresnel", "strange", ""},
+    {"strange-rolled-camera", "strange", ""},
+    {"strange-moved-camera", "strange", ""},
+    {"strange-moved-light", "strange", ""},
+    {"strange-other-colors", "strange", ""},
 };
 
 struct Object {
@@ -161,7 +257,17 @@ class Tracer {
   Tracer(const Scene& scene, const Assets& assets, std::span<const std::string> names,
          const Job& job)
       : scene_(scene), assets_(assets), names_(names), job_(job) {
-    visit(scene.root, mat4(1));
+    mat4 start(1);
+    visit(scene.root, start);
+    if (has("strange-moved-object") && !objects_.empty()) {
+      Object& moved = objects_[objects_.size() / 2];
+      moved.matrix[3] += vec4(0.3f, 0.2f, -0.2f, 0);
+      moved.inverse = glm::inverse(moved.matrix);
+    }
+    if (has("strange-moved-light") && !lamps_.empty()) {
+      lamps_[0].position += vec3(1.3f, -0.4f, 0.7f);
+      lamps_[0].direction = glm::normalize(lamps_[0].direction) + vec3(0.3f, 0.1f, -0.2f);
+    }
     if (has("light-only-first") && lamps_.size() > 1) {
       lamps_.resize(1);
     }
@@ -181,8 +287,17 @@ class Tracer {
       v_ = axes[1];
       w_ = axes[2];
     }
-    if (has("camera-backward")) {
+    if (has("camera-backward") || has("camera-backward-turned")) {
       w_ = -w_;
+      u_ = has("camera-backward-turned") ? -u_ : u_;
+    }
+    if (has("strange-rolled-camera")) {
+      const vec3 u = u_;
+      u_ = 0.97f * u_ + 0.243f * v_;
+      v_ = 0.97f * v_ - 0.243f * u;
+    }
+    if (has("strange-moved-camera")) {
+      eye_ += 0.3f * u_ + 0.2f * v_;
     }
     const float degrees = camera.height_angle_deg;
     const float angle = has("camera-degrees") ? degrees : degrees * pi / 180;
@@ -210,28 +325,153 @@ class Tracer {
     result.rgb.resize(std::size_t{3} * job_.width * job_.height);
     for (int row = 0; row < job_.height; ++row) {
       for (int column = 0; column < job_.width; ++column) {
-        const int y = has("output-upside-down") ? job_.height - 1 - row : row;
-        const int x = has("output-mirrored") ? job_.width - 1 - column : column;
-        const float half = has("camera-corners") ? 0.0f : 0.5f;
-        const float a = 2 * (float(x) + half) / float(job_.width) - 1;
-        const float b = 1 - 2 * (float(y) + half) / float(job_.height);
-        const vec3 direction = glm::normalize(a * right_ * u_ + b * top_ * v_ - w_);
         store(result.rgb.data() + 3 * (std::size_t(row) * job_.width + column),
-              has("output-black") ? vec3(0) : trace(eye_, direction, 0));
+              has("output-black") ? vec3(0) : pixel(column, row));
+      }
+    }
+    return has("output-blurred") ? blurred(result) : result;
+  }
+
+ private:
+  static Texture blurred(const Texture& sharp) {
+    Texture result = sharp;
+    for (int y = 1; y + 1 < sharp.height; ++y) {
+      for (int x = 1; x + 1 < sharp.width; ++x) {
+        for (int i = 0; i < 3; ++i) {
+          int sum = 0;
+          for (int k = 0; k < 9; ++k) {
+            sum += sharp.texel(x + k % 3 - 1, y + k / 3 - 1)[i];
+          }
+          result.rgb[3 * (std::size_t(y) * sharp.width + x) + i] =
+              static_cast<std::uint8_t>(sum / 9);
+        }
       }
     }
     return result;
   }
 
- private:
+  // Always the same for a pixel, in [0, 1).
+  static float chance(int a, int b) {
+    auto x =
+        static_cast<std::uint32_t>(a) * 2654435761u ^ static_cast<std::uint32_t>(b) * 2246822519u;
+    x ^= x >> 15;
+    x *= 2246822519u;
+    x ^= x >> 13;
+    return static_cast<float>(x & 0xffffff) / 16777216.0f;
+  }
+
+  vec3 pixel(int column, int row) const {
+    const int y = has("output-upside-down") ? job_.height - 1 - row : row;
+    const int x = has("output-mirrored") ? job_.width - 1 - column : column;
+    const bool four =
+        has("habit-four-samples") || has("output-misses-black") || has("output-sum-of-samples");
+    const int side = four ? 2 : has("habit-nine-samples") ? 3 : 1;
+    vec3 sum(0);
+    bool missed = false;
+    for (int i = 0; i < side * side; ++i) {
+      vec2 at = (vec2(i % side, i / side) + 0.5f) / float(side);
+      if (has("habit-jitter")) {
+        at += 0.4f * (vec2(chance(x, y), chance(x + 7919, y)) - 0.5f);
+      }
+      if (has("camera-corners")) {
+        at = vec2(0);
+      }
+      if (has("camera-right-edges")) {
+        at.x = 1;
+      }
+      vec3 seen = sample(float(x) + at.x, float(y) + at.y, missed);
+      if (side > 1) {
+        seen = glm::clamp(seen, vec3(0), vec3(1));
+      }
+      sum += seen;
+    }
+    if (missed && has("output-misses-black")) {
+      return vec3(0);
+    }
+    vec3 color = has("output-sum-of-samples") ? sum : sum / float(side * side);
+    const vec2 middle(2 * float(x) / float(job_.width) - 1, 2 * float(y) / float(job_.height) - 1);
+    if (has("strange-vignette")) {
+      color *= 1 - 0.4f * glm::dot(middle, middle);
+    }
+    if (has("strange-noise")) {
+      color += 0.15f * (vec3(chance(x, y), chance(y, x + 99), chance(x + 5, y + 3)) - 0.5f);
+    }
+    if (has("strange-stripes") && y % 8 < 2) {
+      color *= 0.6f;
+    }
+    if (has("strange-half-black") && 2 * x > job_.width) {
+      color = vec3(0);
+    }
+    return color;
+  }
+
+  vec3 sample(float x, float y, bool& missed) const {
+    const float less = has("camera-pixels-less-one") ? 1.0f : 0.0f;
+    if (less > 0) {
+      x -= 0.5f;
+      y -= 0.5f;
+    }
+    float a = 2 * x / (float(job_.width) - less) - 1;
+    float b = 1 - 2 * y / (float(job_.height) - less);
+    if (has("strange-fisheye")) {
+      const float bend = 1 + 0.25f * (a * a + b * b);
+      a *= bend;
+      b *= bend;
+    }
+    if (has("camera-orthographic")) {
+      return traced(eye_ + 3.0f * (a * right_ * u_ + b * top_ * v_), -w_, missed);
+    }
+    return traced(eye_, glm::normalize(a * right_ * u_ + b * top_ * v_ - w_), missed);
+  }
+
+  vec3 traced(const vec3& from, const vec3& direction, bool& missed) const {
+    const Found f = closest(from, direction, has("hit-behind") ? -far_away : 0, false);
+    if (f.object == nullptr) {
+      missed = true;
+      return trace(from, direction, 0);
+    }
+    vec3 color = trace(from, direction, 0);
+    if (has("strange-fog")) {
+      const float clear = std::exp(-0.08f * f.t);
+      color = clear * color + (1 - clear) * vec3(0.6f);
+    }
+    if (has("strange-depth-dark")) {
+      color *= std::min(1.0f, 4 / std::max(f.t, 0.01f));
+    }
+    return color;
+  }
+
   bool has(std::string_view name) const { return job_.mistakes.contains(name); }
 
   void store(std::uint8_t* to, vec3 color) const {
     if (has("output-bgr")) {
       std::swap(color.x, color.z);
     }
+    if (has("output-scaled")) {
+      color /= std::max({1.0f, color.x, color.y, color.z});
+    }
+    if (has("output-gray")) {
+      color = glm::clamp(color, vec3(0), vec3(1));
+      color = vec3((color.x + color.y + color.z) / 3);
+    }
+    if (has("strange-saturation")) {
+      const float middle = (color.x + color.y + color.z) / 3;
+      color = middle + 1.5f * (color - middle);
+    }
+    if (has("strange-warm")) {
+      color *= vec3(1.1f, 1.0f, 0.75f);
+    }
     for (int i = 0; i < 3; ++i) {
       float c = color[i];
+      if (has("strange-contrast")) {
+        c = 1.35f * (c - 0.5f) + 0.5f;
+      }
+      if (has("strange-lifted")) {
+        c = 0.85f * std::min(std::max(c, 0.0f), 1.0f) + 0.1f;
+      }
+      if (has("strange-posterized")) {
+        c = std::floor(c * 6) / 6;
+      }
       if (has("output-wraps")) {
         to[i] = static_cast<std::uint8_t>(static_cast<int>(c * 255) & 255);
         continue;
@@ -243,10 +483,16 @@ class Tracer {
       if (has("output-gamma-inverse")) {
         c = std::pow(c, 2.2f);
       }
+      if (has("output-gamma-two")) {
+        c = std::sqrt(c);
+      }
+      if (has("output-srgb")) {
+        c = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+      }
       if (has("output-half")) {
         c = c / 2;
       }
-      to[i] = static_cast<std::uint8_t>(c * 255);
+      to[i] = static_cast<std::uint8_t>(c * 255 + (has("habit-rounds") ? 0.5f : 0.0f));
     }
   }
 
@@ -279,21 +525,26 @@ class Tracer {
   }
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
-  void visit(NodeId id, const mat4& parent) {
+  void visit(NodeId id, mat4& parent) {
     const Node& node = scene_.nodes[id];
     mat4 here(1);
     for (const Transform& t : node.transforms) {
       here = has("transform-reversed") ? matrix_of(t) * here : here * matrix_of(t);
     }
     const bool lost = has("transform-outer-lost") && !node.children.empty();
-    const mat4 matrix = lost ? parent : parent * here;
+    mat4 matrix = lost ? parent : has("transform-nesting-reversed") ? here * parent : parent * here;
     for (const Light& light : node.lights) {
-      lamps_.push_back({light, vec3(matrix * vec4(light.position, 1)),
-                        vec3(matrix * vec4(light.direction, 0))});
+      const mat4 m = has("transform-lights-not") ? mat4(1) : matrix;
+      lamps_.push_back(
+          {light, vec3(m * vec4(light.position, 1)), vec3(m * vec4(light.direction, 0))});
     }
     for (const Primitive& primitive : node.primitives) {
       if (primitive.shape != Shape::mesh) {
-        objects_.push_back({matrix, glm::inverse(matrix), &primitive});
+        mat4 m = has("transform-all-transposed") ? glm::transpose(matrix) : matrix;
+        if (has("shape-double-size")) {
+          m = m * mat4(mat3(2));
+        }
+        objects_.push_back({m, has("transform-rays-forward") ? m : glm::inverse(m), &primitive});
       }
     }
     for (const NodeId child : node.children) {
@@ -306,6 +557,9 @@ class Tracer {
           visit(master, matrix);
         }
       }
+    }
+    if (has("transform-not-restored")) {
+      parent = matrix;
     }
   }
 
@@ -388,7 +642,9 @@ class Tracer {
           const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
           const vec3 p = o + t * d;
           if (root >= 0 && std::abs(p.y) <= 0.5f) {
-            const float slope = has("shape-cone-normal-level") ? 0 : (0.5f - p.y) / 2;
+            const float slope = has("shape-cone-normal-level")   ? 0
+                                : has("shape-cone-normal-steep") ? 0.5f - p.y
+                                                                 : (0.5f - p.y) / 2;
             offer(list, t, o, d, {2 * p.x, slope, 2 * p.z}, false);
           }
         }
@@ -429,10 +685,12 @@ class Tracer {
       }
       nearest.key = nearest.t;
       if (!shadow) {
-        nearest.key = has("hit-object-distance") ? nearest.t * glm::length(d)
-                      : has("hit-last")          ? -1
-                      : has("hit-farthest")      ? -nearest.t
-                                                 : nearest.t;
+        const bool of_object = has("hit-object-distance") || has("hit-object-compared");
+        const bool farthest = has("hit-farthest") || has("hit-farthest-object");
+        nearest.key = of_object         ? nearest.t * glm::length(d)
+                      : has("hit-last") ? -1
+                      : farthest        ? -nearest.t
+                                        : nearest.t;
       }
       if (best.object == nullptr || nearest.key <= best.key) {
         best = nearest;
@@ -440,6 +698,9 @@ class Tracer {
     }
     if (has("hit-object-distance") && !shadow && best.object != nullptr) {
       best.t = best.key;
+    }
+    if (has("habit-coarse-distances") && best.object != nullptr) {
+      best.t = best.t * (1 + 2e-5f * (chance(static_cast<int>(1e4f * best.t), 3) - 0.5f));
     }
     return best;
   }
@@ -481,18 +742,35 @@ class Tracer {
     return nullptr;
   }
 
+  static vec3 filtered(const Texture& texture, float u, float v) {
+    const float x = u * float(texture.width) - 0.5f;
+    const float y = v * float(texture.height) - 0.5f;
+    vec3 sum(0);
+    for (int k = 0; k < 4; ++k) {
+      const float at_x = std::floor(x) + float(k % 2);
+      const float at_y = std::floor(y) + float(k / 2);
+      const float weight = (1 - std::abs(x - at_x)) * (1 - std::abs(y - at_y));
+      const int column = ((static_cast<int>(at_x) % texture.width) + texture.width) % texture.width;
+      const int row = ((static_cast<int>(at_y) % texture.height) + texture.height) % texture.height;
+      const std::uint8_t* p = texture.texel(column, row);
+      sum += weight * vec3(p[0], p[1], p[2]) / 255.0f;
+    }
+    return sum;
+  }
+
   vec3 diffuse_of(const Found& f) const {
     const Material& m = f.object->primitive->material;
     const float kd = has("diffuse-no-coefficient") ? 1 : scene_.global.diffuse;
     const vec3 plain = kd * m.diffuse;
     const Texture* const texture = texture_of(m);
     const bool cone = f.object->primitive->shape == Shape::cone;
-    if (texture == nullptr || has("texture-missing") || (cone && has("texture-missing-on-cones"))) {
+    if (texture == nullptr || has("texture-missing") || (cone && has("texture-missing-on-cones")) ||
+        (f.cap && has("texture-missing-on-caps"))) {
       return plain;
     }
     vec2 uv = uv_of(f);
-    uv.x = has("texture-flip-u") ? 1 - uv.x : uv.x;
-    uv.y = has("texture-flip-v") ? uv.y : 1 - uv.y;
+    uv.x = has("texture-flip-u") || has("texture-flip-both") ? 1 - uv.x : uv.x;
+    uv.y = has("texture-flip-v") || has("texture-flip-both") ? uv.y : 1 - uv.y;
     if (has("texture-swapped")) {
       uv = {1 - uv.y, 1 - uv.x};
     }
@@ -505,6 +783,10 @@ class Tracer {
     const int row = place(uv.y * (repeats ? m.texture->repeat_v : 1), texture->height);
     const std::uint8_t* texel = texture->texel(column, row);
     vec3 t = vec3(texel[0], texel[1], texel[2]) / 255.0f;
+    if (has("texture-filtered")) {
+      t = filtered(*texture, uv.x * (repeats ? m.texture->repeat_u : 1),
+                   uv.y * (repeats ? m.texture->repeat_v : 1));
+    }
     if (has("texture-blue-red")) {
       std::swap(t.x, t.z);
     }
@@ -519,6 +801,12 @@ class Tracer {
     }
     if (has("texture-times-diffuse")) {
       t *= plain;
+    }
+    if (has("texture-times-diffuse-no-blend")) {
+      return plain * t;
+    }
+    if (has("texture-rest-lacks-coefficient")) {
+      return (1 - m.blend) * m.diffuse + m.blend * t;
     }
     return (1 - m.blend) * plain + m.blend * t;
   }
@@ -543,8 +831,15 @@ class Tracer {
     if (has("spot-penumbra-as-inner")) {
       inner = std::min(penumbra, outer);
     }
+    if (has("spot-angles-swapped")) {
+      inner = std::max(penumbra - outer, 0.0f);
+      outer = penumbra;
+    }
     if (has("spot-no-penumbra")) {
       inner = outer;
+    }
+    if (has("spot-inner-only")) {
+      outer = inner;
     }
     const float angle = std::acos(std::min(std::max(glm::dot(-to_light, axis), -1.0f), 1.0f));
     if (angle <= inner) {
@@ -552,6 +847,9 @@ class Tracer {
     }
     if (angle > outer) {
       return 0;
+    }
+    if (has("spot-linear-cosine")) {
+      return (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
     }
     const float x = (angle - inner) / (outer - inner);
     return has("spot-linear") ? 1 - x : 1 - (3 * x * x - 2 * x * x * x);
@@ -567,12 +865,24 @@ class Tracer {
   vec3 lighting(const Found& f, const vec3& point, const vec3& normal, const vec3& eye) const {
     const Material& m = f.object->primitive->material;
     const vec3 base = diffuse_of(f);
-    const vec3 ambient =
-        (has("ambient-no-coefficient") ? 1 : scene_.global.ambient) * m.ambient;
+    const vec3 ambient = (has("ambient-no-coefficient") ? 1 : scene_.global.ambient) * m.ambient;
     vec3 color = has("ambient-missing") ? vec3(0) : ambient;
     if (has("ambient-per-light")) {
       color *= float(lamps_.size());
     }
+    if (has("ambient-twice")) {
+      color *= 2.0f;
+    }
+    if (has("ambient-times-diffuse")) {
+      color *= m.diffuse;
+    }
+    if (has("strange-rim")) {
+      color += vec3(0.5f) * std::pow(1 - std::abs(glm::dot(normal, eye)), 2.0f);
+    }
+    if (has("strange-headlight")) {
+      color += 0.4f * base * std::max(glm::dot(normal, eye), 0.0f);
+    }
+    bool first_shadowed = false;
     const float ks = has("specular-no-coefficient") ? 1 : scene_.global.specular;
     for (const Lamp& lamp : lamps_) {
       const Light& light = lamp.light;
@@ -581,7 +891,7 @@ class Tracer {
       }
       const bool directional = light.type == LightType::directional;
       const vec3 axis = glm::normalize(lamp.direction);
-      vec3 to_light = -axis;
+      vec3 to_light = has("light-direction-not-normalized") ? -lamp.direction : -axis;
       float distance = far_away;
       float strength = 1;
       if (directional && has("light-position-as-direction")) {
@@ -600,6 +910,15 @@ class Tracer {
         if (has("attenuation-square")) {
           strength = std::min(1.0f, 1 / (distance * distance));
         }
+        if (has("attenuation-square-unlimited")) {
+          strength = 1 / (distance * distance);
+        }
+        if (has("attenuation-inverse")) {
+          strength = 1 / distance;
+        }
+        if (has("attenuation-no-linear")) {
+          strength = std::min(1.0f, 1 / (a.x + a.z * distance * distance));
+        }
         if (light.type == LightType::spot) {
           strength *= spot(light, axis, to_light);
         }
@@ -609,13 +928,43 @@ class Tracer {
       }
       bool shadowed = false;
       if (job_.shadows && !has("shadow-none")) {
-        const float bias = has("shadow-acne") ? 0.0f : has("shadow-large-bias") ? 0.25f : 1e-3f;
+        const float bias = has("shadow-acne")             ? 0.0f
+                           : has("shadow-large-bias")     ? 0.25f
+                           : has("shadow-bias-one-third") ? 0.33f
+                           : has("habit-small-bias")      ? 2e-4f
+                                                          : 1e-3f;
+        vec3 start = point;
+        if (has("habit-bias-along-normal")) {
+          start += 1e-3f * normal;
+        }
+        if (has("shadow-bias-normal")) {
+          start += 0.2f * normal;
+        }
         vec3 toward = has("shadow-reversed") ? -to_light : to_light;
         if (has("shadow-spot-axis") && light.type == LightType::spot) {
           toward = -axis;
         }
-        const float end = has("shadow-beyond-light") ? far_away : distance;
-        shadowed = closest(point, toward, bias, true).t < end;
+        const float end = has("shadow-beyond-light")      ? far_away
+                          : has("shadow-unit-distance")   ? 1.0f
+                          : has("shadow-distance-of-eye") ? glm::length(point - eye_)
+                                                          : distance;
+        shadowed = closest(start, toward, bias, true).t < end;
+        if (has("strange-soft-shadows")) {
+          const vec3 side(
+              0.15f * chance(static_cast<int>(1e4f * point.x), static_cast<int>(1e4f * point.z)),
+              0.02f, 0.15f * chance(static_cast<int>(1e4f * point.y), 5));
+          shadowed = closest(start, glm::normalize(toward + side), bias, true).t < end;
+        }
+        if (has("shadow-spots-none") && light.type == LightType::spot) {
+          shadowed = false;
+        }
+        if (has("shadow-first-for-all")) {
+          first_shadowed = &lamp == lamps_.data() ? shadowed : first_shadowed;
+          shadowed = first_shadowed;
+        }
+      }
+      if (has("light-shading-reversed") && directional) {
+        to_light = -to_light;
       }
       if (shadowed && has("shadow-ambient-only")) {
         return ambient;
@@ -627,10 +976,21 @@ class Tracer {
         return vec3(0);
       }
       const vec3 l = has("light-not-normalized") && !directional ? lamp.position - point : to_light;
-      const float cosine = glm::dot(normal, l);
+      float cosine = glm::dot(normal, l);
+      if (has("diffuse-absolute-everywhere")) {
+        cosine = std::abs(cosine);
+      }
+      if (has("specular-clamped-mirror")) {
+        cosine = std::max(cosine, 0.0f);
+      }
       float weight = std::max(cosine, 0.0f);
       weight = has("diffuse-absolute") ? std::abs(cosine) : weight;
       weight = has("diffuse-not-clamped") ? cosine : weight;
+      weight = has("diffuse-half-lambert") ? 0.5f * cosine + 0.5f : weight;
+      weight = has("diffuse-over-pi") ? weight / pi : weight;
+      weight = has("strange-steps") ? std::floor(weight * 4) / 4 : weight;
+      weight =
+          has("strange-oren") ? weight * (1.2f - 0.6f * std::abs(glm::dot(normal, eye))) : weight;
       weight *= has("diffuse-missing") ? 0.0f : has("diffuse-twice") ? 2.0f : 1.0f;
       const vec3 v = has("specular-eye-reversed") ? -eye : eye;
       float shine = glm::dot(2 * cosine * normal - l, v);
@@ -644,21 +1004,29 @@ class Tracer {
         shine = std::abs(shine);
       }
       vec3 highlight(0);
-      if (shine > 0 && m.shininess > 0) {
-        highlight = ks * m.specular * (has("specular-no-exponent") ? shine : std::pow(shine, m.shininess));
+      const float exponent = has("specular-half-exponent") ? m.shininess / 2 : m.shininess;
+      const bool any_sign = has("specular-negative-power") && exponent == std::floor(exponent);
+      if ((shine > 0 || any_sign) && m.shininess > 0) {
+        highlight =
+            ks * m.specular * (has("specular-no-exponent") ? shine : std::pow(shine, exponent));
+      }
+      if (has("specular-lit-side") && cosine < 0) {
+        highlight = vec3(0);
       }
       highlight *= has("specular-missing") ? 0.0f : has("specular-twice") ? 2.0f : 1.0f;
       if (has("specular-times-cosine")) {
         highlight *= std::max(cosine, 0.0f);
       }
-      const vec3 light_color = has("light-white") ? vec3(1) : light.color;
+      vec3 light_color = has("light-white") ? vec3(1) : light.color;
+      light_color /= has("light-no-color-share") ? float(lamps_.size()) : 1.0f;
       if (shadowed) {
         if (has("shadow-keeps-specular")) {
           color += strength * light_color * highlight;
         }
         continue;
       }
-      color += strength * light_color * (weight * base + highlight);
+      const vec3 added = strength * light_color * (weight * base + highlight);
+      color += has("habit-clamped-lights") ? glm::min(added, vec3(4)) : added;
     }
     return color;
   }
@@ -667,6 +1035,13 @@ class Tracer {
     const vec3 n = glm::normalize(f.normal);
     const mat3 m(f.object->matrix);
     const mat3 inverse(f.object->inverse);
+    if (has("normal-gradient")) {
+      const bool flat = f.cap || f.object->primitive->shape == Shape::cube;
+      return glm::transpose(inverse) * (flat ? f.normal : 0.5f * f.normal);
+    }
+    if (has("normal-not-normalized-by-matrix")) {
+      return m * n;
+    }
     if (has("normal-by-matrix")) {
       return glm::normalize(m * n);
     }
@@ -685,7 +1060,10 @@ class Tracer {
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as reflections go
   vec3 trace(const vec3& from, const vec3& direction, int depth) const {
-    const Found f = closest(from, direction, depth == 0 ? 0 : 1e-3f, false);
+    const float least = depth == 0           ? (has("hit-behind") ? -far_away : 0)
+                        : has("mirror-acne") ? 0
+                                             : 1e-3f;
+    const Found f = closest(from, direction, least, false);
     if (f.object == nullptr) {
       return has("output-background") && depth == 0 ? vec3(0.5f, 0.7f, 0.9f) : vec3(0);
     }
@@ -702,26 +1080,44 @@ class Tracer {
     if (has("output-normals")) {
       return (normal + 1.0f) / 2.0f;
     }
+    if (has("strange-bumps")) {
+      normal = glm::normalize(normal + 0.25f * glm::sin(25.0f * f.point));
+    }
     const vec3 point = from + f.t * direction;
     const vec3 eye = has("mirror-eye-at-camera") ? glm::normalize(eye_ - point) : -direction;
     vec3 color = lighting(f, point, normal, eye);
-    const int depths = has("mirror-depth-one") ? 1 : has("mirror-depth-two") ? 2 : 4;
+    if (has("strange-other-colors") && m.diffuse.x > m.diffuse.y) {
+      color = vec3(color.y, color.x, color.z);
+    }
+    const int depths = has("mirror-depth-one")   ? 1
+                       : has("mirror-depth-two") ? 2
+                       : has("mirror-deep")      ? 9
+                                                 : 4;
     if (job_.reflect && !has("mirror-missing") && m.reflective != vec3(0) && depth < depths) {
       vec3 mirrored = direction - 2 * glm::dot(direction, normal) * normal;
       mirrored = has("mirror-reversed") ? -mirrored : mirrored;
+      mirrored = has("mirror-wrong-sign") ? direction + 2 * glm::dot(direction, normal) * normal
+                                          : mirrored;
       const vec3 seen = trace(point, glm::normalize(mirrored), depth + 1);
       const float ks = scene_.global.specular;
       vec3 weight = ks * m.reflective;
       weight = has("mirror-no-coefficient") ? m.reflective : weight;
       weight = has("mirror-color-ignored") ? vec3(ks) : weight;
+      weight = has("mirror-specular-color") ? ks * m.specular : weight;
+      if (has("strange-fresnel")) {
+        weight *= 0.2f + 0.8f * std::pow(1 - std::abs(glm::dot(normal, direction)), 3.0f);
+      }
       if (has("mirror-not-chained") && depth > 0) {
         weight = vec3(1);
       }
-      color = has("mirror-blended") ? (1.0f - weight) * color + weight * seen : color + weight * seen;
+      color = has("mirror-blended")         ? (1.0f - weight) * color + weight * seen
+              : has("mirror-blended-plain") ? (1.0f - ks) * color + ks * seen
+              : has("mirror-blended-color") ? (1.0f - m.reflective) * color + m.reflective * seen
+                                            : color + weight * seen;
     }
     if (job_.refract && !has("glass-missing") && m.transparent != vec3(0) && depth < depths) {
-      color += scene_.global.transparent.value_or(0) * m.transparent *
-               through(f, point, glm::normalize(direction), depth);
+      color += (has("glass-no-coefficient") ? 1 : scene_.global.transparent.value_or(0)) *
+               m.transparent * through(f, point, glm::normalize(direction), depth);
     }
     return depth > 0 ? glm::clamp(color, vec3(0), vec3(1)) : color;
   }
@@ -734,6 +1130,9 @@ class Tracer {
     const bool entering = glm::dot(direction, outward) < 0;
     vec3 inside;
     const bool in = bend(direction, outward, entering, ior, inside);
+    if (!in && has("glass-no-total-reflection")) {
+      return vec3(0);
+    }
     if (!in || !entering || has("glass-shaded-inside")) {
       return trace(point, inside, depth + 1);
     }
@@ -752,13 +1151,16 @@ class Tracer {
       if (bend(inside, n, false, ior, out)) {
         return trace(origin, out, depth + 1);
       }
+      if (has("glass-no-total-reflection")) {
+        return vec3(0);
+      }
       inside = out;
     }
     return vec3(0);
   }
 
   bool bend(const vec3& d, vec3 n, bool entering, float ior, vec3& out) const {
-    float eta = entering ? 1 / ior : ior;
+    float eta = entering || has("glass-same-ratio") ? 1 / ior : ior;
     if (has("glass-eta-inverted")) {
       eta = 1 / eta;
     }

@@ -113,6 +113,43 @@ Texture reduced(const Texture& picture, int width) {
   return result;
 }
 
+Texture scaled(const Texture& picture, int width, int height) {
+  Texture result;
+  if (picture.empty() || width <= 0 || height <= 0) {
+    return result;
+  }
+  result.width = width;
+  result.height = height;
+  result.rgb.resize(std::size_t{3} * width * height);
+  const double across = static_cast<double>(picture.width) / width;
+  const double down = static_cast<double>(picture.height) / height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double left = x * across;
+      const double right = left + across;
+      const double top = y * down;
+      const double bottom = top + down;
+      std::array<double, 3> sum{};
+      double area = 0;
+      for (int v = static_cast<int>(top); v < std::min<double>(bottom, picture.height); ++v) {
+        for (int u = static_cast<int>(left); u < std::min<double>(right, picture.width); ++u) {
+          const double share = (std::min<double>(right, u + 1) - std::max<double>(left, u)) *
+                               (std::min<double>(bottom, v + 1) - std::max<double>(top, v));
+          for (std::size_t i = 0; i < 3; ++i) {
+            sum[i] += share * picture.texel(u, v)[i];
+          }
+          area += share;
+        }
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        result.rgb[3 * (static_cast<std::size_t>(y) * width + x) + i] =
+            static_cast<std::uint8_t>(std::lround(sum[i] / std::max(area, 1e-12)));
+      }
+    }
+  }
+  return result;
+}
+
 Texture side_by_side(std::span<const Texture* const> pictures) {
   int width = gap;
   int height = 0;

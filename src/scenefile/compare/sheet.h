@@ -23,6 +23,9 @@ Texture flip_picture(const std::vector<float>& errors, int width, int height);
 /// unchanged.
 Texture reduced(const Texture& picture, int width);
 
+/// The picture in another size: each new pixel is the mean of what it covers.
+Texture scaled(const Texture& picture, int width, int height);
+
 /// Pictures side by side, aligned at the top, on gray with gaps of 8 pixels.
 Texture side_by_side(std::span<const Texture* const> pictures);
 

@@ -23,8 +23,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The format knows no gamma: values go into the picture as they are.",
      "Where colors become bytes, and where a library writes the file: some convert to sRGB on "
      "their own."},
-    {Cause::rounding, "Rounding",
-     "Values are one off, all to the same side. Nobody sees it.",
+    {Cause::rounding, "Rounding", "Values are one off, all to the same side. Nobody sees it.",
      "The references cut off what is behind the point; others round. No mistake by itself.",
      "Nowhere, unless the same bytes are asked for."},
     {Cause::swapped_channels, "Channels in the wrong order",
@@ -65,19 +64,19 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Normals go to the world by the inverse transpose of the linear part of the matrix, and are "
      "normalized after that.",
      "Where a normal leaves the object's space, and the normals of each shape."},
-    {Cause::shadows, "Shadows",
-     "Shadows are missing, too many, too dark, or where none should be.",
+    {Cause::shadows, "Shadows", "Shadows are missing, too many, too dark, or where none should be.",
      "A light counts unless something is hit between the surface and the light. Each light is "
      "asked on its own; the ambient term stays.",
-     "The direction, the start and the end of the shadow ray, what is compared with the distance of "
+     "The direction, the start and the end of the shadow ray, what is compared with the distance "
+     "of "
      "the light, and what the loop over the lights does after a shadow."},
-    {Cause::acne, "Shadow acne",
-     "Dark specks or rings on surfaces that should be lit.",
+    {Cause::acne, "Shadow acne", "Dark specks or rings on surfaces that should be lit.",
      "Rays that start on a surface hit the same surface again because numbers are rounded.",
      "The start of shadow rays and reflected rays: a little off the surface."},
     {Cause::texture, "Textures",
      "The image is upside down, mirrored, not repeated, missing, or too dark or too bright.",
-     "u and v are computed in the object's space; v grows upward, rows of images grow downward; the "
+     "u and v are computed in the object's space; v grows upward, rows of images grow downward; "
+     "the "
      "texture is blended with the diffuse color, and is not multiplied by kd.",
      "The u and v of each shape and face, how they become a pixel of the image, and how its color "
      "goes into the diffuse term."},
@@ -90,9 +89,9 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The angle is from the axis to where light ends; the penumbra lies inside of it; between, the "
      "light falls by the smoothstep of the angle.",
      "Which angles are inner and outer, half or full, degrees or radians; and the polynomial."},
-    {Cause::camera, "The camera",
-     "All is too large, too small, stretched, or seen from elsewhere.",
-     "The height angle is the full vertical angle of view; the width follows by the aspect ratio of "
+    {Cause::camera, "The camera", "All is too large, too small, stretched, or seen from elsewhere.",
+     "The height angle is the full vertical angle of view; the width follows by the aspect ratio "
+     "of "
      "the tangents. The camera looks along -w; up is made perpendicular to it.",
      "Half angles and their tangents, degrees and radians, aspect, and the three axes."},
     {Cause::transforms, "Transforms",
@@ -104,8 +103,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Objects are open, missing, of the wrong size, or shaded as if they were others.",
      "All shapes fit into a cube of side 1 around the origin; cylinders have two caps, cones one.",
      "The intersection of each shape: its size, its limits in y, its caps, its normal."},
-    {Cause::nearest_hit, "The nearest hit",
-     "Things behind are drawn over things in front.",
+    {Cause::nearest_hit, "The nearest hit", "Things behind are drawn over things in front.",
      "Of all hits in front of the camera the nearest counts, measured along the ray in the world.",
      "What is compared between objects, and in which space it is measured."},
     {Cause::lights, "Lights",
@@ -121,33 +119,37 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "recursion hands on."},
     {Cause::refraction, "Refraction",
      "Glass shows nothing, or what is behind it in the wrong place.",
-     "Snell's law: on the way in the ratio is 1 to the index, on the way out the inverse; where the "
+     "Snell's law: on the way in the ratio is 1 to the index, on the way out the inverse; where "
+     "the "
      "root is of a negative number, all is reflected.",
      "The ratio, the side of the normal, and the start of the ray inside."},
     {Cause::overflow, "Values over 1",
      "Bright places show dark or colored rings, or the whole is too dark.",
      "A byte holds 0 to 255; what is more must be cut off before it becomes one.",
      "Where colors become bytes."},
-    {Cause::background, "The background",
-     "Where nothing is hit the picture is not black.",
-     "The references are black there, and opaque.",
-     "What a ray that hits nothing returns."},
+    {Cause::background, "The background", "Where nothing is hit the picture is not black.",
+     "The references are black there, and opaque.", "What a ray that hits nothing returns."},
     {Cause::brightness, "The whole picture is too dark, too bright, or gray",
      "Every value is off by the same factor.",
      "Something divides or multiplies all colors: samples that are counted but not taken, 255 and "
      "256, a factor of the lights.",
      "Where colors are averaged and become bytes."},
-    {Cause::black, "A black picture",
-     "Nothing is drawn.",
+    {Cause::black, "A black picture", "Nothing is drawn.",
      "No ray hits anything, all values are not numbers, or the picture was never filled.",
      "The direction of one ray through the middle, by hand; then the first intersection; then what "
      "is stored. 'scenefile explain' shows all of it for a pixel."},
     {Cause::features, "Other features than the reference",
-     "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other way "
+     "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other "
+     "way "
      "round.",
      "References of the first assignment know directional lights alone and no shadows. Not a "
      "mistake of the tracer.",
      "The configuration, and which folder of references belongs to it."},
+    {Cause::samples, "How the samples of a pixel are put together",
+     "A black line around objects, everything too bright, or the whole picture blurred.",
+     "A pixel is the mean of its samples; a sample that meets nothing is black, and counts like "
+     "the others.",
+     "Where the samples of a pixel are added, and what is done when a ray meets nothing."},
 }};
 
 constexpr bool in_order() {
@@ -183,8 +185,13 @@ std::string causes_markdown() {
       "`scenefile help causes --markdown`.\n";
   for (const CauseHelp& page : pages) {
     text += fmt::format(
-        "\n## {}\n\n`{}`\n\n- What it looks like: {}\n- Why: {}\n- Where to look: {}\n", page.title,
-        name_of(page.cause), page.looks, page.why, page.where);
+        "\n## {0}\n\n`{1}`\n\n{2}- What it looks like: {3}\n- Why: {4}\n- Where to look: {5}\n",
+        page.title, name_of(page.cause),
+        page.cause == Cause::rounding
+            ? std::string()  // nobody would see it
+            : fmt::format("![Right, and with the mistake](images/mistakes/{}.png)\n\n",
+                          name_of(page.cause)),
+        page.looks, page.why, page.where);
   }
   return text;
 }

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <future>
 #include <limits>
@@ -23,23 +23,24 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double enough = 0.85;         // share of the difference that what is claimed explains
-constexpr double enough_exact = 0.75;   // share of the pixels that differ that it gives as they are
-constexpr double enough_shift = 0.6;    // of edges, for shifts of less than a pixel
-constexpr double most_broken = 0.03;    // share of the right pixels that it may make wrong
-constexpr double part = 0.5;            // share of the difference worth to be called a part
-constexpr double necessary = 0.03;      // what each of several mistakes explains beside the others
+constexpr double enough = 0.85;        // share of the difference that what is claimed explains
+constexpr double enough_exact = 0.75;  // share of the pixels that differ that it gives as they are
+constexpr double enough_shift = 0.6;   // of edges, for shifts of less than a pixel
+constexpr double most_broken = 0.03;   // share of the right pixels that it may make wrong
+constexpr double part = 0.5;           // share of the difference worth to be called a part
+constexpr double necessary = 0.03;     // what each of several mistakes explains beside the others
 constexpr double rival_margin = 0.03;
-constexpr double most_unlike = 0.1;     // share of pixels where the scene may not be the reference
+constexpr double most_unlike = 0.1;  // share of pixels where the scene may not be the reference
 constexpr double most_for_rounding = 0.05;  // share of pixels that differ by more
+constexpr double least_for_several = 0.001;  // share of pixels that must differ
 constexpr std::size_t few_pixels = 12;
-constexpr std::size_t screen = 240;      // points to choose single mistakes by
-constexpr std::size_t few_points = 100;  // ... and several
+constexpr std::size_t screen = 240;        // points to choose single mistakes by
+constexpr std::size_t few_points = 100;    // ... and several
 constexpr std::size_t most_edited = 2000;  // shapes, where those are changed together with others
-constexpr double exact_within = 3;      // in 1/255
+constexpr double exact_within = 3;         // in 1/255
 constexpr double right_within = 8;
 constexpr double tolerance = 2;
-constexpr double worst = 64;            // more than this off counts no more
+constexpr double worst = 64;                          // more than this off counts no more
 constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
 std::string percent(double share) {
@@ -90,10 +91,10 @@ Range around(const Texture& t, int x, int y) {
 using Colors = std::vector<dvec3>;  // of the points; 255 is full, not clamped
 
 struct Score {
-  double left = 0;      // what differs still, beyond the tolerance, in 1/255 * pixels
-  double raw = 0;       // the same without tolerance
-  double exact = 0;     // weights of points that differed and are as the test has them
-  double broken = 0;    // weights of points that were right and are no more
+  double left = 0;    // what differs still, beyond the tolerance, in 1/255 * pixels
+  double raw = 0;     // the same without tolerance
+  double exact = 0;   // weights of points that differed and are as the test has them
+  double broken = 0;  // weights of points that were right and are no more
 };
 
 Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {
@@ -174,9 +175,9 @@ Pixels sorted_pixels(const Texture& reference, const Texture& test) {
       if (most > 4) {
         const Range of_test = around(test, x, y);
         const Range of_reference = around(reference, x, y);
-        const double off = std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
-                                    largest_of(outside(at(test, x, y), of_reference.low,
-                                                       of_reference.high)));
+        const double off =
+            std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
+                     largest_of(outside(at(test, x, y), of_reference.low, of_reference.high)));
         if (off > 4) {
           pixels.different.push_back(index);
         }
@@ -221,13 +222,16 @@ class Search {
     add_points(reference_, test_, pixels.same, 400, false, false, random, points_);
     interleave(different);
     prepare_clean();
+    add_curves();
     if (usable_) {
       add_background();
+      add_factors();
     }
     if (significant()) {
       search();
     }
-    if (report_.claims.empty() && !stopped_ && usable_) {
+    if (report_.claims.empty() && !stopped_ && !claim_blur(pixels) && usable_ &&
+        !claim_missed_samples(pixels)) {
       search_shifts(pixels);
     }
     return report_;
@@ -459,8 +463,7 @@ class Search {
     count = std::min(count, points_.size());
     std::vector<Colors> cache(list_.size());
     in_parallel(0, list_.size(), [&](std::size_t i) {
-      const std::optional<Colors> colors =
-          drawn({static_cast<std::uint16_t>(i)}, count, Turn());
+      const std::optional<Colors> colors = drawn({static_cast<std::uint16_t>(i)}, count, Turn());
       cache[i] = colors ? *colors : Colors();
     });
     cache_ = std::move(cache);
@@ -549,7 +552,8 @@ class Search {
     std::vector<Tried> result(sets.size());
     constexpr std::size_t chunk = 64;
     for (std::size_t start = 0; start < sets.size(); start += chunk) {
-      if (!step(from + (to - from) * static_cast<double>(start) / static_cast<double>(sets.size()))) {
+      if (!step(from +
+                (to - from) * static_cast<double>(start) / static_cast<double>(sets.size()))) {
         result.resize(start);
         break;
       }
@@ -590,6 +594,9 @@ class Search {
     if (claim_acne()) {
       return;
     }
+    if (report_.share_different < least_for_several) {
+      return;
+    }
     const std::vector<Tried> alone = best;
     if (usable_) {
       fill_cache(few_points);
@@ -602,8 +609,8 @@ class Search {
       return;
     }
     if (!pairs.empty() && pairs.front().merit() > 0.3 && rays_ < work_for_pairs) {
-      std::vector<Tried> starts(pairs.begin(), pairs.begin() + std::min<std::ptrdiff_t>(
-                                                                  4, std::ptrdiff_t(pairs.size())));
+      std::vector<Tried> starts(
+          pairs.begin(), pairs.begin() + std::min<std::ptrdiff_t>(4, std::ptrdiff_t(pairs.size())));
       std::vector<Together> sets;
       for (const Tried& t : starts) {
         sets.push_back(t.together);
@@ -620,9 +627,10 @@ class Search {
       const Hypothesis& h = list_[alone.front().together.front()];
       report_.partial.push_back(
           {h.cause, h.what,
-           fmt::format("made on purpose, it explains {} of the difference; something else is wrong, "
-                       "too",
-                       percent(alone.front().explained)),
+           fmt::format(
+               "made on purpose, it explains {} of the difference; something else is wrong, "
+               "too",
+               percent(alone.front().explained)),
            alone.front().explained});
     }
   }
@@ -638,14 +646,13 @@ class Search {
     }
     std::vector<Tried> result = try_all(sets, points_.size(), from, to);
     const double all = base(points_.size()).left;
-    std::stable_sort(result.begin(), result.end(), [&](const Tried& a, const Tried& b) {
-      return a.score.raw < b.score.raw;
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [&](const Tried& a, const Tried& b) { return a.score.raw < b.score.raw; });
     if (result.empty()) {
       return result;
     }
     // Among those that leave the same, the one that stands first in the list.
-    const double limit = 1.1 * result.front().score.raw + 0.0003 * all;
+    const double limit = tie_limit(result.front().score.raw, all);
     auto last = result.begin();
     while (last != result.end() && last->score.raw <= limit) {
       ++last;
@@ -712,8 +719,9 @@ class Search {
       const Hypothesis& a = list_[i];
       const Hypothesis& b = list_[other];
       const bool shift = a.cause == Cause::half_pixel_shift || b.cause == Cause::half_pixel_shift;
-      return shift || (a.cause == b.cause && a.cause != Cause::specular &&
-                       a.cause != Cause::texture && a.cause != Cause::shapes) ||
+      return shift ||
+             (a.cause == b.cause && a.cause != Cause::specular && a.cause != Cause::texture &&
+              a.cause != Cause::shapes) ||
              (a.touches == Touches::shapes && b.touches == Touches::shapes &&
               a.cause == Cause::transforms);
     });
@@ -763,30 +771,39 @@ class Search {
             found.score.left / values, b.left / values, percent(found.exact));
       } else {
         const Tried alone = rated({i}, score_of({i}, points_.size()), b);
-        one.evidence = fmt::format("together they explain {} of the difference; alone {}",
-                                   percent(found.explained),
-                                   percent(std::max(0.0, alone.explained)));
+        one.evidence =
+            fmt::format("together they explain {} of the difference; alone {}",
+                        percent(found.explained), percent(std::max(0.0, alone.explained)));
       }
       report_.claims.push_back(std::move(one));
     }
     if (found.together.size() > 1) {
       return;
     }
+    std::string same;
     for (const Tried& t : others) {
       const Hypothesis& h = list_[t.together.front()];
-      const bool listed =
-          h.cause == list_[found.together.front()].cause ||
-          std::any_of(report_.rivals.begin(), report_.rivals.end(),
-                      [&](const Claim& c) { return c.cause == h.cause; });
+      const bool listed = h.cause == list_[found.together.front()].cause ||
+                          std::any_of(report_.rivals.begin(), report_.rivals.end(),
+                                      [&](const Claim& c) { return c.cause == h.cause; });
       if (t.together.size() == 1 && !listed && good(t) && report_.rivals.size() < 3 &&
           t.score.raw <= found.score.raw + rival_margin * b.left) {
         report_.rivals.push_back(
             {h.cause, h.what,
              fmt::format("made on purpose, it explains {} of the difference", percent(t.explained)),
              t.explained});
+        if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
+          same += "; or " + h.what;
+        }
       }
     }
+    if (!same.empty()) {
+      report_.claims.back().what += same + ": the pictures are the same";
+    }
   }
+
+  // What leaves less is as good as what leaves `raw` of the difference `all`.
+  static double tie_limit(double raw, double all) { return 1.1 * raw + 0.0003 * all; }
 
   // ---- causes that are not tried like the others -------------------------------------------
 
@@ -820,9 +837,9 @@ class Search {
     if (all == 0) {
       return;
     }
-    const auto most = std::max_element(colors.begin(), colors.end(), [](const auto& a, const auto& b) {
-      return a.second < b.second;
-    });
+    const auto most =
+        std::max_element(colors.begin(), colors.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most->second < 0.7 * all) {
       return;
     }
@@ -836,8 +853,231 @@ class Search {
                      {}});
   }
 
+  // The value that most of `found` agree on, if they do.
+  static std::optional<double> common_value(std::vector<double>& found) {
+    if (found.size() < 3 * few_pixels) {
+      return std::nullopt;
+    }
+    const auto middle = found.begin() + std::ptrdiff_t(found.size() / 2);
+    std::nth_element(found.begin(), middle, found.end());
+    const double value = *middle;
+    const auto close = std::count_if(found.begin(), found.end(), [&](double x) {
+      return std::abs(x - value) <= 0.04 * std::max(std::abs(value), 0.25);
+    });
+    return 2 * static_cast<std::size_t>(close) >= found.size() ? std::optional(value)
+                                                               : std::nullopt;
+  }
+
+  // The brightness or the gamma that the pictures themselves tell.
+  void add_curves() {
+    std::vector<double> factors;
+    std::vector<double> powers;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const dvec3& r = clean({}).reference[i];
+      const dvec3& t = points_[i].test;
+      for (int channel = 0; points_[i].differs && channel < 3; ++channel) {
+        if (r[channel] > 20 && r[channel] < 235 && t[channel] > 4 && t[channel] < 250) {
+          factors.push_back((t[channel] + 0.5) / (r[channel] + 0.5));
+          powers.push_back(std::log((t[channel] + 0.5) / 255) / std::log((r[channel] + 0.5) / 255));
+        }
+      }
+    }
+    if (const std::optional<double> k = common_value(factors); k && std::abs(*k - 1) > 0.05) {
+      list_.push_back({Cause::brightness,
+                       fmt::format("the picture is {:.2f} times as bright as it should be", *k),
+                       Touches::picture,
+                       {},
+                       {},
+                       [k = *k](const dvec3& c) { return k * glm::clamp(c, dvec3(0), dvec3(1)); }});
+    }
+    if (const std::optional<double> p = common_value(powers); p && std::abs(*p - 1) > 0.05) {
+      list_.push_back(
+          {Cause::gamma,
+           *p < 1 ? fmt::format("gamma {:.2f} was applied, and the format knows none", 1 / *p)
+                  : fmt::format("values were taken to the power of {:.2f}", *p),
+           Touches::picture,
+           {},
+           {},
+           [p = *p](const dvec3& c) {
+             return glm::pow(glm::clamp(c, dvec3(0), dvec3(1)), dvec3(p));
+           }});
+    }
+  }
+
+  // Terms and lights that are a factor too bright or too dark; the pictures tell by how much.
+  void add_factors() {
+    using Change = std::function<void(Trial&, double)>;
+    const auto try_factor = [&](Cause cause, const std::string& what, const Change& change) {
+      Trial without = right_trial(false);
+      change(without, 0);
+      const std::size_t count = std::min<std::size_t>(points_.size(), 300);
+      const Colors dark = draw(without, *shapes_, points_, count, Turn(), &clean({}).hits);
+      std::vector<double> found;
+      for (std::size_t i = 0; i < count; ++i) {
+        const dvec3 term = clean({}).drawn[i] - dark[i];
+        for (int channel = 0; points_[i].differs && channel < 3; ++channel) {
+          const double t = points_[i].test[channel];
+          if (std::abs(term[channel]) > 12 && t > 1 && t < 254) {
+            found.push_back(1 + (t + 0.5 - clean({}).drawn[i][channel]) / term[channel]);
+          }
+        }
+      }
+      const std::optional<double> k = common_value(found);
+      if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 && std::abs(*k - 0.5) > 0.01 &&
+          std::abs(*k - 2) > 0.03) {
+        list_.push_back({cause,
+                         fmt::format("{} {:.2f} times as bright as it should be", what, *k),
+                         Touches::shading,
+                         [change, k = *k](Trial& t) { change(t, k); },
+                         {},
+                         {}});
+      }
+    };
+    if (view_->options.mode == Mode::normals) {
+      return;
+    }
+    try_factor(Cause::ambient, "the ambient term is",
+               [](Trial& t, double k) { t.scene.global.ambient *= static_cast<float>(k); });
+    try_factor(Cause::diffuse, "the diffuse term is",
+               [](Trial& t, double k) { t.mistakes.diffuse_factor *= k; });
+    try_factor(Cause::specular, "the specular term is", [](Trial& t, double k) {
+      for (RenderMaterial& m : t.scene.materials) {
+        m.specular *= static_cast<float>(k);
+      }
+    });
+    try_factor(Cause::reflection, "reflections are",
+               [](Trial& t, double k) { t.mistakes.mirror_factor *= k; });
+    try_factor(Cause::refraction, "what shows through transparent objects is",
+               [](Trial& t, double k) { t.mistakes.glass_factor *= k; });
+    const std::size_t lights = view_->scene->lights.size();
+    try_factor(Cause::lights, "the light of all lights is", [](Trial& t, double k) {
+      for (RenderLight& light : t.scene.lights) {
+        light.color *= static_cast<float>(k);
+      }
+    });
+    for (std::size_t i = 0; lights > 1 && i < std::min<std::size_t>(lights, 8); ++i) {
+      try_factor(Cause::lights,
+                 fmt::format("light {} ({}) is", i + 1, word_of(view_->scene->lights[i].type)),
+                 [i](Trial& t, double k) {
+                   if (i < t.scene.lights.size()) {
+                     t.scene.lights[i].color *= static_cast<float>(k);
+                   }
+                 });
+    }
+  }
+
+  // Black where one of several samples misses everything: a line around objects.
+  bool claim_missed_samples(const Pixels& pixels) {
+    // Nothing else differs but beside the background.
+    const auto beside = std::count_if(pixels.off.begin(), pixels.off.end(), [&](std::uint32_t i) {
+      const auto width = static_cast<std::uint32_t>(test_.width);
+      const Range range =
+          around(reference_, static_cast<int>(i % width), static_cast<int>(i / width));
+      return !range.calm() && largest_of(range.low) <= 4;
+    });
+    if (4 * static_cast<std::size_t>(beside) < 3 * pixels.off.size()) {
+      return false;
+    }
+    const Trial trial = right_trial(false);
+    const Model model(trial.scene, *shapes_, *view_->assets, trial.options, trial.mistakes);
+    std::size_t partly = 0;
+    std::size_t black = 0;
+    std::size_t candidates = 0;
+    const std::size_t all = std::size_t(test_.width) * test_.height;
+    std::mt19937 random(5);
+    for (std::size_t i = 0; i < all && candidates < 3000; ++i) {
+      const auto x = static_cast<int>(i % std::size_t(test_.width));
+      const auto y = static_cast<int>(i / std::size_t(test_.width));
+      const Range range = around(reference_, x, y);
+      if (range.calm() || largest_of(range.low) > 4 || largest_of(at(reference_, x, y)) < 24) {
+        continue;
+      }
+      ++candidates;
+      int hits = 0;
+      for (int k = 0; k < 4; ++k) {
+        const dvec2 place(x + 0.25 + 0.5 * (k % 2), y + 0.25 + 0.5 * (k / 2));
+        hits += model.first_hit(model.camera_ray(place, test_.width, test_.height)).part != nullptr;
+      }
+      if (hits > 0 && hits < 4) {
+        ++partly;
+        black += largest_of(at(test_, x, y)) <= 3 ? 1 : 0;
+      }
+    }
+    if (partly < few_pixels || static_cast<double>(black) < 0.9 * static_cast<double>(partly)) {
+      return false;
+    }
+    report_.claims.push_back(
+        {Cause::samples, "pixels stay black where one of several samples misses everything",
+         fmt::format("{} of the pixels that objects cover partly are black",
+                     percent(static_cast<double>(black) / static_cast<double>(partly))),
+         static_cast<double>(black) / static_cast<double>(partly)});
+    return true;
+  }
+
+  // The mean of the pixels around, by weights of columns and rows.
+  dvec3 mean_around(int x, int y, const std::vector<double>& weights, int before) const {
+    dvec3 sum(0);
+    double all = 0;
+    for (int v = 0; v < static_cast<int>(weights.size()); ++v) {
+      for (int u = 0; u < static_cast<int>(weights.size()); ++u) {
+        const int column = std::clamp(x + u - before, 0, test_.width - 1);
+        const int row = std::clamp(y + v - before, 0, test_.height - 1);
+        const double w =
+            weights[static_cast<std::size_t>(u)] * weights[static_cast<std::size_t>(v)];
+        sum += w * at(reference_, column, row);
+        all += w;
+      }
+    }
+    return sum / all;
+  }
+
+  bool claim_blur(const Pixels& pixels) {
+    std::vector<Point> points;
+    std::mt19937 random(6);
+    add_points(reference_, test_, pixels.off, 800, true, true, random, points);
+    add_points(reference_, test_, pixels.same, 300, false, true, random, points);
+    struct Filter {
+      const char* what;
+      std::vector<double> weights;
+      int before;
+    };
+    static const std::array<Filter, 6> filters{{{"3 by 3 pixels", {1, 1, 1}, 1},
+                                                {"5 by 5 pixels", {1, 1, 1, 1, 1}, 2},
+                                                {"2 by 2 pixels", {1, 1}, 0},
+                                                {"2 by 2 pixels", {1, 1}, 1},
+                                                {"3 by 3 pixels, weighted", {1, 2, 1}, 1},
+                                                {"5 by 5 pixels, weighted", {1, 4, 6, 4, 1}, 2}}};
+    for (const Filter& filter : filters) {
+      Colors predicted;
+      Colors before;
+      for (const Point& p : points) {
+        predicted.push_back(mean_around(p.x, p.y, filter.weights, filter.before));
+        before.push_back(at(reference_, p.x, p.y));
+      }
+      const Score s = score(points, points.size(), predicted);
+      const Score b = score(points, points.size(), before);
+      double differs = 0;
+      double same = 0;
+      for (const Point& p : points) {
+        (p.differs ? differs : same) += p.weight;
+      }
+      if (differs > 0 && s.left < (1 - enough) * b.left && s.exact >= enough_exact * differs &&
+          s.broken <= most_broken * same) {
+        report_.claims.push_back(
+            {Cause::samples,
+             fmt::format("the picture is blurred: each pixel is the mean of {}", filter.what),
+             fmt::format("made on purpose, it explains {} of the difference",
+                         percent(1 - s.left / b.left)),
+             1 - s.left / b.left});
+        return true;
+      }
+    }
+    return false;
+  }
+
   // Whether the test has the color of the clean picture without some of the lights.
-  static bool lacks_lights(const dvec3& test, const dvec3& clean, const std::vector<dvec3>& shares) {
+  static bool lacks_lights(const dvec3& test, const dvec3& clean,
+                           const std::vector<dvec3>& shares) {
     const std::size_t count = std::min<std::size_t>(shares.size(), 5);
     for (unsigned subset = 1; subset < 1u << count; ++subset) {
       dvec3 c = clean;
@@ -865,6 +1105,9 @@ class Search {
     std::size_t scattered = 0;
     std::size_t dull = 0;
     std::size_t lacking = 0;
+    std::size_t mirrors = 0;
+    std::size_t seeing_themselves = 0;
+    std::size_t beside_right = 0;
     for (std::size_t i = 0; i < points_.size() && looked_at < 400; ++i) {
       const Point& p = points_[i];
       if (!p.differs || clean({}).hits[i].part == nullptr) {
@@ -881,12 +1124,31 @@ class Search {
       if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
         ++dull;
         lacking += lacks_lights(p.test, clean({}).drawn[i], model.light_shares(ray)) ? 1 : 0;
+      } else if (m.transparent == glm::vec3(0) && mirrors < 150) {
+        ++mirrors;
+        const std::vector<dvec3> seen = model.self_mirrored(ray, 16);
+        seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
+          return largest_of(glm::abs(glm::clamp(255.0 * c, dvec3(0), dvec3(255)) - p.test)) <= 3;
+        });
+        beside_right += right_beside(p) ? 1 : 0;
       }
     }
     const auto share = [](std::size_t part_of, std::size_t whole) {
       return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
     };
-    if (looked_at < few_pixels || dull < few_pixels || share(scattered, looked_at) < (share(lacking, dull) < 0.97 ? 0.4 : 0.25) ||
+    if (mirrors >= 3 * few_pixels && share(seeing_themselves, mirrors) >= 0.85 &&
+        share(beside_right, mirrors) >= 0.25 && 4 * mirrors > 3 * (mirrors + dull)) {
+      report_.claims.push_back(
+          {Cause::acne,
+           "reflected rays meet the surface that they start from, in spots (acne): start them off "
+           "the surface",
+           fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
+                       percent(share(seeing_themselves, mirrors))),
+           share(seeing_themselves, mirrors)});
+      return true;
+    }
+    if (looked_at < few_pixels || dull < few_pixels ||
+        share(scattered, looked_at) < (share(lacking, dull) < 0.97 ? 0.4 : 0.25) ||
         share(lacking, dull) < 0.85 ||
         share(between, looked_at) < (share(lacking, dull) < 0.95 ? 0.85 : 0.5)) {
       return false;
@@ -894,9 +1156,10 @@ class Search {
     report_.claims.push_back(
         {Cause::acne,
          "surfaces shadow themselves in spots (shadow acne): start rays off the surface",
-         fmt::format("{} of the pixels that differ on dull surfaces lack exactly the light of one or "
-                     "more lights, scattered among right ones",
-                     percent(share(lacking, dull))),
+         fmt::format(
+             "{} of the pixels that differ on dull surfaces lack exactly the light of one or "
+             "more lights, scattered among right ones",
+             percent(share(lacking, dull))),
          share(between, looked_at)});
     return true;
   }
@@ -932,9 +1195,8 @@ class Search {
       }
     }
     std::vector<Tried> tried = try_all(shifts, points_.size(), 0.95, 1);
-    std::stable_sort(tried.begin(), tried.end(), [](const Tried& a, const Tried& b) {
-      return a.score.raw < b.score.raw;
-    });
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const Tried& a, const Tried& b) { return a.score.raw < b.score.raw; });
     if (!tried.empty() && tried.front().explained >= enough_shift && tried.front().exact >= 0.5) {
       claim(tried.front(), {});
     }
@@ -995,13 +1257,25 @@ std::optional<Claim> find_rounding(const Texture& reference, const Texture& test
 
 std::string_view name_of(Cause cause) {
   static constexpr std::array<std::string_view, cause_count> names{
-      "vertical-flip", "horizontal-flip", "gamma",      "rounding",    "swapped-channels",
-      "half-pixel-shift", "ambient",      "diffuse",    "specular",    "blinn",
-      "attenuation",   "normals",         "shadows",    "acne",        "texture",
-      "recursion-depth", "spot-falloff",  "camera",     "transforms",  "shapes",
-      "nearest-hit",   "lights",          "reflection", "refraction",  "overflow",
-      "background",    "brightness",      "black",      "features"};
+      "vertical-flip",    "horizontal-flip", "gamma",      "rounding",   "swapped-channels",
+      "half-pixel-shift", "ambient",         "diffuse",    "specular",   "blinn",
+      "attenuation",      "normals",         "shadows",    "acne",       "texture",
+      "recursion-depth",  "spot-falloff",    "camera",     "transforms", "shapes",
+      "nearest-hit",      "lights",          "reflection", "refraction", "overflow",
+      "background",       "brightness",      "black",      "features",   "samples"};
   return names[static_cast<std::size_t>(cause)];
+}
+
+std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& pixel,
+                                       const glm::ivec2& size) {
+  const auto shapes = flatten(*view.scene, *view.assets);
+  if (shapes == nullptr) {
+    return std::nullopt;
+  }
+  const ModelMistakes right;
+  const Model model(*view.scene, *shapes, *view.assets, view.options, right);
+  const ModelHit hit = model.first_hit(model.camera_ray(glm::dvec2(pixel) + 0.5, size.x, size.y));
+  return hit.part == nullptr ? std::nullopt : std::optional(hit.part->source);
 }
 
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views) {
@@ -1023,8 +1297,8 @@ SceneView most_alike(const Texture& reference, std::span<const SceneView> views)
     const Model model(*view.scene, *shapes, *view.assets, view.options, right);
     Colors colors;
     for (const Point& p : points) {
-      colors.push_back(255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width,
-                                           reference.height, nullptr));
+      colors.push_back(
+          255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width, reference.height, nullptr));
     }
     const double left = score(points, points.size(), colors).left;
     if (left < least) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,12 +43,13 @@ enum class Cause : std::uint8_t {
   refraction,        ///< missing, wrong way, wrong weights
   overflow,          ///< values over 1 wrap around, or are scaled
   background,
-  brightness,        ///< the whole picture times a factor, inverted, or gray
-  black,             ///< nothing was drawn
-  features,          ///< drawn with other features or in another mode than the reference
+  brightness,  ///< the whole picture times a factor, inverted, or gray
+  black,       ///< nothing was drawn
+  features,    ///< drawn with other features or in another mode than the reference
+  samples,     ///< samples of a pixel put together wrongly
 };
 
-inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::features) + 1;
+inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::samples) + 1;
 
 /// The word for programs, such as "half-pixel-shift".
 std::string_view name_of(Cause cause);
@@ -91,6 +93,11 @@ struct CauseReport {
 CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
                         const std::function<bool(double done)>& go_on = {});
+
+/// What the scene shows at the middle of a pixel of a picture of that size: RenderPrimitive::source
+/// of the nearest shape; none: nothing, or the scene has too many shapes.
+std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& pixel,
+                                       const glm::ivec2& size);
 
 /// The one of several views whose drawing is most like the reference; the first of equals. `views`
 /// is not empty.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace scenefile {
 
@@ -51,6 +52,36 @@ bool Gradebook::all_passed() const {
   return std::all_of(students.begin(), students.end(), [](const StudentResult& student) {
     return student.passed() == student.pictures.size();
   });
+}
+
+std::vector<CauseCount> count_causes(std::span<const StudentResult> students) {
+  std::array<CauseCount, cause_count> counts;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    counts[i].cause = static_cast<Cause>(i);
+  }
+  for (const StudentResult& student : students) {
+    std::array<bool, cause_count> of_student{};
+    for (const PictureResult& picture : student.pictures) {
+      std::array<bool, cause_count> of_picture{};
+      for (const Claim& claim : picture.causes) {
+        of_picture[static_cast<std::size_t>(claim.cause)] = true;
+      }
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        counts[i].pictures += of_picture[i] ? 1 : 0;
+        of_student[i] = of_student[i] || of_picture[i];
+      }
+    }
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      counts[i].students += of_student[i] ? 1 : 0;
+    }
+  }
+  std::vector<CauseCount> found;
+  std::copy_if(counts.begin(), counts.end(), std::back_inserter(found),
+               [](const CauseCount& c) { return c.pictures > 0 && c.cause != Cause::rounding; });
+  std::stable_sort(found.begin(), found.end(), [](const CauseCount& a, const CauseCount& b) {
+    return a.pictures > b.pictures;
+  });
+  return found;
 }
 
 std::string gradebook_text(const Gradebook& book) {

@@ -1,5 +1,5 @@
-#include "scenefile/grade/gradebook.h"
 #include "scenefile/base/base64.h"
+#include "scenefile/grade/gradebook.h"
 #include "scenefile/grade/markup.h"
 
 #include <fmt/format.h>
@@ -9,35 +9,103 @@ namespace scenefile {
 namespace {
 
 constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --line: #8884; --good: #2a7d46; --bad: #c0392b; --none: #8a6d1b; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 72rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: 0; }
-.sum { opacity: .75; margin-top: .2rem; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; margin: 1.5rem 0; font-variant-numeric: tabular-nums; }
-th, td { padding: .35rem .7rem; border-bottom: 1px solid var(--line); text-align: right; }
-th:first-child, td:first-child { text-align: left; }
-td a { color: inherit; text-decoration: none; }
-.passed { color: var(--good); }
-.differs { color: var(--bad); font-weight: 600; }
+:root { color-scheme: light dark; --ink: #1c1e21; --paper: #fff; --soft: #f1f3f5; --line: #c9ced6; --dim: #59606b;
+  --good: #1d6b3a; --bad: #b3261e; --none: #7a5600; --link: #0b57a4; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6e8eb; --paper: #15171a; --soft: #22262b; --line: #3f464f;
+  --dim: #a8b0bb; --good: #6fd191; --bad: #ff8f85; --none: #f0c264; --link: #8ec5ff; } }
+* { box-sizing: border-box; }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 0; }
+main { max-width: 90rem; margin: 0 auto; padding: 1rem; }
+a { color: var(--link); }
+h1 { font-size: 1.6rem; margin: .5rem 0 0; } h2 { font-size: 1.2rem; } h3 { font-size: 1rem; margin: 1rem 0 .2rem; }
+.sum, .dim, figcaption { color: var(--dim); }
+.filters { display: flex; flex-wrap: wrap; gap: .5rem 1rem; margin: 1rem 0 .5rem; }
+.filters label { display: flex; gap: .4rem; align-items: center; }
+input, select { font: inherit; color: inherit; background: var(--soft); border: 1px solid var(--line); border-radius: 4px;
+  padding: .2rem .4rem; max-width: 14rem; }
+.wide { overflow: auto; max-height: 85vh; border: 1px solid var(--line); border-radius: 4px; }
+table { border-collapse: separate; border-spacing: 0; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap;
+  background: var(--paper); }
+thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; }
+tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 11rem; overflow: hidden;
+  text-overflow: ellipsis; }
+thead th:first-child { left: 0; z-index: 3; }
+th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
+th[aria-sort=ascending] button::after { content: " ▲"; } th[aria-sort=descending] button::after { content: " ▼"; }
+td a { color: inherit; }
+.passed { color: var(--good); } .differs { color: var(--bad); font-weight: 600; }
 .missing, .unreadable { color: var(--none); font-weight: 600; }
-section { margin: 2rem 0; padding-top: .5rem; border-top: 1px solid var(--line); }
-h2 { font-size: 1.2rem; } h3 { font-size: 1rem; margin-bottom: .2rem; }
-ul { margin: .2rem 0 .6rem; }
-img { max-width: 100%; height: auto; border-radius: 4px; image-rendering: auto; }
-figcaption { font-size: .85rem; opacity: .75; } figure { margin: .5rem 0 1.5rem; }
+details { border-top: 1px solid var(--line); padding: .4rem 0; } summary { cursor: pointer; font-weight: 600; }
+img { max-width: 100%; height: auto; border-radius: 4px; } figure { margin: .5rem 0 1.5rem; }
 .cause { border-left: 3px solid var(--bad); padding-left: .6rem; margin: .4rem 0; }
-.cause small { display: block; opacity: .75; }
+.cause small { display: block; color: var(--dim); overflow-wrap: anywhere; }
+li, h3 { overflow-wrap: anywhere; }
+@media (max-width: 30rem) { main { padding: .5rem; } tbody th { max-width: 7rem; } }
 )";
 
-// What stands in a cell of the table.
+// Sorts by a column, filters the rows, and opens what a link in the table leads to.
+constexpr std::string_view script = R"(
+const table = document.querySelector('table'), body = table && table.tBodies[0];
+if (table) {
+  const heads = [...table.tHead.rows[0].cells];
+  heads.forEach((head, column) => head.querySelector('button').addEventListener('click', () => {
+    const down = head.getAttribute('aria-sort') === 'ascending';
+    heads.forEach(h => h.removeAttribute('aria-sort'));
+    head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
+    const key = row => row.cells[column].dataset.key || row.cells[column].textContent;
+    const rows = [...body.rows].sort((a, b) => key(a).localeCompare(key(b), undefined, {numeric: true}));
+    (down ? rows.reverse() : rows).forEach(row => body.append(row));
+  }));
+  const name = document.getElementById('name'), cause = document.getElementById('cause');
+  const state = document.getElementById('state'), shown = document.getElementById('shown');
+  const filter = () => {
+    let count = 0;
+    for (const row of body.rows) {
+      const all = row.dataset.passed === '1';
+      const hidden = !row.cells[0].textContent.toLowerCase().includes(name.value.toLowerCase()) ||
+        (cause.value && !(' ' + row.dataset.causes + ' ').includes(' ' + cause.value + ' ')) ||
+        (state.value && (state.value === 'passed') !== all);
+      row.hidden = hidden;
+      count += hidden ? 0 : 1;
+    }
+    shown.textContent = count + ' of ' + body.rows.length + ' students';
+  };
+  [name, cause, state].forEach(e => e.addEventListener('input', filter));
+  filter();
+}
+const open = () => {
+  const target = location.hash && document.getElementById(location.hash.slice(1));
+  const box = target && target.closest('details');
+  if (box) { box.open = true; target.scrollIntoView(); }
+};
+addEventListener('hashchange', open);
+open();
+)";
+
+std::string names_of(const std::vector<Claim>& causes) {
+  std::string text;
+  for (const Claim& claim : causes) {
+    if (claim.cause != Cause::rounding) {
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(claim.cause));
+    }
+  }
+  return text;
+}
+
+// What stands in a cell of the table: the cause where one is known.
 std::string figure_of(const PictureResult& picture) {
   switch (picture.verdict) {
     case Verdict::passed:
-    case Verdict::differs:
+    case Verdict::differs: {
+      const std::string causes = names_of(picture.causes);
+      if (picture.verdict == Verdict::differs && !causes.empty()) {
+        return causes;
+      }
       return picture.measures.same_size
                  ? fmt::format("{:.1f} dB", picture.measures.difference.psnr_db)
                  : "size";
+    }
     case Verdict::missing:
     case Verdict::unreadable:
       return std::string(name_of(picture.verdict));
@@ -45,28 +113,90 @@ std::string figure_of(const PictureResult& picture) {
   return {};
 }
 
+std::size_t failed(const StudentResult& student) {
+  return student.pictures.size() - student.passed();
+}
+
+// "blinn in 5 of 5" that did not pass.
+std::string causes_line(const StudentResult& student) {
+  std::string text;
+  for (const CauseCount& count : count_causes({&student, 1})) {
+    text += fmt::format("{}{} in {} of {}", text.empty() ? "" : ", ", name_of(count.cause),
+                        count.pictures, failed(student));
+  }
+  return text;
+}
+
+std::string header_cell(std::string_view name) {
+  return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", markup(name));
+}
+
+std::string table_row(const StudentResult& student, std::size_t index) {
+  std::string words;
+  for (const CauseCount& count : count_causes({&student, 1})) {
+    words += fmt::format("{}{}", words.empty() ? "" : " ", name_of(count.cause));
+  }
+  const std::string name =
+      failed(student) == 0 ? markup(student.name)
+                           : fmt::format("<a href=\"#s{}\">{}</a>", index, markup(student.name));
+  std::string html = fmt::format(
+      "<tr data-passed=\"{}\" data-causes=\"{}\"><th "
+      "scope=\"row\">{}</th><td>{}/{}</td><td>{}</td>",
+      failed(student) == 0 ? 1 : 0, words, name, student.passed(), student.pictures.size(),
+      causes_line(student));
+  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
+    const PictureResult& picture = student.pictures[p];
+    html +=
+        picture.verdict == Verdict::passed
+            ? fmt::format("<td class=\"passed\" data-key=\"0\">{}</td>", figure_of(picture))
+            : fmt::format("<td class=\"{0}\" data-key=\"1 {1}\"><a href=\"#p{2}-{3}\">{1}</a></td>",
+                          name_of(picture.verdict), figure_of(picture), index, p);
+  }
+  return html + "</tr>\n";
+}
+
+std::string filters(const Gradebook& book) {
+  std::string html =
+      "<div class=\"filters\"><label>Student <input id=\"name\" type=\"search\"></label>\n"
+      "<label>Cause <select id=\"cause\"><option value=\"\">any</option>";
+  for (const CauseCount& count : count_causes(book.students)) {
+    html += fmt::format("<option value=\"{0}\">{0}</option>", name_of(count.cause));
+  }
+  return html +
+         "</select></label>\n<label>State <select id=\"state\"><option value=\"\">any</option>"
+         "<option value=\"failed\">something failed</option><option value=\"passed\">all passed"
+         "</option></select></label>\n<span id=\"shown\" class=\"dim\" "
+         "role=\"status\"></span></div>\n";
+}
+
 std::string table(const Gradebook& book) {
-  std::string html = "<div class=\"wide\"><table>\n<tr><th>student</th><th>passed</th>";
+  std::string html = filters(book) +
+                     "<div class=\"wide\" role=\"region\" aria-label=\"Results\" tabindex=\"0\">"
+                     "<table>\n<thead><tr>" +
+                     header_cell("student") + header_cell("passed") + header_cell("causes");
   if (!book.students.empty()) {
     for (const PictureResult& picture : book.students.front().pictures) {
-      html += fmt::format("<th>{}</th>", markup(picture.name));
+      html += header_cell(picture.name);
     }
   }
-  html += "</tr>\n";
+  html += "</tr></thead>\n<tbody>\n";
   for (std::size_t s = 0; s < book.students.size(); ++s) {
-    const StudentResult& student = book.students[s];
-    html += fmt::format("<tr><td>{}</td><td>{}/{}</td>", markup(student.name), student.passed(),
-                        student.pictures.size());
-    for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-      const PictureResult& picture = student.pictures[p];
-      html += picture.verdict == Verdict::passed
-                  ? fmt::format("<td class=\"passed\">{}</td>", figure_of(picture))
-                  : fmt::format("<td class=\"{}\"><a href=\"#p{}-{}\">{}</a></td>",
-                                name_of(picture.verdict), s, p, figure_of(picture));
-    }
-    html += "</tr>\n";
+    html += table_row(book.students[s], s);
   }
-  return html + "</table></div>\n";
+  return html + "</tbody>\n</table></div>\n";
+}
+
+std::string causes_of_class(const Gradebook& book) {
+  const std::vector<CauseCount> counts = count_causes(book.students);
+  if (counts.empty()) {
+    return {};
+  }
+  std::string html = "<h2>Causes</h2>\n<ul>\n";
+  for (const CauseCount& count : counts) {
+    html += fmt::format("<li>{}: {} of {} students, {} pictures</li>\n", name_of(count.cause),
+                        count.students, book.students.size(), count.pictures);
+  }
+  return html + "</ul>\n";
 }
 
 std::string measures_line(const PictureMeasures& m) {
@@ -84,47 +214,88 @@ std::string details(const PictureResult& picture) {
   }
   html += "</ul>\n";
   for (const Claim& claim : picture.causes) {
-    html += fmt::format("<div class=\"cause\">{}<small>{}</small></div>\n", markup(claim.what),
-                        markup(claim.evidence));
+    html += fmt::format("<div class=\"cause\">{} [{}]<small>{}</small></div>\n", markup(claim.what),
+                        name_of(claim.cause), markup(claim.evidence));
   }
-  if (!picture.png.empty()) {
+  const std::string source = !picture.png_file.empty() ? markup(picture.png_file)
+                             : picture.png.empty()     ? std::string()
+                                                   : "data:image/png;base64," + base64(picture.png);
+  if (!source.empty()) {
     html += fmt::format(
-        "<figure><img alt=\"reference, picture, difference\" src=\"data:image/png;base64,{}\">"
-        "<figcaption>reference · picture · difference — {}</figcaption></figure>\n",
-        base64(picture.png), measures_line(picture.measures));
+        "<figure><img loading=\"lazy\" alt=\"reference, picture and difference of {}\" src=\"{}\">"
+        "<figcaption>reference · picture · difference: {}</figcaption></figure>\n",
+        markup(picture.name), source, measures_line(picture.measures));
   }
   return html;
+}
+
+// What did not pass. `index` of the student in the table.
+std::string failures(const StudentResult& student, std::size_t index) {
+  std::string html;
+  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
+    const PictureResult& picture = student.pictures[p];
+    if (picture.verdict != Verdict::passed) {
+      html +=
+          fmt::format("<h3 id=\"p{}-{}\">{}: <span class=\"{}\">{}</span></h3>\n", index, p,
+                      markup(picture.name), name_of(picture.verdict), name_of(picture.verdict)) +
+          details(picture);
+    }
+  }
+  return html;
+}
+
+std::string page(std::string_view title, const std::string& sum, const std::string& content,
+                 bool with_script) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n"
+      "<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n<p class=\"sum\">{2}</p>\n{3}"
+      "</main>\n{4}</body>\n</html>\n",
+      markup(title), style, sum, content,
+      with_script ? fmt::format("<script>{}</script>\n", script) : std::string());
 }
 
 }  // namespace
 
 std::string gradebook_html(const Gradebook& book, std::string_view title) {
-  std::string html = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n<style>{1}</style>\n"
-      "</head>\n<body>\n<h1>{0}</h1>\n<p class=\"sum\">{2} students · {3} pictures passed · {4} "
-      "differ · {5} missing · {6} unreadable</p>\n",
-      markup(title), style, book.students.size(), book.count(Verdict::passed),
-      book.count(Verdict::differs), book.count(Verdict::missing), book.count(Verdict::unreadable));
-  html += table(book);
+  const std::string sum =
+      fmt::format("{} students · {} pictures passed · {} differ · {} missing · {} unreadable",
+                  book.students.size(), book.count(Verdict::passed), book.count(Verdict::differs),
+                  book.count(Verdict::missing), book.count(Verdict::unreadable));
+  std::string html = table(book) + causes_of_class(book);
+  bool any = false;
   for (std::size_t s = 0; s < book.students.size(); ++s) {
     const StudentResult& student = book.students[s];
-    if (student.passed() == student.pictures.size()) {
+    if (failed(student) == 0) {
       continue;
     }
-    html += fmt::format("<section>\n<h2>{}</h2>\n", markup(student.name));
-    for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-      const PictureResult& picture = student.pictures[p];
-      if (picture.verdict != Verdict::passed) {
-        html +=
-            fmt::format("<h3 id=\"p{}-{}\">{}: <span class=\"{}\">{}</span></h3>\n", s, p,
-                        markup(picture.name), name_of(picture.verdict), name_of(picture.verdict)) +
-            details(picture);
-      }
-    }
-    html += "</section>\n";
+    html += any ? "" : "<h2>What did not pass</h2>\n";
+    any = true;
+    const std::string causes = causes_line(student);
+    html += fmt::format("<details id=\"s{}\"><summary>{}: {} of {} passed{}</summary>\n", s,
+                        markup(student.name), student.passed(), student.pictures.size(),
+                        causes.empty() ? "" : "; " + causes) +
+            failures(student, s) + "</details>\n";
   }
-  return html + "</body>\n</html>\n";
+  return page(title, sum, html, true);
+}
+
+std::string student_html(const StudentResult& student, std::string_view title) {
+  const std::string causes = causes_line(student);
+  std::string html;
+  for (const PictureResult& picture : student.pictures) {
+    if (picture.verdict == Verdict::passed) {
+      html += fmt::format("<h3>{}: <span class=\"passed\">passed</span> ({})</h3>\n",
+                          markup(picture.name), figure_of(picture));
+    }
+  }
+  const std::string sum =
+      fmt::format("{}: {} of {} pictures passed{}", markup(student.name), student.passed(),
+                  student.pictures.size(), causes.empty() ? "" : "; " + causes);
+  return page(title, sum,
+              (failed(student) == 0 ? std::string() : "<h2>What did not pass</h2>\n") +
+                  failures(student, 0) + (html.empty() ? "" : "<h2>Passed</h2>\n") + html,
+              false);
 }
 
 }  // namespace scenefile

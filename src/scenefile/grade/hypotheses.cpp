@@ -2,6 +2,7 @@
 
 #include "scenefile/base/limits.h"
 #include "scenefile/scene/prepare.h"
+#include "scenefile/scene/transforms.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,8 @@ void add_gamma(Hypotheses& list) {
 
 void add_brightness(Hypotheses& list) {
   for (const auto& [factor, what] :
-       {std::pair(0.5, "the picture is half as bright"), std::pair(2.0, "the picture is twice as bright"),
+       {std::pair(0.5, "the picture is half as bright"),
+        std::pair(2.0, "the picture is twice as bright"),
         std::pair(0.25, "the picture has a quarter of its brightness"),
         std::pair(4.0, "the picture is four times as bright"),
         std::pair(1 / 3.0, "the picture has a third of its brightness"),
@@ -105,6 +107,16 @@ void add_overflow(Hypotheses& list) {
                 }
                 return c;
               });
+  add_picture(list, Cause::overflow,
+              "values over 1 wrap around to dark: they are not clamped (times 256)",
+              [](const dvec3& color) {
+                dvec3 c;
+                for (int i = 0; i < 3; ++i) {
+                  const double whole = std::floor(256 * std::max(color[i], 0.0));
+                  c[i] = (whole - 256 * std::floor(whole / 256)) / 255;
+                }
+                return c;
+              });
   add_picture(list, Cause::overflow, "colors over 1 are scaled down by their greatest value",
               [](const dvec3& color) {
                 const double most = std::max({color.x, color.y, color.z, 1.0});
@@ -122,12 +134,154 @@ void add_overflow(Hypotheses& list) {
   });
 }
 
+// How a program places what the nodes of a scene hold.
+struct PlacingRules {
+  bool nesting_reversed = false;    // the matrix of the inner node acts last
+  bool listed_reversed = false;     // the first listed transform acts first
+  bool not_restored = false;        // the matrix of a node goes on to its next siblings
+  bool written_transposed = false;  // rows of matrices in the file are taken for columns
+  bool transposed = false;          // of shapes
+  bool inverted = false;            // of shapes
+  bool lights_stay = false;         // where they are written
+};
+
 bool any_light(const RenderScene& scene, const std::function<bool(const RenderLight&)>& is) {
   return std::any_of(scene.lights.begin(), scene.lights.end(), is);
 }
 
 bool any_material(const RenderScene& scene, bool (*is)(const RenderMaterial&)) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), is);
+}
+
+// What the file says of a light of the ready scene, in the world.
+struct WrittenLight {
+  dvec3 position{0};
+  double length = 1;  // of the direction
+};
+
+// Calls for each node wherever it stands: scene, node, the matrix of what stands in it.
+struct Placing {
+  const Scene& scene;
+  const PlacingRules& rules;
+  std::function<void(const Node&, const glm::dmat4&)> found;
+  std::size_t left = 20000;  // nodes to visit at most
+
+  static glm::dmat4 matrix_of(const DAffine& a) {
+    return {glm::dvec4(a.linear[0], 0), glm::dvec4(a.linear[1], 0), glm::dvec4(a.linear[2], 0),
+            glm::dvec4(a.offset, 1)};
+  }
+
+  glm::dmat4 own(const Node& node) const {
+    glm::dmat4 product(1);
+    for (const Transform& t : node.transforms) {
+      const auto* const written = std::get_if<Matrix>(&t.map);
+      const glm::dmat4 m = written != nullptr && rules.written_transposed
+                               ? glm::transpose(glm::dmat4(written->m()))
+                               : matrix_of(composed(DAffine(), t));
+      product = rules.listed_reversed ? m * product : product * m;
+    }
+    return product;
+  }
+
+  // False: too many nodes. NOLINTNEXTLINE(misc-no-recursion): as deep as the file, which is limited
+  bool visit(NodeId id, glm::dmat4& parent, int depth) {
+    if (left-- == 0 || depth > 200) {
+      left = 0;
+      return false;
+    }
+    const Node& node = scene.nodes[id];
+    glm::dmat4 matrix = rules.nesting_reversed ? own(node) * parent : parent * own(node);
+    found(node, matrix);
+    for (const NodeId child : node.children) {
+      if (!visit(child, matrix, depth + 1)) {
+        return false;
+      }
+    }
+    const std::string wanted(node.instance_of);
+    for (const NodeId id_of_template : scene.templates) {
+      if (!wanted.empty() && std::string(scene.nodes[id_of_template].name) == wanted) {
+        return visit(id_of_template, matrix, depth + 1);
+      }
+    }
+    if (rules.not_restored) {
+      parent = matrix;
+    }
+    return true;
+  }
+};
+
+std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderScene& ready) {
+  std::vector<std::pair<const Light*, glm::dmat4>> lights;
+  const PlacingRules rules;
+  Placing placing{written, rules, [&](const Node& node, const glm::dmat4& matrix) {
+                    for (const Light& light : node.lights) {
+                      lights.emplace_back(&light, matrix);
+                    }
+                  }};
+  glm::dmat4 start(1);
+  placing.visit(written.root, start, 0);
+  std::vector<WrittenLight> result(ready.lights.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const RenderLight& light = ready.lights[i];
+    for (auto& [candidate, matrix] : lights) {
+      if (candidate == nullptr || candidate->type != light.type ||
+          candidate->color != light.color) {
+        continue;
+      }
+      const dvec3 direction(matrix * glm::dvec4(candidate->direction, 0));
+      const dvec3 position(matrix * glm::dvec4(candidate->position, 1));
+      const double length = glm::length(direction);
+      const bool aimed = light.type == LightType::point ||
+                         glm::length(direction - length * dvec3(light.direction)) < 1e-3 * length;
+      const bool placed =
+          light.type == LightType::directional ||
+          glm::length(position - dvec3(light.position)) < 1e-3 * (1 + glm::length(position));
+      if (aimed && placed) {
+        result[i] = {position, length};
+        candidate = nullptr;
+        break;
+      }
+    }
+  }
+  return result;
+}
+
+// Each primitive and light in a node of its own below the root, placed by these rules.
+bool place_all(Scene& scene, const PlacingRules& rules) {
+  Scene flat;
+  flat.name = scene.name;
+  flat.global = scene.global;
+  flat.camera = scene.camera;
+  Placing placing{scene, rules, [&](const Node& node, const glm::dmat4& matrix) {
+                    const auto add = [&](const glm::dmat4& map) -> Node& {
+                      Node& added = flat.nodes[add_child(flat, flat.root)];
+                      added.transforms.push_back({Matrix(glm::mat4(map)), {}});
+                      return added;
+                    };
+                    if (!node.primitives.empty()) {
+                      // Rays are brought into the object by the upper rows of the inverse.
+                      glm::dmat4 to_world = rules.transposed ? glm::transpose(matrix) : matrix;
+                      if (!rules.inverted) {
+                        glm::dmat4 to_object = glm::inverse(to_world);
+                        for (int column = 0; column < 4; ++column) {
+                          to_object[column][3] = column == 3 ? 1 : 0;
+                        }
+                        to_world = glm::inverse(to_object);
+                      } else {
+                        to_world = glm::inverse(to_world);
+                      }
+                      add(to_world).primitives = node.primitives;
+                    }
+                    if (!node.lights.empty()) {
+                      add(rules.lights_stay ? glm::dmat4(1) : matrix).lights = node.lights;
+                    }
+                  }};
+  glm::dmat4 start(1);
+  if (!placing.visit(scene.root, start, 0)) {
+    return false;
+  }
+  scene = std::move(flat);
+  return true;
 }
 
 class Maker {
@@ -153,13 +307,17 @@ class Maker {
     if (view_.options.mode != Mode::normals) {
       add_ambient();
       add_diffuse();
-      add_specular();
       add_lights();
+    }
+    add_shadows();
+    add_normals();
+    if (view_.options.mode != Mode::normals) {
+      add_specular();
       add_attenuation();
       add_spots();
+      add_rare_lights();
+      add_written_lights();
     }
-    add_normals();
-    add_shadows();
     add_textures();
     add_mirrors();
     add_glass();
@@ -169,6 +327,7 @@ class Maker {
     add_camera();
     add_shifts();
     add_transforms();
+    add_mode_of_reference();
     add(Cause::lights, "no light adds anything: only the ambient term is left",
         [](Trial& t) { t.scene.lights.clear(); });
     return std::move(list_);
@@ -178,7 +337,8 @@ class Maker {
   bool ray_mode() const { return view_.options.mode == Mode::ray; }
   bool mirrors() const {
     return ray_mode() && view_.options.features.reflect &&
-           any_material(scene_, [](const RenderMaterial& m) { return m.reflective != glm::vec3(0); });
+           any_material(scene_,
+                        [](const RenderMaterial& m) { return m.reflective != glm::vec3(0); });
   }
   bool glass() const {
     return ray_mode() && view_.options.features.refract &&
@@ -193,9 +353,10 @@ class Maker {
 
   // One value of an enumeration of ModelMistakes.
   template <typename T>
-  void set(Cause cause, T ModelMistakes::* member, T value, std::string what,
+  void set(Cause cause, T ModelMistakes::*member, T value, std::string what,
            Touches touches = Touches::shading) {
-    add(cause, std::move(what), [member, value](Trial& t) { t.mistakes.*member = value; }, touches);
+    add(
+        cause, std::move(what), [member, value](Trial& t) { t.mistakes.*member = value; }, touches);
   }
 
   void add_other_features() {
@@ -203,43 +364,30 @@ class Maker {
     if (o.mode == Mode::intersect && o.profile == Profile::course && types_.size() > 0 &&
         !(types_.size() == 1 && types_.contains(LightType::directional))) {
       add(Cause::features,
-          "point and spot lights are counted, and the reference is of a mode that knows directional "
+          "point and spot lights are counted, and the reference is of a mode that knows "
+          "directional "
           "lights alone",
           [](Trial& t) { t.mistakes.all_lights = true; });
     }
     if (o.mode == Mode::intersect) {
-      add(Cause::features, "shadows, reflections and textures are drawn, and the reference has none",
-          [](Trial& t) {
+      add(Cause::features,
+          "shadows, reflections and textures are drawn, and the reference has none", [](Trial& t) {
             t.options.mode = Mode::ray;
             t.options.features = Features();
             t.options.features.texture_filter = false;
             t.options.features.refract = false;
           });
+      add(Cause::features, "shadows are drawn, and the reference has none", [](Trial& t) {
+        t.options.mode = Mode::ray;
+        t.options.features = Features{true, false, false, false, false, false, false};
+      });
       add(Cause::features,
-          "shadows are drawn, and the reference has none", [](Trial& t) {
-            t.options.mode = Mode::ray;
-            t.options.features = Features{true, false, false, false, false, false, false};
-          });
-      add(Cause::features, "point and spot lights and shadows are drawn, and the reference has none",
-          [](Trial& t) {
+          "point and spot lights and shadows are drawn, and the reference has none", [](Trial& t) {
             t.options.mode = Mode::ray;
             t.mistakes.all_lights = true;
             t.options.features = Features{true, false, false, false, false, false, false};
           });
     } else if (o.mode == Mode::ray) {
-      add(Cause::features,
-          "point and spot lights are not counted: the picture is of a mode that knows directional "
-          "lights alone",
-          [](Trial& t) {
-            t.options.mode = Mode::intersect;
-            t.options.profile = Profile::course;
-          });
-      add(Cause::features,
-          "the picture is drawn without shadows, reflections and textures",
-          [](Trial& t) {
-            t.options.features.shadows = t.options.features.reflect = false;
-            t.options.features.refract = t.options.features.texture = false;
-          });
       if (!o.features.shadows) {
         add(Cause::features, "shadows are drawn, and the reference has none",
             [](Trial& t) { t.options.features.shadows = true; });
@@ -276,20 +424,37 @@ class Maker {
         "the plain diffuse color is drawn, and no lighting");
     set(Cause::features, &ModelMistakes::shown, S::flat_ambient_diffuse,
         "ambient and diffuse colors are drawn, and no lighting");
-    set(Cause::features, &ModelMistakes::shown, S::white,
-        "whatever is hit is white: no lighting");
+    set(Cause::features, &ModelMistakes::shown, S::white, "whatever is hit is white: no lighting");
+  }
+
+  // Tried late: most scenes have lights that can be left out for simpler reasons.
+  void add_mode_of_reference() {
+    if (view_.options.mode == Mode::ray) {
+      add(Cause::features, "the picture is drawn without shadows, reflections and textures",
+          [](Trial& t) {
+            t.options.features.shadows = t.options.features.reflect = false;
+            t.options.features.refract = t.options.features.texture = false;
+          });
+      add(Cause::features,
+          "point and spot lights are not counted: the picture is of a mode that knows directional "
+          "lights alone",
+          [](Trial& t) {
+            t.options.mode = Mode::intersect;
+            t.options.profile = Profile::course;
+          });
+    }
   }
 
   void add_ambient() {
-    add(Cause::ambient, "the ambient term is missing", [](Trial& t) { t.scene.global.ambient = 0; });
+    add(Cause::ambient, "the ambient term is missing",
+        [](Trial& t) { t.scene.global.ambient = 0; });
     if (scene_.lights.size() != 2) {
       add(Cause::ambient, "the ambient term is added twice",
           [](Trial& t) { t.scene.global.ambient *= 2; });
     }
     if (scene_.lights.size() > 1) {
-      add(Cause::ambient, "the ambient term is added once for each light", [](Trial& t) {
-        t.scene.global.ambient *= static_cast<float>(t.scene.lights.size());
-      });
+      add(Cause::ambient, "the ambient term is added once for each light",
+          [](Trial& t) { t.scene.global.ambient *= static_cast<float>(t.scene.lights.size()); });
       add(Cause::ambient, "the ambient term is added once more for each light", [](Trial& t) {
         t.scene.global.ambient *= static_cast<float>(t.scene.lights.size() + 1);
       });
@@ -322,12 +487,16 @@ class Maker {
           : factor == 2 ? "the diffuse term is added twice"
                         : "the diffuse term is halved");
     }
-    set(Cause::diffuse, &ModelMistakes::diffuse_factor, 1 / pi, "the diffuse term is divided by pi");
+    set(Cause::diffuse, &ModelMistakes::diffuse_factor, 1 / pi,
+        "the diffuse term is divided by pi");
     const auto put = [&](D value, const char* what) {
       set(Cause::diffuse, &ModelMistakes::diffuse, value, what);
     };
     put(D::no_coefficient, "the diffuse term lacks the global coefficient");
-    put(D::absolute, "the diffuse term takes the absolute value of N.L: surfaces are lit from behind");
+    put(D::absolute,
+        "the diffuse term takes the absolute value of N.L: surfaces are lit from behind");
+    put(D::absolute_everywhere,
+        "the absolute value of N.L is taken: surfaces are lit from behind, with highlights");
     put(D::not_clamped, "N.L below 0 is not cut off: lights darken surfaces that look away");
     put(D::no_cosine, "the diffuse term lacks N.L");
     put(D::by_view, "the diffuse term uses N.V, not N.L");
@@ -361,10 +530,13 @@ class Maker {
     set(Cause::blinn, &ModelMistakes::specular, S::blinn,
         "highlights are Blinn's (N.H)^n, and the equation has Phong's (R.V)^n");
     set(Cause::blinn, &ModelMistakes::specular, S::blinn_four,
-        "highlights are Blinn's with four times the exponent, and the equation has Phong's (R.V)^n");
+        "highlights are Blinn's with four times the exponent, and the equation has Phong's "
+        "(R.V)^n");
     put(S::no_coefficient, "the specular term lacks the global coefficient");
     put(S::times_cosine, "the specular term is multiplied by N.L");
     put(S::absolute, "the specular term takes the absolute value of R.V");
+    put(S::negative_power, "R.V below 0 is raised to the exponent, too");
+    put(S::clamped_mirror, "R of the specular term is made with N.L cut off at 0");
     put(S::no_exponent, "the specular term lacks the exponent");
     put(S::reversed_mirror, "R of the specular term points the wrong way");
     put(S::by_light_view, "the specular term uses L.V, not R.V");
@@ -410,8 +582,8 @@ class Maker {
     }
     if (directional) {
       put(L::reversed_directional, "directional lights shine the wrong way");
-      put(L::position_as_direction, "the direction of directional lights is read from the position");
-      change_lights(Cause::lights, "directional lights are taken for point lights at their position",
+      change_lights(Cause::lights,
+                    "directional lights are taken for point lights at their position",
                     [](RenderLight& l) {
                       l.type = l.type == LightType::directional ? LightType::point : l.type;
                     });
@@ -419,20 +591,17 @@ class Maker {
     if (positional) {
       put(L::reversed_positional, "vectors to point and spot lights point away from them");
       put(L::to_origin, "point lights shine along one direction everywhere");
-      change_lights(Cause::lights, "lights stand at the world's origin", [](RenderLight& l) {
-        l.position = glm::vec3(0);
-      });
+      change_lights(Cause::lights, "lights stand at the world's origin",
+                    [](RenderLight& l) { l.position = glm::vec3(0); });
       change_lights(Cause::lights, "the position of lights is mirrored at the origin",
                     [](RenderLight& l) { l.position = -l.position; });
     }
     if (scene_.lights.size() > 1) {
       add(Cause::lights, "only the first light is used",
           [](Trial& t) { t.scene.lights.resize(1); });
-      add(Cause::lights, "only the last light is used", [](Trial& t) {
-        t.scene.lights.erase(t.scene.lights.begin(), t.scene.lights.end() - 1);
-      });
-      add(Cause::lights, "the last light is left out",
-          [](Trial& t) { t.scene.lights.pop_back(); });
+      add(Cause::lights, "only the last light is used",
+          [](Trial& t) { t.scene.lights.erase(t.scene.lights.begin(), t.scene.lights.end() - 1); });
+      add(Cause::lights, "the last light is left out", [](Trial& t) { t.scene.lights.pop_back(); });
       add(Cause::lights, "the first light is left out",
           [](Trial& t) { t.scene.lights.erase(t.scene.lights.begin()); });
       change_lights(Cause::lights, "the light of all lights is divided by their number",
@@ -449,14 +618,87 @@ class Maker {
       for (const LightType type : types_) {
         add(Cause::lights, fmt::format("all lights but the {} ones are left out", word_of(type)),
             [type](Trial& t) {
-              std::erase_if(t.scene.lights, [type](const RenderLight& l) { return l.type != type; });
+              std::erase_if(t.scene.lights,
+                            [type](const RenderLight& l) { return l.type != type; });
             });
       }
     }
     change_lights(Cause::lights, "the color of lights is ignored: they are white",
                   [](RenderLight& l) { l.color = glm::vec3(1); });
-    change_lights(Cause::lights, "lights are twice as bright", [](RenderLight& l) { l.color *= 2; });
+    change_lights(Cause::lights, "lights are twice as bright",
+                  [](RenderLight& l) { l.color *= 2; });
     change_lights(Cause::lights, "lights are half as bright", [](RenderLight& l) { l.color /= 2; });
+  }
+
+  void add_rare_lights() {
+    using L = LightVectorMistake;
+    const bool positional = types_.contains(LightType::point) || types_.contains(LightType::spot);
+    const bool directional = types_.contains(LightType::directional);
+    const auto put = [&](L value, const char* what) {
+      set(Cause::lights, &ModelMistakes::light_vector, value, what);
+    };
+    if (positional && directional) {
+      put(L::reversed_shading,
+          "vectors to all lights point the wrong way in the lighting; shadow rays are right");
+    }
+    if (directional) {
+      put(L::reversed_directional_shading,
+          "directional lights shine the wrong way in the lighting; shadow rays are right");
+    }
+    if (positional) {
+      put(L::reversed_positional_shading,
+          "vectors to point and spot lights point away from them in the lighting; shadow rays are "
+          "right");
+    }
+  }
+
+  // Mistakes in what the file says of lights and the ready scene no longer does.
+  void add_written_lights() {
+    if (view_.written == nullptr) {
+      return;
+    }
+    const std::vector<WrittenLight> written = lights_as_written(*view_.written, scene_);
+    std::vector<double> lengths;
+    bool longer = false;
+    bool placed = false;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      const bool directed = scene_.lights[i].type == LightType::directional ||
+                            scene_.lights[i].type == LightType::spot;
+      lengths.push_back(directed ? written[i].length : 1);
+      longer = longer || std::abs(lengths.back() - 1) > 0.01;
+      placed = placed || (scene_.lights[i].type == LightType::directional &&
+                          glm::length(written[i].position) > 1e-3);
+    }
+    using L = LightVectorMistake;
+    const auto put = [&](L value, const char* what) {
+      add(Cause::lights, what, [value, lengths](Trial& t) {
+        t.mistakes.light_vector = value;
+        t.mistakes.light_lengths = lengths;
+      });
+    };
+    if (longer && types_.contains(LightType::directional)) {
+      put(L::directional_as_long_as_written, "directions of directional lights are not normalized");
+    }
+    if (longer && types_.contains(LightType::spot)) {
+      put(L::spot_as_long_as_written, "directions of spot lights are not normalized");
+    }
+    if (longer && types_.contains(LightType::directional) && types_.contains(LightType::spot)) {
+      put(L::as_long_as_written, "directions of lights are not normalized");
+    }
+    if (placed) {
+      add(Cause::lights, "the direction of directional lights is read from the position",
+          [written](Trial& t) {
+            t.mistakes.light_vector = L::position_as_direction;
+            for (std::size_t i = 0; i < t.scene.lights.size() && i < written.size(); ++i) {
+              if (t.scene.lights[i].type == LightType::directional) {
+                t.scene.lights[i].position = glm::vec3(written[i].position);
+              }
+            }
+          });
+    } else if (types_.contains(LightType::directional)) {
+      set(Cause::lights, &ModelMistakes::light_vector, L::position_as_direction,
+          "the direction of directional lights is read from the position");
+    }
   }
 
   void add_attenuation() {
@@ -472,6 +714,10 @@ class Maker {
     });
     put(A::inverse_square, "lights fade by 1 / d^2, not by their coefficients");
     put(A::inverse, "lights fade by 1 / d, not by their coefficients");
+    put(A::inverse_square_unlimited,
+        "lights fade by 1 / d^2, not limited to 1, not by their coefficients");
+    put(A::inverse_unlimited, "lights fade by 1 / d, not limited to 1, not by their coefficients");
+    put(A::one_plus_square, "lights fade by 1 / (1 + d^2), not by their coefficients");
     if (!fades) {
       return;
     }
@@ -576,8 +822,8 @@ class Maker {
     put(N::toward_eye, "normals are turned toward the eye");
     put(N::not_normalized, "normals are not normalized after the transform");
     put(N::raw_not_normalized, "normals are never normalized");
-    put(N::matrix_not_normalized,
-        "normals are transformed like directions, and not normalized");
+    put(N::gradient_not_normalized, "normals are never normalized (gradients)");
+    put(N::matrix_not_normalized, "normals are transformed like directions, and not normalized");
     put(N::translated, "normals are moved by the translation, as points are");
   }
 
@@ -618,7 +864,8 @@ class Maker {
       put(S::directional_without, "directional lights cast no shadows");
       put(S::direction_unnormalized_far, "shadows of directional lights reach only 1 unit far");
     }
-    if (any_material(scene_, [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
+    if (any_material(scene_,
+                     [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
       put(S::glass_lets_through, "transparent objects cast no shadows");
     }
     put(S::not_own_object, "objects cast no shadow on themselves");
@@ -627,17 +874,30 @@ class Maker {
     put(S::point_as_directional, "shadows of point lights reach only 1 unit far");
     put(S::from_eye, "shadow rays start at the eye");
     put(S::from_origin, "shadow rays start at the world's origin");
-    for (const double bias : {0.01, 0.05, 0.1, 0.25, 0.5, 1.0}) {
+    put(S::squared_distance, "what shadows is compared with the square of the light's distance");
+    put(S::object_distance, "distances along shadow rays are those of the objects' spaces");
+    if (types_.contains(LightType::directional)) {
+      put(S::directional_ends_at_position,
+          "shadow rays of directional lights end where the light is said to be");
+    }
+    put(S::light_from_origin, "the light's distance is measured from the world's origin");
+    for (const double bias :
+         {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.75, 1.0, 2.0}) {
       set(Cause::shadows, &ModelMistakes::shadow_bias, bias,
           fmt::format("shadow rays start too far from the surface (about {} units)", bias));
+    }
+    for (const double lift : {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 1.0}) {
+      set(Cause::shadows, &ModelMistakes::shadow_lift, lift,
+          fmt::format(
+              "shadow rays start too far from the surface (about {} units along the normal)",
+              lift));
     }
   }
 
   void add_textures() {
     if (!ray_mode() || !view_.options.features.texture ||
-        !any_material(scene_, [](const RenderMaterial& m) {
-          return m.texture.used() && m.blend != 0;
-        })) {
+        !any_material(scene_,
+                      [](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; })) {
       return;
     }
     add(Cause::texture, "textures are not drawn",
@@ -680,6 +940,15 @@ class Maker {
     put(T::lookup_clamped, "textures end at their edges: the lookup does not wrap around");
     put(T::divided_repeat, "u and v are divided by the repeat counts");
     put(T::decoded, "textures are decoded with gamma 2.2");
+    if (view_.options.features.texture_filter) {
+      set(Cause::features, &ModelMistakes::texture, T::not_filtered,
+          "textures are not filtered, and those of the reference are");
+    } else {
+      set(Cause::features, &ModelMistakes::texture, T::filtered_centered,
+          "textures are filtered, and those of the reference are not");
+      set(Cause::features, &ModelMistakes::texture, T::filtered,
+          "textures are filtered (half a texel off), and those of the reference are not");
+    }
     put(T::ambient_too, "the texture replaces the ambient color as well");
     uv(U::round_flip_u, "textures run the wrong way around spheres, cylinders and cones");
     uv(U::half, "textures are turned by half a turn around spheres, cylinders and cones");
@@ -724,6 +993,9 @@ class Maker {
         "reflections are blended with the lighting (by coefficient and color), not added");
     put(M::blended, "reflections are blended with the lighting (by their color), not added");
     put(M::blended_all, "reflections are blended with the lighting, not added");
+    put(M::blended_plain,
+        "reflections are blended with the lighting by the coefficient alone, not added");
+    put(M::averaged, "reflections and lighting are averaged, not added");
     put(M::replaces, "reflections replace the lighting");
     put(M::not_chained, "weights are not chained: behind the first mirror nothing is weighted");
     put(M::last_weight_only,
@@ -732,6 +1004,7 @@ class Maker {
     put(M::specular_color, "reflections are weighted by the specular color");
     put(M::all_materials, "all that has highlights reflects");
     put(M::reversed, "reflected rays run into the surface");
+    put(M::wrong_sign, "reflected rays have the wrong sign: d + 2 (d.n) n");
     put(M::along_normal, "reflected rays run along the normal");
     put(M::straight, "reflected rays go straight on");
     put(M::no_shadows, "reflections show no shadows");
@@ -783,8 +1056,8 @@ class Maker {
             depth == 0 && glass()
                 ? std::string("there are neither reflections nor refraction (recursion depth 0)")
             : depth == 0 ? std::string("there are no reflections (recursion depth 0)")
-                       : fmt::format("the recursion ends at depth {}, not {}", depth,
-                                     view_.options.max_depth),
+                         : fmt::format("the recursion ends at depth {}, not {}", depth,
+                                       view_.options.max_depth),
             [depth](Trial& t) { t.options.max_depth = depth; });
       }
     }
@@ -810,7 +1083,8 @@ class Maker {
       set(Cause::shapes, &ModelMistakes::no_cone_cap, true, "cones have no cap", Touches::hits);
     }
     if (cone && cylinder) {
-      add(Cause::shapes, "cylinders and cones have no caps",
+      add(
+          Cause::shapes, "cylinders and cones have no caps",
           [](Trial& t) { t.mistakes.no_cylinder_caps = t.mistakes.no_cone_cap = true; },
           Touches::hits);
     }
@@ -826,12 +1100,14 @@ class Maker {
       put(C::like_sphere, "normals of cones are those of spheres");
       put(C::half_slope, "normals of cones rise too little");
       put(C::double_slope, "normals of cones rise too much");
+      put(C::four_slopes, "normals of cones rise far too much");
       put(C::slope_down, "normals of cones point down");
     }
     for (const Shape shape : shapes_) {
       if (shapes_.size() > 1) {
         edit_shapes(fmt::format("{}s are not drawn", plural_stem(shape)), [shape](RenderGroup& g) {
-          std::erase_if(g.primitives, [shape](const RenderPrimitive& p) { return p.shape == shape; });
+          std::erase_if(g.primitives,
+                        [shape](const RenderPrimitive& p) { return p.shape == shape; });
         });
       }
       for (const float factor : {2.0f, 0.5f}) {
@@ -919,9 +1195,14 @@ class Maker {
     put(N::last, "the last object that is hit is shown, not the nearest");
     put(N::first, "the first object that is hit is shown, not the nearest");
     put(N::farthest, "the farthest hit is shown, not the nearest");
-    put(N::object_distance, "distances are compared in the spaces of the objects");
+    put(N::farthest_object, "the object that is hit last is shown, not the nearest");
+    put(N::object_distance, "distances are those of the objects' spaces");
+    put(N::object_distance_compared, "distances are compared in the spaces of the objects");
+    put(N::object_distance_everywhere,
+        "distances are those of the objects' spaces, and so they are along shadow rays");
     put(N::far_root, "the far side of each object is shown");
     put(N::behind, "what lies behind the camera is shown, too");
+    put(N::behind_first, "what lies behind the camera is shown first");
     put(N::near_root_only, "objects are not seen from inside");
   }
 
@@ -951,7 +1232,8 @@ class Maker {
       stretch("the aspect ratio is ignored: the picture is as wide as high", 1 / aspect_, 1);
       stretch("the height angle is taken for the width", 1 / aspect_, 1 / aspect_);
       stretch("the aspect ratio is inverted (height by width)", 1 / (aspect_ * aspect_), 1);
-      stretch("the height is divided by the aspect ratio, and the width multiplied", 1, 1 / aspect_);
+      stretch("the height is divided by the aspect ratio, and the width multiplied", 1,
+              1 / aspect_);
       stretch("the aspect ratio is applied to the height, not to the width", 1 / aspect_, aspect_);
       stretch("the aspect ratio is applied twice", aspect_, 1);
       stretch("the height angle is divided by the aspect ratio, and it is taken for the width",
@@ -977,6 +1259,7 @@ class Maker {
             std::tan(pi / 6) / right);
     stretch("pixels are counted to their number less one", width_ / (width_ - 1.0),
             height_ / (height_ - 1.0));
+    list_.back().cause = Cause::half_pixel_shift;
     edit_camera("the camera looks backward", [](RenderCamera& c) { c.w = -c.w; });
     edit_camera("the camera looks backward (turned around)", [](RenderCamera& c) {
       c.w = -c.w;
@@ -1005,27 +1288,24 @@ class Maker {
       c.v = {0, 1, 0};
       c.w = {0, 0, 1};
     });
-    edit_camera("the camera looks at the world's origin, not along its direction",
-                [](RenderCamera& c) {
-                  const dvec3 w = c.position;
-                  if (glm::length(w) > 1e-6 &&
-                      glm::length(glm::cross(c.v, glm::normalize(w))) > 1e-6) {
-                    c.w = glm::normalize(w);
-                    c.u = glm::normalize(glm::cross(c.v, c.w));
-                    c.v = glm::cross(c.w, c.u);
-                  }
-                });
+    edit_camera(
+        "the camera looks at the world's origin, not along its direction", [](RenderCamera& c) {
+          const dvec3 w = c.position;
+          if (glm::length(w) > 1e-6 && glm::length(glm::cross(c.v, glm::normalize(w))) > 1e-6) {
+            c.w = glm::normalize(w);
+            c.u = glm::normalize(glm::cross(c.v, c.w));
+            c.v = glm::cross(c.w, c.u);
+          }
+        });
     if (view_.written != nullptr && view_.written->camera) {
       const Camera& written = *view_.written->camera;
       const dvec3 up(written.up);
       const dvec3 look(written.look);
       if (glm::length(up) > 0 && glm::length(look) > 0) {
-        edit_camera("the up vector is not made perpendicular to the view", [up](RenderCamera& c) {
-          c.v = glm::normalize(up);
-        });
-        edit_camera("neither right nor up of the camera is normalized", [up](RenderCamera& c) {
-          c.u = glm::cross(-c.w, glm::normalize(up));
-        });
+        edit_camera("the up vector is not made perpendicular to the view",
+                    [up](RenderCamera& c) { c.v = glm::normalize(up); });
+        edit_camera("neither right nor up of the camera is normalized",
+                    [up](RenderCamera& c) { c.u = glm::cross(-c.w, glm::normalize(up)); });
         edit_camera("the axis to the right is not normalized, and up follows from it",
                     [up](RenderCamera& c) {
                       c.u = glm::cross(-c.w, glm::normalize(up));
@@ -1043,8 +1323,7 @@ class Maker {
                     [=](RenderCamera& c) { aim(c, look - c.position, up); });
         edit_camera("the point to look at is taken for a direction",
                     [=](RenderCamera& c) { aim(c, look + c.position, up); });
-        edit_camera("the look direction is not normalized",
-                    [=](RenderCamera& c) { c.w = -look; });
+        edit_camera("the look direction is not normalized", [=](RenderCamera& c) { c.w = -look; });
       }
     }
   }
@@ -1074,8 +1353,7 @@ class Maker {
       return;
     }
     RenderScene changed = prepare(scene, Limits()).scene;
-    if (changed.texture_files.size() != scene_.texture_files.size() ||
-        changed.mesh_files.size() != scene_.mesh_files.size()) {
+    if (!number_files_alike(changed)) {
       return;
     }
     changed.camera = scene_.camera;
@@ -1088,6 +1366,40 @@ class Maker {
           t.scene.lights = changed.lights;
         },
         Touches::shapes);
+  }
+
+  // Gives the files of `changed` the numbers that they have in the scene.
+  bool number_files_alike(RenderScene& changed) const {
+    const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
+      const auto found = std::find_if(files.begin(), files.end(),
+                                      [&](const FileReference& f) { return f.name == name; });
+      return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
+    };
+    for (RenderMaterial& m : changed.materials) {
+      for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
+        if (texture->used()) {
+          texture->file = number(scene_.texture_files, changed.texture_files[texture->file].name);
+          if (!texture->used()) {
+            return false;
+          }
+        }
+      }
+    }
+    for (RenderGroup& group : changed.groups) {
+      for (RenderPrimitive& p : group.primitives) {
+        if (p.mesh != no_index) {
+          p.mesh = number(scene_.mesh_files, changed.mesh_files[p.mesh].name);
+          if (p.mesh == no_index) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  void place_each(const char* what, const PlacingRules& rules) {
+    rewrite(what, [&](Scene& scene) { return place_all(scene, rules); });
   }
 
   template <typename Change>
@@ -1156,17 +1468,6 @@ class Maker {
       }
       return move != nullptr;
     });
-    rewrite_each("matrices are transposed", [&](Transform& t) {
-      const Matrix* const matrix = std::get_if<Matrix>(&t.map);
-      if (matrix == nullptr) {
-        return false;
-      }
-      const glm::mat4 turned_matrix = glm::transpose(matrix->m());
-      // Only the linear part can be read from a matrix whose last row is the translation.
-      const bool changes = turned_matrix != matrix->m();
-      t.map = Matrix(turned_matrix);
-      return changes;
-    });
     rewrite_each("matrices are ignored", [&](Transform& t) {
       const bool any = std::holds_alternative<Matrix>(t.map);
       if (any) {
@@ -1227,6 +1528,17 @@ class Maker {
       }
       return any;
     });
+    place_each("matrices of nested blocks are multiplied in the wrong order",
+               {.nesting_reversed = true});
+    place_each("all matrices are multiplied in the wrong order",
+               {.nesting_reversed = true, .listed_reversed = true});
+    place_each("the matrix is not restored after a block: its transforms go on to the next",
+               {.not_restored = true});
+    place_each("matrices to the world are transposed", {.transposed = true});
+    place_each("matrices that the file gives are transposed", {.written_transposed = true});
+    place_each("rays are transformed by the matrix to the world, not by its inverse",
+               {.inverted = true});
+    place_each("lights are not moved by the transforms of their blocks", {.lights_stay = true});
     rewrite("the last transform of each block is lost", [](Scene& scene) {
       bool any = false;
       for (Node& node : scene.nodes) {

@@ -6,44 +6,64 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace scenefile {
 
 enum class NormalMistake : std::uint8_t {
   none,
-  by_matrix,               ///< transformed like a direction
-  by_inverse,              ///< by the inverse, not transposed
-  by_transpose,            ///< by the transpose, not inverted
-  of_object,               ///< not transformed at all
-  inverted,                ///< pointing inward
-  toward_eye,              ///< turned to the eye's side
-  not_normalized,          ///< unit in the object, not in the world
-  raw_not_normalized,      ///< as long as the shape's gradient makes it
-  matrix_not_normalized,   ///< transformed like a direction, and not normalized
-  translated,              ///< transformed as a point
+  by_matrix,                ///< transformed like a direction
+  by_inverse,               ///< by the inverse, not transposed
+  by_transpose,             ///< by the transpose, not inverted
+  of_object,                ///< not transformed at all
+  inverted,                 ///< pointing inward
+  toward_eye,               ///< turned to the eye's side
+  not_normalized,           ///< unit in the object, not in the world
+  raw_not_normalized,       ///< of curved sides as long as the point's distance from the axis
+  gradient_not_normalized,  ///< as long as the shape's gradient makes it
+  matrix_not_normalized,    ///< transformed like a direction, and not normalized
+  translated,               ///< transformed as a point
 };
 
-enum class ConeNormalMistake : std::uint8_t { none, level, like_sphere, half_slope, double_slope, slope_down };
+enum class ConeNormalMistake : std::uint8_t {
+  none,
+  level,
+  like_sphere,
+  half_slope,
+  double_slope,
+  four_slopes,
+  slope_down
+};
 
 enum class NearestMistake : std::uint8_t {
   none,
   farthest,         ///< the farthest hit wins
+  farthest_object,  ///< the nearest crossing of each object, and the farthest of these wins
   last,             ///< the last object of the file wins
   first,            ///< the first object of the file wins
   object_distance,  ///< distances along rays normalized in each object's space
-  far_root,         ///< the farther crossing of each object
-  near_root_only,   ///< nothing where the nearer crossing lies behind the start
-  behind,           ///< what lies behind the start is seen too
+  object_distance_compared,    ///< ... in comparisons alone
+  object_distance_everywhere,  ///< ... and those of shadow rays
+  far_root,                    ///< the farther crossing of each object
+  near_root_only,              ///< nothing where the nearer crossing lies behind the start
+  behind,                      ///< what lies behind the start is seen too
+  behind_first,                ///< ... and the least distance wins, negative or not
 };
 
 enum class LightVectorMistake : std::uint8_t {
   none,
-  not_normalized,       ///< to point and spot lights
-  reversed,             ///< of all lights
+  not_normalized,  ///< to point and spot lights
+  reversed,        ///< of all lights
   reversed_directional,
   reversed_positional,
+  reversed_shading,  ///< shadow rays run the right way
+  reversed_directional_shading,
+  reversed_positional_shading,
   position_as_direction,  ///< of directional lights: from where they are said to be
-  to_origin,            ///< point lights shine from their direction of the origin everywhere
+  directional_as_long_as_written,
+  spot_as_long_as_written,
+  as_long_as_written,  ///< directions of lights are not normalized
+  to_origin,           ///< point lights shine from their direction of the origin everywhere
 };
 
 enum class AttenuationMistake : std::uint8_t {
@@ -51,28 +71,31 @@ enum class AttenuationMistake : std::uint8_t {
   absent,
   inverse_square,
   inverse,
+  inverse_square_unlimited,
+  inverse_unlimited,
+  one_plus_square,  ///< 1 / (1 + d^2)
   no_quadratic,
   no_linear,
   no_constant,
   not_clamped,
   squared,
   reversed_coefficients,
-  multiplied,       ///< by the polynomial, not divided
-  diffuse_only,     ///< highlights do not fade
+  multiplied,    ///< by the polynomial, not divided
+  diffuse_only,  ///< highlights do not fade
   specular_only,
-  one_plus,         ///< 1 / (1 + polynomial)
-  squared_distance, ///< the square of the distance taken for the distance
-  clamped_below,    ///< max(1, f)
+  one_plus,          ///< 1 / (1 + polynomial)
+  squared_distance,  ///< the square of the distance taken for the distance
+  clamped_below,     ///< max(1, f)
 };
 
 enum class SpotMistake : std::uint8_t {
   none,
   linear,
-  in_cosine,         ///< smoothstep between cosines
+  in_cosine,  ///< smoothstep between cosines
   linear_in_cosine,
-  inverted,          ///< full light outside, none inside
-  penumbra_inverted, ///< 1 - falloff in the penumbra
-  no_limit,          ///< falloff not clamped outside: light beyond the cone
+  inverted,           ///< full light outside, none inside
+  penumbra_inverted,  ///< 1 - falloff in the penumbra
+  no_limit,           ///< falloff not clamped outside: light beyond the cone
   squared,
   cosine_power,
   reversed_axis,
@@ -89,35 +112,46 @@ enum class ShadowMistake : std::uint8_t {
   no_ambient_if_all,  ///< shadowed by every light: black
   keeps_specular,     ///< shadows take diffuse light alone
   keeps_diffuse,
-  half,               ///< shadows take half
-  spot_along_axis,    ///< a spot's ray runs against its axis
+  half,             ///< shadows take half
+  spot_along_axis,  ///< a spot's ray runs against its axis
   spot_without,
   point_without,
   directional_without,
   first_light_for_all,  ///< the first light's shadow counts for all
   glass_lets_through,
-  not_own_object,     ///< an object does not shadow itself
-  any_nearer_than_eye,  ///< compared with the distance to the eye
-  unit_length,        ///< only what is nearer than 1
+  not_own_object,              ///< an object does not shadow itself
+  any_nearer_than_eye,         ///< compared with the distance to the eye
+  unit_length,                 ///< only what is nearer than 1
   direction_unnormalized_far,  ///< directional lights end at length 1
-  only_camera_rays,   ///< not in reflections
-  from_eye,           ///< the ray starts at the eye
-  from_origin,        ///< the ray starts at the world's origin
+  squared_distance,            ///< compared with the square of the light's distance
+  directional_ends_at_position,
+  light_from_origin,     ///< compared with the light's distance from the world's origin
+  object_distance,       ///< distances along rays normalized in each object's space
+  only_camera_rays,      ///< not in reflections
+  from_eye,              ///< the ray starts at the eye
+  from_origin,           ///< the ray starts at the world's origin
   point_as_directional,  ///< to the light with t up to 1 along a unit vector
 };
 
-enum class AmbientMistake : std::uint8_t { none, times_diffuse, lit_only, unlit_only, no_in_reflections };
+enum class AmbientMistake : std::uint8_t {
+  none,
+  times_diffuse,
+  lit_only,
+  unlit_only,
+  no_in_reflections
+};
 
 enum class DiffuseMistake : std::uint8_t {
   none,
   no_coefficient,
-  absolute,      ///< |N.L|
-  not_clamped,   ///< negative light
+  absolute,             ///< |N.L|
+  absolute_everywhere,  ///< ... in the specular term, too
+  not_clamped,          ///< negative light
   no_cosine,
-  by_view,       ///< N.V
+  by_view,  ///< N.V
   half_lambert,
   squared,
-  no_color,      ///< of the material
+  no_color,  ///< of the material
   no_light_color,
   color_of_ambient,
   color_of_specular,
@@ -126,26 +160,28 @@ enum class DiffuseMistake : std::uint8_t {
 enum class SpecularMistake : std::uint8_t {
   none,
   blinn,
-  blinn_four,        ///< with four times the exponent
+  blinn_four,  ///< with four times the exponent
   no_coefficient,
-  times_cosine,      ///< multiplied by N.L
+  times_cosine,  ///< multiplied by N.L
   lit_side_only,
-  absolute,          ///< |R.V|
+  absolute,        ///< |R.V|
+  negative_power,  ///< R.V below 0 is raised, too
+  clamped_mirror,  ///< R is made with N.L cut off at 0
   no_exponent,
-  by_light_view,     ///< L.V
-  reversed_mirror,   ///< R of the wrong sign
-  by_normal_view,    ///< N.V
+  by_light_view,    ///< L.V
+  reversed_mirror,  ///< R of the wrong sign
+  by_normal_view,   ///< N.V
   exponent_quarter,
   exponent_double,
   exponent_half,
   exponent_four,
-  zero_shines,       ///< exponent 0 makes an even shine
+  zero_shines,  ///< exponent 0 makes an even shine
   no_color,
   no_light_color,
   diffuse_color,
   mirror_of_view_wrong,  ///< the eye vector is that of the ray, not toward the eye
   eye_at_origin,
-  looks_along_camera,    ///< the camera's axis for the eye vector
+  looks_along_camera,  ///< the camera's axis for the eye vector
   squared_coefficient,
   times_shininess,
 };
@@ -153,62 +189,75 @@ enum class SpecularMistake : std::uint8_t {
 enum class TextureMistake : std::uint8_t {
   none,
   blend_ignored,
-  times_coefficient,            ///< kd multiplies the texture
-  times_coefficient_no_blend,   ///< ... and the blend is ignored
-  times_diffuse,                ///< times the diffuse color
+  times_coefficient,           ///< kd multiplies the texture
+  times_coefficient_no_blend,  ///< ... and the blend is ignored
+  times_diffuse,               ///< times the diffuse color
   times_diffuse_no_blend,
   blend_reversed,
   added,
-  unlit,                        ///< not multiplied by N.L
+  unlit,  ///< not multiplied by N.L
   blue_red,
   gray,
-  lookup_clamped,               ///< does not wrap
+  lookup_clamped,  ///< does not wrap
   divided_repeat,
   swapped_uv,
-  blend_drops_color,            ///< blend * texture alone
-  decoded,                      ///< from sRGB
-  ambient_too,                  ///< replaces the ambient color as well
-  no_coefficient_on_rest,       ///< kd missing on the plain share
+  blend_drops_color,       ///< blend * texture alone
+  decoded,                 ///< from sRGB
+  ambient_too,             ///< replaces the ambient color as well
+  no_coefficient_on_rest,  ///< kd missing on the plain share
+  filtered,                ///< bilinear, texels at their corners
+  filtered_centered,       ///< bilinear, texels at their centers
+  not_filtered,
 };
 
 enum class UvMistake : std::uint8_t {
   none,
-  flip_u, flip_v, flip_both,
-  quarter, half, three_quarters,  ///< of a turn around the axis
-  round_flip_u,        ///< around the axis alone
+  flip_u,
+  flip_v,
+  flip_both,
+  quarter,
+  half,
+  three_quarters,  ///< of a turn around the axis
+  round_flip_u,    ///< around the axis alone
   sphere_linear_v,
   sphere_flip_v,
-  cube_same_faces,     ///< no face is turned as it should be
+  cube_same_faces,  ///< no face is turned as it should be
   caps_flip_v,
   caps_as_side,
   flat_flip_u,
   flat_flip_v,
-  sphere_missing, cube_missing, cylinder_missing, cone_missing,
+  sphere_missing,
+  cube_missing,
+  cylinder_missing,
+  cone_missing,
   caps_missing,
 };
 
 enum class MirrorMistake : std::uint8_t {
   none,
   no_coefficient,
-  color_ignored,       ///< ks alone
-  neither,             ///< the mirrored color in full
-  specular_color,      ///< ks * specular color
-  all_materials,       ///< all that shines reflects
-  blended,             ///< mixed with the lighting, not added
-  blended_coefficient, ///< ... by ks * color
+  color_ignored,        ///< ks alone
+  neither,              ///< the mirrored color in full
+  specular_color,       ///< ks * specular color
+  all_materials,        ///< all that shines reflects
+  blended,              ///< mixed with the lighting, not added
+  blended_coefficient,  ///< ... by ks * color
   blended_all,
-  not_chained,         ///< behind the first mirror nothing is weighted
-  last_weight_only,    ///< each bounce has the weight of its own mirror alone
-  replaces,            ///< the lighting is lost
-  reversed,            ///< the ray goes into the surface
+  blended_plain,     ///< ... by ks, without the reflective color
+  averaged,          ///< half lighting, half reflection
+  not_chained,       ///< behind the first mirror nothing is weighted
+  last_weight_only,  ///< each bounce has the weight of its own mirror alone
+  replaces,          ///< the lighting is lost
+  reversed,          ///< the ray goes into the surface
+  wrong_sign,        ///< d + 2 (d.n) n
   along_normal,
-  straight,            ///< the ray goes on
-  eye_at_camera,       ///< highlights in reflections aim at the camera
+  straight,       ///< the ray goes on
+  eye_at_camera,  ///< highlights in reflections aim at the camera
   no_shadows,
   no_ambient,
   doubled,
   diffuse_coefficient,
-  no_local,            ///< reflections show other reflections alone
+  no_local,  ///< reflections show other reflections alone
   times_cosine,
   clamped_never,
   times_diffuse,
@@ -227,8 +276,8 @@ enum class GlassMistake : std::uint8_t {
   shaded_inside,        ///< the back wall is lit and counted as another passage
   entering_always,      ///< 1 / ior at both walls
   blended,
-  black_inside,         ///< the ray ends at the back wall
-  mirrored,             ///< the mirror's direction is taken
+  black_inside,  ///< the ray ends at the back wall
+  mirrored,      ///< the mirror's direction is taken
   times_diffuse,
   no_local,
   ior_one_and_half,
@@ -236,7 +285,16 @@ enum class GlassMistake : std::uint8_t {
 };
 
 /// What is drawn instead of the lit surface.
-enum class ShownInstead : std::uint8_t { none, normals, absolute_normals, raw_normals, object_normals, flat_diffuse, flat_ambient_diffuse, white };
+enum class ShownInstead : std::uint8_t {
+  none,
+  normals,
+  absolute_normals,
+  raw_normals,
+  object_normals,
+  flat_diffuse,
+  flat_ambient_diffuse,
+  white
+};
 
 struct ModelMistakes {
   NormalMistake normals = NormalMistake::none;
@@ -249,11 +307,15 @@ struct ModelMistakes {
   AttenuationMistake attenuation = AttenuationMistake::none;
   SpotMistake spot = SpotMistake::none;
   ShadowMistake shadow = ShadowMistake::none;
-  double shadow_bias = 1e-3;  ///< along the ray
+  std::vector<double> light_lengths;  ///< of the written directions, for as_long_as_written
+  double shadow_bias = 1e-3;          ///< along the ray
+  double shadow_lift = 0;             ///< along the normal
   double mirror_bias = 1e-3;
   AmbientMistake ambient = AmbientMistake::none;
   DiffuseMistake diffuse = DiffuseMistake::none;
   double diffuse_factor = 1;
+  double mirror_factor = 1;
+  double glass_factor = 1;
   SpecularMistake specular = SpecularMistake::none;
   TextureMistake texture = TextureMistake::none;
   UvMistake uv = UvMistake::none;

@@ -45,10 +45,10 @@ struct Model::Surface {
 };
 
 struct Model::Arrival {
-  dvec3 to_light{0};   // as it is used for shading
-  dvec3 toward{0};     // unit, where the light is
+  dvec3 to_light{0};  // as it is used for shading
+  dvec3 toward{0};    // unit, where the light is
   double distance = 0;
-  double factor = 1;   // attenuation and spot
+  double factor = 1;  // attenuation and spot
   double specular_factor = 1;
 };
 
@@ -59,8 +59,8 @@ Model::Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& 
 ModelRay Model::camera_ray(const dvec2& place, int width, int height) const {
   const RenderCamera& c = scene_.camera;
   const double spread = 2 * std::tan(c.fov_y / 2) / height;
-  const dvec3 direction = spread * (place.x - width / 2.0) * c.u -
-                          spread * (place.y - height / 2.0) * c.v - c.w;
+  const dvec3 direction =
+      spread * (place.x - width / 2.0) * c.u - spread * (place.y - height / 2.0) * c.v - c.w;
   return {c.position, unit(direction)};
 }
 
@@ -222,6 +222,8 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
     case ConeNormalMistake::half_slope:
       return {2 * p.x, slope / 2, 2 * p.z};
     case ConeNormalMistake::double_slope:
+      return {2 * p.x, 2 * slope, 2 * p.z};
+    case ConeNormalMistake::four_slopes:
       return {2 * p.x, 4 * slope, 2 * p.z};
     case ConeNormalMistake::slope_down:
       return {2 * p.x, -slope, 2 * p.z};
@@ -231,7 +233,7 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
   return {2 * p.x, slope, 2 * p.z};
 }
 
-dvec3 to_world(const ModelPart& part, const dvec3& raw, NormalMistake mistake) {
+dvec3 to_world(const ModelPart& part, const dvec3& raw, bool flat, NormalMistake mistake) {
   const dvec3 n = unit(raw);
   const glm::dmat3& matrix = part.world_from_object.linear;
   const glm::dmat3& inverse = part.object_from_world.linear;
@@ -247,7 +249,9 @@ dvec3 to_world(const ModelPart& part, const dvec3& raw, NormalMistake mistake) {
     case NormalMistake::not_normalized:
       return glm::transpose(inverse) * n;
     case NormalMistake::raw_not_normalized:
-      return glm::transpose(inverse) * (0.5 * raw);
+      return glm::transpose(inverse) * (flat ? raw : 0.5 * raw);
+    case NormalMistake::gradient_not_normalized:
+      return glm::transpose(inverse) * raw;
     case NormalMistake::matrix_not_normalized:
       return matrix * n;
     case NormalMistake::translated:
@@ -268,25 +272,27 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
   s.hit = hit;
   const ModelPart& part = *hit.part;
   s.material = &scene_.materials[part.material];
-  s.position = ray.origin + hit.t * ray.direction;
+  const dvec3 met = ray.origin + hit.t * ray.direction;
+  s.position = hit.stretch == 1 ? met : ray.origin + hit.stretch * hit.t * ray.direction;
   s.direction = ray.direction;
   s.eye = scene_.camera.position;
-  s.object_point = part.object_from_world.point(s.position);
+  s.object_point = part.object_from_world.point(met);
   if (part.shape == Shape::mesh) {
     const bool smooth = options_.profile != Profile::course;
     const auto at = surface_at(assets_.meshes[part.mesh], hit.triangle, hit.b1, hit.b2, smooth);
     s.object_normal = unit(at.normal);
     s.uv = at.uv;
-    s.normal = to_world(part, s.object_normal, m_.normals);
-    s.geometric = to_world(part, s.object_normal, NormalMistake::none);
+    s.normal = to_world(part, s.object_normal, true, m_.normals);
+    s.geometric = to_world(part, s.object_normal, true, NormalMistake::none);
   } else {
     s.object_normal =
         shape_normal(part.shape, hit.face, s.object_point, m_.cone_normal, m_.cap_normals_down);
     s.uv = shape_uv(part.shape, hit.face, s.object_point, m_.uv);
-    s.normal = to_world(part, s.object_normal, m_.normals);
+    const bool flat = hit.face != 0;
+    s.normal = to_world(part, s.object_normal, flat, m_.normals);
     s.geometric = to_world(
         part, shape_normal(part.shape, hit.face, s.object_point, ConeNormalMistake::none, false),
-        NormalMistake::none);
+        flat, NormalMistake::none);
   }
   if (m_.normals == NormalMistake::toward_eye && glm::dot(s.normal, ray.direction) > 0) {
     s.normal = -s.normal;
@@ -346,13 +352,18 @@ dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
   const Texture& texture = assets_.textures[material.texture.file];
   const bool divided = m_.texture == TextureMistake::divided_repeat;
   double u = divided ? s.uv.x / material.texture.repeat_u : s.uv.x * material.texture.repeat_u;
-  double v = divided ? (1 - s.uv.y) / material.texture.repeat_v
-                     : (1 - s.uv.y) * material.texture.repeat_v;
+  double v =
+      divided ? (1 - s.uv.y) / material.texture.repeat_v : (1 - s.uv.y) * material.texture.repeat_v;
   if (m_.texture == TextureMistake::swapped_uv) {
     u = s.uv.y * material.texture.repeat_u;
     v = (1 - s.uv.x) * material.texture.repeat_v;
   }
-  dvec3 t = lookup(texture, u * texture.width, v * texture.height, options_.features.texture_filter,
+  const bool centered = m_.texture == TextureMistake::filtered_centered;
+  const bool filtered =
+      (options_.features.texture_filter || centered || m_.texture == TextureMistake::filtered) &&
+      m_.texture != TextureMistake::not_filtered;
+  const double off = centered ? 0.5 : 0;
+  dvec3 t = lookup(texture, u * texture.width - off, v * texture.height - off, filtered,
                    m_.texture != TextureMistake::lookup_clamped);
   const double blend = material.blend;
   switch (m_.texture) {
@@ -387,6 +398,9 @@ dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
     case TextureMistake::no_coefficient_on_rest:
       return glm::mix(color, t, blend);
     case TextureMistake::none:
+    case TextureMistake::filtered:
+    case TextureMistake::filtered_centered:
+    case TextureMistake::not_filtered:
     case TextureMistake::lookup_clamped:
     case TextureMistake::divided_repeat:
     case TextureMistake::swapped_uv:
@@ -397,8 +411,8 @@ dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
 }
 
 bool Model::counts(const RenderLight& light) const {
-  const bool directional_alone = options_.mode == Mode::intersect &&
-                                 options_.profile == Profile::course && !m_.all_lights;
+  const bool directional_alone =
+      options_.mode == Mode::intersect && options_.profile == Profile::course && !m_.all_lights;
   return !directional_alone || light.type == LightType::directional;
 }
 
@@ -419,6 +433,12 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
       return limited(d * d);
     case AttenuationMistake::inverse:
       return limited(d);
+    case AttenuationMistake::inverse_square_unlimited:
+      return 1 / std::max(d * d, 1e-9);
+    case AttenuationMistake::inverse_unlimited:
+      return 1 / std::max(d, 1e-9);
+    case AttenuationMistake::one_plus_square:
+      return 1 / (1 + d * d);
     case AttenuationMistake::no_quadratic:
       return limited(c.x + d * c.y);
     case AttenuationMistake::no_linear:
@@ -494,6 +514,11 @@ double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) 
 
 }  // namespace
 
+double Model::written_length(const RenderLight& light) const {
+  const auto index = static_cast<std::size_t>(&light - scene_.lights.data());
+  return index < m_.light_lengths.size() ? m_.light_lengths[index] : 1;
+}
+
 bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& on_light,
                     Arrival& arriving) const {
   const LightVectorMistake mistake = m_.light_vector;
@@ -502,10 +527,15 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
     if (mistake == LightVectorMistake::position_as_direction) {
       arriving.toward = unit(-dvec3(light.position));
     }
-    arriving.to_light = mistake == LightVectorMistake::reversed ||
-                                mistake == LightVectorMistake::reversed_directional
-                            ? -arriving.toward
-                            : arriving.toward;
+    const bool reversed = mistake == LightVectorMistake::reversed ||
+                          mistake == LightVectorMistake::reversed_directional ||
+                          mistake == LightVectorMistake::reversed_shading ||
+                          mistake == LightVectorMistake::reversed_directional_shading;
+    arriving.to_light = reversed ? -arriving.toward : arriving.toward;
+    if (mistake == LightVectorMistake::directional_as_long_as_written ||
+        mistake == LightVectorMistake::as_long_as_written) {
+      arriving.to_light *= written_length(light);
+    }
     arriving.distance = infinity;
     return true;
   }
@@ -524,7 +554,10 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
     return false;
   }
   const double fading = faded(light.attenuation, arriving.distance, m_.attenuation);
-  const double spot = light.type == LightType::spot ? spot_share(light, cosine, m_.spot) : 1;
+  const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
+                          mistake == LightVectorMistake::as_long_as_written;
+  const double along = as_written ? cosine * written_length(light) : cosine;
+  const double spot = light.type == LightType::spot ? spot_share(light, along, m_.spot) : 1;
   arriving.factor = fading * spot;
   arriving.specular_factor = arriving.factor;
   if (m_.attenuation == AttenuationMistake::diffuse_only) {
@@ -539,6 +572,8 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
       break;
     case LightVectorMistake::reversed:
     case LightVectorMistake::reversed_positional:
+    case LightVectorMistake::reversed_shading:
+    case LightVectorMistake::reversed_positional_shading:
       arriving.to_light = -arriving.toward;
       break;
     case LightVectorMistake::to_origin:
@@ -546,6 +581,10 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
       break;
     case LightVectorMistake::none:
     case LightVectorMistake::reversed_directional:
+    case LightVectorMistake::reversed_directional_shading:
+    case LightVectorMistake::directional_as_long_as_written:
+    case LightVectorMistake::spot_as_long_as_written:
+    case LightVectorMistake::as_long_as_written:
     case LightVectorMistake::position_as_direction:
       break;
   }
@@ -555,8 +594,8 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
 bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
                      int depth) const {
   if (!options_.features.shadows || options_.mode != Mode::ray ||
-      (depth > 0 && (m_.shadow == ShadowMistake::only_camera_rays ||
-                     m_.mirror == MirrorMistake::no_shadows))) {
+      (depth > 0 &&
+       (m_.shadow == ShadowMistake::only_camera_rays || m_.mirror == MirrorMistake::no_shadows))) {
     return false;
   }
   const bool directional = light.type == LightType::directional;
@@ -603,6 +642,15 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     case ShadowMistake::direction_unnormalized_far:
       end = directional ? 1 : end;
       break;
+    case ShadowMistake::squared_distance:
+      end *= end;
+      break;
+    case ShadowMistake::directional_ends_at_position:
+      end = directional ? glm::length(dvec3(light.position) - s.position) : end;
+      break;
+    case ShadowMistake::light_from_origin:
+      end = directional ? end : glm::length(dvec3(light.position));
+      break;
     case ShadowMistake::from_eye:
       ray.origin = s.eye;
       break;
@@ -612,6 +660,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     default:
       break;
   }
+  ray.origin += m_.shadow_lift * s.normal;
   ModelHit hit;
   if (m_.shadow != ShadowMistake::glass_lets_through) {
     return search(ray, m_.shadow_bias, end, true, without, hit);
@@ -649,8 +698,8 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
              options_.mode == Mode::ray && material.texture.used()) {
     ambient = ka * base;
   }
-  if (depth > 0 && (m_.ambient == AmbientMistake::no_in_reflections ||
-                    m_.mirror == MirrorMistake::no_ambient)) {
+  if (depth > 0 &&
+      (m_.ambient == AmbientMistake::no_in_reflections || m_.mirror == MirrorMistake::no_ambient)) {
     ambient = dvec3(0);
   }
   dvec3 eye = to_eye;
@@ -707,7 +756,12 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   const auto lit_by = [&](const RenderLight& light, const Arrival& arriving, dvec3& color) {
     const dvec3& n = s.normal;
     const dvec3& l = arriving.to_light;
-    const double cosine = glm::dot(n, l);
+    double cosine = glm::dot(n, l);
+    if (m_.diffuse == DiffuseMistake::absolute_everywhere) {
+      cosine = std::abs(cosine);
+    } else if (m_.specular == SpecularMistake::clamped_mirror) {
+      cosine = std::max(0.0, cosine);
+    }
     double weight = std::max(0.0, cosine);
     switch (m_.diffuse) {
       case DiffuseMistake::absolute:
@@ -755,7 +809,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         break;
     }
     dvec3 shining(0);
-    if (shine > 0 && (exponent > 0 || m_.specular == SpecularMistake::zero_shines)) {
+    const bool any_sign =
+        m_.specular == SpecularMistake::negative_power && exponent == std::floor(exponent);
+    if ((shine > 0 || any_sign) && (exponent > 0 || m_.specular == SpecularMistake::zero_shines)) {
       shining = ks * specular_color * raised(shine, exponent);
     }
     if (m_.specular == SpecularMistake::times_cosine) {
@@ -858,6 +914,16 @@ std::vector<dvec3> Model::light_shares(const ModelRay& ray) const {
   return shares;
 }
 
+std::vector<dvec3> Model::self_mirrored(const ModelRay& ray, std::uint32_t patterns) const {
+  std::vector<dvec3> colors;
+  for (std::uint32_t pattern = 0; pattern < patterns; ++pattern) {
+    self_hits_ = pattern;
+    colors.push_back(color(ray));
+  }
+  self_hits_ = 0;
+  return colors;
+}
+
 dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
                    const dvec3& chain) const {
   ModelHit hit;
@@ -949,12 +1015,17 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::times_diffuse:
       factor *= dvec3(material.diffuse);
       break;
+    case MirrorMistake::blended_plain:
+    case MirrorMistake::averaged:
+      factor = reflects ? dvec3(m_.mirror == MirrorMistake::averaged ? 0.5 : ks) : dvec3(0);
+      break;
     case MirrorMistake::times_cosine:
       factor *= std::max(0.0, glm::dot(s.normal, -ray.direction));
       break;
     default:
       break;
   }
+  factor *= m_.mirror_factor;
   if (factor == dvec3(0) || depth + 1 > options_.max_depth) {
     return dvec3(0);
   }
@@ -962,6 +1033,9 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
   switch (m_.mirror) {
     case MirrorMistake::reversed:
       direction = -direction;
+      break;
+    case MirrorMistake::wrong_sign:
+      direction = ray.direction + 2 * glm::dot(ray.direction, s.normal) * s.normal;
       break;
     case MirrorMistake::along_normal:
       direction = s.normal;
@@ -976,8 +1050,14 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     local = dvec3(0);
   }
   const dvec3 weights = factor;
-  const dvec3 seen =
-      trace({s.position, unit(direction)}, depth + 1, nullptr, m_.mirror_bias, weights);
+  dvec3 seen;
+  if ((self_hits_ >> depth & 1) != 0) {
+    ModelHit itself = s.hit;
+    itself.t = 0;
+    seen = trace({s.position, unit(direction)}, depth + 1, &itself, 0, weights);
+  } else {
+    seen = trace({s.position, unit(direction)}, depth + 1, nullptr, m_.mirror_bias, weights);
+  }
   switch (m_.mirror) {
     case MirrorMistake::blended:
       local *= 1.0 - dvec3(material.reflective);
@@ -987,7 +1067,11 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
       local *= 1.0 - factor;
       break;
     case MirrorMistake::blended_all:
+    case MirrorMistake::blended_plain:
       local *= 1 - ks;
+      break;
+    case MirrorMistake::averaged:
+      local *= 0.5;
       break;
     case MirrorMistake::replaces:
       local = dvec3(0);
@@ -1027,6 +1111,7 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     default:
       break;
   }
+  factor *= m_.glass_factor;
   if (factor == dvec3(0)) {
     return dvec3(0);
   }

@@ -54,8 +54,9 @@ std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Asset
 /// What a camera ray meets first.
 struct ModelHit {
   double t = 0;
+  double stretch = 1;               ///< what t is taken times for the place in the world
   const ModelPart* part = nullptr;  ///< none: nothing
-  int face = 0;                     ///< 0 side, 1 top, 2 bottom; cubes: 1 + 2 * axis + (low ? 1 : 0)
+  int face = 0;  ///< 0 side, 1 top, 2 bottom; cubes: 1 + 2 * axis + (low ? 1 : 0)
   std::uint32_t triangle = 0;
   double b1 = 0, b2 = 0;
 };
@@ -76,6 +77,9 @@ class Model {
   ModelHit first_hit(const ModelRay& ray) const;
   /// Not clamped. `known`: what the ray meets, where that is known.
   glm::dvec3 color(const ModelRay& ray, const ModelHit* known = nullptr) const;
+  /// The colors that a surface may have whose reflected rays may start in itself: for each of
+  /// `patterns`, bit k set where the ray of bounce k does. Not clamped.
+  std::vector<glm::dvec3> self_mirrored(const ModelRay& ray, std::uint32_t patterns) const;
   /// By how much each light brightens what the ray meets: diffuse and specular, shadows not
   /// counted.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
@@ -89,8 +93,8 @@ class Model {
   struct Arrival;
   bool meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max, bool shadow,
             ModelHit& hit) const;
-  bool search(const ModelRay& ray, double t_min, double t_max, bool shadow, const ModelPart* without,
-              ModelHit& hit) const;
+  bool search(const ModelRay& ray, double t_min, double t_max, bool shadow,
+              const ModelPart* without, ModelHit& hit) const;
   Surface surface(const ModelRay& ray, const ModelHit& hit) const;
   glm::dvec3 texture_or_plain(const Surface& s, bool& unlit) const;
   bool arrival(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
@@ -105,6 +109,7 @@ class Model {
   glm::dvec3 mirrored(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
   glm::dvec3 refracted(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
   bool counts(const RenderLight& light) const;
+  double written_length(const RenderLight& light) const;
   double transparency() const;
 
   const RenderScene& scene_;
@@ -113,6 +118,7 @@ class Model {
   const RenderOptions& options_;
   const ModelMistakes& m_;
   mutable std::uint64_t rays_ = 0;
+  mutable std::uint32_t self_hits_ = 0;  // of self_mirrored
 };
 
 }  // namespace scenefile

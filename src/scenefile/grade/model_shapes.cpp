@@ -41,11 +41,12 @@ struct TreeBuilder {
       return;
     }
     const auto begin = tree.order.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-      const float x = bounds[a][0][axis] + bounds[a][1][axis];
-      const float y = bounds[b][0][axis] + bounds[b][1][axis];
-      return x < y || (x == y && a < b);
-    });
+    std::nth_element(begin, begin + count / 2, begin + count,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const float x = bounds[a][0][axis] + bounds[a][1][axis];
+                       const float y = bounds[b][0][axis] + bounds[b][1][axis];
+                       return x < y || (x == y && a < b);
+                     });
     const auto child = static_cast<std::uint32_t>(tree.boxes.size());
     tree.boxes[box].first = child;
     tree.boxes.resize(tree.boxes.size() + 2);
@@ -256,8 +257,8 @@ void cylinder(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
 
 void cone(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
   const double y = o.y - 0.5;
-  side_roots(o, d, d.x * d.x + d.z * d.z - 0.25 * d.y * d.y,
-             o.x * d.x + o.z * d.z - 0.25 * y * d.y, o.x * o.x + o.z * o.z - 0.25 * y * y, found);
+  side_roots(o, d, d.x * d.x + d.z * d.z - 0.25 * d.y * d.y, o.x * d.x + o.z * d.z - 0.25 * y * d.y,
+             o.x * o.x + o.z * o.z - 0.25 * y * y, found);
   if (caps && d.y != 0) {
     cap(o, d, -0.5, 2, found);
   }
@@ -344,7 +345,7 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
     if (!(t > t_min && t < t_max) || (found && (far ? t < hit.t : t > hit.t))) {
       return;
     }
-    hit = {t, &part, face, index, b1, b2};
+    hit = {t, 1, &part, face, index, b1, b2};
     found = true;
   };
   Crossings crossings;
@@ -396,10 +397,17 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
                    const ModelPart* without, ModelHit& hit) const {
   ++rays_;
   const NearestMistake nearest = shadow ? NearestMistake::none : m_.nearest;
-  const bool pruned = nearest == NearestMistake::none || nearest == NearestMistake::far_root ||
-                      nearest == NearestMistake::near_root_only ||
-                      nearest == NearestMistake::behind;
-  if (nearest == NearestMistake::behind) {
+  const bool scaled_shadow = shadow && (m_.nearest == NearestMistake::object_distance_everywhere ||
+                                        m_.shadow == ShadowMistake::object_distance);
+  const bool pruned =
+      !scaled_shadow &&
+      (nearest == NearestMistake::none || nearest == NearestMistake::far_root ||
+       nearest == NearestMistake::near_root_only || nearest == NearestMistake::behind ||
+       nearest == NearestMistake::behind_first);
+  const bool of_object = nearest == NearestMistake::object_distance ||
+                         nearest == NearestMistake::object_distance_compared ||
+                         nearest == NearestMistake::object_distance_everywhere;
+  if (nearest == NearestMistake::behind || nearest == NearestMistake::behind_first) {
     t_min = -infinity;
   }
   bool found = false;
@@ -407,6 +415,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   const auto better = [&](const ModelHit& candidate, double key) {
     switch (nearest) {
       case NearestMistake::farthest:
+      case NearestMistake::farthest_object:
         return key > best;
       case NearestMistake::last:
         return candidate.part > hit.part;
@@ -416,29 +425,36 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
         return std::abs(key) < std::abs(best);
       case NearestMistake::none:
       case NearestMistake::object_distance:
+      case NearestMistake::object_distance_compared:
+      case NearestMistake::object_distance_everywhere:
       case NearestMistake::far_root:
       case NearestMistake::near_root_only:
+      case NearestMistake::behind_first:
         break;
     }
     // Of equal ones the last in the file.
     return key < best || (key == best && candidate.part > hit.part);
   };
-  const bool along = nearest != NearestMistake::behind;
+  const bool along = nearest != NearestMistake::behind && nearest != NearestMistake::behind_first;
+  const double searched_to = scaled_shadow ? infinity : t_max;
   walk(
       shapes_.tree, ray.origin, ray.direction, t_min,
-      [&] {
-        return pruned && found && along ? hit.t * (1 + 1e-12) : t_max;
-      },
+      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; },
       [&](std::uint32_t index) {
         const ModelPart& part = shapes_.parts[index];
         ModelHit candidate;
-        if (&part == without || !meet(part, ray, t_min, t_max, shadow, candidate)) {
+        if (&part == without || !meet(part, ray, t_min, searched_to, shadow, candidate)) {
           return false;
         }
-        const double key =
-            nearest == NearestMistake::object_distance
-                ? candidate.t * glm::length(part.object_from_world.vector(ray.direction))
-                : candidate.t;
+        const double stretch = of_object || scaled_shadow
+                                   ? glm::length(part.object_from_world.vector(ray.direction))
+                                   : 1;
+        const double key = stretch * candidate.t;
+        if (scaled_shadow && key >= t_max) {
+          return false;
+        }
+        candidate.stretch =
+            of_object && nearest != NearestMistake::object_distance_compared ? stretch : 1;
         if (!found || better(candidate, key)) {
           hit = candidate;
           best = key;
@@ -446,9 +462,6 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
         }
         return shadow;
       });
-  if (found && nearest == NearestMistake::object_distance) {
-    hit.t = best;
-  }
   return found;
 }
 

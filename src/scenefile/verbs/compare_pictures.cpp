@@ -1,6 +1,12 @@
 #include "scenefile/verbs/compare_pictures.h"
 
+#include "scenefile/base/text.h"
+#include "scenefile/explain/object_names.h"
+
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace scenefile {
 
@@ -24,7 +30,7 @@ void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
   f.depthoffield = false;
   add("shadows,reflect,refract,texture", f);
   f.refract = false;
-  add("shadows,reflect,texture", f);
+  add("illuminate", f);
   f.texture = false;
   add("shadows,reflect", f);
   f.reflect = false;
@@ -44,7 +50,9 @@ void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
     render.features = Features{false, false, false, false, false, false, false};
     for (const Mode mode : {Mode::intersect, Mode::normals}) {
       render.mode = mode;
-      ways.push_back({render, fmt::format("{} --mode {}", profile, mode_word(mode))});
+      ways.push_back({render, mode == Mode::intersect
+                                  ? fmt::format("{} --features intersect", profile)
+                                  : fmt::format("{} --mode {}", profile, mode_word(mode))});
     }
   }
 }
@@ -53,25 +61,58 @@ SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
   return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
 }
 
+// Where to look first. `view`: of the scene, or null.
+std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture& test,
+                                         const LoadedScene* scene, const SceneView* view) {
+  const std::optional<WorstRegion> region = worst_region(reference, test);
+  if (!region) {
+    return std::nullopt;
+  }
+  PlaceToLook place{*region, false, {}, {}};
+  if (view != nullptr) {
+    const std::optional<std::uint32_t> source =
+        source_at(*view, {region->x, region->y}, {reference.width, reference.height});
+    if (source) {
+      const WayPoint at = ObjectNames(scene->written, scene->ready.sources).at(*source);
+      place.hit = true;
+      place.object = at.path;
+      place.location = at.location;
+    }
+  }
+  return place;
+}
+
+// A word of a command line as shells take it.
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("._-/+,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain) {
+    return word;
+  }
+  std::string quoted = "'";
+  for (const char c : word) {
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
 // Finds what makes the difference; the scene is used where it can be.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
                      const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
                      PictureComparison& found) {
   if (scene == nullptr || !scene->usable()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
+    found.where = place_to_look(reference, test, nullptr, nullptr);
     return;
   }
   found.scene_used = true;
-  std::vector<SceneView> views;
-  for (const DrawnWay& way : ways) {
-    views.push_back(view_of(*scene, way));
-  }
-  if (views.empty()) {
-    views.push_back(view_of(*scene, {}));
-  }
-  const SceneView view = most_alike(reference, views);
+  const SceneView view =
+      view_of(*scene, ways.empty() ? DrawnWay() : way_drawn(reference, *scene, ways));
   found.drawn_with = view.said;
   found.causes = find_causes(reference, test, &view, go_on);
+  found.where = place_to_look(reference, test, scene, &view);
 }
 
 }  // namespace
@@ -85,6 +126,16 @@ std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, boo
     }
   }
   return ways;
+}
+
+DrawnWay way_drawn(const Texture& reference, const LoadedScene& scene,
+                   const std::vector<DrawnWay>& ways) {
+  std::vector<SceneView> views;
+  for (const DrawnWay& way : ways) {
+    views.push_back(view_of(scene, way));
+  }
+  const SceneView found = most_alike(reference, views);
+  return {found.options, found.said};
 }
 
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
@@ -135,6 +186,32 @@ std::string causes_text(const PictureComparison& found) {
   return text;
 }
 
+std::string where_text(const PictureComparison& found, const std::string& scene,
+                       const std::string& test) {
+  if (!found.where) {
+    return {};
+  }
+  const PlaceToLook& place = *found.where;
+  const WorstRegion& r = place.region;
+  std::string text = fmt::format("worst: {},{}..{},{}, {:.0f} % of the difference", r.x0, r.y0,
+                                 r.x1, r.y1, 100 * r.share);
+  if (place.hit) {
+    text +=
+        fmt::format("; it shows {}{}", escaped(place.object, 80),
+                    place.location.known() ? fmt::format(" (line {})", place.location.line) : "");
+  } else if (found.scene_used) {
+    text += "; it shows nothing of the scene";
+  }
+  if (scene.empty()) {
+    return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
+  }
+  return text + fmt::format(
+                    "\n       try: scenefile explain {} --pixel {},{} --size {}x{}{}{} --mine {}\n",
+                    escaped(shell_word(scene), 4096), r.x, r.y, found.measures.size.x,
+                    found.measures.size.y, found.drawn_with.empty() ? "" : " ", found.drawn_with,
+                    escaped(shell_word(test), 4096));
+}
+
 void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims) {
   json.begin_array(name);
   for (const Claim& claim : claims) {
@@ -174,6 +251,25 @@ void add_comparison(Json& json, const PictureComparison& found) {
   add_claims(json, "causes", found.causes.claims);
   add_claims(json, "rivals", found.causes.rivals);
   add_claims(json, "partial", found.causes.partial);
+  if (found.where) {
+    const PlaceToLook& place = *found.where;
+    json.begin_object("worst");
+    json.add("x0", place.region.x0);
+    json.add("y0", place.region.y0);
+    json.add("x1", place.region.x1);
+    json.add("y1", place.region.y1);
+    json.add("x", place.region.x);
+    json.add("y", place.region.y);
+    json.add("mean_difference", place.region.mean);
+    json.add("share", place.region.share);
+    if (place.hit) {
+      json.add("object", place.object);
+      if (place.location.known()) {
+        json.add("line", place.location.line);
+      }
+    }
+    json.end_object();
+  }
   if (found.scene_used) {
     json.add("share_scene_unlike", found.causes.share_scene_unlike);
     json.add("reference_drawn_with", found.drawn_with);

@@ -3,12 +3,14 @@
 // difference, as data, for people and for programs.
 
 #include "scenefile/compare/measure.h"
+#include "scenefile/compare/worst_region.h"
 #include "scenefile/grade/causes.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,13 +37,27 @@ struct CompareSettings {
 /// references are usually made with.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
+/// The one of several ways in which the scene, with all assets, is most like the reference. `ways`
+/// is not empty.
+DrawnWay way_drawn(const Texture& reference, const LoadedScene& scene,
+                   const std::vector<DrawnWay>& ways);
+
+/// Where two pictures differ most, and what the scene shows there.
+struct PlaceToLook {
+  WorstRegion region;
+  bool hit = false;    ///< whether the scene shows an object there
+  std::string object;  ///< path of its node in the scene
+  Location location;   ///< of the object in the scene file
+};
+
 struct PictureComparison {
   PictureMeasures measures;
-  std::vector<float> flip_errors;   ///< of the pixels; empty for pictures of different sizes
-  std::vector<std::string> broken;  ///< thresholds; empty: the same
-  CauseReport causes;               ///< nothing where none were looked for
-  std::string drawn_with;           ///< DrawnWay::words of the reference; empty: not known
-  bool scene_used = false;          ///< whether a scene was there to look for causes with
+  std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
+  std::vector<std::string> broken;   ///< thresholds; empty: the same
+  CauseReport causes;                ///< nothing where none were looked for
+  std::string drawn_with;            ///< DrawnWay::words of the reference; empty: not known
+  bool scene_used = false;           ///< whether a scene was there to look for causes with
+  std::optional<PlaceToLook> where;  ///< nothing where no pixel differs visibly
 };
 
 /// Compares; looks for causes as settings.look says. `scene`: what the reference shows, with
@@ -53,6 +69,11 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
 
 /// The causes as lines for people.
 std::string causes_text(const PictureComparison& found);
+
+/// Where the pictures differ most as lines for people: the region, the object there, and the
+/// command that explains a pixel. `scene` and `test`: paths as given; an empty scene: no command.
+std::string where_text(const PictureComparison& found, const std::string& scene,
+                       const std::string& test);
 
 /// Members of the object that is open.
 void add_measures(Json& json, const PictureMeasures& measures);

@@ -3,6 +3,7 @@
 
 #include "scenefile/base/result.h"
 #include "scenefile/explain/remarks.h"
+#include "scenefile/explain/yours.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <array>
@@ -17,6 +18,7 @@ namespace scenefile {
 struct ExplainReport {
   PixelRecord pixel;
   std::vector<Remark> remarks;
+  std::optional<Yours> yours;  ///< another program's value of the pixel, where it was given
 };
 
 /// Traces the pixel (x, y), row 0 on top, as render() does with these options. `sample`: which one

@@ -61,6 +61,9 @@ class Document {
     }
     json_.end_array();
     add_remarks(report.remarks);
+    if (report.yours) {
+      add_yours(*report.yours);
+    }
     json_.end_object();
   }
 
@@ -248,6 +251,25 @@ class Document {
     if (branch.fate == Fate::followed) {
       json_.add("ray", branch.ray);
     }
+    json_.end_object();
+  }
+
+  void add_yours(const Yours& yours) {
+    json_.begin_object("yours");
+    json_.begin_array("value");
+    for (const std::uint8_t v : yours.value) {
+      json_.value(int{v});
+    }
+    json_.end_array();
+    json_.add("equal", yours.equal);
+    json_.begin_array("fits");
+    for (const YoursFit& fit : yours.fits) {
+      json_.begin_object();
+      json_.add("what", fit.what);
+      json_.add("value", fit.value);
+      json_.end_object();
+    }
+    json_.end_array();
     json_.end_object();
   }
 

@@ -52,6 +52,7 @@ class Explanation {
         scene_(scene.ready.scene),
         pixel_(report.pixel),
         remarks_(report.remarks),
+        yours_(report.yours),
         style_(style),
         names_(scene.written, scene.ready.sources) {}
 
@@ -63,6 +64,9 @@ class Explanation {
                     options.height, profile_word(options.profile), mode_word(options.mode));
     Item top;
     top.below.push_back(result());
+    if (yours_) {
+      top.below.push_back(yours());
+    }
     top.below.push_back(samples());
     top.below.push_back(shown_sample());
     print(top, "", text);
@@ -93,6 +97,22 @@ class Explanation {
     return {fmt::format("{} {} = {} {} {} of 255, {}", bold("color"), color(pixel_.color), v[0],
                         v[1], v[2], course() ? "truncated" : "rounded"),
             {}};
+  }
+
+  Item yours() const {
+    const auto& v = yours_->value;
+    Item item{fmt::format("{} {} {} {} of 255{}", bold("yours"), v[0], v[1], v[2],
+                          yours_->equal ? ": equals ours" : ""),
+              {}};
+    for (const YoursFit& fit : yours_->fits) {
+      item.below.push_back({fmt::format("equals ours {} = {:.1f} {:.1f} {:.1f} of 255", fit.what,
+                                        fit.value.x, fit.value.y, fit.value.z),
+                            {}});
+    }
+    if (!yours_->equal && yours_->fits.empty()) {
+      item.below.push_back({"no term left out or changed in a known way gives it", {}});
+    }
+    return item;
   }
 
   std::string object(const ObjectRef& ref) const {
@@ -353,6 +373,7 @@ class Explanation {
   const RenderScene& scene_;
   const PixelRecord& pixel_;
   const std::vector<Remark>& remarks_;
+  const std::optional<Yours>& yours_;
   ExplainStyle style_;
   ObjectNames names_;
 };

@@ -3,6 +3,7 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/load_file.h"
 #include "scenefile/verbs/scene_json.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -20,10 +22,6 @@ namespace {
 
 // What holds where nobody says otherwise: float against double is at 40 dB and more.
 constexpr double default_min_psnr_db = 40;
-
-const std::vector<std::string_view> picture_endings{".png", ".jpg", ".jpeg",
-                                                    ".gif", ".tga", ".bmp"};
-const std::vector<std::string_view> scene_endings{".xml", ".json"};
 
 struct StudentFolder {
   std::string name;
@@ -55,8 +53,7 @@ std::vector<StudentFolder> student_folders(const std::string& folder) {
   return students;
 }
 
-std::string thumbnail(const Texture& reference, const Texture& picture) {
-  constexpr int width = 320;
+std::string thumbnail(const Texture& reference, const Texture& picture, int width) {
   const Texture heat = reduced(heat_map(reference, picture), width);
   const Texture a = reduced(reference, width);
   const Texture b = reduced(picture, width);
@@ -87,7 +84,19 @@ struct Reference {
   std::string name;
   Texture picture;
   std::optional<LoadedScene> scene;
+  std::vector<DrawnWay> ways;  // how it was drawn, found once for the class
 };
+
+// The picture in the size of the reference, where only the size differs.
+std::optional<Texture> fitted(const Texture& picture, const Texture& right) {
+  const double across = double(picture.width) * right.height;
+  const double down = double(picture.height) * right.width;
+  if ((picture.width == right.width && picture.height == right.height) ||
+      std::abs(across - down) > 0.02 * across) {
+    return std::nullopt;
+  }
+  return scaled(picture, right.width, right.height);
+}
 
 class Grader {
  public:
@@ -104,8 +113,8 @@ class Grader {
 
   Result<void> load_references(const LoadShownScene& load_scene) {
     const std::vector<FoundFile> scenes =
-        files_below(request_.scenes.empty() ? request_.references : request_.scenes, scene_endings);
-    files_ = files_below(request_.references, picture_endings);
+        files_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
+    files_ = files_below(request_.references, is_picture_name);
     const std::vector<std::string> names = reference_names(files_);
     const std::vector<int> scene_of = match_scenes(scenes);
     for (std::size_t i = 0; i < files_.size(); ++i) {
@@ -114,9 +123,12 @@ class Grader {
       if (!picture) {
         return picture.error();
       }
-      Reference reference{names[i], *std::move(picture), std::nullopt};
+      Reference reference{names[i], *std::move(picture), std::nullopt, {}};
       if (scene_of[i] >= 0) {
         reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
+      }
+      if (reference.scene && reference.scene->usable() && !settings_.ways.empty()) {
+        reference.ways = {way_drawn(reference.picture, *reference.scene, settings_.ways)};
       }
       references_.push_back(std::move(reference));
     }
@@ -129,7 +141,9 @@ class Grader {
   Result<Gradebook> run(const std::function<bool(double)>& go_on) {
     Gradebook book;
     const std::vector<StudentFolder> folders = student_folders(request_.handed_in);
-    const double all = static_cast<double>(folders.size() * references_.size());
+    const std::size_t count = folders.size() * references_.size();
+    thumbnail_width_ = count > many_pictures ? 200 : 320;
+    const auto all = static_cast<double>(count);
     double done = 0;
     bool stopped = false;
     const auto tell = [&](double part) {
@@ -137,8 +151,8 @@ class Grader {
       return !stopped;
     };
     for (const StudentFolder& folder : folders) {
-      const std::vector<FoundFile> pictures = files_below(folder.path, picture_endings);
-      const std::vector<int> matches = match_pictures(files_, pictures);
+      const std::vector<FoundFile> pictures = files_below(folder.path, is_picture_name);
+      const std::vector<int> matches = match_pictures(files_, pictures, request_.map);
       seen_ += pictures.size();
       StudentResult& student = book.students.emplace_back();
       student.name = folder.name;
@@ -150,6 +164,12 @@ class Grader {
         ++done;
         if (!tell(0)) {
           return Error{"interrupted", ErrorKind::cancelled};
+        }
+      }
+      if (request_.graded) {
+        if (const Result<void> taken = request_.graded(student, book.students.size(), count);
+            !taken) {
+          return taken.error();
         }
       }
     }
@@ -206,9 +226,12 @@ class Grader {
       return result;
     }
     enter("comparing the pictures");
-    const PictureComparison compared =
-        compare_pictures(reference.picture, *picture, reference.scene ? &*reference.scene : nullptr,
-                         settings_, go_on);
+    const std::optional<Texture> other_size = fitted(*picture, reference.picture);
+    const Texture& shown = other_size ? *other_size : *picture;
+    CompareSettings settings = settings_;
+    settings.ways = reference.ways;
+    const PictureComparison compared = compare_pictures(
+        reference.picture, shown, reference.scene ? &*reference.scene : nullptr, settings, go_on);
     result.measures = compared.measures;
     result.reasons = compared.broken;
     result.causes = compared.causes.claims;
@@ -216,8 +239,15 @@ class Grader {
     if (by_causes_ && compared.measures.same_size) {
       follow_causes(compared, result);
     }
+    if (other_size) {
+      result.verdict = Verdict::differs;
+      result.reasons.insert(
+          result.reasons.begin(),
+          fmt::format("the size is {}x{}, expected {}x{}; compared after scaling", picture->width,
+                      picture->height, shown.width, shown.height));
+    }
     if (result.verdict == Verdict::differs && request_.thumbnails) {
-      result.png = thumbnail(reference.picture, *picture);
+      result.png = thumbnail(reference.picture, shown, thumbnail_width_);
     }
     return result;
   }
@@ -228,6 +258,7 @@ class Grader {
   const std::function<void(const char*)>& entering_;
   std::vector<FoundFile> files_;  // of the references
   std::vector<Reference> references_;
+  int thumbnail_width_ = 320;
   std::size_t seen_ = 0;     // pictures that were handed in
   std::size_t matched_ = 0;  // those of a reference's name
 };

@@ -4,6 +4,7 @@
 #include "scenefile/base/result.h"
 #include "scenefile/grade/gradebook.h"
 #include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/grade_files.h"
 
 #include <functional>
 #include <string>
@@ -17,8 +18,15 @@ struct GradeRequest {
   /// Without thresholds what is wrong decides: a known mistake fails at any PSNR, edges and
   /// rounding alone pass.
   CompareSettings compare;
-  bool thumbnails = false;  ///< PictureResult::png of those that differ
+  bool thumbnails = false;    ///< PictureResult::png of those that differ
+  std::vector<NamePair> map;  ///< names that follow no layout (grade_files.h)
+  /// Told of each student as soon as all pictures are graded: the student, counted from 1, and how
+  /// many pictures the class has. May take PictureResult::png away; an error stops all.
+  std::function<Result<void>(StudentResult& student, std::size_t number, std::size_t all)> graded;
 };
+
+/// The pictures of a larger class are smaller, and better kept in files than in memory.
+inline constexpr std::size_t many_pictures = 200;
 
 /// Loads a scene that references show, and says what is wrong with it to whom it concerns.
 using LoadShownScene = std::function<LoadedScene(const std::string& path)>;

@@ -55,7 +55,7 @@ std::string ending_of(std::string_view name) {
   return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
 }
 
-void add_files(const std::string& folder, const std::vector<std::string_view>& endings,
+void add_files(const std::string& folder, bool (*wanted)(std::string_view),
                const std::vector<std::string>& above, std::vector<FoundFile>& files) {
   for (const FolderEntry& entry : entries_of(folder)) {
     if (files.size() >= most_files) {
@@ -65,12 +65,12 @@ void add_files(const std::string& folder, const std::vector<std::string_view>& e
       if (above.size() < most_folders) {
         std::vector<std::string> inside = above;
         inside.push_back(entry.name);
-        add_files(entry.path, endings, inside, files);
+        add_files(entry.path, wanted, inside, files);
       }
       continue;
     }
-    const std::string ending = ending_of(entry.name);
-    if (std::find(endings.begin(), endings.end(), ending) != endings.end()) {
+    if (wanted(entry.name)) {
+      const std::string ending = ending_of(entry.name);
       files.push_back({entry.path, above, entry.name.substr(0, entry.name.size() - ending.size())});
     }
   }
@@ -119,14 +119,70 @@ int folder_score(const FoundFile& reference, const FoundFile& picture) {
 }  // namespace
 
 std::vector<FoundFile> files_below(const std::string& folder,
-                                   const std::vector<std::string_view>& endings) {
+                                   bool (*wanted)(std::string_view name)) {
   std::vector<FoundFile> files;
-  add_files(folder, endings, {}, files);
+  add_files(folder, wanted, {}, files);
   return files;
 }
 
+bool is_picture_name(std::string_view name) {
+  static constexpr std::array<std::string_view, 6> endings{".png", ".jpg", ".jpeg",
+                                                           ".gif", ".tga", ".bmp"};
+  return std::find(endings.begin(), endings.end(), ending_of(name)) != endings.end();
+}
+
+namespace {
+
+std::string trimmed(std::string_view text) {
+  const std::size_t start = text.find_first_not_of(" \t\r\"");
+  const std::size_t end = text.find_last_not_of(" \t\r\"");
+  return start == std::string_view::npos ? std::string()
+                                         : std::string(text.substr(start, end - start + 1));
+}
+
+// Whether the file is meant: the whole name, or its end from a folder on.
+bool is_named(const FoundFile& file, const std::string& name) {
+  std::string folders;
+  for (const std::string& folder : file.folders) {
+    folders += folder + "/";
+  }
+  const auto ends = [&](const std::string& whole) {
+    return whole == name || whole.ends_with("/" + name);
+  };
+  return ends(folders + file.stem) || ends(folders + file.stem + ending_of(file.path));
+}
+
+}  // namespace
+
+std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
+  std::vector<NamePair> map;
+  std::size_t number = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string line = trimmed(text.substr(start, end - start));
+    start = end + 1;
+    ++number;
+    if (line.empty() || line.front() == '#') {
+      continue;
+    }
+    const std::size_t comma = line.find_first_of(",\t");
+    const NamePair pair{trimmed(std::string_view(line).substr(0, comma)),
+                        comma == std::string::npos
+                            ? std::string()
+                            : trimmed(std::string_view(line).substr(comma + 1))};
+    if (pair.handed_in.empty() || pair.reference.empty()) {
+      wrong = "line " + std::to_string(number) +
+              ": expected the name handed in, a comma, and the name of the reference";
+      return {};
+    }
+    map.push_back(pair);
+  }
+  return map;
+}
+
 std::vector<int> match_pictures(const std::vector<FoundFile>& references,
-                                const std::vector<FoundFile>& pictures) {
+                                const std::vector<FoundFile>& pictures,
+                                const std::vector<NamePair>& map) {
   struct Pair {
     int score;
     std::size_t reference;
@@ -146,6 +202,17 @@ std::vector<int> match_pictures(const std::vector<FoundFile>& references,
                    [](const Pair& a, const Pair& b) { return a.score > b.score; });
   std::vector<int> result(references.size(), -1);
   std::vector<bool> taken(pictures.size());
+  for (const NamePair& named : map) {
+    for (std::size_t r = 0; r < references.size(); ++r) {
+      for (std::size_t p = 0; p < pictures.size(); ++p) {
+        if (result[r] < 0 && !taken[p] && is_named(references[r], named.reference) &&
+            is_named(pictures[p], named.handed_in)) {
+          result[r] = static_cast<int>(p);
+          taken[p] = true;
+        }
+      }
+    }
+  }
   for (const Pair& pair : pairs) {
     if (result[pair.reference] < 0 && !taken[pair.picture]) {
       result[pair.reference] = static_cast<int>(pair.picture);

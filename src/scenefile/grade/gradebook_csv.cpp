@@ -1,0 +1,54 @@
+#include "scenefile/grade/gradebook.h"
+
+#include <fmt/format.h>
+
+namespace scenefile {
+
+namespace {
+
+// Spreadsheets run what begins like a formula, and names come from students.
+std::string field(std::string_view text) {
+  std::string result = "\"";
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
+    result += '\'';
+  }
+  for (const char c : text) {
+    result += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return result + "\"";
+}
+
+std::string row(const StudentResult& student, const PictureResult& picture) {
+  const bool measured = picture.verdict == Verdict::passed || picture.verdict == Verdict::differs;
+  std::string causes;
+  std::string words;
+  for (const Claim& claim : picture.causes) {
+    causes += fmt::format("{}{}", causes.empty() ? "" : " ", name_of(claim.cause));
+    words += (words.empty() ? "" : "; ") + claim.what;
+  }
+  std::string reasons;
+  for (const std::string& reason : picture.reasons) {
+    reasons += (reasons.empty() ? "" : "; ") + reason;
+  }
+  const PictureMeasures& m = picture.measures;
+  const std::string figures =
+      measured ? fmt::format("{:.2f},{:.4f},{:.4f}", m.difference.psnr_db, m.ssim, m.flip_mean)
+               : ",,";
+  return fmt::format("{},{},{},{},{},{},{}\r\n", field(student.name), field(picture.name),
+                     name_of(picture.verdict), figures, field(causes), field(words),
+                     field(reasons));
+}
+
+}  // namespace
+
+std::string gradebook_csv(const Gradebook& book) {
+  std::string csv = "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons\r\n";
+  for (const StudentResult& student : book.students) {
+    for (const PictureResult& picture : student.pictures) {
+      csv += row(student, picture);
+    }
+  }
+  return csv;
+}
+
+}  // namespace scenefile

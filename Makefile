@@ -1,16 +1,16 @@
-# The front door. CMake does the work; `make help` lists what there is.
+# Shortcuts for common tasks; CMake does the work. `make help` lists them.
 
 BUILD   := build/release
 PRESET  := --preset release
 JOBS    := $(shell nproc)
 QUIET   := --no-print-directory
 
-# Quiet where nothing is to be done: the log is shown only when a step fails.
+# Quiet if everything is up to date: the log is only shown when a step fails.
 define quietly
 	@mkdir -p build && { $(1) > build/log.txt 2>&1 || { cat build/log.txt; exit 1; }; }
 endef
 
-# Builds the target $(1); says nothing when it is up to date.
+# Builds the target $(1); prints nothing if it is up to date.
 define compile
 	@ninja -C $(BUILD) -n $(1) | grep -q 'no work to do' || cmake --build $(PRESET) --target $(1)
 endef
@@ -29,7 +29,7 @@ build: ## build the program and its window: build/release/scenefile, scenefile-w
 	@$(MAKE) $(QUIET) configure
 	$(call compile,scenefile scenefile-window)
 
-# Without the tests until someone asks for them: the program needs none of their packages.
+# Without the tests until they are requested, because the program needs none of their packages.
 .PHONY: configure configure-tests
 configure: $(BUILD)/build.ninja
 	@:

@@ -20,7 +20,7 @@ namespace scenefile::app {
 
 namespace {
 
-// Lines may hold names of files.
+// Lines may contain file names.
 std::string safe_lines(const std::string& text) {
   std::string result;
   for (std::size_t start = 0; start < text.size();) {
@@ -176,7 +176,7 @@ ExitCode run_grade(const Options& options, Context& context) {
     return ExitCode::usage;
   }
   ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
-  // All is ready before something is written, so that nothing can fail afterwards.
+  // Everything is prepared before files are written, so that nothing can fail afterwards.
   context.phase = "making the report";
   const std::string page =
       options.report.empty() ? std::string() : gradebook_html(book, HandOut::title);

@@ -23,7 +23,7 @@ namespace scenefile::app {
 
 namespace {
 
-// Options under the headings of the help. What is in none of them stands under the last heading.
+// Headings for groups of options. Options in no group are under the last heading.
 struct Heading {
   std::string_view title;
   std::vector<std::string_view> options;
@@ -56,7 +56,7 @@ const std::vector<Heading>& headings() {
   return all;
 }
 
-// The options of a command under a heading, in its order.
+// The options of a command under a heading, in the heading's order.
 std::vector<const OptionRow*> options_under(const Heading& heading, const Command& command) {
   const auto place = [&](const std::vector<std::string_view>& names, const OptionRow& row) {
     return std::find(names.begin(), names.end(), row.name);
@@ -81,12 +81,12 @@ std::vector<const OptionRow*> options_under(const Heading& heading, const Comman
   return rows;
 }
 
-// Where the second column starts.
+// The start of the second column.
 std::size_t second_column(std::size_t width, std::size_t usual) {
   return width >= usual + 40 ? usual : 6;
 }
 
-// Two columns; the second on a line of its own where the first is too long.
+// Two columns; the second starts on a new line if the first is too long.
 std::string columns_text(std::string_view first, std::string_view second, std::size_t column,
                          std::size_t width) {
   const bool fits = first.size() + 2 <= column;
@@ -208,7 +208,7 @@ std::string cause_text(Cause cause) {
                      paragraph("Where to look", page.where));
 }
 
-// All causes, a line each.
+// All causes, one per line.
 std::string causes_list() {
   std::string text =
       "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.\n\n";
@@ -255,7 +255,7 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const auto families = code_families();
       std::find(families.begin(), families.end(), topic) != families.end()) {
-    // Some words name a family of findings and a cause of wrong pictures.
+    // Some words are both a family of codes and a cause of wrong pictures.
     const std::optional<Cause> cause = find_cause(topic);
     return answer(options.json
                       ? help_json()

@@ -21,7 +21,7 @@ namespace scenefile::app {
 struct Command;
 struct OptionRow;
 
-/// A pixel, from the top left, counted from 0.
+/// A pixel, counted from 0 at the top left.
 struct PixelPlace {
   int x = 0;
   int y = 0;
@@ -39,24 +39,24 @@ struct FrameRange {
   int last = 1;
 };
 
-/// What a scene can be written as.
+/// The output formats of convert.
 enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
-/// An option as it stood on the command line.
+/// An option given on the command line.
 struct GivenOption {
   const OptionRow* row = nullptr;
   std::string value;  ///< empty: a flag
 };
 
 struct Options {
-  std::vector<std::string> arguments;  ///< scenes, or what help is about
+  std::vector<std::string> arguments;  ///< scenes, or the topic of help
   std::vector<GivenOption> given;
 
   std::string output;
   Engine engine = Engine::trace;
   bool realtime = false;           ///< --profile realtime; `engine` is then gl
   RealtimeOptions realtime_panel;  ///< for `realtime`
-  RenderOptions render;            ///< complete: the profile's defaults where nothing was given
+  RenderOptions render;            ///< complete, with the profile's defaults
   std::string checkpoint;          ///< a file; empty: none
   std::string preview;             ///< a file; empty: none
   std::optional<PartPlace> part;   ///< to be drawn alone
@@ -71,17 +71,17 @@ struct Options {
 
   LoadSettings load;
   AssetAccess access;
-  FindingPolicy policy;                     ///< of check
-  std::optional<std::uint64_t> max_memory;  ///< bytes; none: most of what there is
+  FindingPolicy policy;                     ///< for check
+  std::optional<std::uint64_t> max_memory;  ///< bytes; default: most of the memory
   std::optional<double> timeout;            ///< seconds
 
   std::optional<ConvertTo> to;
-  int segments = 64;  ///< of a full turn of round shapes in files that have triangles alone
+  int segments = 64;  ///< per full turn of round shapes, in formats that only have triangles
   std::optional<PixelPlace> pixel;
-  std::optional<std::uint32_t> sample;  ///< to show in full
+  std::optional<std::uint32_t> sample;  ///< to describe in full
   std::string mine;                     ///< the picture of another program, to explain its value
 
-  std::string scene;  ///< what the reference picture shows
+  std::string scene;  ///< the scene of the reference picture
   std::string heatmap;
   std::string sheet;
   Thresholds thresholds;
@@ -95,7 +95,7 @@ struct Options {
   std::string pages;     ///< a folder of pages, one for each student
   std::string name_map;  ///< a file that says which picture is which
 
-  std::array<int, 2> window{};  ///< size in pixels; 0: as it was last
+  std::array<int, 2> window{};  ///< size in pixels; 0: as remembered
   bool live_trace = false;
   std::string screenshot;
   int frames = 1;
@@ -103,7 +103,7 @@ struct Options {
 
   bool assets = true;
 
-  bool check = false;  ///< change nothing, say what would be changed
+  bool check = false;  ///< only report what would change
   bool files = false;
   bool tree = false;
   bool json = false;
@@ -115,15 +115,15 @@ struct Options {
   bool help = false;
 };
 
-/// Reads the words behind the command. On a mistake returns what is wrong, in words that follow
-/// "scenefile: "; empty: all is well.
+/// Parses the words after the command. Returns an error text, in words that follow "scenefile: ";
+/// empty on success.
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options);
 
-/// Whether an option, such as "--samples", was on the command line.
+/// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);
 
-/// options.render as if this profile had been given.
+/// options.render as if this profile had been selected.
 RenderOptions render_options(const Options& options, Profile profile);
 
 }  // namespace scenefile::app

@@ -1,4 +1,4 @@
-// scenefile_bench_psnr A B: how alike two pictures are, in dB, by the library's own measure.
+// scenefile_bench_psnr A B: the similarity of two pictures in dB, measured by the library.
 
 #include "scenefile/asset/compare_images.h"
 #include "scenefile/asset/image_file.h"

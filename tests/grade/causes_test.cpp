@@ -45,7 +45,7 @@ std::string said(const CauseReport& report) {
   return text;
 }
 
-// On how many scenes the cause is the first and only claim.
+// The number of scenes for which the cause is the first and only claim.
 void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = {},
                   bool with_scene = true) {
   std::uint32_t named = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes with something of everything that a mistake can be made in.
+// Generated scenes with every feature in which mistakes can be made.
 
 #include "student/student_tracer.h"
 #include "trace/build_scene.h"
@@ -10,7 +10,8 @@
 
 namespace scenefile::grade_test {
 
-/// A floor, a wall, stretched shapes with textures, mirrors; a point light, a spot and the sun.
+/// A floor, a wall, stretched shapes with textures, mirrors; a point light, a spotlight and a
+/// directional light.
 class GeneratedScene {
  public:
   explicit GeneratedScene(std::uint32_t seed) : random_(seed) {
@@ -101,7 +102,7 @@ class GeneratedScene {
     return {r, g, uniform(low, high)};
   }
 
-  // Different at all four sides: a ramp with a dark corner.
+  // Different on all four sides: a ramp with a dark corner.
   std::uint32_t make_texture() {
     Texture t;
     t.width = t.height = 16;

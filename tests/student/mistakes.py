@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Asks `scenefile diff --scene` for the causes of pictures that the student's tracer made with known
-mistakes, and counts the answers that are right, wrong, and none.
+"""Asks `scenefile diff --scene` for the causes of pictures that the student's tracer drew with known
+mistakes, and counts right, wrong and missing answers.
 
   mistakes.py --build build/release                 every visible mistake over our own scenes
   mistakes.py --build build/release --combinations 40
@@ -77,13 +77,13 @@ class Bench:
     def clean_picture(self, scene):
         if scene[0] not in self.clean:
             out = self.draw(scene, ())
-            # A scene that the student's tracer cannot draw (meshes, area lights) tells nothing.
+            # A scene that the student's tracer cannot draw (meshes, area lights) is skipped.
             good = out and self.share_off(scene[2], out) < 0.02
             self.clean[scene[0]] = out if good else None
         return self.clean[scene[0]]
 
     def visible(self, scene, mistakes):
-        """The picture with the mistakes, where each of them changes it."""
+        """The picture with the mistakes, if each of them changes it."""
         clean = self.clean_picture(scene)
         if clean is None:
             return None

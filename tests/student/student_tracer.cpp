@@ -247,8 +247,8 @@ struct Found {
   float t = far_away;
   float key = far_away;
   const Object* object = nullptr;
-  vec3 point{0};   // in the object
-  vec3 normal{0};  // in the object
+  vec3 point{0};   // object space
+  vec3 normal{0};  // object space
   bool cap = false;
 };
 

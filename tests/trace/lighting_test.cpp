@@ -1,4 +1,4 @@
-// The lighting equation, by numbers that can be worked out on paper.
+// The lighting equation, with values computed by hand.
 
 #include "trace/build_scene.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;
 
-// The unit cube's top at y = 0, seen from straight above.
+// The top of the unit cube at y = 0, seen from directly above.
 SceneBuilder floor_scene(const RenderMaterial& material) {
   SceneBuilder b;
   const std::uint32_t m = b.material(material);
@@ -156,7 +156,7 @@ RenderLight& area_light(SceneBuilder& b) {
   return light;
 }
 
-// The mean of cosine / distance^2 over a square of side 1 at height 2, by a fine grid.
+// The mean of cosine / distance^2 over a square of side 1 at height 2, on a fine grid.
 double area_light_answer() {
   double sum = 0;
   constexpr int n = 400;
@@ -194,7 +194,7 @@ TEST(Lighting, TextureReplacesTheDiffuseColorByItsBlend) {
   b.texture(1, 1, {51});
   b.light(LightType::directional, slanted(60), glm::vec3(1));
   for (const Profile profile : {Profile::course, Profile::fine}) {
-    // The texture is not multiplied by the diffuse coefficient.
+    // The diffuse coefficient does not apply to the texture.
     EXPECT_NEAR(b.seen(profile).x, 0.5 * (0.75 * 0.5 + 0.25 * 0.2), tolerance);
   }
   RenderOptions off = default_options(Profile::course);
@@ -236,7 +236,7 @@ TEST(Lighting, IntersectModeHasNoShadowsReflectionsOrTextures) {
   }
 }
 
-// A mesh of one triangle around the origin, facing up, with normals that lean towards +x.
+// A triangle around the origin, facing up, with normals tilted toward +x.
 Mesh leaning_triangle() {
   Mesh m;
   m.positions = {{-5, 0, 5}, {5, 0, 5}, {0, 0, -5}};

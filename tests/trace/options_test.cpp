@@ -1,4 +1,4 @@
-// The fields of RenderOptions, visited one by one.
+// Visiting the fields of RenderOptions.
 
 #include "scenefile/trace/visit_options.h"
 
@@ -12,7 +12,7 @@ namespace scenefile {
 
 namespace {
 
-// Changes a value, whatever its type.
+// Changes a value of any type.
 void change(bool& value) {
   value = !value;
 }
@@ -31,7 +31,7 @@ void change(T& value) {
   }
 }
 
-// Calls visit(field, value) for the fields of nested structs in place of those structs.
+// Calls visit(field, value) for the members of nested structs instead of the structs.
 template <typename Visit>
 struct Leaves {
   Visit visit;
@@ -45,7 +45,7 @@ struct Leaves {
   }
 };
 
-// The options with the n-th leaf changed, and that leaf's field; no name: there is none.
+// The options with the n-th leaf changed, and its field; an empty name if there is none.
 std::pair<RenderOptions, OptionField> with_changed(int n) {
   std::pair<RenderOptions, OptionField> result;
   visit_options(result.first, Leaves{[&](const OptionField& field, auto& value) {

@@ -1,4 +1,4 @@
-// The picture as a whole: sameness, stopping, numbers of rays.
+// Whole pictures: determinism, cancellation, ray counts.
 
 #include "scenefile/trace/trace_scene.h"
 #include "trace/build_scene.h"
@@ -10,7 +10,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-// Something of everything.
+// A scene with many features.
 SceneBuilder busy_scene() {
   SceneBuilder b;
   RenderMaterial floor;
@@ -81,7 +81,7 @@ TEST(Render, ACanvasOfAnySizeChangesNoPixel) {
   }
 }
 
-// Progress, states and previews are taken while other threads write; made for ThreadSanitizer.
+// Progress, states and previews are read while other threads write; intended for ThreadSanitizer.
 TEST(Render, WatchersDisturbNoNumberOfThreads) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
@@ -249,7 +249,7 @@ TEST(Render, ImageCoordinatesRunRightAndDown) {
 }
 
 TEST(Render, FieldOfViewIsTheWholeVerticalAngle) {
-  // A wall at distance 2 whose top is at 45 degrees: just the upper edge of the picture.
+  // A wall at distance 2 whose top edge is at 45 degrees: exactly the upper edge of the picture.
   SceneBuilder b;
   b.add(Shape::cube, Affine{glm::mat3(4), glm::vec3(0, 0, -4)}, b.glowing(glm::vec3(1)));
   b.look({0, 0, 0}, {0, 0, -1}, 89.9);

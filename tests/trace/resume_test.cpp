@@ -1,4 +1,4 @@
-// Pictures that are cut short and go on.
+// Interrupting and resuming pictures.
 
 #include "scenefile/trace/picture_state.h"
 #include "trace/build_scene.h"
@@ -8,7 +8,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-// Edges, a penumbra and a mirror: some pixels settle at once, others do not.
+// Edges, a penumbra and a mirror: some pixels converge immediately, others do not.
 SceneBuilder uneven_scene() {
   SceneBuilder b;
   RenderMaterial mirror;
@@ -32,7 +32,7 @@ RenderOptions options_of(Profile profile) {
   return options;
 }
 
-// Stops after some calls of the progress function, and goes on from the state saved then.
+// Stops after some calls of the progress function, and resumes from the state saved then.
 RenderResult in_parts(const SceneBuilder& b, const RenderOptions& options, int calls, int& parts) {
   Checkpoints checkpoints;
   for (parts = 1;; ++parts) {

@@ -1,5 +1,5 @@
-// Rays that are traced together see to the last bit what each sees alone, in every instruction set
-// of the machine.
+// Rays traced in waves give exactly the same results as single rays, in every instruction set of
+// the machine.
 
 #include "scenefile/trace/wave.h"
 
@@ -63,8 +63,8 @@ void add_lights(SceneBuilder& b, Random& random) {
   area.half_v = {0, 0, 0.5f};
 }
 
-/// `count` shapes about the origin; some of them far larger or smaller than the others, some along
-/// the axes, some in one place.
+/// `count` shapes around the origin; some much larger or smaller than others, some along the axes,
+/// some at the same place.
 SceneBuilder some_scene(unsigned seed, int count) {
   Random random{std::mt19937(seed)};
   SceneBuilder b;
@@ -88,7 +88,7 @@ SceneBuilder some_scene(unsigned seed, int count) {
   return b;
 }
 
-/// Some samples of each pixel of the picture, with all that the fine profile gives them.
+/// Samples for each pixel of the picture, with everything that the fine profile varies.
 std::vector<CameraSample> samples_of(const Tracer& tracer, const CameraRays& camera) {
   const bool fine = !tracer.course();
   const FineSampler sampler(tracer, camera);
@@ -102,7 +102,7 @@ std::vector<CameraSample> samples_of(const Tracer& tracer, const CameraRays& cam
   return samples;
 }
 
-/// The picture ray by ray.
+/// The picture traced ray by ray.
 std::vector<WaveSight> alone(const Tracer& tracer, RayCounts& counts) {
   const CameraRays camera = tracer.camera();
   std::vector<WaveSight> sights;
@@ -114,7 +114,7 @@ std::vector<WaveSight> alone(const Tracer& tracer, RayCounts& counts) {
   return sights;
 }
 
-/// The same in waves.
+/// The same traced in waves.
 std::vector<WaveSight> together(const Tracer& tracer, const WaveKernel* kernel, RayCounts& counts) {
   const CameraRays camera = tracer.camera();
   WaveScene scene(tracer, camera);
@@ -202,7 +202,7 @@ TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
     options.max_depth = 8;
     expect_equal(b, options);
   }
-  // As many as one sample may have.
+  // The maximum for a sample.
   for (RenderMaterial& m : b.scene.materials) {
     m.reflective = m.transparent = glm::vec3(1);
   }
@@ -248,7 +248,7 @@ void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
   EXPECT_EQ(a.bounces, b.bounces);
 }
 
-/// Pixels by waves, and one sample after the other.
+/// Pixels traced in waves, and sample by sample.
 template <typename Draw>
 void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, const Draw& draw) {
   const Tracer tracer(b.scene, b.assets, options);

@@ -17,13 +17,13 @@ enum class Verdict : std::uint8_t { passed, differs, missing, unreadable };
 /// "passed", "differs", "missing" or "unreadable".
 std::string_view name_of(Verdict verdict);
 
-/// One picture of one student.
+/// A picture of a student.
 struct PictureResult {
-  std::string name;  ///< of the reference, without its ending
+  std::string name;  ///< of the reference, without extension
   Verdict verdict = Verdict::passed;
-  PictureMeasures measures;          ///< where there is a picture
+  PictureMeasures measures;          ///< if there is a picture
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
-  std::vector<Claim> causes;         ///< known mistakes that explain it
+  std::vector<Claim> causes;         ///< mistakes that explain it
   std::string png;                   ///< reference, picture and heat map as a PNG; may be empty
   std::string png_file;              ///< where that lies beside the page, instead of in it
 };
@@ -38,13 +38,13 @@ struct StudentResult {
 struct Gradebook {
   std::vector<StudentResult> students;
 
-  /// How many pictures of all students have that verdict.
+  /// The number of pictures of all students with that verdict.
   std::size_t count(Verdict verdict) const;
   bool all_passed() const;
 };
 
-/// A line for each student, below it one for each picture that did not pass, and a last line that
-/// counts. Names are printed as they are: for a terminal the caller escapes them.
+/// A line for each student, followed by one for each picture that did not pass, and a summary line.
+/// Names are printed unchanged; callers must escape them for terminals.
 std::string gradebook_text(const Gradebook& book);
 
 /// How many pictures a cause explains.
@@ -73,7 +73,7 @@ std::string gradebook_csv(const Gradebook& book);
 /// point for each that passed.
 std::string gradescope_json(const StudentResult& student);
 
-/// A test suite for each student, a test case for each picture.
+/// A test suite for each student, with a test case for each picture.
 std::string gradebook_junit(const Gradebook& book);
 
 }  // namespace scenefile

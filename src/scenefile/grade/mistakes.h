@@ -1,7 +1,7 @@
 #pragma once
-// What students get wrong inside a ray tracer, as plain data: one enumeration a family, the right
-// way first. Mistakes that another scene, camera or finished picture can express are not here
-// (hypotheses.h).
+// Mistakes inside a student's ray tracer, as plain data: an enumeration for each family, whose
+// first value is correct. Mistakes that can be expressed by another scene, camera or finished
+// picture are in hypotheses.h.
 
 #include <glm/glm.hpp>
 
@@ -99,25 +99,25 @@ enum class SpotMistake : std::uint8_t {
   squared,
   cosine_power,
   reversed_axis,
-  inner_only_penumbra,  ///< between the angles nothing
+  inner_only_penumbra,  ///< nothing between the angles
 };
 
 enum class ShadowMistake : std::uint8_t {
   none,
-  reversed,           ///< the ray runs away from the light
-  beyond_light,       ///< what lies behind the light shadows
-  ambient_only,       ///< once shadowed, all other lights are lost too
-  stops,              ///< lights after the first shadowed one are lost
-  black,              ///< shadowed by any light: not even ambient
-  no_ambient_if_all,  ///< shadowed by every light: black
-  keeps_specular,     ///< shadows take diffuse light alone
+  reversed,           ///< the ray points away from the light
+  beyond_light,       ///< objects behind the light cast shadows
+  ambient_only,       ///< once in shadow, all later lights are ignored too
+  stops,              ///< lights after the first one in shadow are ignored
+  black,              ///< in shadow of any light: black, even ambient
+  no_ambient_if_all,  ///< in shadow of every light: black
+  keeps_specular,     ///< shadows only remove diffuse light
   keeps_diffuse,
   half,             ///< shadows take half
   spot_along_axis,  ///< a spot's ray runs against its axis
   spot_without,
   point_without,
   directional_without,
-  first_light_for_all,  ///< the first light's shadow counts for all
+  first_light_for_all,  ///< the first light's shadow applies to all
   glass_lets_through,
   not_own_object,              ///< an object does not shadow itself
   any_nearer_than_eye,         ///< compared with the distance to the eye
@@ -179,7 +179,7 @@ enum class SpecularMistake : std::uint8_t {
   no_color,
   no_light_color,
   diffuse_color,
-  mirror_of_view_wrong,  ///< the eye vector is that of the ray, not toward the eye
+  mirror_of_view_wrong,  ///< uses the ray's direction instead of the direction to the eye
   eye_at_origin,
   looks_along_camera,  ///< the camera's axis for the eye vector
   squared_coefficient,
@@ -271,9 +271,9 @@ enum class GlassMistake : std::uint8_t {
   color_ignored,
   eta_inverted,
   no_total_reflection,  ///< black there
-  straight,             ///< not bent at all
-  one_side,             ///< bent on the way in alone
-  shaded_inside,        ///< the back wall is lit and counted as another passage
+  straight,             ///< not refracted
+  one_side,             ///< only refracted on entering
+  shaded_inside,        ///< the back wall is lit, and counts as another refraction
   entering_always,      ///< 1 / ior at both walls
   blended,
   black_inside,  ///< the ray ends at the back wall
@@ -284,7 +284,7 @@ enum class GlassMistake : std::uint8_t {
   half,
 };
 
-/// What is drawn instead of the lit surface.
+/// What is shown instead of the lit surface.
 enum class ShownInstead : std::uint8_t {
   none,
   normals,
@@ -323,7 +323,7 @@ struct ModelMistakes {
   GlassMistake glass = GlassMistake::none;
   ShownInstead shown = ShownInstead::none;
   glm::dvec3 background{0};
-  bool all_lights = false;  ///< in a mode that knows directional lights alone
+  bool all_lights = false;  ///< in a mode that only uses directional lights
 };
 
 }  // namespace scenefile

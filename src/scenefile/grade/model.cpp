@@ -38,9 +38,9 @@ struct Model::Surface {
   dvec3 object_point{0};
   dvec3 object_normal{0};
   dvec3 normal{0};
-  dvec3 geometric{0};  // unit, as it should be
+  dvec3 geometric{0};  // unit length, correct
   dvec3 direction{0};  // of the ray
-  dvec3 eye{0};        // where the camera is
+  dvec3 eye{0};        // position of the camera
   dvec2 uv{0};
 };
 
@@ -92,7 +92,7 @@ dvec3 Model::pixel(const dvec2& place, int width, int height, const ModelHit* kn
 
 namespace {
 
-// The angle around the y axis as u.
+// The angle around the y axis, as u.
 double around(const dvec3& p) {
   const double u = std::atan2(p.z, p.x) / (2 * pi);
   return u < 0 ? -u : 1 - u;
@@ -191,7 +191,7 @@ bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
           (shape == Shape::cylinder || shape == Shape::cone));
 }
 
-// As long as the gradient of what describes the shape.
+// With the length of the gradient of the shape's equation.
 dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down) {
   switch (shape) {
     case Shape::cube: {
@@ -600,7 +600,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
   }
   const bool directional = light.type == LightType::directional;
   ModelRay ray{s.position, arriving.toward};
-  // What points the wrong way for shading does so for shadows.
+  // A light vector that is wrong for shading is also wrong for shadows.
   if (m_.light_vector == LightVectorMistake::reversed ||
       (m_.light_vector == LightVectorMistake::reversed_directional && directional) ||
       (m_.light_vector == LightVectorMistake::reversed_positional && !directional)) {
@@ -1156,7 +1156,7 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
   if (!inside_glass || m_.glass == GlassMistake::shaded_inside) {
     return factor * trace(inside, depth + 1, nullptr, m_.mirror_bias, weights);
   }
-  // Through the object: its walls have no light of their own from within.
+  // Passes through the object, whose walls are not lit from inside.
   int at = depth + 1;
   for (int i = 0; i < 64; ++i) {
     ModelHit hit;

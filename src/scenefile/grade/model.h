@@ -1,7 +1,6 @@
 #pragma once
-// The model of a student's ray tracer: one ray at a time, simple, and able to make every mistake
-// of mistakes.h. It says what a picture would be at single pixels; pictures for people come from
-// trace/render.h.
+// A model of a student's ray tracer: simple, one ray at a time, and able to make every mistake in
+// mistakes.h. Computes single pixels of a picture; pictures for people come from trace/render.h.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/grade/mistakes.h"
@@ -17,7 +16,7 @@
 
 namespace scenefile {
 
-/// One shape in the world.
+/// A shape in the world.
 struct ModelPart {
   DAffine world_from_object;
   DAffine object_from_world;
@@ -27,35 +26,35 @@ struct ModelPart {
   std::uint32_t source = 0;
 };
 
-/// Boxes in a tree; leaves hold ranges of `order`.
+/// A bounding volume hierarchy; leaves are ranges of `order`.
 struct BoxTree {
   struct Box {
     glm::vec3 low{0}, high{0};
     std::uint32_t first = 0;  ///< child, or start in `order`
-    std::uint32_t count = 0;  ///< 0: inner, children at first and first + 1
+    std::uint32_t count = 0;  ///< 0: an inner node with children first and first + 1
   };
   std::vector<Box> boxes;
   std::vector<std::uint32_t> order;
 };
 
-/// The shapes of a scene without groups, and trees to find them.
+/// The shapes of a scene without groups, with a hierarchy to find them.
 struct ModelShapes {
   std::vector<ModelPart> parts;
   BoxTree tree;
   std::vector<BoxTree> mesh_trees;
 };
 
-/// More shapes than this are not looked at.
+/// Scenes with more shapes are not analyzed.
 inline constexpr double most_model_parts = 300000;
 
-/// Nothing where the scene has more shapes than most_model_parts.
+/// Null if the scene has more shapes than most_model_parts.
 std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets);
 
-/// What a camera ray meets first.
+/// What a camera ray hits first.
 struct ModelHit {
   double t = 0;
   double stretch = 1;               ///< what t is taken times for the place in the world
-  const ModelPart* part = nullptr;  ///< none: nothing
+  const ModelPart* part = nullptr;  ///< null: nothing
   int face = 0;  ///< 0 side, 1 top, 2 bottom; cubes: 1 + 2 * axis + (low ? 1 : 0)
   std::uint32_t triangle = 0;
   double b1 = 0, b2 = 0;
@@ -66,26 +65,25 @@ struct ModelRay {
   glm::dvec3 direction{0, 0, -1};
 };
 
-/// A scene as it is drawn with mistakes. What it points to must live longer.
+/// A scene drawn with mistakes. Everything it refers to must outlive it.
 class Model {
  public:
   Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& assets,
         const RenderOptions& options, const ModelMistakes& mistakes);
 
-  /// The ray through a place of the picture; u, v, w of the camera may have any length.
+  /// The ray through a position in the picture; u, v, w of the camera may have any length.
   ModelRay camera_ray(const glm::dvec2& place, int width, int height) const;
   ModelHit first_hit(const ModelRay& ray) const;
-  /// Not clamped. `known`: what the ray meets, where that is known.
+  /// Not clamped. `known`: the hit of the ray, if known.
   glm::dvec3 color(const ModelRay& ray, const ModelHit* known = nullptr) const;
   /// The colors that a surface may have whose reflected rays may start in itself: for each of
   /// `patterns`, bit k set where the ray of bounce k does. Not clamped.
   std::vector<glm::dvec3> self_mirrored(const ModelRay& ray, std::uint32_t patterns) const;
-  /// By how much each light brightens what the ray meets: diffuse and specular, shadows not
-  /// counted.
+  /// The diffuse and specular light from each light at the ray's hit, without shadows.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
-  /// The color of a pixel's middle, with the lens samples of the camera; not clamped.
+  /// The color at the center of a pixel, with the camera's lens samples; not clamped.
   glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
-  /// Rays so far; a measure of work.
+  /// The number of rays so far, as a measure of work.
   std::uint64_t rays() const { return rays_; }
 
  private:
@@ -103,7 +101,7 @@ class Model {
                 int depth) const;
   glm::dvec3 lighting(const Surface& s, const glm::dvec3& to_eye, int depth,
                       std::vector<glm::dvec3>* shares) const;
-  /// `chain`: the weight of this ray's mirror; of MirrorMistake::last_weight_only alone.
+  /// `chain`: the weight of this ray's mirror; only for MirrorMistake::last_weight_only.
   glm::dvec3 trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
                    const glm::dvec3& chain) const;
   glm::dvec3 mirrored(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;

@@ -183,7 +183,7 @@ void solve(double a, double h, double c, double roots[2], int& count) {
 }
 
 void sphere(const dvec3& o, const dvec3& d, Crossings& found) {
-  // From the point of the line nearest to the center, so that nothing cancels.
+  // Computed from the point of the line nearest to the center, to avoid cancellation.
   const double a = glm::dot(d, d);
   const double middle = -glm::dot(o, d) / a;
   const dvec3 p = o + middle * d;
@@ -283,8 +283,8 @@ dvec3 inverse_of(const dvec3& d) {
   return result;
 }
 
-// Calls leaf(index) for what may be met between t_min and the end that `t_max` says then; stops
-// when that returns true.
+// Calls leaf(index) for candidates between t_min and the current result of `t_max`; stops when it
+// returns true.
 template <typename End, typename Leaf>
 bool walk(const BoxTree& tree, const dvec3& origin, const dvec3& direction, double t_min,
           const End& t_max, const Leaf& leaf) {
@@ -432,7 +432,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
       case NearestMistake::behind_first:
         break;
     }
-    // Of equal ones the last in the file.
+    // Among equal ones the last in the file wins.
     return key < best || (key == best && candidate.part > hit.part);
   };
   const bool along = nearest != NearestMistake::behind && nearest != NearestMistake::behind_first;

@@ -13,7 +13,7 @@ double height(const Pyramid& map, const RenderTexture& use, const glm::dvec2& uv
   return bump_height * (color.x + color.y + color.z) / 3;
 }
 
-// Largest reach of the footprint along one coordinate.
+// The largest extent of the footprint along one coordinate.
 double reach(const UvFootprint& footprint, int coordinate) {
   const double size =
       std::max(std::abs(footprint.right[coordinate]), std::abs(footprint.down[coordinate]));

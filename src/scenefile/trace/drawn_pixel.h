@@ -20,10 +20,10 @@ struct DrawnPixel {
   PixelSurfaces surfaces;       ///< where they are wished for
 };
 
-/// What is to be told of the surfaces that camera rays meet.
+/// Which surface data of camera rays to record.
 struct SurfaceWish {
   bool wanted = false;
-  std::vector<std::uint32_t> lights;  ///< whose light is to be kept apart, into RenderScene::lights
+  std::vector<std::uint32_t> lights;  ///< lights to record separately, into RenderScene::lights
 };
 
 inline std::vector<DrawnPixel> pixels_at(std::span<const glm::ivec2> places) {

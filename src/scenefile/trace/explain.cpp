@@ -76,7 +76,7 @@ Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, R
   return samples.mean();
 }
 
-// Which samples stand for which in the adaptive pattern.
+// Links samples of the adaptive pattern to those that replace them.
 void link_cell(std::vector<SampleRecord>& samples) {
   std::vector<glm::dvec2> points;
   for (const SampleRecord& sample : samples) {

@@ -1,9 +1,9 @@
 #pragma once
-// How a pixel came to its color: everything that render() does for one pixel, written down by the
-// same code while it does it. Semantics: docs/rendering.md.
+// Explains the color of a pixel: everything that render() computes for one pixel, recorded by the
+// same code. Semantics: docs/rendering.md.
 //
-// The numbers add up, to the last bit, when the terms are added in the order in which they stand
-// here (docs/explain.md has the sums).
+// The numbers add up exactly if the terms are added in the order given here (docs/explain.md lists
+// the sums).
 
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/trace/color.h"
@@ -19,66 +19,66 @@
 
 namespace scenefile {
 
-/// A primitive, by the way to it.
+/// Identifies a primitive and the instances around it.
 struct ObjectRef {
   std::uint32_t source = 0;              ///< RenderPrimitive::source
-  std::vector<std::uint32_t> instances;  ///< RenderInstance::source, the outermost first
+  std::vector<std::uint32_t> instances;  ///< RenderInstance::source, outermost first
 };
 
-/// An object between a point and a light.
+/// An occluder between a point and a light.
 struct Blocker {
   ObjectRef object;
   double t = 0;         ///< along the unit direction to the light, world units
-  Color passes{0};      ///< share of light that the object lets through; 0: opaque
-  bool itself = false;  ///< the object that the point is on
+  Color passes{0};      ///< fraction of light that the object lets through; 0: opaque
+  bool itself = false;  ///< the point is on this object
 };
 
-/// Light from one point of a light, by way of the surface to the eye:
+/// Light from one point of a light, reflected by the surface to the eye:
 /// contribution = (diffuse + specular) * color * visibility.
 struct LightSample {
   glm::dvec3 to_light{0};  ///< unit length
   double distance = 0;     ///< world units; infinite for directional lights
   double attenuation = 1;
   double spot_factor = 1;
-  Color color{0};      ///< of the light * (attenuation * spot_factor)
-  double n_dot_l = 0;  ///< cosine between normal and direction to the light
-  double r_dot_v = 0;  ///< cosine between mirrored direction to the light and direction to the eye
-  Color diffuse{0};    ///< D * max(0, n_dot_l)
-  Color specular{0};   ///< ks * Cs * r_dot_v ^ shininess; 0 where r_dot_v <= 0
-  bool shadow_ray = false;        ///< false: not needed, or shadows are off; visibility is 1
-  Color visibility{1};            ///< what shadows leave
+  Color color{0};           ///< of the light * (attenuation * spot_factor)
+  double n_dot_l = 0;       ///< cosine between the normal and the direction to the light
+  double r_dot_v = 0;       ///< cosine between the reflected direction to the light and the eye
+  Color diffuse{0};         ///< D * max(0, n_dot_l)
+  Color specular{0};        ///< ks * Cs * r_dot_v ^ shininess; 0 if r_dot_v <= 0
+  bool shadow_ray = false;  ///< false: not needed, or shadows are off; visibility is 1
+  Color visibility{1};      ///< fraction of light that shadows leave
   std::vector<Blocker> blockers;  ///< nearest first; at most max_blockers
   Color contribution{0};
 };
 inline constexpr std::size_t max_blockers = 16;
 
-/// Why a light gives nothing before any surface is asked.
+/// Why a light contributes nothing, regardless of the surface.
 enum class Unlit : std::uint8_t {
   no,            ///< it shines on the point
   in_this_mode,  ///< the course's ray caster knows only directional lights
-  out_of_reach,  ///< outside the cone of a spot, behind an area light, or at the light itself
+  out_of_reach,  ///< outside a spotlight's cone, behind an area light, or at the light itself
 };
 
-/// A light at a point. contribution = that of the only sample; of an area light the sum of all
-/// divided by `taken`.
+/// A light at a point. Its contribution is that of its only sample; for an area light the sum of
+/// all samples divided by `taken`.
 struct LightRecord {
   std::uint32_t light = 0;  ///< into RenderScene::lights
   Unlit unlit = Unlit::no;
-  std::uint32_t taken = 1;           ///< points of the light that were asked
-  std::vector<LightSample> samples;  ///< those from which light arrives, before any shadow
+  std::uint32_t taken = 1;           ///< number of points sampled on the light
+  std::vector<LightSample> samples;  ///< those from which light arrives, ignoring shadows
   Color contribution{0};
 };
 
 /// A texture in the diffuse color: D = (1 - blend) * kd * Cd + blend * color.
 struct TextureRecord {
   std::uint32_t file = no_index;  ///< into RenderScene::texture_files
-  glm::ivec2 texel{0};            ///< column and row that hold the point, row 0 on top
+  glm::ivec2 texel{0};            ///< column and row that contain the point, row 0 at the top
   Color texel_color{0};           ///< of that texel
-  Color color{0};                 ///< as looked up: filtered where the filter is on
+  Color color{0};                 ///< result of the lookup: filtered if filtering is on
   double blend = 0;
 };
 
-/// What a ray met.
+/// The surface that a ray hit.
 struct SurfaceRecord {
   ObjectRef object;
   Shape shape = Shape::cube;
@@ -86,14 +86,14 @@ struct SurfaceRecord {
   std::uint32_t mesh = no_index;  ///< into RenderScene::mesh_files
   std::uint32_t triangle = 0;     ///< meshes
   std::uint32_t material = 0;     ///< into RenderScene::materials
-  Ray ray;                        ///< world space, unit direction; after the last wall it passed
+  Ray ray;                        ///< world space, unit direction; after the last wall
   Ray object_ray;                 ///< the same in object space; same t
   double t = 0;
   glm::dvec3 position{0};
   glm::dvec3 object_position{0};
   glm::dvec3 object_normal{0};
-  glm::dvec3 normal{0};     ///< world space, for shading; with the bump map
-  glm::dvec3 geometric{0};  ///< world space, of the surface itself
+  glm::dvec3 normal{0};     ///< world space, for shading; includes the bump map
+  glm::dvec3 geometric{0};  ///< world space, of the geometry
   bool bumped = false;
   glm::dvec2 uv{0};
   bool has_uv = true;
@@ -102,49 +102,49 @@ struct SurfaceRecord {
   Color specular_color{0};  ///< ks * Cs
 };
 
-/// A wall of the transparent object that a ray was in.
+/// The ray at a wall of the transparent object that it is inside of.
 struct WallRecord {
   ObjectRef object;
   double t = 0;
   glm::dvec3 position{0};
-  glm::dvec3 normal{0};     ///< against the ray
-  glm::dvec3 direction{0};  ///< of the ray behind it
+  glm::dvec3 normal{0};     ///< pointing against the ray
+  glm::dvec3 direction{0};  ///< of the ray after the wall
   bool mirrored = false;    ///< total internal reflection
 };
 
 enum class RayKind : std::uint8_t { camera, reflected, refracted };
 
-/// What became of the light of a mirror or of glass.
+/// What happened to reflected or refracted light.
 enum class Fate : std::uint8_t {
-  absent,     ///< the material has none, or the feature is off
+  absent,     ///< not reflective or transparent, or the feature is off
   followed,   ///< by the ray `ray`
   too_deep,   ///< max_depth is reached
   too_faint,  ///< fine: it can change the pixel by less than 1/1024
-  too_many,   ///< the sample has spent its rays
+  too_many,   ///< the sample has used up its rays
 };
 
 struct BranchRecord {
   Fate fate = Fate::absent;
-  Color factor{0};        ///< ks * Cr or kt * Ct; with `fresnel` its share of light in it
-  std::uint32_t ray = 0;  ///< where followed: index of its record
+  Color factor{0};        ///< ks * Cr or kt * Ct; with `fresnel` multiplied by the Fresnel term
+  std::uint32_t ray = 0;  ///< if followed: index of its record
 };
 
-/// A ray with all that it saw:
+/// A ray and its result:
 /// local = ambient + contributions of the lights;
 /// sum = local + (mirror.factor * its color + glass.factor * its color);
-/// color = sum, in the course profile clamped to 0..1. A ray that meets nothing is black.
+/// color = sum, in the course profile clamped to 0..1. A ray that hits nothing is black.
 struct RayRecord {
   RayKind kind = RayKind::camera;
-  std::uint32_t parent = no_index;  ///< index of the record of the ray that it comes from
+  std::uint32_t parent = no_index;  ///< index of the record of the ray that caused it
   int depth = 0;                    ///< reflections and refractions before it
-  Color weight{1};                  ///< product of the factors on the way: share of the sample
-  Ray ray;                          ///< as it starts, world space, unit direction
+  Color weight{1};                  ///< product of the factors along the path
+  Ray ray;                          ///< at its start, world space, unit direction
   double start = 0;                 ///< smallest t that counts
-  bool total_reflection = false;    ///< refracted: the light that could not pass is mirrored
+  bool total_reflection = false;    ///< refracted: total internal reflection instead
   std::vector<WallRecord> walls;
-  bool trapped = false;  ///< mirrored inside an object more often than max_depth allows: black
+  bool trapped = false;  ///< reflected inside an object more often than max_depth allows: black
   std::optional<SurfaceRecord> surface;
-  bool inner_wall = false;  ///< fresnel: of the object that the ray is in; unlit, local is 0
+  bool inner_wall = false;  ///< fresnel: a wall of the object that the ray is in; unlit, local is 0
   Color ambient{0};
   std::vector<LightRecord> lights;
   Color local{0};
@@ -157,15 +157,15 @@ struct RayRecord {
 /// A sample of the pixel.
 struct SampleRecord {
   glm::dvec2 point{0};  ///< of the picture, in pixels, y down
-  glm::dvec2 lens{0};   ///< where the ray leaves the lens, in apertures
+  glm::dvec2 lens{0};   ///< point on the lens, in apertures
   Color color{0};
   std::uint32_t rays = 0;            ///< camera, reflected and refracted rays
-  std::optional<ObjectRef> object;   ///< what the camera ray met
-  std::uint32_t refines = no_index;  ///< course: the sample that this one stands for, with others
-  bool refined = false;              ///< course: others stand for it; its color does not count
+  std::optional<ObjectRef> object;   ///< hit by the camera ray
+  std::uint32_t refines = no_index;  ///< course: the sample whose quadrant this one refines
+  bool refined = false;              ///< course: replaced by finer samples; its color is ignored
 };
 
-/// Why the fine profile took more than the first samples.
+/// Why the fine profile took more than the initial samples.
 struct MoreSamples {
   bool noisy = false;      ///< the first samples of its own do not agree
   bool penumbra = false;   ///< a sample saw part of an area light
@@ -176,16 +176,16 @@ struct PixelRecord {
   int x = 0;
   int y = 0;
   RenderOptions options;
-  std::vector<SampleRecord> samples;  ///< in the order in which they were taken
-  MoreSamples more;                   ///< fine
-  std::uint32_t shown = 0;            ///< the sample that `rays` tells of
-  std::vector<RayRecord> rays;        ///< the camera ray first; mode normals: the camera ray alone
-  Color color{0};                     ///< mean of the samples
-  std::array<float, 3> picture{};     ///< as render() puts it into the image
+  std::vector<SampleRecord> samples;    ///< in sampling order
+  MoreSamples more;                     ///< fine
+  std::uint32_t shown = 0;              ///< the sample that `rays` describes
+  std::vector<RayRecord> rays;          ///< the camera ray first; mode normals: only the camera ray
+  Color color{0};                       ///< mean of the samples
+  std::array<float, 3> picture{};       ///< as stored in the image by render()
   std::array<std::uint8_t, 3> value{};  ///< 8-bit
 };
 
-/// Explains pixels of one picture. Scene and assets must outlive it.
+/// Explains pixels of a picture. Scene and assets must outlive it.
 class Explainer {
  public:
   Explainer(const RenderScene& scene, const Assets& assets, const RenderOptions& options);
@@ -193,11 +193,12 @@ class Explainer {
   Explainer(const Explainer&) = delete;
   Explainer& operator=(const Explainer&) = delete;
 
-  /// Pixels can be explained only when `complete`; later `limit_reached` where the tracer gave up.
+  /// Pixels can only be explained when `complete`; later `limit_reached` if a ray had to be given
+  /// up.
   RenderStatus status() const;
 
-  /// 0 <= x < width, 0 <= y < height. `sample` chooses the one to be shown in full; none, or one
-  /// that was not taken: of those that count the one nearest to the middle of the pixel.
+  /// 0 <= x < width, 0 <= y < height. `sample` selects the sample to describe in full; by default,
+  /// or if it was not taken, the one that counts and is nearest to the center of the pixel.
   PixelRecord explain(int x, int y, std::optional<std::uint32_t> sample = {}) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t first_round = 4;
 
-// Points on each area light seen from what a camera ray hits; bounced rays look at one.
+// Samples per area light at hits of camera rays; secondary rays use one.
 constexpr std::uint32_t light_samples = 4;
 
 // The least variance of a pixel that sees an area light in part, over the square of its color:
@@ -138,8 +138,8 @@ CameraSample FineSampler::sample(int x, int y, std::uint32_t index) const {
 }
 
 std::uint32_t FineSampler::next_count(std::uint32_t count) const {
-  // Few samples of a wide blur agree by chance, mostly on what is behind it: to end then would
-  // darken small bright things.
+  // A few samples of a strong blur often agree by chance, usually on the background; stopping then
+  // would darken small bright objects.
   if (camera_.has_lens() && count != 0) {
     return plan_.most;
   }

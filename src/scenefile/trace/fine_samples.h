@@ -14,15 +14,15 @@
 
 namespace scenefile {
 
-/// Sums over the samples that a pixel has had so far.
+/// Sums over the samples of a pixel so far.
 struct PixelSamples {
   Color sum{0};
   Color sum_of_squares{0};  ///< of colors clamped to [0, 1]
   Color clamped_sum{0};
   std::uint32_t count = 0;
-  bool penumbra = false;  ///< a sample saw part of an area light: how much, few samples cannot tell
+  bool penumbra = false;  ///< a sample saw part of an area light
 
-  /// `partly_lit`: the sample saw part of an area light.
+  /// `partly_lit`: the sample saw an area light partially.
   void add(const Color& color, bool partly_lit);
   Color mean() const { return count == 0 ? Color(0) : sum / double(count); }
   /// Of the clamped colors, mean of the channels; 0 of less than two samples.
@@ -49,7 +49,7 @@ struct SamplePlan {
 /// shall be exact.
 SamplePlan sample_plan(const RenderOptions& options, bool soft);
 
-/// Samples of one picture; each is a function of the pixel, its number and the seed.
+/// The samples of a picture; each is a function of the pixel, its index and the seed.
 class FineSampler {
  public:
   FineSampler(const Tracer& tracer, const CameraRays& camera);

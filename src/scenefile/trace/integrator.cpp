@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What mirrored and refracted light is multiplied by.
+// The factors of reflected and refracted light.
 struct Branches {
   Color mirror{0};
   Color glass{0};
@@ -25,7 +25,7 @@ class Integrator {
  public:
   Integrator(const Tracer& tracer, RayCounts& counts) : tracer_(tracer), counts_(counts) {}
 
-  // Recursion ends at max_depth, which is at most 64.
+  // The recursion depth is at most max_depth, which is at most 64.
   Color trace(const Path& path) {
     Recorder* const recorder = counts_.recorder;
     if (recorder == nullptr) {
@@ -67,14 +67,14 @@ class Integrator {
     return tracer_.course() ? glm::clamp(color, Color(0), Color(1)) : color;
   }
 
-  // Whether the ray meets the wall of the object that it is in.
+  // Whether the ray hits the wall of the object that it is inside of.
   static bool leaves(const Path& path, const Hit& hit) {
     return path.inside != nullptr && same_object(*path.inside->object, hit);
   }
 
-  // The surface that the ray lights up on. A ray inside a transparent object leaves it on the way,
-  // bent or mirrored at its walls: those have no light of their own, and the whole passage counts
-  // as one refraction. By Fresnel's equations a wall does both, and the ray ends there.
+  // The surface to shade. A ray inside a transparent object is first refracted or reflected at the
+  // object's walls, which are not shaded; the whole passage counts as one refraction. With
+  // Fresnel's equations a wall does both, and the ray ends there.
   bool find_surface(Path& path, Hit& hit) {
     while (tracer_.accelerator.closest(path.ray, path.start, infinity, hit)) {
       if (!leaves(path, hit) || tracer_.options.fresnel) {
@@ -114,8 +114,8 @@ class Integrator {
     }
   }
 
-  // The shading normal on the side that the ray comes from; the geometric one where interpolation
-  // has turned it to the other side.
+  // The shading normal on the side of the incoming ray; the geometric normal if interpolation has
+  // turned it to the other side.
   static glm::dvec3 inner_normal(const SurfacePoint& point, const glm::dvec3& direction) {
     const bool behind = glm::dot(point.geometric, direction) > 0;
     const glm::dvec3 normal = behind ? -point.normal : point.normal;
@@ -146,7 +146,7 @@ class Integrator {
     path.start = tracer_.start_offset(point.position, point.hit.t);
   }
 
-  // `inner`: at the wall of the object that the ray is in.
+  // `inner`: at a wall of the object that the ray is inside of.
   Branches branches(const Path& path, const SurfacePoint& point, bool inner) const {
     Branches result{double(tracer_.scene.global.specular) * Color(point.material->reflective),
                     tracer_.transparency(*point.material)};
@@ -166,7 +166,7 @@ class Integrator {
   Color follow(const Path& path, const SurfacePoint& point, const PixelSteps& steps, bool inner) {
     const Features& features = tracer_.options.features;
     const auto [of_mirrors, glass] = branches(path, point, inner);
-    // A passage counts as one bounce: the way out is none.
+    // A passage counts as one refraction: leaving is free.
     const int depth_behind = path.depth + (inner ? 0 : 1);
     const Fate of_mirror = fate(path, features.reflect || inner, of_mirrors, path.depth + 1);
     const Fate of_glass = fate(path, features.refract, glass, depth_behind);
@@ -218,13 +218,13 @@ class Integrator {
     return !inner && glm::dot(point.geometric, path.ray.direction) < 0;
   }
 
-  // The index of refraction on this side over that on the other.
+  // The ratio of the indices of refraction: this side over the other side.
   static double eta(const Path& path, const SurfacePoint& point, bool inner) {
     const double ior = point.material->ior;
     return enters(path, point, inner) ? 1 / ior : ior;
   }
 
-  // At total internal reflection the light that would have left is mirrored.
+  // At total internal reflection, the ray is reflected instead.
   Path refracted(const Path& path, const SurfacePoint& point, const PixelSteps& steps,
                  const Color& factor, std::uint32_t budget, const Inside& inside, bool inner) {
     const bool entering = enters(path, point, inner);
@@ -265,7 +265,7 @@ Color normal_color(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
   return 0.5 * (point.normal + 1.0);
 }
 
-// The mode that colors by normals: a ray like any other, but that it asks for no light.
+// Normals mode: like any other ray, but without lighting.
 Color trace_normal(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
   if (recorder == nullptr) {
     return normal_color(tracer, ray, nullptr);

@@ -1,5 +1,5 @@
-// The terms of the lighting equation, for any number of lanes (base/one_lane.h).
-// No guard: included once for each number of lanes.
+// The terms of the lighting equation for any number of lanes (base/one_lane.h). No include guard:
+// included once for each number of lanes.
 
 #include "scenefile/scene/render_scene.h"
 
@@ -34,7 +34,8 @@ inline F spot_share(const RenderLight& light, F cosine) {
                 select(angle > splat(light.outer_angle), splat(0), falling));
 }
 
-/// Light of any but directional lights, from the point of an area light at (u, v).
+/// Light that arrives from any light except directional ones; (u, v) selects the point of an area
+/// light.
 inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F v) {
   V3 from = splat3(light.position);
   if (light.type == LightType::area) {
@@ -65,13 +66,13 @@ inline Arriving arriving(const RenderLight& light, const V3& point, F u, F v) {
           splat(1), splat(1)};
 }
 
-/// Cosine of the angle between the mirrored light and the eye, by Phong.
+/// The cosine between the reflected direction to the light and the direction to the eye (Phong).
 inline F mirrored_cosine(const V3& normal, const V3& to_light, F cosine, const V3& to_eye) {
   return dot(splat(2) * cosine * normal - to_light, to_eye);
 }
 
-/// x to the power n in the lanes of the mask, x and n positive there. Whole exponents, which are
-/// what files have, by multiplying: fast, and the same on every machine.
+/// x to the power n in the lanes of the mask, where both are positive. Integer exponents, which
+/// files usually have, use multiplication: fast, and the same on every machine.
 inline F power(F x, F n, M wanted) {
   const F largest_whole = splat(4096);
   const M whole = (down(n) == n) & (n <= largest_whole);

@@ -1,5 +1,5 @@
 #pragma once
-// A ray on its way through mirrors and glass.
+// A ray on its path through reflections and refractions.
 
 #include "scenefile/base/components.h"
 #include "scenefile/trace/explain.h"
@@ -8,20 +8,20 @@
 
 namespace scenefile {
 
-/// A ray and all that come of it are at most so many. Physical materials stay far below; the bound
-/// is for scenes whose mirrors and glass give back more than they get.
+/// The maximum number of rays caused by one sample. Physical materials stay far below it; it bounds
+/// scenes whose mirrors and glass return more light than they receive.
 inline constexpr std::uint32_t rays_of_a_sample = 4096;
 
-/// The transparent object that a ray is in, and those around it.
+/// The transparent object that a ray is inside of, and those around it.
 struct Inside {
   const Hit* object = nullptr;
   const Inside* around = nullptr;
 };
 
-/// Fine profile: light that can change the picture by less is not followed.
+/// Fine profile: rays that can change the picture by less than this are not followed.
 inline constexpr double min_weight = 1.0 / 1024;
 
-/// A place of the picture that is looked at, in the units of CameraRays::ray().
+/// A sample position in the picture, in the units of CameraRays::ray().
 struct CameraSample {
   glm::dvec2 point{0};
   glm::dvec2 lens{0};
@@ -33,15 +33,15 @@ struct Path {
   Ray ray;
   RayDifferential differential;
   SampleKey key;
-  double start = 0;  ///< smallest t of a hit
+  double start = 0;  ///< smallest t of hits
   RayKind kind = RayKind::camera;
   int depth = 0;                            ///< reflections and refractions so far
-  double weight = 1;                        ///< share of the pixel that the ray can still change
-  std::uint32_t budget = rays_of_a_sample;  ///< rays that it may still become, itself included
+  double weight = 1;                        ///< fraction of the pixel that the ray can still change
+  std::uint32_t budget = rays_of_a_sample;  ///< rays that it may still cause, with itself
   const Inside* inside = nullptr;
 };
 
-/// A mirrored or refracted path, but for where it goes; `factor`: what its light is multiplied by.
+/// A reflected or refracted path without its direction; `factor` multiplies its light.
 inline Path child_of(const Path& path, const Color& factor, std::uint32_t budget, RayKind kind) {
   Path child = path;
   child.kind = kind;

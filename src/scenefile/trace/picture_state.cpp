@@ -18,9 +18,9 @@ struct Head {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t pass = 0;
-  std::uint32_t marks = 0;       // whether there are any
-  std::uint32_t channels = 0;    // of all layers together
-  std::uint32_t statistics = 0;  // whether there are any
+  std::uint32_t marks = 0;       // whether there are marks
+  std::uint32_t channels = 0;    // total over all layers
+  std::uint32_t statistics = 0;  // whether there are statistics
   std::uint32_t profile = 0;
 
   friend bool operator==(const Head&, const Head&) = default;
@@ -43,7 +43,7 @@ bool has_two_passes(const RenderScene& scene, const RenderOptions& options) {
          sample_plan(options, is_soft(scene, options)).two_passes();
 }
 
-// Whether there is noise that shall be taken away.
+// Whether the picture will be denoised.
 bool takes_noise_away(const RenderScene& scene, const RenderOptions& options) {
   return options.denoise && options.profile == Profile::fine && is_soft(scene, options);
 }
@@ -64,7 +64,7 @@ std::size_t pixels_of(const PixelRegion& region) {
   return std::size_t(region.width()) * region.height();
 }
 
-// The crop and the own pixels are known; everything else follows.
+// Sets everything that follows from the crop and the own pixels.
 void allocate(const RenderScene& scene, const RenderOptions& options, const PixelRegion& most,
               Image canvas, PictureState& state) {
   const bool two_passes = has_two_passes(scene, options);
@@ -104,7 +104,7 @@ Head head_of(const PictureState& state) {
   return head;
 }
 
-// Calls row(from, to, bytes) for the rows of arrays `to` and `from` that hold the pixels of `own`.
+// Calls row(from, to, bytes) for the rows of the pixels of `own` in two arrays.
 template <typename Row>
 void for_each_row(const PixelRegion& own, const Row& row) {
   for (int y = own.y0; y < own.y1; ++y) {
@@ -121,7 +121,7 @@ void copy_rows(const std::vector<T>& from, const PixelRegion& from_region, std::
   });
 }
 
-// What each pixel of a picture has, as bytes: calls part(bytes of the pixels, of each).
+// Calls part(bytes of the pixels, bytes per pixel) for each array of the picture.
 template <typename State, typename Part>
 void for_each_array(State& state, const Part& part) {
   part(state.image.rgb.data(), 3 * sizeof(float));
@@ -241,7 +241,7 @@ std::string encode_state(const PictureState& state) {
   char* to = result.data();
   std::memcpy(to, &head, sizeof head);
   to += sizeof head;
-  // Flags are read once: a piece that gets done meanwhile counts as not done.
+  // Reads each flag once: a piece finished in the meantime counts as unfinished.
   std::vector<bool> done(state.pieces.count());
   for (std::size_t i = 0; i < done.size(); ++i) {
     done[i] = state.pieces.done(i);
@@ -257,7 +257,8 @@ std::string encode_state(const PictureState& state) {
     std::memcpy(to, &mark, sizeof mark);
     to += sizeof mark;
   }
-  // What no thread is writing: done pieces, and what the second pass leaves alone.
+  // Everything that no thread is writing: finished pieces, and what the second pass does not
+  // change.
   for_each_array(state, [&](const auto* from, std::size_t bytes) {
     const char* const first = reinterpret_cast<const char*>(from);
     for (std::size_t i = 0; i < pixels; ++i) {

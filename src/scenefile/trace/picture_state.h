@@ -1,6 +1,6 @@
 #pragma once
-// A picture on its way, in the hands of who wants it: made, drawn pass by pass, stored, put
-// together of parts, and resolved to an image.
+// An unfinished picture as plain data: created, drawn pass by pass, stored, assembled from parts,
+// and converted to an image by its owner.
 //
 //   PictureState state = make_state(scene, options);
 //   while (!complete(state) && render_pass(traced, scene, options, state) ==
@@ -8,9 +8,8 @@
 //   }
 //   Resolved picture = resolve(std::move(state));
 //
-// render() is this loop. A state holds numbers alone: it may be copied, kept in a file
-// (encode_state), or drawn as parts on several machines and merged. The picture is the same to the
-// byte whatever way was taken.
+// render() is this loop. A state only contains numbers: it can be copied, stored in a file
+// (encode_state), or drawn in parts on several machines and merged. All ways give the same bytes.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/trace/denoise.h"
@@ -29,18 +28,18 @@ namespace scenefile {
 /// fine profile where pixels do not depend on their neighbors (fine_samples.h). Else its first pass
 /// takes a sample of each pixel, the second those of the pixels that are marked.
 ///
-/// During a pass threads write pixels of pieces that are not done. Another thread may read the
-/// pixels of pieces that are.
+/// During a pass, threads write the pixels of unfinished pieces. Another thread may read the pixels
+/// of finished ones.
 struct PictureState {
   Profile profile = Profile::fine;
   PixelRegion crop;    ///< the pixels of the result
-  PixelRegion own;     ///< those drawn to the end: of the crop, and what taking noise away reads
-  PixelRegion region;  ///< those drawn at all: neighbors tell which pixels need more samples
+  PixelRegion own;     ///< pixels to complete: the crop, and what denoising reads around it
+  PixelRegion region;  ///< pixels to draw: also the neighbors that decide about samples
   Image image;
-  std::vector<ImageLayer> layers;           ///< as RenderOptions::layers
-  std::vector<PixelStatistics> statistics;  ///< by pixel; empty: there is no noise to take away
+  std::vector<ImageLayer> layers;           ///< like RenderOptions::layers
+  std::vector<PixelStatistics> statistics;  ///< by pixel; empty: no denoising
   bool sharp = true;                        ///< see denoised()
-  Pieces pieces;                            ///< done in this pass; tiles of the region
+  Pieces pieces;                            ///< finished in this pass; tiles of the region
   std::uint32_t pass = 0;                   ///< 0 or 1
   /// By pixel; empty: one pass is all. In the first pass kept_signature() (fine_samples.h), in the
   /// second FineSampler::mark_of(): 0 where nothing more is needed.
@@ -48,51 +47,51 @@ struct PictureState {
   std::size_t merged = 0;  ///< pixels that merge() put in
 };
 
-/// The whole picture, with nothing drawn. `canvas`: a black image to draw in, if it has the size of
-/// the region; for those who know cheaper memory than the allocator does (io/memory.h).
+/// The state of the whole picture before drawing. `canvas`: a black image to draw into, used if it
+/// has the size of the region; for callers with cheaper memory than the allocator's (io/memory.h).
 PictureState make_state(const RenderScene& scene, const RenderOptions& options, Image canvas = {});
 
-/// Part `index` of `count` of the same picture, counted from 0: whole tiles, about as many in each
-/// part; none where there are more parts than tiles.
+/// Part `index` of `count`, counted from 0: whole tiles, about the same number in each part; empty
+/// if there are more parts than tiles.
 PictureState make_part(const RenderScene& scene, const RenderOptions& options, std::uint32_t index,
                        std::uint32_t count);
 
-/// Whether all passes are done.
+/// Whether all passes are complete.
 bool complete(const PictureState& state);
 
-/// Draws the next pass, or what is left of it. `traced`, `scene` and `options` must be the same for
-/// all passes. Returns `complete` when the pass is done, `cancelled` where `progress` said so;
-/// calling again goes on. Adds the rays of this call to `stats`.
+/// Draws the next pass, or the rest of it. `traced`, `scene` and `options` must be the same for all
+/// passes. Returns `complete` at the end of the pass, or `cancelled` if `progress` said so; calling
+/// it again continues. Adds the rays of this call to `stats`.
 RenderStatus render_pass(const TraceScene& traced, const RenderScene& scene,
                          const RenderOptions& options, PictureState& state,
                          const Progress& progress = {}, RenderStats* stats = nullptr);
 
-/// A picture of the crop.
+/// The picture, cropped.
 struct Resolved {
   Image image;
   std::vector<ImageLayer> layers;
 };
 
-/// What was drawn, without noise where that was asked for and the state is complete.
+/// Extracts the picture; denoised if that was requested and the state is complete.
 Resolved resolve(PictureState state);
 
-/// Puts a complete part of the same picture, of the same options and not merged before, into the
-/// whole, which is complete once it has all parts. False, with nothing changed: the part is not
-/// complete, or of another kind of picture.
+/// Adds a complete part to the whole, which is complete once it has all parts. The part must be of
+/// the same picture with the same options, and not merged before. Returns false, and changes
+/// nothing, if the part is not complete or does not fit.
 bool merge(PictureState& whole, const PictureState& part);
 
-/// All that decode_state() needs, in a form of this build. May be called during a pass, by one
-/// thread: holds the pieces that are done by then.
+/// Serializes the state, for this build only. May be called by one thread during a pass; contains
+/// the pieces finished so far.
 std::string encode_state(const PictureState& state);
-/// Goes on from such bytes: `state` is as make_state() or make_part() gives it for the same
-/// picture. False: the bytes are of no picture of this size and kind; nothing has changed.
+/// Restores a state. `state` must be new, from make_state() or make_part() for the same picture.
+/// Returns false, and changes nothing, if the bytes do not fit.
 bool decode_state(std::string_view bytes, PictureState& state);
 
-/// The pixels of `crop` of an image of `region`, which holds it.
+/// The pixels of `crop` from an image of `region`, which contains it.
 Image cut(const Image& image, const PixelRegion& region, const PixelRegion& crop);
 
-/// Copies the pixels of `region` that are done in this pass to an image of the region. May be
-/// called during a pass, by one thread.
+/// Copies the pixels of `region` that are finished in this pass to an image of the region. May be
+/// called by one thread during a pass.
 void copy_done(const PictureState& state, Image& image);
 
 }  // namespace scenefile

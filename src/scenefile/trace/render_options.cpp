@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-// Appends `name=value ` for each field that changes pixels, of nested structs `outer.name=value `.
+// Appends `name=value ` for each field that affects pixels, `outer.name=value ` for nested ones.
 class PictureKey {
  public:
   template <typename T>

@@ -1,6 +1,6 @@
 #pragma once
-// What picture is asked for: plain data, shared by the ray tracer and OpenGL. Whoever handles all
-// options alike visits them with visit_options.h.
+// The options of a picture: plain data, shared by the ray tracer and OpenGL. Code that handles all
+// options uniformly uses visit_options.h.
 
 #include "scenefile/asset/image.h"
 
@@ -12,8 +12,8 @@
 
 namespace scenefile {
 
-/// Whose pixels. `course` reproduces the course's reference pictures, faults of sampling included;
-/// `fine` is the same lighting equation with good sampling.
+/// Which pixels to produce. `course` reproduces the course's reference pictures, including their
+/// sampling errors; `fine` uses the same lighting equation with good sampling.
 enum class Profile : std::uint8_t { course, fine };
 inline constexpr std::array<std::string_view, 2> profile_words{"course", "fine"};
 constexpr std::string_view profile_word(Profile p) {
@@ -21,39 +21,39 @@ constexpr std::string_view profile_word(Profile p) {
 }
 
 /// `ray` traces rays recursively; `intersect` is the course's ray caster (no shadows, reflection,
-/// refraction or textures; in the course profile only directional lights); `normals` colors by
-/// (n + 1) / 2 of the world normal.
+/// refraction or textures; in the course profile only directional lights); `normals` shows (n + 1)
+/// / 2 of the world normal.
 enum class Mode : std::uint8_t { ray, intersect, normals };
 inline constexpr std::array<std::string_view, 3> mode_words{"ray", "intersect", "normals"};
 constexpr std::string_view mode_word(Mode m) {
   return mode_words[static_cast<std::size_t>(m)];
 }
 
-/// What is switched on, in the words of the course's configuration files.
+/// Enabled features, named as in the course's configuration files.
 struct Features {
   bool shadows = true;
   bool reflect = true;
   bool refract = true;
   bool texture = true;
   bool texture_filter = true;  ///< filtered texture lookup instead of the nearest texel
-  bool super_sample = true;    ///< several samples a pixel where the picture needs them
+  bool super_sample = true;    ///< several samples per pixel where needed
   bool depthoffield = true;
 
   friend bool operator==(const Features&, const Features&) = default;
 };
 
-/// What a buffer beside the picture holds; docs/layers.md says how each is computed. Middle: of the
-/// ray through the middle of the pixel; mean: over the pixel's samples, of what their camera rays
-/// met, 0 where they met nothing.
+/// The contents of a layer; docs/layers.md says how each is computed. "Center": of the ray through
+/// the center of the pixel; "mean": over the pixel's samples, of what their camera rays hit, 0 if
+/// nothing.
 enum class LayerKind : std::uint8_t {
-  depth,             ///< Z: world units along the view direction, infinite for nothing; middle
-  normal,            ///< X Y Z: for shading, world space; mean
-  uv,                ///< U V: texture coordinates before they repeat; middle
-  albedo,            ///< R G B: what diffuse light is multiplied by, texture included; mean
-  object_id,         ///< ID: 1 + source of the primitive, 0 for nothing; middle
-  light,             ///< R G B: diffuse and specular light of one light of the scene; mean
-  shadow,            ///< Y: share of the light of all lights that shadows take; of the means
-  reflection_depth,  ///< Y: most reflections and refractions behind each other; mean
+  depth,             ///< Z: world units along the view direction, infinity for nothing; center
+  normal,            ///< X Y Z: shading normal, world space; mean
+  uv,                ///< U V: texture coordinates before repetition; center
+  albedo,            ///< R G B: factor of diffuse light, including texture; mean
+  object_id,         ///< ID: 1 + source of the primitive, 0 for nothing; center
+  light,             ///< R G B: diffuse and specular light from one light; mean
+  shadow,            ///< Y: fraction of the light of all lights that shadows remove; of the means
+  reflection_depth,  ///< Y: maximum depth of reflections and refractions; mean
 };
 
 struct Layer {
@@ -63,7 +63,7 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// Part of a picture: x0 <= x < x1, y0 <= y < y1, row 0 on top.
+/// Part of a picture: x0 <= x < x1, y0 <= y < y1, row 0 at the top.
 struct PixelRegion {
   int x0 = 0;
   int y0 = 0;
@@ -75,7 +75,7 @@ struct PixelRegion {
   friend bool operator==(const PixelRegion&, const PixelRegion&) = default;
 };
 
-/// A new field needs a line in visit_options.h too; without it nothing compiles that visits them.
+/// A new field must be added to visit_options.h too; otherwise its users do not compile.
 struct RenderOptions {
   Profile profile = Profile::fine;
   Mode mode = Mode::ray;
@@ -95,13 +95,13 @@ struct RenderOptions {
   bool denoise = false;       ///< fine: take noise away (denoise.h)
 };
 
-/// The defaults of a profile: course has no super_sample and 4 bounces.
+/// The defaults of a profile: course has no super_sample, and a max_depth of 4.
 RenderOptions default_options(Profile profile);
 
-/// Values out of range become the nearest that can be drawn. All that takes options does this.
+/// Clamps values to valid ranges. Every function that takes options does this.
 RenderOptions in_range(RenderOptions options);
 
-/// How the float picture becomes 8-bit in this profile.
+/// How the profile converts floats to 8 bits.
 Rounding rounding_of(Profile profile);
 
 }  // namespace scenefile

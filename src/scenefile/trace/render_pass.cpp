@@ -14,7 +14,7 @@ namespace scenefile {
 
 namespace {
 
-// Rays of all threads.
+// Ray counts of all threads.
 struct SharedCounts {
   std::atomic<std::uint64_t> primary{0};
   std::atomic<std::uint64_t> shadow{0};
@@ -27,8 +27,8 @@ struct SharedCounts {
   }
 };
 
-// Calls f(x, y) for the pixels of a tile such that those called one after the other are near each
-// other: blocks of 4 x 2.
+// Calls f(x, y) for the pixels of a tile in an order that keeps neighbors together: blocks of 4 x
+// 2.
 template <typename F>
 void for_each_in_blocks(const Tile& tile, const F& f) {
   constexpr int block_width = 4;
@@ -44,7 +44,7 @@ void for_each_in_blocks(const Tile& tile, const F& f) {
   }
 }
 
-// Draws one pass. Coordinates are those of the picture.
+// Draws one pass. Coordinates are relative to the whole picture.
 class Renderer {
  public:
   Renderer(const Tracer& tracer, const Progress& progress, PictureState& picture)
@@ -80,7 +80,7 @@ class Renderer {
  private:
   bool given_up() const { return watch_.stopped() || tracer_.accelerator.overwhelmed(); }
 
-  // Calls draw(pixels, counts) for the pixels of each piece.
+  // Calls draw(pixels, counts) for each piece.
   template <typename F>
   void for_each_tile(PassShare share, const F& draw) {
     for_each_piece(picture_.pieces, share, watch_, [&](const Tile& tile) {
@@ -95,7 +95,7 @@ class Renderer {
     });
   }
 
-  // Calls draw(sampler, pixels) for the pixels of each piece, with a sampler of its thread.
+  // Calls draw(sampler, pixels) for each piece, with a sampler for each thread.
   template <typename F>
   void for_each_sampler(PassShare share, const F& draw) {
     const WaveScene scene(tracer_, camera_);
@@ -175,7 +175,7 @@ class Renderer {
     }
   }
 
-  // The common case, with as little as possible for each pixel.
+  // The common case, with minimal work per pixel.
   void put_sights(const std::vector<glm::ivec2>& pixels, std::span<const WaveSight> sights) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       put(pixels[i], sights[i].color);
@@ -208,7 +208,7 @@ class Renderer {
         });
   }
 
-  // What was recorded of a pixel.
+  // Stores the recorded data of a pixel.
   void keep(const DrawnPixel& pixel) {
     if (!layers_.empty()) {
       layers_.put(pixel.at.x, pixel.at.y, pixel.surfaces);

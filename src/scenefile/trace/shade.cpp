@@ -49,7 +49,7 @@ void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& ste
 
 namespace {
 
-// Share of light of each color that reaches the point.
+// The fraction of each color of light that reaches the point.
 Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumination& light,
                  RayCounts& counts) {
   if (!tracer.options.features.shadows || tracer.options.mode != Mode::ray) {
@@ -66,7 +66,7 @@ Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumina
   return left;
 }
 
-// What the light sends to the eye by way of the point.
+// The light that the point reflects from a light to the eye.
 struct Reflector {
   const Tracer& tracer;
   const SurfacePoint& point;

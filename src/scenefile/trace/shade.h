@@ -1,5 +1,5 @@
 #pragma once
-// The lighting equation at one point: everything but reflection and refraction.
+// The lighting equation at a point, without reflection and refraction.
 
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/surface_point.h"
@@ -7,18 +7,19 @@
 
 namespace scenefile {
 
-/// Which random numbers a ray uses; equal keys give equal pictures.
+/// Selects the random numbers of a ray; equal keys give equal pictures.
 struct SampleKey {
   std::uint32_t sample = 0;         ///< of the pixel, from 0
-  std::uint32_t pattern = 0;        ///< differs from pixel to pixel and from bounce to bounce
+  std::uint32_t pattern = 0;        ///< different for each pixel and each reflection
   std::uint32_t light_samples = 1;  ///< points on each area light (fine profile)
   int texture_grid = 1;  ///< 2: each quarter of a footprint is looked up by itself (fine profile)
 };
 
-/// The course profile looks at the middles of so many cells along each side of an area light.
+/// The course profile samples the centers of a grid with this many cells along each side of an area
+/// light.
 inline constexpr std::uint32_t course_light_side = 4;
 
-/// Whether the light counts in this mode: the course's ray caster knows only directional lights.
+/// Whether the light is used in this mode: the course's ray caster only uses directional lights.
 bool shines_in(const Tracer& tracer, const RenderLight& light);
 
 /// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it. `steps`:
@@ -27,11 +28,11 @@ bool shines_in(const Tracer& tracer, const RenderLight& light);
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const PixelSteps& steps,
                     int grid, Recorder* recorder);
 
-/// Replaces the shading normal by the bumped one.
+/// Replaces the shading normal by that of the bump map.
 void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid);
 
-/// Ambient, diffuse and specular light that the point sends back against `direction`, the unit
-/// direction of the ray that found it. Bumps the shading normal.
+/// The ambient, diffuse and specular light that the point reflects against `direction`, the unit
+/// direction of the ray that hit it. Applies the bump map to the shading normal.
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
             const PixelSteps& steps, const SampleKey& key, RayCounts& counts);
 

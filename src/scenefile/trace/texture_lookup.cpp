@@ -23,12 +23,12 @@ glm::dvec3 texel(const Texture& texture, int x, int y) {
   return glm::dvec3(p[0], p[1], p[2]) / 255.0;
 }
 
-// Texel coordinates, x right and y down.
+// Texel coordinates, x to the right and y down.
 glm::dvec2 texel_position(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv) {
   return {uv.x * use.repeat_u * texture.width, (1 - uv.y) * use.repeat_v * texture.height};
 }
 
-// Between the four texels around p, where whole numbers are the places of texels.
+// Interpolates the four texels around p; texel centers are at integer positions.
 glm::dvec3 bilinear(const Texture& texture, const glm::dvec2& p) {
   const glm::dvec2 low = glm::floor(p);
   const glm::dvec2 f = p - low;
@@ -41,7 +41,7 @@ glm::dvec3 bilinear(const Texture& texture, const glm::dvec2& p) {
   return glm::mix(top, bottom, f.y);
 }
 
-// How much of each old texel a new one covers along one axis.
+// How much a new texel covers of each old one along an axis.
 struct Cover {
   int first = 0;
   double weights[3] = {0, 0, 0};

@@ -1,6 +1,6 @@
 #pragma once
-// Colors of a texture at (u, v), v up, row 0 of the image on top, wrapping in both directions.
-// 8-bit values are linear: the format knows no gamma.
+// Texture lookup at (u, v), with v up, row 0 of the image at the top, and repetition in both
+// directions. 8-bit values are linear: the format has no gamma.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/scene/render_scene.h"
@@ -11,18 +11,18 @@
 
 namespace scenefile {
 
-/// Column and row of the texel that holds the point.
+/// Column and row of the texel that contains the point.
 glm::ivec2 texel_at(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
 
-/// That texel (course and fine without filter).
+/// The color of that texel (course profile, and fine without filtering).
 glm::dvec3 lookup_nearest(const Texture& texture, const RenderTexture& use, const glm::dvec2& uv);
 
-/// The course's filter: weights are taken from the corner of the texel instead of its middle, so
-/// the picture is shifted by half a texel.
+/// The course's filter: weights are relative to the corner of the texel instead of its center,
+/// which shifts the texture by half a texel.
 glm::dvec3 lookup_course_filter(const Texture& texture, const RenderTexture& use,
                                 const glm::dvec2& uv);
 
-/// A texture with its halved copies, each the area average of the one before.
+/// A texture with its mip levels, each the area average of the previous one.
 class Pyramid {
  public:
   explicit Pyramid(const Texture& texture);
@@ -43,7 +43,7 @@ struct UvFootprint {
   glm::dvec2 down{0};
 };
 
-/// Average over the footprint; interpolates between texel middles where the footprint is smaller
+/// The average over the footprint; interpolates between texel centers if the footprint is smaller
 /// than a texel. `grid`: 2 to look up each quarter of the footprint by itself.
 glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
                            const UvFootprint& footprint, int grid = 1);

@@ -1,7 +1,7 @@
 #pragma once
-// The fields of RenderOptions with their names: the one list from which JSON answers, the key of
-// resumed work and the checks of the program are made. A field that is added to one of the structs
-// and not here is a compile error: a structured binding names every field.
+// The fields of RenderOptions with their names: the only list, used for JSON output, the key of
+// resumed work, and the checks of the program. A field that is missing here is a compile error,
+// because a structured binding names every field.
 
 #include "scenefile/trace/render_options.h"
 
@@ -12,11 +12,11 @@
 
 namespace scenefile {
 
-/// Who draws: the ray tracer or OpenGL.
+/// The renderer: the ray tracer or OpenGL.
 enum class Engine : std::uint8_t { trace, gl };
 inline constexpr std::array<std::string_view, 2> engine_words{"trace", "gl"};
 
-/// For whom an option means something.
+/// Where an option has an effect.
 struct KnownTo {
   bool trace = true;   ///< the ray tracer
   bool gl = true;      ///< OpenGL
@@ -46,21 +46,21 @@ constexpr bool knows_option(Profile profile, KnownTo known) {
   return true;
 }
 
-/// What a JSON answer says of an option.
+/// When an option appears in JSON output.
 enum class InAnswers : std::uint8_t { always, when_set, never };
 
 struct OptionField {
-  std::string_view name;  ///< of features the word, of others also the key in JSON answers
+  std::string_view name;  ///< for features their name; for others also the JSON key
   KnownTo known = known_to_all;
   bool changes_pixels = true;
   InAnswers answers = InAnswers::always;
 };
 
-/// Options, const or not.
+/// RenderOptions or a member of it, const or not.
 template <typename T, typename Struct>
 concept OptionsOf = std::same_as<std::remove_const_t<T>, Struct>;
 
-/// Calls visit(const OptionField&, field) for each field, in the order of JSON answers.
+/// Calls visit(const OptionField&, field) for each field, in the order of the JSON output.
 template <OptionsOf<RenderOptions> T, typename Visit>
 constexpr void visit_options(T& options, Visit&& visit) {
   auto& [profile, mode, features, width, height, samples, min_samples, max_depth, seed, fresnel,
@@ -81,7 +81,7 @@ constexpr void visit_options(T& options, Visit&& visit) {
   visit(OptionField{"denoise", known_to_fine_tracer, true, InAnswers::when_set}, denoise);
 }
 
-/// The same for the features, under the words of the course's configuration files.
+/// The same for the features, under their names in the course's configuration files.
 template <OptionsOf<Features> T, typename Visit>
 constexpr void visit_options(T& features, Visit&& visit) {
   auto& [shadows, reflect, refract, texture, texture_filter, super_sample, depthoffield] = features;
@@ -110,11 +110,11 @@ constexpr void visit_options(T& region, Visit&& visit) {
   visit(OptionField{"y1"}, y1);
 }
 
-/// What the field of this name of RenderOptions is; known_to_all where there is none.
+/// Where the field of RenderOptions with this name has an effect; known_to_all if there is none.
 KnownTo who_knows(std::string_view field);
 
-/// Everything in the options that changes a pixel, as one line `width=640 height=480 ...`. Equal
-/// for two options if and only if they ask for the same picture.
+/// All options that affect pixels, as one line `width=640 height=480 ...`. Equal for two options if
+/// and only if they describe the same picture.
 std::string picture_key(const RenderOptions& options);
 
 }  // namespace scenefile

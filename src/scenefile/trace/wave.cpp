@@ -1,5 +1,5 @@
-// The only file that knows Highway. It includes itself once for each instruction set that the
-// compiler can write; the best that the machine has is chosen when the program runs.
+// The only file that includes Highway. It includes itself once for each instruction set that the
+// compiler supports; the best one of the machine is chosen at run time.
 
 #include "scenefile/trace/wave.h"
 
@@ -27,8 +27,7 @@
 #define HWY_TARGETS 0
 #define HWY_ONCE 1
 #else
-// What is left out is older than any machine with 64 bits that still runs, or nothing new to this
-// code.
+// These are older than any 64-bit machine still in use, or have no advantage for this code.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scenefile/trace/wave.cpp"
@@ -64,7 +63,7 @@ HWY_BEFORE_NAMESPACE();
 // clang-format on
 namespace scenefile::HWY_NAMESPACE {
 
-// The rays of the camera, as CameraRays::ray() has them.
+// Starts the camera rays, like CameraRays::ray().
 void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
                 WaveMemory& memory) {
   WaveRays& rays = memory.rays[0];
@@ -108,7 +107,7 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
   }
 }
 
-// Parts hits into those to be lit and walls to be passed.
+// Separates hits into points to shade and walls to pass through.
 void select_points(const WaveScene& scene, const WaveRays& rays, WaveMemory& memory) {
   memory.points.count = 0;
   memory.walls.count = 0;
@@ -133,7 +132,7 @@ void keep_colors(const WaveRays& rays, WaveMemory& memory) {
   }
 }
 
-// The mode that colors by normals.
+// Normals mode.
 void color_by_normals(WavePoints& points) {
   for (int at = 0; at < points.count; at += lanes) {
     const V3 one{splat(1), splat(1), splat(1)};
@@ -141,7 +140,7 @@ void color_by_normals(WavePoints& points) {
   }
 }
 
-// The surfaces that the camera rays met. Their materials count where light does.
+// Records the surfaces hit by camera rays; materials only if lighting is on.
 void record_surfaces(const WaveRays& rays, const WavePoints& points, bool lit,
                      const WaveRecord& record) {
   for (int k = 0; k < points.count; ++k) {
@@ -188,7 +187,7 @@ void sign_points(const WaveRays& rays, const WavePoints& points, WaveMemory& mem
   }
 }
 
-// One generation of rays: what they see, and which rays come of it.
+// Traces one generation of rays: their colors, and the rays that follow.
 void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& next,
                       WaveMemory& memory, RayCounts& counts, const WaveRecord* record) {
   const Mode mode = scene.tracer.options.mode;
@@ -255,8 +254,8 @@ constexpr const char* baseline = "SIMD128";
 constexpr const char* baseline = "baseline";
 #endif
 
-// The widest first. Highway's own choice is in a library that measures the clock when it is loaded,
-// for two milliseconds of each run of the program.
+// The widest first. Highway's own selection is in a library that measures the clock when it is
+// loaded, which takes two milliseconds in each run of the program.
 constexpr WaveKernel kernels[] = {
 #if (HWY_TARGETS & HWY_AVX3) != 0
     {"AVX-512",
@@ -315,7 +314,7 @@ WaveMaterial wave_material(const Tracer& tracer, const RenderMaterial& m) {
   return out;
 }
 
-// As Transmission has it; doubles hold sums of so few parts exactly.
+// As in Transmission; doubles represent sums of this few parts exactly.
 void put_density(const Tracer& tracer, std::size_t index, WaveMaterial& material) {
   put(Color(tracer.transmission.density(static_cast<std::uint32_t>(index))), material.density);
 }
@@ -325,7 +324,7 @@ const std::vector<Part>& root_parts(const Parts& parts) {
   return parts.groups.empty() ? none : parts.groups[parts.root].parts;
 }
 
-// What it points to for the samples from `first` on.
+// The record for the samples from `first` on.
 WaveRecord from(const WaveRecord& record, int first) {
   return {record.samples + first, record.light_colors + first * record.lights.size(),
           record.lights};
@@ -376,8 +375,8 @@ WavePointer make_wave() {
   return WavePointer(new WaveMemory);
 }
 
-// Where the rays that come of the samples are too many, half of the samples are taken, until they
-// fit again and again.
+// If the samples cause too many rays, traces half as many samples at once, until they fit again
+// several times in a row.
 void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
                 WaveSight* sights, RayCounts& counts, const WaveRecord* record) {
   constexpr int often = 16;

@@ -1,6 +1,6 @@
 #pragma once
-// Many rays at once: the camera rays of a tile with all that comes of them, in as many lanes as the
-// machine has. What they see is equal to the last bit to what trace_sample() finds for each alone.
+// Traces many rays at once: the camera rays of a tile with their reflections and refractions, in
+// the machine's SIMD lanes. The results are exactly those of trace_sample() for each ray.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/part_tree.h"
@@ -14,10 +14,10 @@
 
 namespace scenefile {
 
-/// A wave has at most so many camera rays.
+/// The maximum number of camera rays in a wave.
 inline constexpr int wave_samples = 256;
 
-/// What shading asks of a material, multiplied by the coefficients of the scene.
+/// A material for shading, multiplied by the scene's coefficients.
 struct WaveMaterial {
   double ambient[3];
   double diffuse[3];
@@ -26,8 +26,8 @@ struct WaveMaterial {
   double glass[3];
   double shininess;
   double ior;
-  double blend;       ///< of the texture, 0 where there is none
-  double density[3];  ///< that shadow rays gather, as Transmission has it
+  double blend;       ///< of the texture, 0 without one
+  double density[3];  ///< for shadow rays, as in Transmission
   const RenderMaterial* material;
   const Texture* texture;  ///< if it is not filtered over what a ray covers
   const Pyramid* pyramid;  ///< if it is
@@ -36,36 +36,36 @@ struct WaveMaterial {
   bool refracts;
 };
 
-/// What a sample sees.
+/// The result of a sample.
 struct WaveSight {
   Color color{0};
-  bool penumbra = false;  ///< area lights in part
+  bool penumbra = false;  ///< saw an area light partially
   /// Fine profile: of two samples that saw the same parts and faces in the same light, by way of
   /// the same mirrors and glass, it is the same. Such samples differ by what changes evenly, and by
   /// textures, which are filtered.
   std::uint32_t signature = 0;
 };
 
-/// Where to write what the camera rays met; arrays by sample.
+/// Where to record what the camera rays hit; arrays by sample.
 struct WaveRecord {
-  SurfaceSample* samples = nullptr;       ///< but for `point` and `color`
-  Color* light_colors = nullptr;          ///< by sample and light that is kept apart
-  std::span<const std::uint32_t> lights;  ///< those, into RenderScene::lights
+  SurfaceSample* samples = nullptr;       ///< except `point` and `color`
+  Color* light_colors = nullptr;          ///< by sample and separately recorded light
+  std::span<const std::uint32_t> lights;  ///< recorded separately; into RenderScene::lights
 };
 
 struct WaveScene;
 struct WaveMemory;
 
-/// What traces waves with one of the instruction sets.
+/// The wave tracer for one instruction set.
 struct WaveKernel {
   std::string_view name;
   bool (*runs_here)();
-  /// See trace_wave(); false: they do not fit, and nothing was done.
+  /// See trace_wave(). Returns false, having done nothing, if the rays do not fit.
   bool (*trace)(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
                 WaveSight* sights, RayCounts& counts, const WaveRecord* record);
 };
 
-/// Those that this machine has, the best first; all find the same colors.
+/// The kernels for this machine, fastest first; all give the same colors.
 std::vector<const WaveKernel*> wave_kernels();
 
 /// What all waves of a picture share.
@@ -77,24 +77,23 @@ struct WaveScene {
   const WaveKernel* kernel;
   const std::vector<Part>& root;  ///< the parts of the root group
   bool course;                    ///< the profile
-  bool clear_shadows;             ///< light may pass through objects
-  bool fresnel;                   ///< glass mirrors by Fresnel's equations
+  bool clear_shadows;             ///< some objects let light through
+  bool fresnel;                   ///< use Fresnel's equations for glass
   std::vector<WaveMaterial> materials;
   bool by_footprint = false;  ///< a texture or bump map is filtered over what rays cover
   bool few_parts = false;     ///< all are shapes, and so few that each is tested
   const PartTree& tree;       ///< of more, where all are shapes and not too many
 };
 
-/// The memory of one wave, to be used again for the same scene: it remembers what was in the way of
-/// lights, which changes no color. Large.
+/// The memory of a wave, to be reused for the same scene: it remembers recent occluders, which does
+/// not affect colors. Large.
 struct WaveDeleter {
   void operator()(WaveMemory* memory) const;
 };
 using WavePointer = std::unique_ptr<WaveMemory, WaveDeleter>;
 WavePointer make_wave();
 
-/// What the camera sees, `count` of at most wave_samples. Samples near each other are found faster.
-/// `record`: null where nobody asks.
+/// Traces `count` samples, at most wave_samples. Nearby samples are faster. `record`: may be null.
 void trace_wave(const WaveScene& scene, const CameraSample* samples, int count, WaveMemory& memory,
                 WaveSight* sights, RayCounts& counts, const WaveRecord* record = nullptr);
 

@@ -1,19 +1,19 @@
-// What becomes of the rays of a wave: mirrors, glass, and the way back. No guard: included once
-// for each instruction set, behind wave_light-inl.h.
+// Follows the rays of a wave through reflections and refractions, and sums up colors. No include
+// guard: included once for each instruction set, after wave_light-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-// The shading normal on the side that the ray comes from; the geometric one where interpolation
-// has turned it to the other side.
+// The shading normal on the side of the incoming ray; the geometric normal if interpolation has
+// turned it to the other side.
 inline V3 facing_normal(const V3& normal, const V3& geometric, const V3& direction) {
   const M behind = dot(geometric, direction) > splat(0);
   const V3 turned = select(behind, -normal, normal);
   return select(dot(turned, direction) < splat(0), turned, select(behind, -geometric, geometric));
 }
 
-// The directions in which the rays of a chunk go on.
+// The directions of the secondary rays of a chunk.
 struct Onward {
   alignas(64) double mirrored[3][lanes];
   alignas(64) double refracted[3][lanes];
@@ -33,7 +33,7 @@ inline Steps turns_at(const WavePoints& points, int at, const V3& wanted) {
   return on_side(load_steps(points.turns, at), load3(points.geometric, at), wanted);
 }
 
-// `inner`: the rays are inside of objects and meet their walls.
+// `inner`: the rays are inside of objects and hit their walls.
 inline void find_mirrored(const WaveScene& scene, const WaveRays& rays, const WavePoints& points,
                           int at, bool inner, Onward& onward) {
   const V3 direction = load3(points.direction, at);
@@ -76,7 +76,7 @@ inline void find_refracted(const WaveScene& scene, const WaveRays& rays, const W
   onward.entering = inner ? 0 : bits(entering);
 }
 
-// The path that ray r has gone.
+// The path of ray r.
 inline Path path_of(const WaveRays& rays, std::uint32_t r) {
   Path path;
   path.ray = {get(rays.origin, static_cast<int>(r)), get(rays.direction, static_cast<int>(r))};
@@ -120,7 +120,7 @@ inline void redirect(const WaveScene& scene, const WavePoints& points, int k, in
   path.start = points.offset[k];
 }
 
-// What a ray sees by way of a mirror or glass.
+// Adds the light of a reflected or refracted ray to its parent.
 inline void arrive(WaveMemory& memory, std::uint32_t ray, const WaveNode& child,
                    const Color& seen) {
   WaveNode& node = memory.nodes[ray];
@@ -149,7 +149,7 @@ inline void add_child(const WaveScene& scene, WaveMemory& memory, WaveRays& rays
   push(scene, path, index, rays);
 }
 
-// What the path is in behind point k.
+// The object that the path enters at point k.
 inline const Inside* enter(const WaveScene& scene, WaveMemory& memory, const WavePoints& points,
                            int k, const Path& path) {
   if (memory.inside_count == wave_insides) {
@@ -162,7 +162,7 @@ inline const Inside* enter(const WaveScene& scene, WaveMemory& memory, const Wav
   return &memory.insides[i];
 }
 
-// What mirrored and refracted light is multiplied by.
+// The factors of reflected and refracted light.
 struct Branches {
   Color mirror;
   Color glass;
@@ -182,7 +182,7 @@ inline Branches branches_of(const WaveScene& scene, const WaveMaterial& material
   return result;
 }
 
-// `inner`: the point is on the wall of the object that its ray is in, and both ways are followed.
+// `inner`: the point is on a wall of the object that its ray is in; both ways are followed.
 inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                          WaveRays& to, const WavePoints& points, bool inner, int k, int lane,
                          const Onward& onward, RayCounts& counts) {
@@ -199,7 +199,7 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   const auto worth = [&](const Color& factor) {
     return factor != Color(0) && (scene.course || from.weight[ray] * largest(factor) >= min_weight);
   };
-  // A passage counts as one bounce: the way out is none.
+  // A passage counts as one refraction: leaving is free.
   const int depth_behind = from.depth[ray] + (inner ? 0 : 1);
   const bool mirrors = (features.reflect || inner) && from.depth[ray] + 1 <= most && worth(mirror);
   const bool refracts = features.refract && depth_behind <= most && worth(glass);
@@ -229,7 +229,7 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   }
 }
 
-/// Sends the points' rays on, by mirrors and glass.
+/// Adds the secondary rays of the points.
 inline void follow_points(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                           WaveRays& to, const WavePoints& points, bool inner, RayCounts& counts) {
   for (int at = 0; at < points.count; at += lanes) {
@@ -273,8 +273,8 @@ inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays
   push(scene, path, from.node[ray], to);
 }
 
-/// Sends rays inside of objects through their walls or back from them. By Fresnel's equations a
-/// wall does both, and the ray ends there.
+/// Continues rays inside of objects: each wall refracts or reflects them. With Fresnel's equations
+/// a wall does both, and the ray ends there.
 inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                        WaveRays& to, RayCounts& counts) {
   const WavePoints& walls = memory.walls;
@@ -291,7 +291,7 @@ inline void pass_walls(const WaveScene& scene, WaveMemory& memory, const WaveRay
   }
 }
 
-/// Gives each ray's color to the one that it came of, the last first.
+/// Adds each ray's color to its parent, in reverse order.
 inline void sum_up(const WaveScene& scene, WaveMemory& memory) {
   const bool clamps = scene.course && scene.tracer.options.mode != Mode::normals;
   for (int i = memory.node_count - 1; i >= 0; --i) {

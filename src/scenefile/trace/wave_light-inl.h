@@ -1,11 +1,11 @@
-// The light that the points of a wave send to the eye. No guard: included once for each instruction
-// set, behind wave_surface-inl.h.
+// Lighting at the points of a wave. No include guard: included once for each instruction set, after
+// wave_surface-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-// What arrives of one light at a point of it; `on_light(at)` gives that for each lane.
+// The light that arrives from a point of a light; `on_light(at)` selects the point for each lane.
 template <typename OnLight>
 void find_light(const WaveScene& scene, const RenderLight& light, const OnLight& on_light,
                 const WavePoints& points, WaveLight& out) {
@@ -43,7 +43,7 @@ inline V3 no_color() {
   return {splat(0), splat(0), splat(0)};
 }
 
-// The share of the light's color that goes on to the eye: diffuse and specular.
+// The fraction of the light's color that is reflected to the eye: diffuse and specular.
 inline V3 reflected_share(const WavePoints& points, const WaveLight& light, M asked, int at) {
   const F mirrored = load(light.mirrored + at);
   const M shines = asked & (mirrored > splat(0));
@@ -67,7 +67,7 @@ inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color,
   return select(seen, dimmed ? share * load3(light.left, at) : share, no_color());
 }
 
-// The same light without shadows, and the diffuse part of what arrives.
+// The same light without shadows, and its diffuse part.
 struct RecordedLight {
   V3 unshadowed;
   V3 diffused;
@@ -85,8 +85,8 @@ inline RecordedLight recorded_light(const WavePoints& points, const WaveLight& l
            part(arrived.z, diffuse.z, share.z)}};
 }
 
-// How many points of a light the points of a generation look at, and which: one, the middles of
-// cells, or those of each ray's pattern.
+// The number of samples of a light for the points of a generation, and their positions: a single
+// one, cell centers, or the pattern of each ray.
 struct LightSamples {
   const WaveRays& rays;
   const WavePoints& points;
@@ -130,7 +130,7 @@ struct LightSamples {
   }
 };
 
-// Marks rays whose points see a light in part, by how many of its samples each sees.
+// Marks rays whose points see a light partially, by the number of visible samples.
 inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode* nodes) {
   alignas(64) double numbers[lanes];
   for (int k = 0; k < samples.points.count; ++k) {
@@ -143,7 +143,7 @@ inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode*
   }
 }
 
-// What a light sent to the points, kept apart for the record of camera rays.
+// Records the light of a separately recorded light for camera rays.
 inline void record_light(const LightSamples& samples, const V3* sums, const RecordedLight* terms,
                          const WaveRecord& record) {
   const std::size_t kept = record.lights.size();
@@ -186,7 +186,7 @@ inline void note_lit(const WaveLight& light, int chunks, WavePoints& points) {
   }
 }
 
-// `record`: null but for camera rays of which more is to be told.
+// `record`: null unless recording camera rays.
 inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveMemory& memory,
                       RayCounts& counts, const WaveRecord* record) {
   const Tracer& tracer = scene.tracer;
@@ -198,7 +198,7 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
   const V3 color = splat3(samples.light.color);
   alignas(64) V3 sums[wave_rays / lanes];
   alignas(64) F seen[wave_rays / lanes];
-  alignas(64) RecordedLight terms[wave_samples / lanes];  // camera rays are no more than that
+  alignas(64) RecordedLight terms[wave_samples / lanes];  // there are at most that many camera rays
   for (std::uint32_t i = 0; i < samples.count; ++i) {
     find_light(
         scene, samples.light, [&](int at) { return samples.at(i, at); }, points, light);
@@ -237,7 +237,7 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
   }
 }
 
-/// Adds what the lights of the scene send to the eye by way of the points.
+/// Adds the light that the points reflect to the eye.
 inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory& memory,
                         RayCounts& counts, const WaveRecord* record) {
   if (memory.points.count == 0) {

@@ -1,5 +1,5 @@
 #pragma once
-// The arrays of a wave, each with room for whole vectors of lanes.
+// The arrays of a wave, padded to whole vectors of lanes.
 
 #include "scenefile/trace/wave.h"
 
@@ -9,16 +9,16 @@
 
 namespace scenefile {
 
-/// One sample always fits (rays_of_a_sample, path.h): each of its rays may become two, with half of
-/// the budget each, so that no generation has more than half of them. Of more samples as many are
-/// taken as fit.
-inline constexpr int wave_rays = 2048;   ///< of one generation
-inline constexpr int wave_nodes = 4096;  ///< rays of all generations
+/// A single sample always fits (rays_of_a_sample, path.h): each of its rays may cause two rays with
+/// half of its budget each, so no generation has more than half of them. Of several samples, as
+/// many are traced as fit.
+inline constexpr int wave_rays = 2048;   ///< in one generation
+inline constexpr int wave_nodes = 4096;  ///< in all generations
 inline constexpr int wave_insides = 4096;
 static_assert(wave_nodes >= rays_of_a_sample && 2 * wave_rays >= rays_of_a_sample);
 
-/// An array whose memory nobody touches before its numbers are written: a wave is large, and few
-/// scenes use all of it.
+/// An array whose memory is not touched before it is written: a wave is large, and few scenes use
+/// all of it.
 template <typename T, int size>
 class WaveArray {
  public:
@@ -60,20 +60,19 @@ struct WaveRays {
   const Inside* inside[wave_rays];
 };
 
-/// What each ray of a generation hit first.
+/// The nearest hit of each ray of a generation.
 struct WaveHits {
-  bool apart = false;  ///< most rays of this generation or one before it went where bundles are of
-                       ///< no use
-  alignas(64) double t[wave_rays];     ///< infinite: nothing
+  bool apart = false;  ///< this or an earlier generation was incoherent: bundles do not help
+  alignas(64) double t[wave_rays];     ///< infinity: no hit
   alignas(64) double face[wave_rays];  ///< number of a Face
-  alignas(64) double part[wave_rays];  ///< index in the root group; -1: it is in `others`
-  WaveArray<Hit, wave_rays> others;    ///< what is no shape of the root group
+  alignas(64) double part[wave_rays];  ///< index in the root group; -1: see `others`
+  WaveArray<Hit, wave_rays> others;    ///< hits other than shapes of the root group
 };
 
-/// The points where light is to be found, a selection of the hits.
+/// The points to shade, a subset of the hits.
 struct WavePoints {
   int count = 0;
-  std::uint32_t ray[wave_rays];  ///< rising
+  std::uint32_t ray[wave_rays];  ///< ascending
   const WaveMaterial* material[wave_rays];
   WaveVectors position;
   WaveVectors normal;
@@ -96,11 +95,11 @@ inline std::uint32_t signed_with(std::uint32_t signature, std::uint32_t thing) {
   return mixed ^ (mixed >> 15);
 }
 
-/// Parts of the root group that were in the way of a light not long ago: with luck they are so
-/// again. Those that prove themselves rise.
+/// Recent occluders of a light among the parts of the root group, which often occlude it again.
+/// Successful ones move to the front.
 struct RecentBlockers {
   static constexpr std::uint32_t most = 8;
-  std::uint32_t last = no_index;  ///< of bundles
+  std::uint32_t last = no_index;  ///< for bundles
   std::uint32_t part[most] = {no_index, no_index, no_index, no_index,
                               no_index, no_index, no_index, no_index};
   std::uint32_t added = 0;
@@ -109,51 +108,52 @@ struct RecentBlockers {
   void add(std::uint32_t index) { part[most / 2 + added++ % (most / 2)] = index; }
 };
 
-/// What one light sends to the points.
+/// The light that arrives at the points from one light.
 struct WaveLight {
-  bool apart = false;       ///< rays to the last light went apart: bundles are of no use here
-  bool at_a_point = false;  ///< all rays to it end in one point
-  glm::dvec3 from{0};       ///< that
+  bool apart = false;       ///< rays to the last light were incoherent: bundles do not help
+  bool at_a_point = false;  ///< all shadow rays end at the same point
+  glm::dvec3 from{0};       ///< that point
   WaveVectors to_light;
   alignas(64) double end[wave_rays];       ///< of the shadow ray
-  alignas(64) double share[wave_rays];     ///< of the light's color that arrives
-  alignas(64) double cosine[wave_rays];    ///< to the normal, 0 at least
-  alignas(64) double mirrored[wave_rays];  ///< to the highlight
-  std::uint8_t asks[wave_rays];            ///< a bit for each lane: whether anything comes of it
-  std::uint8_t blocked[wave_rays];         ///< a bit for each lane
+  alignas(64) double share[wave_rays];     ///< fraction of the light's color that arrives
+  alignas(64) double cosine[wave_rays];    ///< between normal and light, at least 0
+  alignas(64) double mirrored[wave_rays];  ///< cosine for the highlight
+  std::uint8_t asks[wave_rays];            ///< one bit per lane: whether light arrives
+  std::uint8_t blocked[wave_rays];         ///< one bit per lane
   std::uint32_t index = 0;                 ///< of the light
-  RecentBlockers recent[8];                ///< by index, in turn
-  WaveVectors left;                        ///< share that objects let through, where some do
+  RecentBlockers recent[8];                ///< by index modulo their number
+  WaveVectors left;                        ///< fraction that transparent objects let through
 };
 
-/// A ray of any generation: what it sees, and where that goes.
+/// A ray of any generation: its color, and where it belongs.
 struct WaveNode {
-  Color color{0};  ///< without what follows
+  Color color{0};  ///< without secondary rays
   std::uint32_t parent = no_index;
   std::uint32_t signature = 0;  ///< see WaveSight, of it and of what came of it
   RayKind kind = RayKind::camera;
-  std::uint8_t bounces = 0;  ///< of it or of what came of it, most
-  bool penumbra = false;     ///< saw area lights in part, or what came of it did
-  bool mirrored = false;     ///< something came by way of a mirror
-  bool refracted = false;    ///< by way of glass
+  std::uint8_t bounces = 0;  ///< maximum of it and its descendants
+  bool penumbra = false;     ///< it or a descendant saw area lights partially
+  bool mirrored = false;     ///< has a reflected ray
+  bool refracted = false;    ///< has a refracted ray
 };
 
-/// What is more of a ray that others follow, or that follows one. Apart, because most do neither.
+/// Additional data of a ray that has or is a secondary ray. Separate, because most rays are
+/// neither.
 struct WaveLink {
-  Color factor;     ///< of what its parent gets
-  Color mirrored;   ///< where WaveNode says so
-  Color refracted;  ///< likewise
+  Color factor;     ///< its weight in the parent's color
+  Color mirrored;   ///< if WaveNode::mirrored
+  Color refracted;  ///< if WaveNode::refracted
 };
 
 struct WaveMemory {
-  int fits = wave_samples;  ///< so many samples are taken at once
-  int fitted = 0;           ///< times in turn that they did
+  int fits = wave_samples;  ///< number of samples to trace at once
+  int fitted = 0;           ///< how many times in a row they fit
   WaveRays rays[2];
   WaveHits hits;
   WavePoints points;
   WavePoints walls;
   WaveLight light;
-  bool full = false;  ///< more rays were asked for than there is room
+  bool full = false;  ///< ran out of room for rays
   int node_count = 0;
   WaveArray<WaveNode, wave_nodes> nodes;
   WaveArray<WaveLink, wave_nodes> links;  ///< by node

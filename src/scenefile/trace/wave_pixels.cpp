@@ -18,17 +18,17 @@ std::vector<DrawnPixel*> pointers_to(std::vector<DrawnPixel>& pixels) {
   return pointers;
 }
 
-// Cells of the adaptive pattern of many pixels, each behind the one that it refines.
+// The cells of the adaptive pattern for many pixels, each after the one that it refines.
 struct Cell {
   std::size_t pixel = 0;
   glm::dvec2 corner{0};
   double size = 1;
   int level = 1;
   std::array<Color, 4> colors;
-  std::array<std::size_t, 4> finer{};  // the cells that stand for its quadrants; 0: none
+  std::array<std::size_t, 4> finer{};  // the cells that replace its quadrants; 0: none
 };
 
-// The cells that follow a sampled one.
+// Adds the refined cells of a sampled cell.
 void refine_cell(std::size_t index, std::vector<Cell>& cells) {
   const Cell cell = cells[index];
   for (int i = 0; i < 4 && cell.level < course::max_level; ++i) {
@@ -44,7 +44,7 @@ void refine_cell(std::size_t index, std::vector<Cell>& cells) {
   }
 }
 
-// The colors of all cells; the first ones are those of pixels.
+// The colors of all cells; those of the pixels come first.
 std::vector<Color> colors_of(const std::vector<Cell>& cells) {
   std::vector<Color> colors(cells.size());
   for (std::size_t c = cells.size(); c-- > 0;) {
@@ -58,7 +58,7 @@ std::vector<Color> colors_of(const std::vector<Cell>& cells) {
   return colors;
 }
 
-// In the order in which one sample after the other would have been taken.
+// In the order in which the samples would be taken one by one.
 void append_surfaces(const std::vector<Cell>& cells, std::size_t index, const PixelSurfaces& all,
                      std::size_t lights, PixelSurfaces& surfaces) {
   const auto first = static_cast<std::ptrdiff_t>(4 * index);
@@ -70,7 +70,7 @@ void append_surfaces(const std::vector<Cell>& cells, std::size_t index, const Pi
       all.light_colors.begin() + light + 4 * static_cast<std::ptrdiff_t>(lights));
   for (const std::size_t finer : cells[index].finer) {
     if (finer != 0) {
-      append_surfaces(cells, finer, all, lights, surfaces);  // at most max_level deep
+      append_surfaces(cells, finer, all, lights, surfaces);  // the depth is at most max_level
     }
   }
 }
@@ -106,7 +106,7 @@ WaveSampler::~WaveSampler() {
   pool_.give(std::move(memory_));
 }
 
-// What is in samples_.
+// Traces samples_.
 void WaveSampler::trace(int count, bool recorded) {
   const WaveRecord record{surfaces_.data(), light_colors_.data(), wish_.lights};
   trace_wave(scene_, samples_.data(), count, *memory_, sights_.data(), counts_,
@@ -118,7 +118,7 @@ void WaveSampler::trace(int count, bool recorded) {
   }
 }
 
-// Calls keep(i, k) for `count` samples: number i is number k of the wave now.
+// Calls keep(i, k) for `count` samples, where sample i is at index k of the current wave.
 template <typename SampleOf, typename Keep>
 void WaveSampler::trace(std::size_t count, const SampleOf& sample_of, const Keep& keep) {
   for (std::size_t first = 0; first < count; first += wave_samples) {

@@ -1,5 +1,5 @@
 #pragma once
-// The samples of many pixels, taken in waves.
+// Samples pixels in waves.
 
 #include "scenefile/trace/drawn_pixel.h"
 #include "scenefile/trace/wave.h"
@@ -11,7 +11,7 @@
 
 namespace scenefile {
 
-/// The memory of waves that no thread uses now.
+/// Wave memory that is not in use by any thread.
 class WavePool {
  public:
   WavePointer take();
@@ -22,7 +22,7 @@ class WavePool {
   std::vector<WavePointer> free_;
 };
 
-/// Waves of one thread for one piece of a picture.
+/// The waves of one thread for one piece of a picture.
 class WaveSampler {
  public:
   WaveSampler(const WaveScene& scene, WavePool& pool, const SurfaceWish& wish, RayCounts& counts);
@@ -30,10 +30,10 @@ class WaveSampler {
   WaveSampler(const WaveSampler&) = delete;
   WaveSampler& operator=(const WaveSampler&) = delete;
 
-  /// What is seen in the middles of pixels, at most wave_samples, in the order of `pixels`; until
-  /// the next call. Not recorded.
+  /// The centers of at most wave_samples pixels, in the order of `pixels`; valid until the next
+  /// call. Not recorded.
   std::span<const WaveSight> middles(std::span<const glm::ivec2> pixels);
-  /// course_pixel() of each.
+  /// course_pixel() of each pixel.
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
   /// What FineSampler::middle() sees of pixels, at most wave_samples, in the order of `pixels`;
   /// until the next call. Not recorded.
@@ -63,8 +63,8 @@ class WaveSampler {
   WavePointer memory_;
   std::array<CameraSample, wave_samples> samples_;
   std::array<WaveSight, wave_samples> sights_;
-  std::vector<SurfaceSample> surfaces_;  // by sample, where they are wished for
-  std::vector<Color> light_colors_;      // by sample and light
+  std::vector<SurfaceSample> surfaces_;  // by sample, if requested
+  std::vector<Color> light_colors_;      // by sample and separately recorded light
 };
 
 }  // namespace scenefile

@@ -1,4 +1,4 @@
-// Rays in lanes. No guard: included once for each instruction set, behind wide-inl.h.
+// Rays in lanes. No include guard: included once for each instruction set, after wide-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
@@ -37,7 +37,7 @@ inline Color color_of(const double (&v)[3]) {
   return {v[0], v[1], v[2]};
 }
 
-/// The same in all lanes.
+/// The same row in all lanes.
 inline V3 splat_row(const double (&v)[3]) {
   return {splat(v[0]), splat(v[1]), splat(v[2])};
 }
@@ -62,7 +62,7 @@ inline M finite_rays(const Rays& rays) {
   return finite(sum.x + sum.y + sum.z);
 }
 
-/// Lanes that are there in a chunk which begins at `at` of `count`.
+/// The valid lanes in the chunk at `at` of `count` elements.
 inline M present_lanes(int at, int count) {
   return first_lanes(static_cast<std::size_t>(std::clamp(count - at, 0, lanes)));
 }

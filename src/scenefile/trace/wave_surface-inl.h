@@ -1,11 +1,11 @@
-// The surfaces at the points that the rays of a wave hit. No guard: included once for each
-// instruction set, behind wave_search-inl.h.
+// The surfaces at the points hit by the rays of a wave. No include guard: included once for each
+// instruction set, after wave_search-inl.h.
 
 #include "scenefile/trace/wave_memory.h"
 
 namespace scenefile::SCENEFILE_LANES {
 
-// The normal in object space of the shapes of a chunk.
+// The object-space normal for the shapes of a chunk.
 inline V3 object_normal(F shape, F face, const V3& p) {
   const auto is = [&](Face a, Face b) { return (face == number_of(a)) | (face == number_of(b)); };
   const auto axis = [&](M positive, M negative) {
@@ -33,7 +33,7 @@ inline V3 world_normal(const Map& object_from_world, const V3& normal) {
   return select(fine, n / size, V3{splat(0), splat(1), splat(0)});
 }
 
-// The parts that a chunk of points lies on, as what is wanted of them in lanes.
+// The parts of a chunk of points, in lanes.
 struct ChunkParts {
   Map map;
   F shape;
@@ -65,7 +65,8 @@ inline ChunkParts chunk_parts(const Part* const (&parts)[lanes]) {
   return {{vector(0), vector(3), vector(6), vector(9)}, load(shape)};
 }
 
-// Copies what the points need of rays and hits, and pads the last chunk with copies of the last.
+// Copies data of rays and hits to the points, and pads the last chunk with copies of the last
+// point.
 inline void gather_rays(const WaveRays& rays, const WaveHits& hits, WavePoints& points) {
   const int whole = (points.count + lanes - 1) / lanes * lanes;
   for (int i = points.count; i < whole; ++i) {
@@ -113,7 +114,7 @@ inline Steps gather_steps(const WaveSteps& from, const std::uint32_t* ray) {
   return {gather3(from.x, ray), gather3(from.y, ray)};
 }
 
-// What ray r of a wave hit, in full.
+// The complete Hit of ray r of a wave.
 inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r, const Ray& ray) {
   if (hits.part[r] < 0) {
     return hits.others[r];
@@ -131,7 +132,7 @@ inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r,
   return hit;
 }
 
-// One point by the functions for one.
+// Computes one point with the scalar code.
 inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
                            bool lit, WavePoints& points, int i) {
   const Tracer& tracer = scene.tracer;
@@ -160,7 +161,7 @@ inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const W
   put_material(scene.materials[hit.material], diffuse, points, i);
 }
 
-// (u, v) of the shapes of a chunk, in the lanes of the mask.
+// (u, v) for the shapes of a chunk, in the lanes of the mask.
 inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   const auto is = [&](Face f) { return face == number_of(f); };
   const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
@@ -180,7 +181,7 @@ inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   v = select(ball, sphere_v(p.y, around), v);
 }
 
-// The texels of a chunk: of each lane a texture, and how often it repeats.
+// The textures of a chunk: one for each lane, with its repeats.
 struct ChunkTextures {
   const Texture* texture[lanes] = {};
   M used = no_lanes();
@@ -358,7 +359,7 @@ inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, 
   store3(select(chunk.used, textured, plain), points.diffuse, at);
 }
 
-// The materials of a chunk; whether one of them has a texture.
+// Sets the materials of a chunk; returns whether any has a texture.
 inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[lanes],
                             WavePoints& points, int at) {
   const WaveMaterial& first = scene.materials[parts[0]->material];
@@ -379,7 +380,7 @@ inline bool shape_materials(const WaveScene& scene, const Part* const (&parts)[l
   return textured;
 }
 
-// Of shapes of the root group alone.
+// For chunks that only have shapes of the root group.
 inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
                            bool lit, WavePoints& points, int at) {
   const Part* parts[lanes];
@@ -408,7 +409,7 @@ inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const W
   }
 }
 
-/// Fills all but the light that comes from the points. `lit`: with bumps and textures.
+/// Computes everything except lighting at the points. `lit`: with bump maps and textures.
 inline void find_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
                           bool lit, WavePoints& points) {
   if (points.count == 0) {

@@ -1,6 +1,6 @@
 #pragma once
-// A picture against its reference: how far apart they are, and which known mistake makes the
-// difference, as data, for people and for programs.
+// Compares a picture with its reference: how much they differ, and which common mistake explains
+// it; as data, text and JSON.
 
 #include "scenefile/compare/measure.h"
 #include "scenefile/compare/worst_region.h"
@@ -18,23 +18,23 @@
 
 namespace scenefile {
 
-/// A way in which a reference may have been drawn from its scene.
+/// A way in which a reference may have been rendered.
 struct DrawnWay {
   RenderOptions options;
-  std::string words;  ///< as options of the program, such as "--profile course"
+  std::string words;  ///< as command line options, such as "--profile course"
 };
 
 enum class LookForCauses : std::uint8_t { where_broken, always };
 
 struct CompareSettings {
   Thresholds thresholds;                             ///< none: the pictures must be equal
-  int pixel_threshold = 8;                           ///< when a pixel counts as off, in 1/255
-  std::vector<DrawnWay> ways;                        ///< the one most like the reference is taken
-  LookForCauses look = LookForCauses::where_broken;  ///< of two pictures that are not equal
+  int pixel_threshold = 8;                           ///< larger differences count, in 1/255
+  std::vector<DrawnWay> ways;                        ///< the most similar to the reference is used
+  LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
 };
 
-/// Each of `profiles` alone where the features are known, else also with the sets of features that
-/// references are usually made with.
+/// Only `profiles` if the features are known; otherwise also with the sets of features that
+/// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
 /// The one of several ways in which the scene, with all assets, is most like the reference. `ways`
@@ -60,14 +60,14 @@ struct PictureComparison {
   std::optional<PlaceToLook> where;  ///< nothing where no pixel differs visibly
 };
 
-/// Compares; looks for causes as settings.look says. `scene`: what the reference shows, with
-/// all assets; may be null. `go_on` as for find_causes().
+/// Compares the pictures, and looks for causes according to settings.look. `scene`: the scene of
+/// the reference with all assets, or null. `go_on` as for find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},
                                    const std::function<bool(double done)>& go_on = {});
 
-/// The causes as lines for people.
+/// The causes as text for people.
 std::string causes_text(const PictureComparison& found);
 
 /// Where the pictures differ most as lines for people: the region, the object there, and the
@@ -75,7 +75,7 @@ std::string causes_text(const PictureComparison& found);
 std::string where_text(const PictureComparison& found, const std::string& scene,
                        const std::string& test);
 
-/// Members of the object that is open.
+/// Adds members to the open object.
 void add_measures(Json& json, const PictureMeasures& measures);
 void add_clauses(Json& json, std::string_view name, const std::vector<std::string>& clauses);
 void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims);

@@ -1,5 +1,5 @@
 #pragma once
-// Why a pixel has its color: as data, for people and for programs.
+// Explains the color of a pixel; as data, text and JSON.
 
 #include "scenefile/base/result.h"
 #include "scenefile/explain/remarks.h"
@@ -21,27 +21,26 @@ struct ExplainReport {
   std::optional<Yours> yours;  ///< another program's value of the pixel, where it was given
 };
 
-/// Traces the pixel (x, y), row 0 on top, as render() does with these options. `sample`: which one
-/// is to be shown in full, else the one nearest to the pixel's middle. The scene must be usable.
-/// Fails where render() does, and with ErrorKind::usage where there is no such sample.
+/// Traces the pixel (x, y), row 0 at the top, like render() with these options. `sample` selects
+/// the sample to describe in full; by default the one nearest to the pixel's center. The scene must
+/// be usable. Fails if render() does, and with ErrorKind::usage if there is no such sample.
 Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOptions& options, int x,
                                     int y, std::optional<std::uint32_t> sample = {});
 
 struct ExplainStyle {
   bool color = false;     ///< ANSI colors
-  bool swatches = false;  ///< 24-bit colors: a patch of each color beside its numbers
+  bool swatches = false;  ///< 24-bit colors: a patch of each color next to its numbers
 };
 
-/// A tree of what the pixel is made of.
+/// A tree of the contributions to the pixel.
 std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
                          const ExplainStyle& style = {});
 
-/// docs/explain.md describes the document. `report` is null where there is nothing to explain;
-/// `error` says why then.
+/// The document described in docs/explain.md. If `report` is null, `error` says why.
 std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
                          const ExplainReport* report, const std::string& error = {});
 
-/// The words for faces of shapes, in the order of the enumerators of Face.
+/// Names of faces, indexed by Face.
 inline constexpr std::array<std::string_view, 9> face_words{"side", "top", "bottom", "+x", "-x",
                                                             "+y",   "-y",  "+z",     "-z"};
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_files = 20000;
 constexpr int most_folders = 8;
 
-// Only letters and digits, small.
+// Only letters and digits, in lower case.
 std::string plain(std::string_view name) {
   std::string result;
   for (const char c : name) {
@@ -25,7 +25,7 @@ std::string plain(std::string_view name) {
   return result;
 }
 
-// Folders that mean the same in layouts in use.
+// Maps folder names of different layouts to a common name.
 std::string meaning(std::string_view folder) {
   std::string word = plain(folder);
   static constexpr std::array<std::array<std::string_view, 2>, 12> same{
@@ -76,7 +76,7 @@ void add_files(const std::string& folder, bool (*wanted)(std::string_view),
   }
 }
 
-// How surely the names mean the same; 0: they do not.
+// The confidence that the names match; 0: they do not.
 int name_score(const FoundFile& reference, const FoundFile& picture) {
   if (reference.stem == picture.stem) {
     return 8;

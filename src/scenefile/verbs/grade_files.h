@@ -1,6 +1,6 @@
 #pragma once
-// Which files of a class are which pictures: names are matched through the folders in use, such as
-// student_outputs/illuminate/required/X.png against required_outputs/LIGHT/X.png.
+// Matches the files of a class with references, despite common folder layouts, such as
+// student_outputs/illuminate/required/X.png and required_outputs/LIGHT/X.png.
 
 #include <map>
 #include <string>
@@ -11,9 +11,9 @@ namespace scenefile {
 
 /// A file below a folder.
 struct FoundFile {
-  std::string path;                  ///< to open it
-  std::vector<std::string> folders;  ///< below the folder that was searched, the outermost first
-  std::string stem;                  ///< its name without the ending
+  std::string path;                  ///< for opening
+  std::vector<std::string> folders;  ///< below the searched folder, outermost first
+  std::string stem;                  ///< name without extension
 };
 
 /// The files below `folder` whose names are wanted, in the order of their names. What systems and
@@ -44,10 +44,11 @@ std::vector<int> match_pictures(const std::vector<FoundFile>& references,
                                 const std::vector<FoundFile>& pictures,
                                 const std::vector<NamePair>& map = {});
 
-/// Names that tell the references apart: the stem, with its folder where a stem occurs twice.
+/// Unique names of the references: the stem, with its folder if the stem is not unique.
 std::vector<std::string> reference_names(const std::vector<FoundFile>& references);
 
-/// Whether a folder of this name is part of a layout (illuminate, required, ...), not a student.
+/// Whether a folder with this name is part of a layout (illuminate, required, ...), rather than a
+/// student.
 bool is_layout_folder(std::string_view name);
 
 }  // namespace scenefile

@@ -34,9 +34,9 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
     return {};
   }
   return fmt::format(
-      "  PSNR {:.2f} dB, mean difference {:.3f}/255, greatest {}/255\n"
+      "  PSNR {:.2f} dB, mean difference {:.3f}/255, maximum {}/255\n"
       "  {:.3f} % of the pixels are off by more than {}/255\n"
-      "  SSIM {:.4f}, FLIP {:.4f} (greatest {:.4f})\n",
+      "  SSIM {:.4f}, FLIP {:.4f} (maximum {:.4f})\n",
       m.difference.psnr_db, m.difference.mean, m.difference.max, 100 * m.difference.share_over,
       threshold, m.ssim, m.flip_mean, m.flip_max);
 }
@@ -54,7 +54,7 @@ std::string verdict_text(const PictureComparison& found, const std::string& scen
                       : text + causes_text(found) + where_text(found, scene, test);
 }
 
-// `scene`: of --scene, or null. `found`: null when something cannot be used.
+// `scene`: that of --scene, or null. `found`: null if an input cannot be used.
 std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
                       const PictureComparison* found) {
   Json json;
@@ -99,7 +99,7 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
   return status;
 }
 
-// Says of a scene among pictures what it is, in place of why it cannot be decoded.
+// If one input is a scene, says so instead of why it cannot be decoded.
 void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
   if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
     loaded.error = fmt::format(
@@ -163,7 +163,7 @@ ExitCode diff_images(const Options& options, Context& context) {
   }
   const LoadedScene* const shown = scene ? &*scene : nullptr;
   const PictureComparison found = compare(a.picture, b.picture, shown, options, context);
-  // What is said is ready before something is written, so that nothing can fail afterwards.
+  // Prepares the output before writing files, so that nothing can fail afterwards.
   const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet
                                ? std::string()

@@ -1,4 +1,5 @@
-// The program: a table of commands. Each parses nothing, prints through output.h and returns.
+// The program: a table of commands. Commands parse nothing, print through output.h, and return a
+// status.
 
 #include "app/command.h"
 #include "app/help.h"
@@ -24,8 +25,8 @@ namespace {
 
 constexpr std::array table{
     Command{"render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
-            "Draws the scene to a picture. The picture appears whole or not at all, and does not "
-            "depend on the number of threads.",
+            "Draws the scene to a picture. The file is written completely or not at all. The "
+            "picture does not depend on the number of threads.",
             "scenefile render chess.xml -o chess.png\n"
             "scenefile render chess.xml -o chess.png --size 1920x1080 --samples 64\n"
             "scenefile render chess.xml -o chess.png --profile course --features shadows,reflect\n"
@@ -55,8 +56,8 @@ constexpr std::array table{
             run_frames},
     Command{"check", for_check, "SCENE...", "report every mistake, with its place",
             "Reads each scene with its textures and meshes and reports everything that is wrong or "
-            "doubtful. A folder means the scenes in it and in the folders below. The exit status "
-            "is 0 when there are no errors.",
+            "doubtful. A folder means the scenes in it and in its subfolders. The exit status is 0 "
+            "if there are no errors.",
             "scenefile check *.xml\n"
             "scenefile check handed-in/\n"
             "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"
@@ -64,17 +65,17 @@ constexpr std::array table{
             "scenefile check --no-assets --json - < scene.json\n"
             "scenefile check --sarif *.xml > findings.sarif",
             run_check, one_or_more},
-    Command{"info", for_info, "SCENE", "say what is in a scene",
+    Command{"info", for_info, "SCENE", "show what is in a scene",
             "Counts what the scene contains, before and after templates are expanded, and says "
             "where its textures and meshes were found.",
             "scenefile info chess.xml\n"
             "scenefile info --files --tree chess.xml\n"
             "scenefile info --json chess.xml",
             run_info},
-    Command{"convert", for_convert, "IN OUT", "write a scene in the other format, or cleanly",
+    Command{"convert", for_convert, "IN OUT", "convert a scene to another format, or clean it up",
             "Reads a scene in any dialect and writes it as clean XML or JSON that means the same, "
             "or for other programs: glTF 2.0, Wavefront OBJ and POV-Ray. Reads glTF models, too, "
-            "and writes their meshes and textures beside the scene. Whatever the target format "
+            "and writes their meshes and textures next to the scene. Whatever the target format "
             "cannot express is listed. Comments are not carried over. Texture and mesh names are "
             "adjusted if OUT is in another folder.",
             "scenefile convert chess.xml chess.json\n"
@@ -85,11 +86,10 @@ constexpr std::array table{
             "scenefile convert model.glb scene.xml\n"
             "scenefile convert chess.xml chess.pov && povray chess.pov File_Gamma=1.0",
             run_convert, two},
-    Command{"diff", for_diff, "A B", "say in what two scenes or two pictures differ",
-            "Compares two scenes by what they mean, node by node, whichever format each is "
-            "written in; or two pictures, the right one first: PSNR, SSIM, FLIP and, with the "
-            "scene, the mistake that explains the difference. The exit status is 0 when they are "
-            "the same and 1 when they are not.",
+    Command{"diff", for_diff, "A B", "show how two scenes or two pictures differ",
+            "Compares the meaning of two scenes, node by node, in any format; or two pictures, the "
+            "reference first: PSNR, SSIM, FLIP and, with the scene, the mistake that explains the "
+            "difference. The exit status is 0 if they are the same and 1 if they differ.",
             "scenefile diff old.xml new.xml\n"
             "scenefile diff chess.xml chess.json\n"
             "scenefile diff --json a.json b.json\n"
@@ -97,30 +97,30 @@ constexpr std::array table{
             "scenefile diff reference.png mine.png --min-psnr 40 --sheet sheet.png",
             run_diff, two},
     Command{"grade", for_grade, "DIR", "compare the pictures of a class with the references",
-            "Takes each folder in DIR for a student, or DIR for one, and compares the pictures "
-            "with the references of the same names. With the scenes it says which mistake "
-            "explains a difference. The exit status is 1 when a picture did not pass.",
+            "Takes each folder in DIR as a student, or DIR as a single one, and compares the "
+            "pictures with the references of the same names. With the scenes it says which mistake "
+            "explains a difference. The exit status is 1 if a picture did not pass.",
             "scenefile grade handed-in --references right\n"
             "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
             "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
             "scenefile grade mine --references right --gradescope results.json\n"
             "scenefile grade mine --references right --max-share 2 --junit results.xml",
             run_grade},
-    Command{"format", for_format, "FILE...", "lay out scene files, in place",
-            "Writes each file again with one element or member a line. Comments, values, their "
-            "order and spelling, and the encoding stay as they are; broken files are reported and "
-            "left alone. A file is replaced whole or not at all. A folder means the scenes in it "
-            "and in the folders below; other XML and JSON files are not touched. With -, standard "
+    Command{"format", for_format, "FILE...", "format scene files in place",
+            "Writes each file again with one element or member per line. Comments, values, their "
+            "order and spelling, and the encoding do not change; broken files are reported and not "
+            "changed. A file is replaced completely or not at all. A folder means the scenes in it "
+            "and in its subfolders; other XML and JSON files are not changed. With -, standard "
             "input is written to standard output.",
             "scenefile format chess.xml\n"
             "scenefile format scenes/\n"
             "scenefile format --check *.xml *.json\n"
             "scenefile format - < chess.xml",
             run_format, one_or_more},
-    Command{"explain", for_explain, "SCENE --pixel X,Y", "say how a pixel came to its color",
-            "Traces the samples of one pixel as render does with the same options, and shows "
-            "everything that one of them came to: the ray, the object, each light's terms, "
-            "shadows, reflections and refractions. The numbers add up to the pixel.",
+    Command{"explain", for_explain, "SCENE --pixel X,Y", "explain the color of a pixel",
+            "Traces the samples of one pixel as render does with the same options, and shows how "
+            "one of them is computed: the ray, the object, each light's terms, shadows, "
+            "reflections and refractions. The numbers add up to the pixel.",
             "scenefile explain chess.xml --pixel 320,240 --size 640x480\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --sample 2\n"
             "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
@@ -142,14 +142,13 @@ constexpr std::array table{
             "scenefile help codes\n"
             "scenefile help camera.up-parallel-to-look",
             run_help, at_most_one},
-    Command{
-        "version", for_version, "", "say which version this is",
-        "Prints the version, how the program was built, and "
-        "what traces rays on this machine: Embree's version and the instruction set of the lanes.",
-        "scenefile version\nscenefile --version", run_version, at_most_one},
+    Command{"version", for_version, "", "print the version",
+            "Prints the version, how the program was built, and what it traces rays with on this "
+            "machine: Embree's version and the instruction set.",
+            "scenefile version\nscenefile --version", run_version, at_most_one},
 };
 
-// The order in which statuses go before each other.
+// The precedence of exit statuses.
 constexpr std::array ranking{ExitCode::interrupted, ExitCode::terminated, ExitCode::environment,
                              ExitCode::limit,       ExitCode::findings,   ExitCode::usage,
                              ExitCode::fine};
@@ -160,7 +159,7 @@ ExitCode complain(std::string_view what, std::string_view topic) {
   return ExitCode::usage;
 }
 
-// What stands in the place of the command.
+// The error for an unknown command.
 std::string unknown_command(std::string_view name) {
   if (name.starts_with('-')) {
     return fmt::format("the command comes first, then options such as {}: scenefile COMMAND ...",
@@ -241,7 +240,7 @@ int main(int argc, char** argv) {
   scenefile::handle_signals();
   Context context;
   context.command_line = argv;
-  // Nothing here may need memory.
+  // Nothing here may allocate memory.
   try {
     const std::span<const char* const> words{argv + std::min(argc, 1),
                                              static_cast<std::size_t>(std::max(argc - 1, 0))};

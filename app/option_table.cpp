@@ -24,7 +24,7 @@ namespace scenefile::app {
 
 namespace {
 
-// A whole number in [min, max]; the words of the mistake otherwise.
+// Parses an integer in [min, max]; returns an error text otherwise.
 template <typename T>
 std::string set_number(const std::string& value, T min, T max, T& number) {
   const char* const end = value.data() + value.size();
@@ -42,7 +42,7 @@ std::string set_number(const std::string& value, T min, T max, std::optional<T>&
   return set_number(value, min, max, number.emplace());
 }
 
-// "unknown profile "corse"; did you mean course?", or which words there are.
+// "unknown profile "corse"; did you mean course?", or the list of words.
 std::string unknown_word(std::string_view what, std::string_view word,
                          std::span<const std::string_view> known) {
   const std::string nearest = did_you_mean(word, known);
@@ -51,7 +51,8 @@ std::string unknown_word(std::string_view what, std::string_view word,
       nearest.empty() ? fmt::format("; known: {}", fmt::join(known, ", ")) : nearest);
 }
 
-// The index of a word in a list; the words of the mistake otherwise. `what`: the word names one.
+// Parses a word of a list to its index; returns an error text otherwise. `what`: what the word
+// names.
 std::string set_choice(std::string_view what, const std::string& value,
                        std::span<const std::string_view> words, std::size_t& index) {
   for (index = 0; index < words.size(); ++index) {
@@ -62,8 +63,8 @@ std::string set_choice(std::string_view what, const std::string& value,
   return unknown_word(what, value, words);
 }
 
-// What is wrong with the form of a list, which is one argument. The shell splits a list with
-// blanks: then "shadows, reflect" is the list "shadows," and an argument "reflect".
+// Checks the form of a list, which must be a single argument. The shell splits a list with blanks,
+// such as "shadows, reflect", into the list "shadows," and the argument "reflect".
 std::string check_list(const std::string& value, std::string_view example) {
   const bool blank = value.find_first_of(" \t") != std::string::npos;
   if (blank || value.starts_with(',') || value.ends_with(',') ||
@@ -80,7 +81,7 @@ std::string set_output(Options& options, const std::string& value) {
 }
 
 std::string set_size(Options& options, const std::string& value) {
-  constexpr int most = 1 << 20;  // options.load.limits has the real one, once it is complete
+  constexpr int most = 1 << 20;  // options.load.limits is checked later, when it is complete
   const std::size_t cross = value.find_first_of("xX");
   if (cross == std::string::npos) {
     return fmt::format("{} is not a size such as 1024x768", quoted(value));
@@ -113,7 +114,7 @@ std::string set_pixel(Options& options, const std::string& value) {
   return wrong.empty() ? set_number(value.substr(comma + 1), 0, most, pixel.y) : wrong;
 }
 
-// Those of the tracer, and OpenGL's own.
+// The tracer's profiles, and OpenGL's own.
 constexpr std::array<std::string_view, 3> profile_choices{profile_words[0], profile_words[1],
                                                           "realtime"};
 
@@ -268,9 +269,7 @@ std::string set_timeout(Options& options, const std::string& value) {
 
 std::string set_checkpoint(Options& options, const std::string& value) {
   options.checkpoint = value;
-  return value.empty()  ? "the name is empty"
-         : value == "-" ? "it takes a file, which - is not"
-                        : "";
+  return value.empty() ? "the name is empty" : value == "-" ? "it must be a file, not -" : "";
 }
 
 std::string set_layers(Options& options, const std::string& value) {
@@ -351,7 +350,7 @@ std::string set_name(Options& options, const std::string& value) {
   return value.empty() ? "the name is empty" : "";
 }
 
-// A name of a file that is a PNG.
+// Parses the path of a PNG file.
 template <std::string Options::*name>
 std::string set_png(Options& options, const std::string& value) {
   options.*name = value;
@@ -361,7 +360,7 @@ std::string set_png(Options& options, const std::string& value) {
              : fmt::format("{} does not end in .png", quoted(value, 400));
 }
 
-// A number in [min, max].
+// Parses a number in [min, max].
 std::string read_number(const std::string& value, double min, double max, double& number) {
   const ParsedNumber parsed = parse_number(value);
   number = parsed.value;
@@ -403,15 +402,16 @@ constexpr std::array table{
         for_render | for_merge | for_frames, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
-    OptionRow{"--pixel", "", "X,Y", "The pixel to explain; 0,0 is the one at the top left. Needed.",
-              for_explain, set_pixel},
+    OptionRow{"--pixel", "", "X,Y",
+              "The pixel to explain; 0,0 is the one at the top left. Required.", for_explain,
+              set_pixel},
     OptionRow{"--mine", "", "PICTURE",
               "Your picture of the scene: its value beside ours, and what of ours would give it.",
               for_explain, set_name<&Options::mine>},
     OptionRow{
         "--sample", "", "N",
         "Show sample N of the pixel in full, counted from 0 (default: the one nearest to its "
-        "middle).",
+        "center).",
         for_explain,
         [](Options& o, const std::string& v) { return set_number(v, 0U, 0x7fffffffU, o.sample); }},
     OptionRow{"--engine", "", "NAME",
@@ -429,24 +429,25 @@ constexpr std::array table{
               "profile",
               {},
               true},
-    OptionRow{"--milestone", "", "NAME",
-              "Of --profile realtime: lights-camera (default) has directional lights alone, action "
-              "point lights and spotlights too, and the frame of its reference pictures.",
-              for_realtime, set_milestone},
+    OptionRow{
+        "--milestone", "", "NAME",
+        "With --profile realtime: lights-camera (default) has only directional lights; action also "
+        "has point lights and spotlights, and the frame of its reference pictures.",
+        for_realtime, set_milestone},
     OptionRow{"--parameters", "", "P1,P2",
-              "Of --profile realtime: the two parameters of the tessellation (default 5,5).",
+              "With --profile realtime: the two parameters of the tessellation (default 5,5).",
               for_realtime, set_parameters},
     OptionRow{"--near", "", "DEPTH",
-              "Of --profile realtime: clip what is nearer to the camera (default 0.1).",
+              "With --profile realtime: clip what is nearer to the camera (default 0.1).",
               for_realtime, set_depth<&RealtimeOptions::near>},
     OptionRow{"--far", "", "DEPTH",
-              "Of --profile realtime: clip what is farther from the camera (default 100).",
+              "With --profile realtime: clip what is farther from the camera (default 100).",
               for_realtime, set_depth<&RealtimeOptions::far>},
     OptionRow{"--filter", "", "NAME",
-              "Of --profile realtime: none (default), invert, grayscale, blur or sharpen.",
+              "With --profile realtime: none (default), invert, grayscale, blur or sharpen.",
               for_realtime, set_filter},
     OptionRow{"--features", "", "LIST",
-              "What is switched on, separated by commas: shadows, reflect, refract, texture, "
+              "Features to use, separated by commas: shadows, reflect, refract, texture, "
               "texture-filter, super-sample, depthoffield; or all, or none; or a project of the "
               "course: intersect (also sets --mode) or illuminate. Default: all, for course "
               "without super-sample.",
@@ -457,8 +458,8 @@ constexpr std::array table{
               for_tracing | for_pictures | for_view, set_mode, "mode"},
     OptionRow{
         "--samples", "", "N",
-        "Largest number of samples per pixel, for the profile fine (default 16; with --engine gl "
-        "1, 4, 16 or 64, by default 4, or 16 where most objects are a few pixels wide).",
+        "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
+        "1, 4, 16 or 64, by default 4, or 16 if most objects are a few pixels wide).",
         for_tracing,
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
         "samples"},
@@ -470,13 +471,12 @@ constexpr std::array table{
                 return set_number(v, 1, 65536, o.render.min_samples);
               },
               "min_samples"},
-    OptionRow{
-        "--fresnel", "", "",
-        "Glass reflects the share of light that Fresnel's equations give, for the profile fine.",
-        for_tracing, set_flag_of<&Options::render, &RenderOptions::fresnel>, "fresnel"},
+    OptionRow{"--fresnel", "", "",
+              "Glass reflects light according to Fresnel's equations, for the profile fine.",
+              for_tracing, set_flag_of<&Options::render, &RenderOptions::fresnel>, "fresnel"},
     OptionRow{
         "--max-depth", "", "N",
-        "Largest number of reflections and refractions in a row (default: fine 16, course 4).",
+        "Maximum number of reflections and refractions in a row (default: fine 16, course 4).",
         for_tracing | for_convert | for_pictures | for_view,
         [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.render.max_depth); },
         "max_depth"},
@@ -486,22 +486,23 @@ constexpr std::array table{
         for_tracing | for_pictures | for_view,
         [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.render.threads); },
         "threads"},
-    OptionRow{"--seed", "", "N", "Another pattern of noise, for the profile fine (default 0).",
+    OptionRow{"--seed", "", "N", "Selects the noise pattern, for the profile fine (default 0).",
               for_tracing,
               [](Options& o, const std::string& v) {
                 return set_number(v, std::uint64_t{0}, ~std::uint64_t{0}, o.render.seed);
               },
               "seed"},
-    OptionRow{"--scene", "", "SCENE",
-              "What the first picture shows: look for the mistake that makes the second one of it.",
-              for_diff, set_name<&Options::scene>},
+    OptionRow{
+        "--scene", "", "SCENE",
+        "The scene of the pictures: look for the mistake that turns the first one into the second.",
+        for_diff, set_name<&Options::scene>},
     OptionRow{"--heatmap", "", "OUT", "Write a picture of the differences: a .png.", for_diff,
               set_png<&Options::heatmap>},
     OptionRow{"--sheet", "", "OUT",
               "Write both pictures, their differences and FLIP side by side: a .png.", for_diff,
               set_png<&Options::sheet>},
-    OptionRow{"--references", "", "DIR", "The folder of the right pictures. Needed.", for_grade,
-              set_name<&Options::references>},
+    OptionRow{"--references", "", "DIR", "The folder of the reference pictures. Required.",
+              for_grade, set_name<&Options::references>},
     OptionRow{"--scenes", "", "DIR",
               "The scenes of the pictures, by the same names (default: with the references).",
               for_grade, set_name<&Options::scenes>},
@@ -523,13 +524,13 @@ constexpr std::array table{
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",
-              "Pictures differ below so many dB. For pictures, as are the next ones; without any "
-              "of them diff asks for equality and grade for 40 dB.",
+              "Pictures differ below this PSNR. This and the next options apply to pictures; "
+              "without any of them diff requires equality and grade 40 dB.",
               for_pictures, set_threshold<&Thresholds::min_psnr_db, 99>},
     OptionRow{"--max-mean", "", "N", "Pictures differ above this mean difference in 1/255.",
               for_pictures, set_threshold<&Thresholds::max_mean, 255>},
     OptionRow{"--max-difference", "", "N",
-              "Pictures differ where a value is off by more, in 1/255.", for_pictures,
+              "Pictures differ if any value is off by more than this, in 1/255.", for_pictures,
               [](Options& o, const std::string& v) {
                 return set_number(v, 0, 255, o.thresholds.max_difference);
               }},
@@ -537,17 +538,17 @@ constexpr std::array table{
               "Pictures differ when more of the pixels are off by more than --pixel-threshold.",
               for_pictures, set_max_share},
     OptionRow{
-        "--pixel-threshold", "", "N", "When a pixel is off, in 1/255 (default 8).", for_pictures,
+        "--pixel-threshold", "", "N",
+        "A pixel is off if a value differs by more than this, in 1/255 (default 8).", for_pictures,
         [](Options& o, const std::string& v) { return set_number(v, 0, 255, o.pixel_threshold); }},
     OptionRow{"--min-ssim", "", "N", "Pictures differ below this SSIM.", for_pictures,
               set_threshold<&Thresholds::min_ssim, 1>},
     OptionRow{"--max-flip", "", "N", "Pictures differ above this mean FLIP.", for_pictures,
               set_threshold<&Thresholds::max_flip, 1>},
-    OptionRow{
-        "--to", "", "FORMAT",
-        "xml, json, glb, gltf (glTF 2.0), obj (Wavefront) or pov (POV-Ray 3.7), where the name of "
-        "the output does not say it, or says something else.",
-        for_convert, set_to},
+    OptionRow{"--to", "", "FORMAT",
+              "xml, json, glb, gltf (glTF 2.0), obj (Wavefront) or pov (POV-Ray 3.7); needed if "
+              "the extension of the output is missing or different.",
+              for_convert, set_to},
     OptionRow{"--segments", "", "N",
               "Segments of a full turn of round shapes, for output in glTF and OBJ (default 64).",
               for_convert,
@@ -556,32 +557,33 @@ constexpr std::array table{
               "Save the state of the render in this file, at least every 10 seconds, and continue "
               "from it if it exists. It is removed when the picture is written.",
               for_render, set_checkpoint, "", known_to_tracer},
-    OptionRow{"--crop", "", "X0,Y0,X1,Y1",
-              "Only the pixels from column X0 and row Y0 up to, but without, X1 and Y1 (row 0 on "
-              "top), exactly as they are in the whole picture; the file has the size of the part.",
-              for_render | for_frames, set_crop, "crop"},
+    OptionRow{
+        "--crop", "", "X0,Y0,X1,Y1",
+        "Draw only the pixels from column X0 and row Y0 up to, but not including, X1 and Y1 (row 0 "
+        "at the top), exactly as in the whole picture; the file has the size of the region.",
+        for_render | for_frames, set_crop, "crop"},
     OptionRow{"--aov", "", "LIST",
               "Layers in addition to the picture, separated by commas: depth, normal, uv, albedo, "
               "object-id, light-1 (light-2, ...), shadow, reflection-depth. Into the same .exr, or "
               "for x.png into x.depth.png and so on.",
               for_render | for_frames, set_layers, "layers"},
-    OptionRow{
-        "--denoise", "", "",
-        "Remove the noise that few samples of area lights and lenses leave, for the profile fine.",
-        for_render | for_frames, set_flag_of<&Options::render, &RenderOptions::denoise>, "denoise"},
-    OptionRow{"--window", "", "WxH", "Size of the window (default: as it was last).", for_view,
+    OptionRow{"--denoise", "", "",
+              "Remove the noise of area lights and lenses with few samples, for the profile fine.",
+              for_render | for_frames, set_flag_of<&Options::render, &RenderOptions::denoise>,
+              "denoise"},
+    OptionRow{"--window", "", "WxH", "Size of the window (default: the last size).", for_view,
               set_window},
-    OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R switches it.",
+    OptionRow{"--trace", "", "", "Trace rays when the camera rests; the key R toggles it.",
               for_view, set_flag<&Options::live_trace>},
     OptionRow{"--screenshot", "", "OUT",
-              "Write a picture of the window, a .png, when everything is there, and close it.",
+              "Write a picture of the window, a .png, when everything is loaded, and close it.",
               for_view, set_png<&Options::screenshot>},
-    OptionRow{"--frames", "", "N", "With --screenshot: draw so many frames before it (default 1).",
+    OptionRow{"--frames", "", "N", "With --screenshot: draw this many frames first (default 1).",
               for_view,
               [](Options& o, const std::string& v) { return set_number(v, 1, 100000, o.frames); }},
     OptionRow{"--script", "", "FILE",
-              "Do what the file says in place of a user, then close the window; docs/viewer.md has "
-              "the steps.",
+              "Run the steps in this file instead of a user's input, then close the window; "
+              "docs/viewer.md lists the steps.",
               for_view, set_name<&Options::script>},
     OptionRow{
         "--part", "", "I/N",

@@ -19,7 +19,7 @@ namespace scenefile::app {
 
 namespace {
 
-// CLI11 takes "-o,--output".
+// CLI11 uses the form "-o,--output".
 std::string names_of(const OptionRow& row) {
   return row.letter.empty() ? std::string(row.name) : fmt::format("{},{}", row.letter, row.name);
 }
@@ -43,7 +43,7 @@ void add_option(CLI::App& parser, const OptionRow& row, Options& options) {
       ->allow_extra_args(false);
 }
 
-// Takes over what was given, first what others change the defaults of.
+// Parses the given options, first those that affect the defaults of others.
 std::string set_given(Options& options) {
   std::stable_partition(options.given.begin(), options.given.end(),
                         [](const GivenOption& given) { return given.row->sets_defaults; });
@@ -78,7 +78,7 @@ std::string missing_value(std::string_view words) {
   return std::string(words);
 }
 
-// ".xml" for "a/B.XML"; empty without one.
+// ".xml" for "a/B.XML"; empty if there is none.
 std::string lower_case_extension(std::string_view path) {
   const std::size_t dot = path.find_last_of("./");
   return dot == std::string_view::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot));
@@ -141,7 +141,7 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
   return {};
 }
 
-// The format that --to or the name of the output says.
+// The format, from --to or from the extension of the output.
 std::string choose_format(Options& options) {
   const std::string& output = options.arguments[1];
   if (!options.to.has_value()) {
@@ -165,7 +165,7 @@ std::string choose_format(Options& options) {
   return {};
 }
 
-// What was given must mean something to whom it is given.
+// Checks that each option has an effect with the selected engine and profile.
 std::string check_known(const Options& options) {
   for (const auto& [row, value] : options.given) {
     const KnownTo known = row->field.empty() ? row->known : who_knows(row->field);
@@ -185,11 +185,11 @@ std::string check_known(const Options& options) {
   return options.engine == Engine::trace || !was_given(options, "--samples") || samples == 1 ||
                  samples == 4 || samples == 16 || samples == 64
              ? std::string()
-             : fmt::format("--samples: OpenGL takes 1, 4, 16 or 64 samples a pixel, not {}",
+             : fmt::format("--samples: OpenGL takes 1, 4, 16 or 64 samples per pixel, not {}",
                            samples);
 }
 
-// What the options of view cannot see alone.
+// Checks of view that need more than one option.
 std::string check_window(const Options& options) {
   return options.frames != 1 && options.screenshot.empty()
              ? "--frames is for --screenshot: say where the picture goes"
@@ -199,7 +199,7 @@ std::string check_window(const Options& options) {
 std::string check_crop(const Options& options) {
   if (const std::optional<PixelRegion>& crop = options.render.crop;
       crop.has_value() && (crop->x1 > options.render.width || crop->y1 > options.render.height)) {
-    return fmt::format("--crop: {},{},{},{} reaches out of the picture of {}x{}", crop->x0,
+    return fmt::format("--crop: {},{},{},{} extends outside of the picture of {}x{}", crop->x0,
                        crop->y0, crop->x1, crop->y1, options.render.width, options.render.height);
   }
   return {};
@@ -219,7 +219,7 @@ std::string check_picture(const Options& options, std::string_view command) {
   return check_output(command, options.output);
 }
 
-// What the options of render cannot see alone.
+// Checks of render that need more than one option.
 std::string check_render(const Options& options) {
   if (!options.checkpoint.empty() && (options.render.denoise || !options.render.layers.empty())) {
     return fmt::format("a render with --checkpoint cannot have {}",
@@ -284,7 +284,7 @@ std::string check_merge(const Options& options) {
   return options.missing ? std::string() : check_output("merge", options.output);
 }
 
-// What no option can see alone.
+// Checks that need more than one option.
 std::string check_together(const Command& command, Options& options) {
   if (std::string wrong = check_count(command, options.arguments); !wrong.empty()) {
     return wrong;
@@ -297,7 +297,7 @@ std::string check_together(const Command& command, Options& options) {
     return "the file and --json cannot both go to standard output";
   }
   if (command.bit == for_grade && options.references.empty()) {
-    return "grade needs the right pictures: --references DIR";
+    return "grade needs the reference pictures: --references DIR";
   }
   if (command.bit == for_explain) {
     if (std::string wrong = check_pixel(options); !wrong.empty()) {
@@ -308,11 +308,11 @@ std::string check_together(const Command& command, Options& options) {
     return wrong;
   }
   if (options.json && options.sarif) {
-    return "--json and --sarif are two answers: choose one";
+    return "--json and --sarif are two output formats: choose one";
   }
   if (const int most = static_cast<int>(options.load.limits.image_side);
       options.render.width > most || options.render.height > most) {
-    return fmt::format("--size: {}x{} is more than the limit of {} pixels a side",
+    return fmt::format("--size: {}x{} is more than the limit of {} pixels per side",
                        options.render.width, options.render.height, most);
   }
   return command.bit == for_render   ? check_render(options)
@@ -342,7 +342,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   } catch (const CLI::ParseError& error) {
     return escaped(error.what());
   }
-  // CLI11 leaves the "--" that ends the options among what it does not know.
+  // CLI11 leaves the "--" that ends the options among the unknown words.
   for (const std::string& unknown : parser.remaining()) {
     if (unknown != "--") {
       return unknown_option(command, unknown);

@@ -49,14 +49,14 @@ std::vector<Target> targets_of(const Options& options) {
   if (!options.checkpoint.empty()) {
     targets.push_back({"checkpoint", options.checkpoint});
   }
-  // A preview may lie where the picture will be.
+  // The preview may have the same path as the output.
   if (!options.preview.empty() && !same_file(options.preview, options.output)) {
     targets.push_back({"preview", options.preview});
   }
   return targets;
 }
 
-// What would make the work useless, found before it starts.
+// Detects reasons for failure before the work starts.
 ExitCode check_targets(const Options& options) {
   std::vector<Target> files{{"scene", options.arguments.front()}};
   for (Target& target : targets_of(options)) {
@@ -129,7 +129,7 @@ Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* p
   report.stats = result.stats;
   Outcome outcome = judge(result.status, context);
   if (result.status == RenderStatus::cancelled && !options.checkpoint.empty()) {
-    outcome.error += "; the same command goes on from the checkpoint";
+    outcome.error += "; the same command continues from the checkpoint";
   }
   if (outcome.error.empty()) {
     outcome = picture != nullptr ? write_part(options, *picture, result, context)

@@ -1,4 +1,4 @@
-// Renders that are cut short.
+// Interrupted renders.
 
 #include "app/run_program.h"
 
@@ -38,15 +38,15 @@ constexpr const char* slow_scene = R"(<scenefile>
 </scenefile>
 )";
 
-// A render that takes far longer than the tests wait.
+// A render that takes much longer than the tests wait.
 std::vector<std::string> long_render(const std::string& seed = "0") {
   return {"render",    "s.xml", "-o",           "out.png", "--size",        "1600x1200",
           "--threads", "1",     "--samples",    "256",     "--min-samples", "256",
           "--seed",    seed,    "--checkpoint", "ck"};
 }
 
-// How long it runs. Under a sanitizer the grace after a signal may be over before the state is
-// kept; there it runs until a state has been kept without one.
+// When to interrupt. With sanitizers, the grace period after a signal may be too short to save the
+// state; the test then waits for a regular checkpoint.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool keeps_in_grace = false;
 constexpr int interrupted_after_ms = 9000;
@@ -78,7 +78,7 @@ TEST_F(CheckpointTest, AnInterruptedRenderGoesOn) {
   const ProgramRun again = run(long_render(), SIGTERM, interrupted_after_ms);
   EXPECT_EQ(again.status, 143);
   if (keeps_in_grace) {
-    EXPECT_THAT(again.err, HasSubstr("the same command goes on from the checkpoint"));
+    EXPECT_THAT(again.err, HasSubstr("the same command continues from the checkpoint"));
   }
   EXPECT_THAT(folder_.list(), ElementsAre("ck", "s.xml"));
 }

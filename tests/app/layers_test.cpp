@@ -86,7 +86,7 @@ TEST_F(RenderLayers, MistakesAreUsageErrors) {
       {{"--crop", "1,2,3"}, "is not a region such as"},
       {{"--crop", "1,2,3,4,5"}, "is not a whole number"},
       {{"--crop", "5,5,5,9"}, "contains no pixels"},
-      {{"--crop", "0,0,33,24"}, "reaches out of the picture of 32x24"},
+      {{"--crop", "0,0,33,24"}, "extends outside of the picture of 32x24"},
       {{"--denoise", "--profile", "course"}, "--denoise is for the profile fine"},
       {{"--denoise", "--checkpoint", "c"}, "cannot have --denoise"},
       {{"--preview", "p.jpg"}, "must end in .png"},

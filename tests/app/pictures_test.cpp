@@ -1,4 +1,4 @@
-// scenefile diff on pictures, and scenefile grade.
+// scenefile diff for pictures, and scenefile grade.
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
@@ -17,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A picture, the same with twice the ambient light, and one of another size.
+// A picture, the same with twice the ambient light, and one with a different size.
 struct Pictures : ::testing::Test {
   Pictures() {
     scene = folder.write("ball.xml", ball("0.2"));
@@ -89,7 +89,7 @@ TEST_F(DiffImages, ASceneThatCannotBeUsedIsNotPassedOver) {
 
 TEST_F(DiffImages, WithoutASceneSaysThatOneHelps) {
   const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
-  EXPECT_THAT(alone.out, HasSubstr("looked for only with --scene SCENE"));
+  EXPECT_THAT(alone.out, HasSubstr("most causes need --scene SCENE"));
   const ProgramRun with = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
   EXPECT_THAT(with.out, Not(HasSubstr("--scene SCENE")));
 }
@@ -227,7 +227,7 @@ TEST_F(Grade, ALinkIsNoPicture) {
   std::filesystem::create_symlink("../../references/ball.png", folder.path("class/eve/ball.png"));
   const ProgramRun run = in_folder({"grade", "class", "--references", "references"});
   EXPECT_EQ(run.status, 1);
-  EXPECT_THAT(run.out, HasSubstr("ball: unreadable: a symbolic link is handed in"));
+  EXPECT_THAT(run.out, HasSubstr("ball: unreadable: a symbolic link was submitted"));
 }
 
 TEST_F(Grade, OneStudentWhoPasses) {

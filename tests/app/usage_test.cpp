@@ -1,4 +1,4 @@
-// What the program says about itself, and to those who hold it wrong.
+// Help, version, and errors in the command line.
 
 #include "app/run_program.h"
 
@@ -74,7 +74,7 @@ TEST(Usage, JudgesValues) {
   };
   is_misuse(render("--size", "big"), R"(--size: "big" is not a size such as 1024x768)");
   is_misuse(render("--size", "0x5"), R"("0" is not a whole number from 1 to)");
-  is_misuse(render("--size", "5x65537"), "5x65537 is more than the limit of 65536 pixels a side");
+  is_misuse(render("--size", "5x65537"), "5x65537 is more than the limit of 65536 pixels per side");
   is_misuse(render("--size", "4x4x4"), R"("4x4" is not a whole number)");
   is_misuse(render("--profile", "curse"),
             R"(--profile: unknown profile "curse"; did you mean course?)");

@@ -50,10 +50,10 @@ std::string percent(double share) {
 struct Point {
   int x = 0;
   int y = 0;
-  dvec3 test{0};  // in 1/255, as all colors here
-  dvec3 low{0};   // of what counts as the same
+  dvec3 test{0};  // in 1/255, like all colors here
+  dvec3 low{0};   // range of equal values
   dvec3 high{0};
-  double weight = 1;  // pixels that it stands for
+  double weight = 1;  // number of pixels that it represents
   bool differs = false;
 };
 
@@ -70,7 +70,7 @@ double largest_of(const dvec3& v) {
   return std::max({v.x, v.y, v.z});
 }
 
-// The least and the greatest of the pixels around.
+// The minimum and maximum over the neighboring pixels.
 struct Range {
   dvec3 low, high;
   bool calm() const { return largest_of(high - low) <= 12; }
@@ -88,7 +88,7 @@ Range around(const Texture& t, int x, int y) {
   return range;
 }
 
-using Colors = std::vector<dvec3>;  // of the points; 255 is full, not clamped
+using Colors = std::vector<dvec3>;  // by point; 255 is full, not clamped
 
 struct Score {
   double left = 0;    // what differs still, beyond the tolerance, in 1/255 * pixels
@@ -116,7 +116,7 @@ Score score(const std::vector<Point>& points, std::size_t count, const Colors& c
   return s;
 }
 
-// Several mistakes at once, by their places in the list.
+// Several mistakes at once, as indices into the list.
 using Together = std::vector<std::uint16_t>;
 
 struct Tried {
@@ -128,7 +128,7 @@ struct Tried {
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
 };
 
-// A class of pixels and points of it, drawn at random but always the same.
+// Adds random but reproducible points of a class of pixels.
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points) {
@@ -143,7 +143,7 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
     const Range of_test = around(test, p.x, p.y);
     const Range of_reference = around(reference, p.x, p.y);
     const dvec3 r = at(reference, p.x, p.y);
-    // Where the reference has an edge, the places of edges are not compared, only colors nearby.
+    // At edges of the reference, positions of edges are not compared, only nearby colors.
     const bool exactly =
         strict || (of_reference.calm() && (differs || of_test.calm())) ||
         (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);
@@ -155,11 +155,11 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
   }
 }
 
-// The pixels that differ by more than edges and rounding can, and the others.
+// The pixels that differ by more than edges and rounding explain, and the others.
 struct Pixels {
   std::vector<std::uint32_t> different;
   std::vector<std::uint32_t> same;
-  std::vector<std::uint32_t> off;  // by more than 8/255, edges or not
+  std::vector<std::uint32_t> off;  // by more than 8/255, including edges
 };
 
 Pixels sorted_pixels(const Texture& reference, const Texture& test) {
@@ -307,7 +307,8 @@ class Search {
     usable_ = report_.share_scene_unlike <= most_unlike;
   }
 
-  // Points where one sample at the middle gives what the test has differ by samples alone.
+  // Drops points that match the test with a single sample at the center: they only differ by
+  // sampling.
   void drop_what_samples_explain(bool tolerant) {
     if (!usable_) {
       return;
@@ -325,7 +326,7 @@ class Search {
     points_ = std::move(kept);
   }
 
-  // So that the first points are of both kinds, in the shares that screening wants.
+  // Mixes both kinds of points in the proportions for screening.
   void interleave(std::size_t different) {
     std::vector<Point> mixed;
     std::size_t d = 0;
@@ -411,7 +412,7 @@ class Search {
     return b;
   }
 
-  // What the scene is drawn as, with these mistakes; nothing where none touches the drawing.
+  // The picture with these mistakes; nullopt if none affects drawing.
   std::optional<Colors> drawn(const Together& together, std::size_t count, const Turn& turn) const {
     Touches touches = Touches::picture;
     bool hits = false;
@@ -443,7 +444,7 @@ class Search {
 
   static constexpr std::uint16_t no_member = 0xffff;
 
-  // The only one that touches the drawing, if it is only one.
+  // The mistake that affects drawing, if it is the only one.
   std::uint16_t drawing_member(const Together& together) const {
     std::uint16_t found = no_member;
     for (const std::uint16_t i : together) {
@@ -457,7 +458,7 @@ class Search {
     return found;
   }
 
-  // Draws the single mistakes once, for the pairs of each with what changes the finished picture.
+  // Draws single mistakes once, to combine each with those that change the finished picture.
   void fill_cache(std::size_t count) {
     cache_.clear();
     count = std::min(count, points_.size());
@@ -490,8 +491,8 @@ class Search {
     }
   }
 
-  // The best score of what the test may be: the changed drawing, or the reference with the change
-  // added to it.
+  // The best score of two candidates for the test: the changed drawing, or the reference plus the
+  // change.
   Score score_of(const Together& together, std::size_t count,
                  const std::optional<Colors>& known = std::nullopt) const {
     Turn turn;
@@ -544,7 +545,7 @@ class Search {
     return t;
   }
 
-  // Each alone or together, several at once where there are processors.
+  // Tries each set, in parallel if possible.
   std::vector<Tried> try_all(const std::vector<Together>& sets, std::size_t count, double from,
                              double to) {
     count = std::min(count, points_.size());
@@ -635,7 +636,7 @@ class Search {
     }
   }
 
-  // The best of those that were screened, at all points; the likelier first where they are alike.
+  // The best screened mistakes, evaluated at all points; among similar ones the more likely first.
   std::vector<Tried> verified(const std::vector<Tried>& ranked, std::size_t count, double from,
                               double to) {
     std::vector<Together> sets;
@@ -651,7 +652,7 @@ class Search {
     if (result.empty()) {
       return result;
     }
-    // Among those that leave the same, the one that stands first in the list.
+    // Among those with the same remaining difference, the first in the list.
     const double limit = tie_limit(result.front().score.raw, all);
     auto last = result.begin();
     while (last != result.end() && last->score.raw <= limit) {
@@ -663,8 +664,8 @@ class Search {
     return result;
   }
 
-  // What is worth to be tried with others: the best, those that make many pixels right, and what
-  // changes the whole picture.
+  // What to combine with others: the best, those that correct many pixels, and changes of the whole
+  // picture.
   std::vector<Together> firsts(const std::vector<Tried>& ranked) const {
     std::vector<Together> result;
     const auto add = [&](const Together& t) {
@@ -689,7 +690,7 @@ class Search {
     return result;
   }
 
-  // Each start with each single mistake that is not in it.
+  // Combines each start with each single mistake that it does not contain.
   std::vector<Tried> extended(const std::vector<Together>& starts, std::size_t count, double from,
                               double to) {
     std::vector<Together> sets;
@@ -710,7 +711,7 @@ class Search {
     return result;
   }
 
-  // Two of one kind rarely add up: they replace each other.
+  // Two mistakes of the same kind rarely combine: one replaces the other.
   bool fits(const Together& start, std::uint16_t other) const {
     if (list_[other].touches == Touches::shapes && shapes_->parts.size() > most_edited) {
       return false;
@@ -727,7 +728,7 @@ class Search {
     });
   }
 
-  // Adds what explains most of the rest, where there is a rest.
+  // Adds the mistake that explains most of the remaining difference, if any.
   Tried completed(const Tried& found) {
     const Base b = base(points_.size());
     const double rest = found.score.left;
@@ -823,7 +824,7 @@ class Search {
     return true;
   }
 
-  // One color where nothing is hit.
+  // A uniform color where nothing is hit.
   void add_background() {
     std::map<std::array<int, 3>, double> colors;
     double all = 0;
@@ -1120,7 +1121,7 @@ class Search {
       between += largest_of(outside(p.test, low - 4.0, high + 4.0)) <= 0 ? 1 : 0;
       scattered += right_beside(p) ? 1 : 0;
       const RenderMaterial& m = trial.scene.materials[clean({}).hits[i].part->material];
-      // Mirrors that start in themselves may show anything.
+      // Mirrors with self-intersections may show anything.
       if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
         ++dull;
         lacking += lacks_lights(p.test, clean({}).drawn[i], model.light_shares(ray)) ? 1 : 0;
@@ -1174,7 +1175,7 @@ class Search {
     return right >= 1;
   }
 
-  // Shifts of less than a pixel show at edges alone.
+  // Shifts by less than a pixel are only visible at edges.
   void search_shifts(const Pixels& pixels) {
     points_.clear();
     std::mt19937 random(3);
@@ -1210,14 +1211,14 @@ class Search {
   std::vector<Hypothesis> list_;
   std::vector<Point> points_;
   std::array<Clean, 4> clean_;
-  std::vector<Colors> cache_;  // of the single mistakes, at the first points
+  std::vector<Colors> cache_;  // by single mistake, at the first points
   mutable std::atomic<std::uint64_t> rays_ = 0;
   bool usable_ = false;
   bool stopped_ = false;
   CauseReport report_;
 };
 
-// Values that are one off, to the one side and the other, and those further off.
+// Counts of values that are one higher, one lower, or differ by more.
 struct Steps {
   std::size_t up = 0;
   std::size_t down = 0;
@@ -1246,8 +1247,8 @@ std::optional<Claim> find_rounding(const Texture& reference, const Texture& test
   }
   const bool up = steps.up > steps.down;
   return Claim{Cause::rounding,
-               up ? "values are rounded where the reference truncates (no mistake by itself)"
-                  : "values are truncated where the reference rounds (no mistake by itself)",
+               up ? "values are rounded where the reference truncates (not a mistake by itself)"
+                  : "values are truncated where the reference rounds (not a mistake by itself)",
                fmt::format("{} of all values are off by one, {} of those to the {} side",
                            percent(near / values), percent(larger / near), up ? "bright" : "dark"),
                near / (near + static_cast<double>(steps.far))};

@@ -117,7 +117,7 @@ void add_overflow(Hypotheses& list) {
                 }
                 return c;
               });
-  add_picture(list, Cause::overflow, "colors over 1 are scaled down by their greatest value",
+  add_picture(list, Cause::overflow, "colors over 1 are scaled down by their maximum",
               [](const dvec3& color) {
                 const double most = std::max({color.x, color.y, color.z, 1.0});
                 return color / most;
@@ -351,7 +351,7 @@ class Maker {
     list_.push_back({cause, std::move(what), touches, std::move(draw), {}, {}});
   }
 
-  // One value of an enumeration of ModelMistakes.
+  // Sets one value of an enumeration in ModelMistakes.
   template <typename T>
   void set(Cause cause, T ModelMistakes::*member, T value, std::string what,
            Touches touches = Touches::shading) {
@@ -591,7 +591,7 @@ class Maker {
     if (positional) {
       put(L::reversed_positional, "vectors to point and spot lights point away from them");
       put(L::to_origin, "point lights shine along one direction everywhere");
-      change_lights(Cause::lights, "lights stand at the world's origin",
+      change_lights(Cause::lights, "lights are at the world's origin",
                     [](RenderLight& l) { l.position = glm::vec3(0); });
       change_lights(Cause::lights, "the position of lights is mirrored at the origin",
                     [](RenderLight& l) { l.position = -l.position; });
@@ -762,7 +762,7 @@ class Maker {
          [](RenderLight& l) { l.inner_angle = l.outer_angle; });
     put(S::linear, "spots fall off in a straight line, not by the smoothstep");
     spot("spots end at their inner angle", [](RenderLight& l) { l.outer_angle = l.inner_angle; });
-    spot("the penumbra lies outside the angle of the spot, not inside", [](RenderLight& l) {
+    spot("the penumbra is outside the angle of the spot, not inside", [](RenderLight& l) {
       const float penumbra = l.outer_angle - l.inner_angle;
       l.inner_angle = l.outer_angle;
       l.outer_angle += penumbra;
@@ -839,19 +839,19 @@ class Maker {
     };
     const bool positional = types_.contains(LightType::point) || types_.contains(LightType::spot);
     if (positional) {
-      put(S::beyond_light, "what lies behind a light shadows, too: the distance is not compared");
+      put(S::beyond_light, "objects behind a light cast shadows too: the distance is not compared");
     }
     if (scene_.lights.size() > 1) {
       put(S::ambient_only,
           "where one light is shadowed, all are lost: only the ambient term is left");
-      put(S::stops, "lights behind the first shadowed one are lost");
+      put(S::stops, "lights after the first shadowed one are lost");
       put(S::first_light_for_all, "the shadow of the first light counts for all");
     }
     put(S::reversed, "shadow rays run away from the light");
     put(S::black, "shadows are black: the ambient term is lost");
     put(S::no_ambient_if_all, "where every light is shadowed, the ambient term is lost, too");
-    put(S::keeps_specular, "shadows take the diffuse term alone");
-    put(S::keeps_diffuse, "shadows take the specular term alone");
+    put(S::keeps_specular, "shadows remove only the diffuse term");
+    put(S::keeps_diffuse, "shadows remove only the specular term");
     put(S::half, "shadows take half of the light");
     if (types_.contains(LightType::spot)) {
       put(S::spot_along_axis, "shadow rays of spots run along the axis of the spot");
@@ -933,7 +933,7 @@ class Maker {
     put(T::blend_reversed, "the blend of textures is reversed");
     put(T::added, "textures are added to the diffuse color, not blended with it");
     put(T::blend_drops_color, "what the blend leaves of the diffuse color is lost");
-    put(T::no_coefficient_on_rest, "the diffuse color beside the texture lacks its coefficient");
+    put(T::no_coefficient_on_rest, "the diffuse color blended with the texture lacks its coefficient");
     put(T::unlit, "textures are drawn without N.L");
     put(T::blue_red, "red and blue of textures are exchanged");
     put(T::gray, "textures are gray");
@@ -969,8 +969,8 @@ class Maker {
     if (any_material(scene_, [](const RenderMaterial& m) {
           return m.texture.repeat_u != m.texture.repeat_v || m.texture.repeat_u != 1;
         })) {
-      change("textures repeat along u alone", [](RenderMaterial& m) { m.texture.repeat_v = 1; });
-      change("textures repeat along v alone", [](RenderMaterial& m) { m.texture.repeat_u = 1; });
+      change("textures repeat only along u", [](RenderMaterial& m) { m.texture.repeat_v = 1; });
+      change("textures repeat only along v", [](RenderMaterial& m) { m.texture.repeat_u = 1; });
     }
   }
 
@@ -997,9 +997,9 @@ class Maker {
         "reflections are blended with the lighting by the coefficient alone, not added");
     put(M::averaged, "reflections and lighting are averaged, not added");
     put(M::replaces, "reflections replace the lighting");
-    put(M::not_chained, "weights are not chained: behind the first mirror nothing is weighted");
+    put(M::not_chained, "weights are not chained: nothing after the first mirror is weighted");
     put(M::last_weight_only,
-        "weights are not chained: each bounce has the weight of its own mirror alone");
+        "weights are not chained: each reflection has only the weight of its own mirror");
     put(M::eye_at_camera, "highlights in reflections aim at the camera, not along the ray");
     put(M::specular_color, "reflections are weighted by the specular color");
     put(M::all_materials, "all that has highlights reflects");
@@ -1012,7 +1012,7 @@ class Maker {
     put(M::doubled, "reflections are added twice");
     put(M::halved, "reflections are halved");
     put(M::diffuse_coefficient, "reflections are weighted by the diffuse coefficient");
-    put(M::no_local, "mirrors have no light of their own");
+    put(M::no_local, "mirrors are not lit");
     put(M::times_cosine, "reflections are multiplied by the cosine of the view");
     put(M::times_diffuse, "reflections are multiplied by the diffuse color");
     put(M::white_background, "reflections of nothing are white");
@@ -1037,11 +1037,11 @@ class Maker {
     put(G::no_coefficient, "refraction lacks the global transparent coefficient");
     put(G::color_ignored, "the transparent color is ignored");
     put(G::blended, "refraction is blended with the lighting, not added");
-    put(G::no_total_reflection, "where all is reflected inside, nothing is seen");
+    put(G::no_total_reflection, "total internal reflection is black");
     put(G::black_inside, "rays end inside of transparent objects");
     put(G::mirrored, "transparent objects mirror: the wrong direction is taken");
     put(G::times_diffuse, "refraction is multiplied by the diffuse color");
-    put(G::no_local, "transparent objects have no light of their own");
+    put(G::no_local, "transparent objects are not lit");
     put(G::ior_one_and_half, "the index of refraction is always 1.5");
     put(G::half, "refraction is halved");
   }
@@ -1131,7 +1131,7 @@ class Maker {
       }
     }
     if (cone) {
-      edit_shapes("cones stand on their apex", [](RenderGroup& g) {
+      edit_shapes("cones are upside down", [](RenderGroup& g) {
         for (RenderPrimitive& p : g.primitives) {
           if (p.shape == Shape::cone) {
             p.group_from_object.linear[1] *= -1.0f;
@@ -1201,9 +1201,9 @@ class Maker {
     put(N::object_distance_everywhere,
         "distances are those of the objects' spaces, and so they are along shadow rays");
     put(N::far_root, "the far side of each object is shown");
-    put(N::behind, "what lies behind the camera is shown, too");
+    put(N::behind, "objects behind the camera are shown too");
     put(N::behind_first, "what lies behind the camera is shown first");
-    put(N::near_root_only, "objects are not seen from inside");
+    put(N::near_root_only, "objects are invisible from inside");
   }
 
   void edit_camera(std::string what, std::function<void(RenderCamera&)> change) {
@@ -1212,7 +1212,7 @@ class Maker {
         [change = std::move(change)](Trial& t) { change(t.scene.camera); }, Touches::camera);
   }
 
-  // By factors of the width and the height of the film.
+  // Scales the width and height of the film.
   void stretch(std::string what, double across, double up) {
     if (std::isfinite(across) && std::isfinite(up)) {
       edit_camera(std::move(what), [=](RenderCamera& c) {
@@ -1265,7 +1265,7 @@ class Maker {
       c.w = -c.w;
       c.u = -c.u;
     });
-    edit_camera("the camera stands at the world's origin",
+    edit_camera("the camera is at the world's origin",
                 [](RenderCamera& c) { c.position = dvec3(0); });
     edit_camera("the camera's position is mirrored at the origin",
                 [](RenderCamera& c) { c.position = -c.position; });
@@ -1346,7 +1346,7 @@ class Maker {
     }
   }
 
-  // As if the file said something else. The variant must draw the same files.
+  // As if the file said something else. The variant must use the same assets.
   void rewrite(std::string what, std::function<bool(Scene&)> change) {
     Scene scene = *view_.written;
     if (!change(scene)) {
@@ -1476,7 +1476,7 @@ class Maker {
       return any;
     });
     rewrite_each("the axes of rotations are not normalized", [&](Transform& t) {
-      // As glm::rotate does not forgive: approximated by a scaled angle.
+      // Like glm::rotate with an axis that is not normalized; approximated by a scaled angle.
       Rotate* const rotate = std::get_if<Rotate>(&t.map);
       if (rotate == nullptr || std::abs(glm::length(rotate->axis) - 1) < 1e-4f) {
         return false;
@@ -1590,7 +1590,7 @@ std::vector<Hypothesis> picture_hypotheses() {
        {{2, 0, 1}, "blue, red, green"}}};
   for (const auto& [order, said] : orders) {
     add_picture(list, Cause::swapped_channels,
-                fmt::format("the channels stand in the order {}", said),
+                fmt::format("the channels are in the order {}", said),
                 [o = order](const dvec3& c) { return dvec3(c[o[0]], c[o[1]], c[o[2]]); });
   }
   add_gamma(list);

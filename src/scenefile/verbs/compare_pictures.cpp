@@ -16,7 +16,7 @@ std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
 }
 
-// What references in use were drawn with.
+// The sets of features that existing references were rendered with.
 void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
   const std::string_view profile = profile_option(render.profile);
   const auto add = [&](const char* words, const Features& features) {
@@ -98,7 +98,7 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-// Finds what makes the difference; the scene is used where it can be.
+// Looks for causes; uses the scene if possible.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
                      const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
                      PictureComparison& found) {
@@ -177,11 +177,10 @@ std::string causes_text(const PictureComparison& found) {
         100 * report.share_scene_unlike);
   } else if (report.claims.empty() && found.measures.same_size) {
     text += report.share_different < 0.001
-                ? "cause: none known; they differ by edges and rounding alone\n"
-            : found.scene_used
-                ? "cause: none that is known explains the difference\n"
-                : "cause: none that shows in the pictures alone; most causes are looked for only "
-                  "with --scene SCENE, the scene of the pictures\n";
+                ? "cause: none; they differ only at edges and by rounding\n"
+            : found.scene_used ? "cause: no known mistake explains the difference\n"
+                               : "cause: none found from the pictures alone; most causes need "
+                                 "--scene SCENE, the scene of the pictures\n";
   }
   return text;
 }

@@ -14,19 +14,19 @@ namespace scenefile {
 
 namespace {
 
-// More samples of a pixel, or of a light, are summed up.
+// If there are more samples of a pixel or of a light, they are summarized.
 constexpr std::size_t max_listed = 16;
 
-// Rays that change the pixel by less than half a step of an 8-bit value are named alone.
+// Rays that change the pixel by less than half a step of an 8-bit value are only named.
 constexpr double half_step = 0.5 / 255;
 
-// A line of the tree with those below it.
+// A node of the tree.
 struct Item {
   std::string text;
   std::vector<Item> below;
 };
 
-// Depth is bounded by the depth of rays, which is at most 64.
+// The depth is limited by that of rays, which is at most 64.
 void print(const Item& item, const std::string& indent, std::string& text) {
   for (std::size_t i = 0; i < item.below.size(); ++i) {
     const bool last = i + 1 == item.below.size();
@@ -35,7 +35,7 @@ void print(const Item& item, const std::string& indent, std::string& text) {
   }
 }
 
-// Zeros lose their sign.
+// Adding 0.0 turns -0 into 0.
 std::string vector_text(const glm::dvec3& v) {
   const glm::dvec3 shown = v + 0.0;
   return fmt::format("{:.6g} {:.6g} {:.6g}", shown.x, shown.y, shown.z);
@@ -80,7 +80,7 @@ class Explanation {
   std::string remark_text(const Remark& remark) const {
     return style_.color ? fmt::format("\033[33m! {}\033[0m", remark.text) : "! " + remark.text;
   }
-  // The numbers of a color, and a patch of it.
+  // The numbers of a color, with a patch of it.
   std::string color(const Color& c) const {
     if (!style_.swatches) {
       return numbers(c);
@@ -131,7 +131,7 @@ class Explanation {
   std::string why_more() const {
     std::vector<std::string_view> reasons;
     if (pixel_.more.noisy) {
-      reasons.push_back("the first ones do not agree");
+      reasons.push_back("the first samples differ");
     }
     if (pixel_.more.penumbra) {
       reasons.push_back("one sees a penumbra");
@@ -167,7 +167,7 @@ class Explanation {
       text += fmt::format(", for a quarter of {}", s.refines);
     }
     if (s.refined) {
-      text += ", differs from a neighbor: sampled anew";
+      text += ", differs from a neighbor: sampled again";
     }
     return text + (index == pixel_.shown ? "  <- shown" : "");
   }
@@ -182,7 +182,7 @@ class Explanation {
     Item item{ray_title(ray), {}};
     if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
       item.text += ray.surface.has_value()
-                       ? fmt::format(": meets {}, too little to show", object(ray.surface->object))
+                       ? fmt::format(": hits {}, too faint to show", object(ray.surface->object))
                        : std::string(": meets nothing");
       return item;
     }
@@ -191,7 +191,7 @@ class Explanation {
       item.below.push_back(wall_item(wall));
     }
     if (!ray.surface.has_value()) {
-      item.below.push_back({"meets nothing: the background is black", {}});
+      item.below.push_back({"hits nothing: the background is black", {}});
       add_remarks(item, index, no_index);
       return item;
     }
@@ -351,7 +351,7 @@ class Explanation {
                                    : fmt::format(" lets through {}", numbers(blocker.passes)));
   }
 
-  // Of an area light.
+  // For area lights.
   void add_light_samples(Item& item, const LightRecord& record) const {
     item.below.push_back({fmt::format("mean over {} points of the light, {} on its bright side",
                                       record.taken, record.samples.size()),

@@ -20,7 +20,7 @@ namespace scenefile {
 
 namespace {
 
-// What holds where nobody says otherwise: float against double is at 40 dB and more.
+// The default threshold: float and double implementations agree to 40 dB or better.
 constexpr double default_min_psnr_db = 40;
 
 struct StudentFolder {
@@ -36,7 +36,7 @@ std::string name_of_folder(std::string_view path) {
   return std::string(path.substr(path.rfind('/') + 1));
 }
 
-// A folder for each student, or one folder with the pictures of one.
+// A folder for each student, or a single folder with the pictures of one.
 std::vector<StudentFolder> student_folders(const std::string& folder) {
   std::vector<StudentFolder> students;
   for (const FolderEntry& entry : entries_of(folder)) {
@@ -183,7 +183,7 @@ class Grader {
     }
   }
 
-  // What was looked for and what there is, for a class of which no picture has the right name.
+  // What was expected and what exists, if no picture of the class has a matching name.
   std::string nothing_matches() const {
     return fmt::format(
         "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
@@ -193,7 +193,7 @@ class Grader {
         escaped(references_.front().name), escaped(references_.front().name));
   }
 
-  // One scene may be that of several references: intersect and illuminate.
+  // A scene may belong to several references: intersect and illuminate.
   std::vector<int> match_scenes(const std::vector<FoundFile>& scenes) const {
     std::vector<int> result;
     for (const FoundFile& file : files_) {
@@ -209,13 +209,13 @@ class Grader {
     result.name = reference.name;
     if (path.empty()) {
       result.verdict = Verdict::missing;
-      result.reasons = {"there is no picture of that name"};
+      result.reasons = {"there is no picture with that name"};
       return result;
     }
-    // It would lead to the reference, or to the work of another student.
+    // A link could lead to the reference, or to another student's work.
     if (is_link(path)) {
       result.verdict = Verdict::unreadable;
-      result.reasons = {"a symbolic link is handed in, not a picture"};
+      result.reasons = {"a symbolic link was submitted, not a picture"};
       return result;
     }
     enter("reading a picture");
@@ -256,11 +256,11 @@ class Grader {
   CompareSettings settings_;
   bool by_causes_;  // a picture passes by what is wrong with it, not by a threshold alone
   const std::function<void(const char*)>& entering_;
-  std::vector<FoundFile> files_;  // of the references
+  std::vector<FoundFile> files_;  // the references
   std::vector<Reference> references_;
   int thumbnail_width_ = 320;
-  std::size_t seen_ = 0;     // pictures that were handed in
-  std::size_t matched_ = 0;  // those of a reference's name
+  std::size_t seen_ = 0;     // number of submitted pictures
+  std::size_t matched_ = 0;  // those with the name of a reference
 };
 
 }  // namespace

@@ -100,8 +100,9 @@ def make_files(folder, program):
     run("convert", "scene.xml", "model.glb")
     run("render", "scene.xml", "-o", "reference.png", "--size", "96x72", "--profile", "course")
     run("render", "new.xml", "-o", "mine.png", "--size", "96x72", "--profile", "course")
-    shutil.copytree(ROOT / "scenes", folder / "scenes")
-    (folder / "scenes" / "chess.xml").write_text(SCENE)
+    (folder / "scenes").mkdir()
+    for name in ("chess", "hello", "showcase"):
+        (folder / "scenes" / f"{name}.xml").write_text(SCENE)
     for place in ("references", "pictures", "right"):
         (folder / place).mkdir()
         shutil.copy(folder / "reference.png", folder / place / "chess.png")

@@ -106,6 +106,10 @@ def make_files(folder, program):
     for place in ("references", "pictures", "right"):
         (folder / place).mkdir()
         shutil.copy(folder / "reference.png", folder / place / "chess.png")
+    (folder / "parts").mkdir()
+    for part in (1, 2):
+        run("render", "scene.xml", "-o", f"parts/{part}.part", "--part", f"{part}/2", "--size", "64x48")
+    (folder / "cameras.json").write_text('{"views": [{"position": [3, 2, 4], "focus": [0, 0, 0]}, {"time": 4, "position": [4, 2, 3]}]}')
     for place in ("submissions", "handed-in", "class"):
         (folder / place / "ada").mkdir(parents=True)
         shutil.copy(folder / "mine.png", folder / place / "ada" / "chess.png")
@@ -138,6 +142,8 @@ def run_commands(program):
                 line = f"{screen} -a {command}" + ("" if "--screenshot" in command else " --screenshot shot.png")
             elif re.search(r"\| (fish|source|man)\b|\| source", command):
                 line = command.split("|")[0]
+            elif re.match(r"scenefile frames\b", command):
+                line = re.sub(r" --video \S+", "", command) + " --size 32x24"
             count += 1
             try:
                 run = subprocess.run(["bash", "-c", line], cwd=folder, env=environment, stdin=subprocess.DEVNULL,

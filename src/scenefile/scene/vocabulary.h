@@ -177,7 +177,10 @@ inline constexpr ValueRow<Material> material_rows[] = {
 
 /// The word of a transform in both dialects; each type of Transform::map must have one.
 template <typename Map>
-constexpr std::string_view transform_word = nullptr;
+constexpr std::string_view transform_word = [] {
+  static_assert(sizeof(Map) == 0, "give this transform a word");
+  return std::string_view();
+}();
 template <>
 inline constexpr std::string_view transform_word<Translate> = "translate";
 template <>

@@ -45,12 +45,11 @@ const std::vector<Heading>& headings() {
       {"Input", {"--compat", "--asset-root", "--allow-outside", "--allow-missing", "--no-assets"}},
       {"Findings", {"--strict", "--deny", "--allow"}},
       {"Limits", {"--threads", "--limit", "--max-memory", "--timeout"}},
-      {"Output",
-       {"--output",  "--to",         "--part",    "--missing", "--write-scenes", "--video",
-        "--preview", "--checkpoint", "--heatmap", "--sheet",   "--report",       "--pages",
-        "--csv",     "--junit",      "--gradescope", "--check", "--files",       "--tree",
-        "--man",     "--completion", "--json",    "--sarif",   "--markdown",     "--quiet",
-        "--help"}},
+      {"Output", {"--output", "--to",      "--part",       "--missing", "--write-scenes",
+                  "--video",  "--preview", "--checkpoint", "--heatmap", "--sheet",
+                  "--report", "--pages",   "--csv",        "--junit",   "--gradescope",
+                  "--check",  "--files",   "--tree",       "--man",     "--completion",
+                  "--json",   "--sarif",   "--markdown",   "--quiet",   "--help"}},
       {"Other", {}},
   };
   return all;

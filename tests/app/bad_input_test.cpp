@@ -114,10 +114,9 @@ TEST(BadInput, AMisspelledFileAttributeIsUsedOrAnError) {
 
 TEST(BadInput, AMissingFileIsAShortLineAndAListOfPlaces) {
   const ProgramRun run = check(replaced("\"sphere\"", R"("mesh" filename="mesh/no.obj")"));
-  EXPECT_THAT(run.out,
-              HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
-                        "    looked nowhere, for want of an asset root\n"
-                        "    files elsewhere need --asset-root DIR or --allow-outside\n"));
+  EXPECT_THAT(run.out, HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
+                                 "    looked nowhere, for want of an asset root\n"
+                                 "    files elsewhere need --asset-root DIR or --allow-outside\n"));
 }
 
 TEST(BadInput, WordsInOddOrder) {

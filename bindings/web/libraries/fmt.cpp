@@ -1,5 +1,5 @@
-// fmt 9 as a library, from its headers: those are all that its package has for other systems. The same
-// as its own format.cc.
+// fmt 9 as a library, from its headers: those are all that its package has for other systems. The
+// same as its own format.cc.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -23,7 +23,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The format has no gamma: values go into the picture unchanged.",
      "Where colors become bytes, and where a library writes the file: some convert to sRGB on "
      "their own."},
-    {Cause::rounding, "Rounding", "Values are off by one, all in the same direction. It is invisible.",
+    {Cause::rounding, "Rounding",
+     "Values are off by one, all in the same direction. It is invisible.",
      "The references truncate; others round. This alone is not a mistake.",
      "Nowhere, unless the bytes must be the same."},
     {Cause::swapped_channels, "Channels in the wrong order",
@@ -86,16 +87,19 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Where the recursion ends, and whether the count starts at 0 or 1."},
     {Cause::spot_falloff, "Spots",
      "The cone of light is too wide or narrow, or its edge too hard or too soft.",
-     "angle is from the axis to where light ends; the penumbra is inside of it; within the penumbra, the light falls off by the smoothstep of the angle.",
+     "angle is from the axis to where light ends; the penumbra is inside of it; within the "
+     "penumbra, the light falls off by the smoothstep of the angle.",
      "Which angles are inner and outer, half or full, degrees or radians; and the polynomial."},
-    {Cause::camera, "The camera", "Everything is too large, too small, stretched, or seen from elsewhere.",
+    {Cause::camera, "The camera",
+     "Everything is too large, too small, stretched, or seen from elsewhere.",
      "The height angle is the full vertical angle of view; the width follows by the aspect ratio "
      "of "
      "the tangents. The camera looks along -w; up is made perpendicular to it.",
      "Half angles and their tangents, degrees and radians, aspect, and the three axes."},
     {Cause::transforms, "Transforms",
      "Objects are in the wrong place, turned the wrong way, or of the wrong size.",
-     "Transforms of a block multiply in the order of the file, with those of outer blocks on the left; angles are in degrees, matrices are listed by rows.",
+     "Transforms of a block multiply in the order of the file, with those of outer blocks on the "
+     "left; angles are in degrees, matrices are listed by rows.",
      "The order of each product, degrees, rows and columns, and what is handed down to children."},
     {Cause::shapes, "Shapes",
      "Objects are open, missing, of the wrong size, or shaded as if they were others.",
@@ -140,7 +144,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other "
      "way "
      "round.",
-     "References of the first assignment have only directional lights and no shadows. This is not a mistake of the tracer.",
+     "References of the first assignment have only directional lights and no shadows. This is not "
+     "a mistake of the tracer.",
      "The configuration, and which folder of references belongs to it."},
     {Cause::samples, "How the samples of a pixel are put together",
      "A black line around objects, everything too bright, or the whole picture blurred.",

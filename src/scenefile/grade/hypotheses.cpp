@@ -933,7 +933,8 @@ class Maker {
     put(T::blend_reversed, "the blend of textures is reversed");
     put(T::added, "textures are added to the diffuse color, not blended with it");
     put(T::blend_drops_color, "what the blend leaves of the diffuse color is lost");
-    put(T::no_coefficient_on_rest, "the diffuse color blended with the texture lacks its coefficient");
+    put(T::no_coefficient_on_rest,
+        "the diffuse color blended with the texture lacks its coefficient");
     put(T::unlit, "textures are drawn without N.L");
     put(T::blue_red, "red and blue of textures are exchanged");
     put(T::gray, "textures are gray");

@@ -44,9 +44,9 @@ struct SamplePlan {
   bool two_passes() const { return middles && most > 1; }
 };
 
-/// `soft`: the picture has a lens or area lights. These blur what one sample cannot foresee, so that
-/// each pixel begins with several. So it does where so many samples are allowed that the picture
-/// shall be exact.
+/// `soft`: the picture has a lens or area lights. These blur what one sample cannot foresee, so
+/// that each pixel begins with several. So it does where so many samples are allowed that the
+/// picture shall be exact.
 SamplePlan sample_plan(const RenderOptions& options, bool soft);
 
 /// The samples of a picture; each is a function of the pixel, its index and the seed.

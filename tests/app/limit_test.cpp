@@ -128,7 +128,7 @@ TEST(Limits, EachIsSetByName) {
 TEST(Limits, AreListedWithTheirDefaults) {
   const ProgramRun run = run_program({"help", "limits"});
   EXPECT_EQ(run.status, 0);
-  EXPECT_THAT(run.out, HasSubstr("  nesting                 1024  elements"));
+  EXPECT_THAT(run.out, HasSubstr("  nesting                 1024  nested elements"));
   EXPECT_THAT(run.out, HasSubstr("  file-bytes                1G  "));
 }
 

@@ -64,7 +64,7 @@ TEST_F(Explain, NeedsAPixelOfThePicture) {
 }
 
 TEST_F(Explain, ShowsTheSampleThatWasAsked) {
-  EXPECT_THAT(explain("16,12", {"--sample", "3"}).out, HasSubstr("sample 3: "));
+  EXPECT_THAT(explain("16,12", {"--min-samples", "4", "--sample", "3"}).out, HasSubstr("sample 3: "));
 }
 
 TEST_F(Explain, ColorsAreForTerminals) {

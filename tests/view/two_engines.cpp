@@ -22,6 +22,7 @@ RenderResult trace(const testing_support::LoadedScene& scene, int width, int hei
                       .depthoffield = false};
   options.width = width;
   options.height = height;
+  options.min_samples = options.samples;  // compare engines, not where the sampler stops
   options.layers = {{LayerKind::object_id, 0}};
   return render(scene.ready.scene, scene.assets, options);
 }

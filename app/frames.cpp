@@ -294,16 +294,6 @@ class Frames {
   int skipped_ = 0;
 };
 
-Outcome check_layers(const Options& options, const LoadedScene& scene) {
-  for (const Layer& layer : options.render.layers) {
-    if (layer.kind == LayerKind::light && layer.light >= scene.ready.scene.lights.size()) {
-      return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
-                                           layer_name(layer), scene.ready.scene.lights.size())};
-    }
-  }
-  return {};
-}
-
 Outcome make_motion(const Options& options, const LoadedScene& scene, Motion& motion) {
   const Camera camera = scene.written.camera.value_or(Camera{});
   Outcome outcome;
@@ -320,7 +310,11 @@ Outcome make_motion(const Options& options, const LoadedScene& scene, Motion& mo
     outcome = {ExitCode::usage, fmt::format("--range: there are {} frames, not {}",
                                             motion.cameras.size(), options.range->last)};
   }
-  return outcome.error.empty() ? check_layers(options, scene) : outcome;
+  const std::string missing = missing_light(options.render.layers, scene.ready.scene.lights.size());
+  if (outcome.error.empty() && !missing.empty()) {
+    outcome = {ExitCode::usage, "--aov: " + missing};
+  }
+  return outcome;
 }
 
 }  // namespace

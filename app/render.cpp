@@ -111,11 +111,10 @@ Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* p
     }
     deferred.emplace();
   }
-  for (const Layer& layer : report.options.layers) {
-    if (layer.kind == LayerKind::light && layer.light >= scene.ready.scene.lights.size()) {
-      return {ExitCode::usage, fmt::format("--aov: the scene has no {}, but {} lights",
-                                           layer_name(layer), scene.ready.scene.lights.size())};
-    }
+  if (const std::string missing =
+          missing_light(report.options.layers, scene.ready.scene.lights.size());
+      !missing.empty()) {
+    return {ExitCode::usage, "--aov: " + missing};
   }
   if (!options.json) {
     forget_file(scene);

@@ -108,12 +108,9 @@ void save(const Picture& picture, const FilePath& path) {
 std::unique_ptr<Picture> draw(SceneState& state, const RenderOptions& options,
                               const py::object& progress) {
   const std::shared_ptr<const LoadedScene> loaded = usable(state);
-  const std::size_t lights = loaded->ready.scene.lights.size();
-  for (const Layer& layer : options.layers) {
-    if (layer.kind == LayerKind::light && layer.light >= lights) {
-      throw py::value_error(
-          fmt::format("layers: the scene has no {}, but {} lights", layer_name(layer), lights));
-    }
+  if (const std::string missing = missing_light(options.layers, loaded->ready.scene.lights.size());
+      !missing.empty()) {
+    throw py::value_error("layers: " + missing);
   }
   auto picture = std::make_unique<Picture>();
   picture->options = options;

@@ -43,7 +43,7 @@ Neighborhood neighborhood(const Tracer& tracer, const CameraRays& camera,
 }
 
 float largest_contrast(const Neighborhood& near) {
-  const auto kept = [](const WaveSight& s) { return kept_signature(s.signature, s.penumbra); };
+  const auto kept = [](const WaveSight& s) { return kept_signature(s.signature); };
   const WaveSight& middle = near.sights[near.middle];
   const glm::vec3 color(middle.color);
   float most = 0;
@@ -62,9 +62,8 @@ Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, R
   if (sampler.plan().two_passes()) {
     const Neighborhood near = neighborhood(tracer, camera, sampler, x, y);
     const float most = largest_contrast(near);
-    more.penumbra = near.sights[near.middle].penumbra;
-    more.neighbors = sampler.mark_of(most, false) != 0;
-    mark = sampler.mark_of(most, more.penumbra);
+    mark = sampler.mark_of(most);
+    more.neighbors = mark != 0;
   }
   if (sampler.plan().middles && mark == 0) {
     return trace_sample(tracer, camera, sampler.middle(x, y), counts);
@@ -73,6 +72,7 @@ Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, R
   const std::uint32_t first = sampler.next_count(0);
   sampler.take(x, y, mark, samples, counts);
   more.noisy = samples.count > first;
+  more.penumbra = more.noisy && samples.penumbra;
   return samples.mean();
 }
 

@@ -57,11 +57,6 @@ double gain_of_last(std::uint32_t count) {
   return gain(count / 2, count);
 }
 
-bool has_area_light(const RenderScene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const RenderLight& light) { return light.type == LightType::area; });
-}
-
 double expected_variance(std::uint8_t mark) {
   const double difference = mark * mark_unit;
   return variance_of_contrast * difference * difference;
@@ -88,6 +83,16 @@ double PixelSamples::variance() const {
   return std::max(0.0, (of_channels.x + of_channels.y + of_channels.z) / 3);
 }
 
+bool has_lens(const RenderScene& scene, const RenderOptions& options) {
+  return options.features.depthoffield && scene.camera.aperture > 0 &&
+         scene.camera.focal_length > 0;
+}
+
+bool is_soft(const RenderScene& scene, const RenderOptions& options) {
+  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
+  return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
+}
+
 SamplePlan sample_plan(const RenderOptions& options, bool soft) {
   SamplePlan plan;
   plan.most = static_cast<std::uint32_t>(std::max(1, options.samples));
@@ -108,7 +113,7 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
       camera_(camera),
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))),
-      plan_(sample_plan(tracer.options, camera.has_lens() || has_area_light(tracer.scene))),
+      plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options))),
       least_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
 // Of a quarter of the pixel, as four samples share it.
@@ -180,13 +185,13 @@ void FineSampler::take(int x, int y, std::uint8_t mark, PixelSamples& samples,
   } while (!enough(samples, mark));
 }
 
-std::uint8_t FineSampler::mark_of(float contrast, bool penumbra) const {
+std::uint8_t FineSampler::mark_of(float contrast) const {
   const double rounded = std::ceil(std::sqrt(double(contrast)) / mark_unit);
   const auto mark = static_cast<std::uint8_t>(std::clamp(rounded, 0.0, 255.0));
   // The middle goes to waste: so many samples as the first round has gain what is left to gain.
   const std::uint32_t first = next_count(0);
   const double all = expected_variance(mark) * (1 - error_of(first)) / first;
-  return penumbra ? std::max<std::uint8_t>(mark, 1) : all > least_gain_ ? mark : 0;
+  return all > least_gain_ ? mark : 0;
 }
 
 }  // namespace scenefile

@@ -29,10 +29,16 @@ struct PixelSamples {
   double variance() const;
 };
 
-/// What is kept of a signature (WaveSight) and a penumbra until pixels are compared.
-inline std::uint16_t kept_signature(std::uint32_t signature, bool penumbra) {
-  return static_cast<std::uint16_t>(((signature ^ (signature >> 15)) << 1) | (penumbra ? 1 : 0));
+/// The 15 bits of a signature (WaveSight) that are kept until pixels are compared.
+inline std::uint16_t kept_signature(std::uint32_t signature) {
+  return static_cast<std::uint16_t>((signature ^ (signature >> 15)) & 0x7fff);
 }
+
+/// Whether the camera has a lens that is used.
+bool has_lens(const RenderScene& scene, const RenderOptions& options);
+
+/// Whether lenses or area lights leave noise.
+bool is_soft(const RenderScene& scene, const RenderOptions& options);
 
 /// How the samples of a picture are shared out among its pixels.
 struct SamplePlan {
@@ -44,7 +50,7 @@ struct SamplePlan {
   bool two_passes() const { return middles && most > 1; }
 };
 
-/// `soft`: the picture has a lens or area lights. These blur what one sample cannot foresee, so
+/// `soft`: see is_soft(). Lenses and area lights blur what one sample cannot foresee, so
 /// that each pixel begins with several. So it does where so many samples are allowed that the
 /// picture shall be exact.
 SamplePlan sample_plan(const RenderOptions& options, bool soft);
@@ -66,9 +72,8 @@ class FineSampler {
   /// Gives a pixel samples of its own, one after the other, until it has enough.
   void take(int x, int y, std::uint8_t mark, PixelSamples& samples, RayCounts& counts) const;
   /// What is to be kept of how much a pixel differs from its neighbors until its samples are taken:
-  /// 0 where its middle tells enough. `contrast`: the largest with a neighbor (edges.h);
-  /// `penumbra`: the middle saw an area light in part.
-  std::uint8_t mark_of(float contrast, bool penumbra) const;
+  /// 0 where its middle tells enough. `contrast`: the largest with a neighbor (edges.h).
+  std::uint8_t mark_of(float contrast) const;
 
  private:
   bool worth(double variance, std::uint32_t count, std::uint32_t more) const;

@@ -124,6 +124,16 @@ std::string layer_name(const Layer& layer) {
   return std::string(words[static_cast<std::size_t>(layer.kind)]);
 }
 
+std::string missing_light(std::span<const Layer> layers, std::size_t lights) {
+  for (const Layer& layer : layers) {
+    if (layer.kind == LayerKind::light && layer.light >= lights) {
+      return "the scene has no " + layer_name(layer) + ", but " + std::to_string(lights) +
+             " lights";
+    }
+  }
+  return {};
+}
+
 ImageLayer layer_without_values(const Layer& layer) {
   return {layer_name(layer), channels_of(layer.kind), layer.kind == LayerKind::object_id, {}};
 }

@@ -22,6 +22,10 @@ std::string_view parse_layers(std::string_view list, std::vector<Layer>& layers)
 /// The name of a layer: the inverse of parse_layers().
 std::string layer_name(const Layer& layer);
 
+/// If a layer is for a light that the scene lacks: "the scene has no light-3, but 2 lights".
+/// Empty otherwise. `lights`: how many there are.
+std::string missing_light(std::span<const Layer> layers, std::size_t lights);
+
 /// Name and channels of a layer.
 ImageLayer layer_without_values(const Layer& layer);
 

@@ -27,17 +27,6 @@ struct Head {
 };
 static_assert(std::is_trivially_copyable_v<PixelStatistics>);
 
-bool has_lens(const RenderScene& scene, const RenderOptions& options) {
-  return options.features.depthoffield && scene.camera.aperture > 0 &&
-         scene.camera.focal_length > 0;
-}
-
-// Whether lenses or area lights leave noise.
-bool is_soft(const RenderScene& scene, const RenderOptions& options) {
-  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
-  return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
-}
-
 bool has_two_passes(const RenderScene& scene, const RenderOptions& options) {
   return options.profile == Profile::fine &&
          sample_plan(options, is_soft(scene, options)).two_passes();

@@ -145,7 +145,7 @@ class Renderer {
       for (const DrawnPixel& pixel : sampler.take_middles(fine, pixels)) {
         put(pixel.at, pixel.samples.mean());
         keep(pixel);
-        mark(pixel.at, pixel.signature, pixel.samples.penumbra);
+        mark(pixel.at, pixel.signature);
       }
     });
   }
@@ -179,13 +179,13 @@ class Renderer {
   void put_sights(const std::vector<glm::ivec2>& pixels, std::span<const WaveSight> sights) {
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       put(pixels[i], sights[i].color);
-      mark(pixels[i], sights[i].signature, sights[i].penumbra);
+      mark(pixels[i], sights[i].signature);
     }
   }
 
-  void mark(const glm::ivec2& at, std::uint32_t signature, bool penumbra) {
+  void mark(const glm::ivec2& at, std::uint32_t signature) {
     if (!picture_.marked.empty()) {
-      picture_.marked[index(at)] = kept_signature(signature, penumbra);
+      picture_.marked[index(at)] = kept_signature(signature);
     }
   }
 
@@ -203,7 +203,7 @@ class Renderer {
         picture_.image, surfaces, [&](int y, std::span<const float> contrasts) {
           std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.size()];
           for (std::size_t x = 0; x < contrasts.size(); ++x) {
-            marks[x] = fine.mark_of(contrasts[x], (marks[x] & 1) != 0);
+            marks[x] = fine.mark_of(contrasts[x]);
           }
         });
   }

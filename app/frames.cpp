@@ -1,6 +1,6 @@
-// frames: pictures of one scene by cameras that move. The structure in which rays find what they
-// hit is built once. A frame that is there is skipped: a hidden file beside it, .NAME.key, says
-// what it was drawn from.
+// The command frames: numbered pictures of one scene from a moving camera. The acceleration
+// structure is built once. Frames that already exist are skipped: a hidden file next to each, named
+// .NAME.key, records what the frame was drawn from.
 
 #include "app/carry_files.h"
 #include "app/checkpoint.h"
@@ -45,7 +45,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double usual_fps = 24;
 constexpr std::size_t most_frames = 1000000;
 
-// All frames of the motion; the first has the index 0 and the number 1.
+// All frames of the motion; frame number 1 has index 0.
 struct Motion {
   std::vector<Camera> cameras;
   double fps = usual_fps;
@@ -74,7 +74,7 @@ Outcome read_path(const Options& options, const Camera& camera, Motion& motion) 
   return {};
 }
 
-// Around the point in the middle of the picture that is nearest to the middle of the scene.
+// The camera circles the point on its line of sight that is nearest to the center of the scene.
 Motion turntable(const Options& options, const LoadedScene& scene, const Camera& camera) {
   Motion motion;
   motion.fps = options.fps.value_or(usual_fps);
@@ -93,7 +93,7 @@ Motion turntable(const Options& options, const LoadedScene& scene, const Camera&
   return motion;
 }
 
-// A camera with which nothing can be drawn, with the reason.
+// The reason why nothing can be drawn with one of the cameras, if there is one.
 Outcome check_cameras(const Motion& motion, const Limits& limits) {
   for (std::size_t i = 0; i < motion.cameras.size(); ++i) {
     Scene scene;
@@ -109,7 +109,7 @@ Outcome check_cameras(const Motion& motion, const Limits& limits) {
   return {};
 }
 
-// "f%04d.png" with the number in its place.
+// "f%04d.png" with %04d replaced by the number.
 std::string frame_name(const std::string& pattern, std::size_t number) {
   const std::size_t begin = pattern.find('%');
   const std::size_t end = pattern.find('d', begin);
@@ -119,7 +119,7 @@ std::string frame_name(const std::string& pattern, std::size_t number) {
                      pattern.substr(end + 1));
 }
 
-// The file that says what a frame was drawn from.
+// The file that records what a frame was drawn from.
 std::string key_file(const std::string& picture) {
   return fmt::format("{}/.{}.key", folder_of(picture), file_name_of(picture));
 }
@@ -161,7 +161,7 @@ class Frames {
  private:
   std::string name(std::size_t index) const { return frame_name(options_.output, index + 1); }
 
-  // Options that draw this frame alone.
+  // The options that draw only this frame.
   Options options_of(std::size_t index) const {
     Options options = options_;
     options.output = name(index);
@@ -178,7 +178,7 @@ class Frames {
     return text;
   }
 
-  // What the key file holds where these pictures are there; empty where they cannot be read.
+  // What the key file contains if these pictures exist; empty if they cannot be read.
   std::string record_of(std::size_t index) const {
     Hash hash;
     for (const std::string& file : picture_files(options_of(index))) {
@@ -232,7 +232,7 @@ class Frames {
     return outcome;
   }
 
-  // The scene as a file, with the camera of the frame.
+  // Writes the scene with the camera of the frame.
   Outcome write_scene_of(std::size_t index) {
     context_.phase = "writing a scene";
     const std::string path = frame_name(options_.write_scenes, index + 1);
@@ -262,14 +262,14 @@ class Frames {
                             i + 1, motion_.cameras.size())};
       }
     }
-    // Under another name until it is whole.
+    // Written under another name until it is complete.
     const std::string unfinished =
         fmt::format("{}/.unfinished-{}", folder_of(options_.video), file_name_of(options_.video));
     std::vector<std::string> words{
         "ffmpeg",        "-y", "-loglevel", "error",  "-framerate", fmt::format("{}", motion_.fps),
         "-start_number", "1",  "-f",        "image2", "-i",         options_.output};
     if (!options_.video.ends_with(".gif")) {
-      // What players want: even sizes, and colors at half the resolution.
+      // Players require even sizes, and 4:2:0 chroma subsampling.
       words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
     }
     words.push_back(unfinished);

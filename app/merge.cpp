@@ -1,4 +1,4 @@
-// merge: parts of a picture, put together while they are read.
+// The command merge: assembles a picture from its parts, row by row.
 
 #include "app/command.h"
 #include "app/json.h"
@@ -27,14 +27,14 @@ namespace scenefile::app {
 
 namespace {
 
-// What was given, looked at.
+// The parts on the command line, after reading their headers.
 struct Parts {
   std::vector<std::string> paths;
   std::vector<PartCandidate> candidates;  // by path
   PartSet set;
 };
 
-// The files that the arguments mean. Of a folder those that are parts.
+// The files that the arguments mean; a folder means the parts in it.
 std::vector<std::string> part_paths(const Options& options) {
   std::vector<std::string> paths;
   for (const std::string& argument : options.arguments) {
@@ -92,7 +92,7 @@ std::string foreign_text(const Parts& parts, std::size_t file) {
                          : "another picture");
 }
 
-// What keeps the parts from being a picture, a line each.
+// The reasons why the parts do not make a picture, one per line.
 std::vector<std::string> problems(const Parts& parts) {
   const PartSet& set = parts.set;
   std::vector<std::string> lines;
@@ -125,7 +125,7 @@ ExitCode print_missing(const Parts& parts) {
   return worse(answer(lines), parts.set.missing.empty() ? ExitCode::fine : ExitCode::findings);
 }
 
-// A file in the making.
+// An output file while it is written.
 class Output {
  public:
   explicit Output(std::string path) : path_(std::move(path)) {}
@@ -206,7 +206,7 @@ class Merger {
     return paths;
   }
 
-  // The picture, for `index` 0, or a layer.
+  // The picture for `index` 0, otherwise a layer.
   bool write(ImageFormat format, std::size_t index) {
     const ByteSink sink = outputs_[index].sink();
     switch (format) {
@@ -223,7 +223,7 @@ class Merger {
     for (const Layer& layer : picture().layers) {
       names.push_back(layer_without_values(layer));
     }
-    std::string error;  // render has refused what cannot be written
+    std::string error;  // unused: render rejects what cannot be written
     return stream_layers(
         width(), height(), names,
         [this](int y, int /*end*/) -> std::optional<LayerRows> {

@@ -16,7 +16,7 @@ namespace {
 constexpr int rows_of_a_band = 16;
 constexpr std::size_t bytes_at_once = std::size_t{1} << 20;
 
-// What is wrong with the rows; empty: nothing.
+// What is wrong with the rows; empty if nothing is.
 Result<std::string> check_rows(const FileReader& file, const PartHead& head,
                                std::size_t before_rows) {
   const std::uint64_t length = part_file_bytes(head, before_rows);
@@ -123,7 +123,7 @@ const PartRows::Band* PartRows::band_of(int y) {
   return &band_;
 }
 
-// The rows from `first` to `end` of the picture of the scene.
+// The rows from `first` up to, but not including, `end` of the picture.
 bool PartRows::read(int first, int end) {
   for (const std::size_t file : set_.files) {
     const PartHead& head = heads_[file];

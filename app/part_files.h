@@ -1,5 +1,5 @@
 #pragma once
-// Parts of pictures as files of this machine.
+// Files that contain parts of pictures.
 
 #include "scenefile/base/result.h"
 #include "scenefile/io/file_reader.h"
@@ -11,31 +11,31 @@
 
 namespace scenefile::app {
 
-/// Reads the head and holds the rows against their checksum. An error is one of reading; what is
-/// wrong with the part stands in its `damage`.
+/// Reads the header, and compares the rows with their checksum. Returns an error if the file cannot
+/// be read; if the part is damaged, the result says so in `damage`.
 Result<PartCandidate> check_part_file(const std::string& path);
 
-/// Writes the file of a part, whole or not at all.
+/// Writes the file of a part atomically.
 Result<void> write_part_file(const std::string& path, const DividedPicture& picture,
                              std::uint32_t index, const Image& image,
                              std::span<const ImageLayer> layers);
 
-/// Whether the file starts as one of a part does.
+/// Whether the file begins like a part.
 bool looks_like_part(const std::string& path);
 
-/// The rows of a picture, from the files of its parts.
+/// Reads the rows of a picture from the files of its parts.
 class PartRows {
  public:
-  /// A complete set, and the paths of its candidates. Both must outlive this.
+  /// A complete set, and the paths of its candidates; both must outlive this object.
   PartRows(const PartSet& set, std::span<const PartHead> heads, std::span<const std::string> paths);
 
-  /// Rows of the picture and of its layers, in bands of 16.
+  /// Rows of the picture and of its layers, in bands of up to 16.
   struct Band {
-    int first = 0;                   ///< row of the merged picture that it begins with
+    int first = 0;                   ///< first row in the merged picture
     std::vector<ImageLayer> layers;  ///< the picture itself, then its layers
   };
-  /// The band that holds the row y of the merged picture, good until the next call; null where a
-  /// file could not be read: error() says why.
+  /// The band that contains row y of the merged picture, valid until the next call; null if a file
+  /// could not be read, see error().
   const Band* band_of(int y);
   const std::string& error() const { return error_; }
 

@@ -15,10 +15,10 @@ namespace scenefile::app {
 
 namespace {
 
-// Why this file is not the part that is wanted; empty: it is.
+// Why this file is not the requested part; empty if it is.
 std::string other_part(const PartHead& found, const DividedPicture& picture, std::uint32_t index) {
   PartKey wanted = picture.key;
-  wanted.driver = found.picture.key.driver;  // known only once OpenGL has drawn
+  wanted.driver = found.picture.key.driver;  // only known after OpenGL has drawn
   if (const std::string_view why = foreign_part(found.picture.key, wanted); !why.empty()) {
     return fmt::format("the part is of {}", why);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// render --part: one part of a picture, into a file that merge takes.
+// render --part: draws one part of a picture into a file for merge.
 
 #include "app/load.h"
 #include "scenefile/trace/part_file.h"
@@ -10,11 +10,11 @@
 
 namespace scenefile::app {
 
-/// The picture that `options` ask for, to be divided into options.part->count parts.
+/// The picture that `options` describe, to be divided into options.part->count parts.
 DividedPicture divided_picture(const Options& options, const LoadedScene& scene);
 
-/// Looks at the file that would be written. `there`: it is this part, whole. What is a part of
-/// another picture, or no part at all, is refused; a damaged part counts as none.
+/// Looks for an existing output file. `there`: it is this part, and complete. Refuses to replace a
+/// part of another picture, or a file that is not a part; a damaged part will be replaced.
 Outcome find_part(const Options& options, const DividedPicture& picture, bool& there);
 
 Outcome write_part(const Options& options, const DividedPicture& picture,

@@ -1,6 +1,6 @@
 #pragma once
-// Image files of pictures that are nowhere whole: written while their rows come. The bytes are
-// those of encode_image() and encode_layers() (image_file.h).
+// Writes image files row by row, for pictures that do not fit in memory. The bytes are those of
+// encode_image() and encode_layers() (image_file.h).
 
 #include "scenefile/asset/image.h"
 
@@ -13,37 +13,38 @@
 
 namespace scenefile {
 
-/// Where the bytes of a file go. Each returns false to give up.
+/// Receives the bytes of a file. Each function returns false to cancel.
 struct ByteSink {
   std::function<bool(std::string_view bytes)> append;
-  /// Replaces bytes that were appended, from the place `at`, counted from the first of all.
+  /// Replaces appended bytes, starting at offset `at` in the file.
   std::function<bool(std::uint64_t at, std::string_view bytes)> replace;
 };
 
-/// Appends to `bytes`, which must be empty and outlive the sink.
+/// A sink that appends to `bytes`, which must be empty and outlive it.
 ByteSink sink_to(std::string& bytes);
 
-/// The 3 * width values of the row y, good until the next call; null to give up.
+/// Returns the 3 * width values of row y, valid until the next call; null to cancel.
 using RowSource = std::function<const float*(int y)>;
 
-/// Asks for each row once, from the top. False: given up.
+/// Requests each row once, from the top. Returns false if it was canceled.
 bool stream_png(int width, int height, int bits, Rounding rounding, const RowSource& rows,
                 const ByteSink& sink);
 
-/// Asks for each row once, from the bottom. False: given up.
+/// Requests each row once, from the bottom. Returns false if it was canceled.
 bool stream_pfm(int width, int height, const RowSource& rows, const ByteSink& sink);
 
 /// Some rows of all layers.
 struct LayerRows {
   std::span<const ImageLayer> layers;
-  int first = 0;  ///< the row that the values begin with
+  int first = 0;  ///< the first row in `layers`
 };
 
-/// The rows from y to, but without, `end`, good until the next call; none to give up.
+/// Returns the rows from y up to, but not including, `end`, valid until the next call; none to
+/// cancel.
 using LayerSource = std::function<std::optional<LayerRows>(int y, int end)>;
 
-/// Asks for the rows once, from the top. `layers`: names, channels and whole; no values. False:
-/// given up, or `error` says why such a file cannot be written.
+/// Requests each row once, from the top. `layers`: names, channels and `whole`, without values.
+/// Returns false if it was canceled, or with `error` if such a file cannot be written.
 bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
                    const LayerSource& rows, const ByteSink& sink, std::string& error);
 

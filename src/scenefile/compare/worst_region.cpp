@@ -42,7 +42,7 @@ Blocks blocks_of(const Texture& a, const Texture& b, int threshold) {
   return blocks;
 }
 
-// The blocks that hang together with the worst and are at least a third as bad.
+// The connected blocks around the worst one that are at least a third as bad.
 std::vector<bool> around_the_worst(Blocks& blocks) {
   std::vector<bool> inside(blocks.sums.size());
   const auto worst = static_cast<std::size_t>(
@@ -107,7 +107,7 @@ std::optional<WorstRegion> worst_region(const Texture& a, const Texture& b, int 
   for (int y = region.y0; y <= region.y1; ++y) {
     for (int x = region.x0; x <= region.x1; ++x) {
       sum += difference_at(a, b, x, y);
-      // On an edge a neighbor is right, and says more about the edge than about the color.
+      // At an edge, a neighboring pixel has the right color, so the color there says little.
       int least = 255;
       for (int v = std::max(y - 2, 0); v <= std::min(y + 2, a.height - 1); ++v) {
         for (int u = std::max(x - 2, 0); u <= std::min(x + 2, a.width - 1); ++u) {

@@ -13,13 +13,13 @@ struct WorstRegion {
   int y0 = 0;
   int x1 = 0;
   int y1 = 0;
-  int x = 0;  ///< the pixel to look at: surrounded by others that differ, where there is one
+  int x = 0;  ///< the pixel to look at; preferably one whose neighbors differ too
   int y = 0;
-  double mean = 0;   ///< mean of the greatest channel differences in the rectangle, in 1/255
-  double share = 0;  ///< share of the picture's whole difference that lies in it, 0..1
+  double mean = 0;   ///< mean of the largest channel difference of each pixel, in 1/255
+  double share = 0;  ///< share of the picture's total difference, 0..1
 };
 
-/// Nothing where no pixel differs by more than `threshold`/255, or where the sizes differ.
+/// Nullopt if no pixel differs by more than `threshold`/255, or if the sizes differ.
 std::optional<WorstRegion> worst_region(const Texture& a, const Texture& b, int threshold = 4);
 
 }  // namespace scenefile

@@ -12,14 +12,14 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t most_fits = 4;
-constexpr double must_change = 3;  // 1/255: less than that would fit by rounding alone
+constexpr double must_change = 3;  // in 1/255; smaller changes could be rounding
 
-// What one light adds, apart.
+// The terms that one light contributes.
 struct LightTerms {
   std::uint32_t light = 0;
-  dvec3 diffuse{0};  // as it arrives
+  dvec3 diffuse{0};  // without shadows
   dvec3 specular{0};
-  dvec3 hidden{0};  // what shadows take
+  dvec3 hidden{0};  // removed by shadows
 };
 
 struct Terms {
@@ -100,7 +100,7 @@ class Comparison {
 
  private:
   bool fits(const dvec3& color_255) const {
-    // The course's pictures are truncated, others rounded: half a step lies between.
+    // Course pictures are truncated, others rounded: the values differ by up to half a step.
     const dvec3 off = glm::abs(glm::clamp(color_255, dvec3(0), dvec3(255)) - 0.25 - yours_);
     return std::max({off.x, off.y, off.z}) <= yours_tolerance;
   }
@@ -146,7 +146,7 @@ class Comparison {
     }
   }
 
-  // Of each light that arrives: its terms made anew.
+  // Changes to the terms of each light that arrives.
   template <typename Change>
   dvec3 relit(const Change& change) const {
     dvec3 color = terms_.ambient + terms_.mirror + terms_.glass;
@@ -246,7 +246,7 @@ class Comparison {
     offer("as the normal's color, (n + 1) / 2", 0.5 * (surface_->normal + 1.0));
   }
 
-  // Any of the terms and what shadows hide, together.
+  // Subsets of the terms, and of what shadows remove.
   void try_subsets() {
     struct Part {
       const char* name;

@@ -1,5 +1,6 @@
 #pragma once
-// The value of another program's pixel beside the terms of ours: what would give it.
+// Compares a pixel of another program with the terms of ours, to find out what would explain its
+// value.
 
 #include "scenefile/scene/render_scene.h"
 #include "scenefile/trace/explain.h"
@@ -14,20 +15,20 @@ namespace scenefile {
 /// A change of our terms that gives the other value.
 struct YoursFit {
   std::string what;     ///< completes "yours equals ours ...": "without the ambient term"
-  glm::dvec3 value{0};  ///< what ours is then, in 1/255, not clamped
+  glm::dvec3 value{0};  ///< the changed value of ours, in 1/255, not clamped
 };
 
 struct Yours {
   std::array<std::uint8_t, 3> value{};
-  bool equal = false;          ///< to ours, within the tolerance
-  std::vector<YoursFit> fits;  ///< the simplest first; empty: nothing that is known gives it
+  bool equal = false;          ///< both values are equal, within the tolerance
+  std::vector<YoursFit> fits;  ///< the simplest first; empty: no known change gives it
 };
 
-/// How far a fit may be off, in 1/255: rounding on both sides.
+/// The tolerance of a fit, in 1/255: both values are rounded.
 inline constexpr double yours_tolerance = 1.5;
 
-/// Compares the shown sample of the pixel, its terms left out, doubled or made otherwise, with
-/// `value`. A fit is evidence, not proof: other mistakes may give the same color at one pixel.
+/// Compares the shown sample of the pixel with `value`, leaving out, doubling or changing its
+/// terms. A fit is evidence, not proof: other mistakes may give the same color at one pixel.
 Yours compare_with_yours(const RenderScene& scene, const PixelRecord& pixel,
                          const std::array<std::uint8_t, 3>& value);
 

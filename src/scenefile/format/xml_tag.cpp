@@ -18,7 +18,7 @@ class TagScanner {
  public:
   explicit TagScanner(std::string_view text) : begin_(text.data()), end_(begin_ + text.size()) {}
 
-  // `take` is told each attribute and says whether the tag may still be plain.
+  // Calls `take` for each attribute; it returns whether the tag may still be plain.
   template <typename Take>
   TagScan run(Take take) {
     p_ = begin_ + 1;
@@ -46,7 +46,8 @@ class TagScanner {
     return {name, static_cast<std::size_t>(p_ - name)};
   }
 
-  // False: no attribute follows, or not a well-formed one. Of a truncated one what there is.
+  // Returns false if no well-formed attribute follows. Keeps the available parts of a truncated
+  // one.
   bool read_attribute() {
     const char* const before = p_;
     p_ = skip(p_, end_, blank);
@@ -83,7 +84,7 @@ class TagScanner {
     p_ += p_ == end_ ? 0 : 1;
   }
 
-  // A character of a value that is not in the class value_part.
+  // The first character of a value that is not in the class value_part.
   void pass_special() {
     const char c = *p_;
     if (c == '&' || static_cast<unsigned char>(c) < ' ') {
@@ -99,7 +100,7 @@ class TagScanner {
     }
   }
 
-  // What follows the last attribute.
+  // Decides what follows the last attribute.
   void finish() {
     if (p_ != end_ && *p_ == '/' && p_ + 1 != end_ && p_[1] == '>') {
       scan_.is_empty = true;

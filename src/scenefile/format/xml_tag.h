@@ -1,5 +1,6 @@
 #pragma once
-// The tags of an XML text, as written: the one place that takes them apart. Internal to the room.
+// Splits XML tags, as written, into names and attributes; used by all readers of XML. Internal to
+// the room.
 
 #include "scenefile/base/limits.h"
 #include "scenefile/base/location.h"
@@ -14,8 +15,8 @@
 
 namespace scenefile {
 
-/// `name` points into the text of the file, to find its place; `value` does too unless references
-/// in it were replaced.
+/// `name` points into the text of the file, so that its place can be found; so does `value`, unless
+/// references in it were replaced.
 struct XmlAttribute {
   std::string_view name;
   std::string_view value;
@@ -46,7 +47,7 @@ struct TagScan {
 /// outside of quotes, and its attributes are those before the mistake.
 TagScan scan_tag(std::string_view text, std::vector<XmlAttribute>& attributes);
 
-/// The size alone.
+/// Only the size.
 std::size_t tag_size(std::string_view text);
 
 /// Why a tag is rejected before it is interpreted.
@@ -59,7 +60,7 @@ struct TagVerdict {
 TagVerdict check_tag(std::string_view name, std::span<const XmlAttribute> attributes,
                      const Limits& limits);
 
-/// What a character of plain XML may be, as bits.
+/// Classes of characters in plain XML, as bits.
 enum CharacterClass : std::uint8_t {
   blank = 1,
   name_start = 2,

@@ -23,24 +23,24 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double enough = 0.85;        // share of the difference that what is claimed explains
-constexpr double enough_exact = 0.75;  // share of the pixels that differ that it gives as they are
+constexpr double enough = 0.85;        // share of the difference that a claim must explain
+constexpr double enough_exact = 0.75;  // share of the differing pixels that it must match
 constexpr double enough_shift = 0.6;   // of edges, for shifts of less than a pixel
-constexpr double most_broken = 0.03;   // share of the right pixels that it may make wrong
-constexpr double part = 0.5;           // share of the difference worth to be called a part
-constexpr double necessary = 0.03;     // what each of several mistakes explains beside the others
+constexpr double most_broken = 0.03;   // share of the right pixels that it may break
+constexpr double part = 0.5;           // minimum for a partial cause
+constexpr double necessary = 0.03;     // what each of several mistakes adds
 constexpr double rival_margin = 0.03;
-constexpr double most_unlike = 0.1;  // share of pixels where the scene may not be the reference
+constexpr double most_unlike = 0.1;          // share of pixels where ours may differ
 constexpr double most_for_rounding = 0.05;   // share of pixels that differ by more
 constexpr double least_for_several = 0.001;  // share of pixels that must differ
 constexpr std::size_t few_pixels = 12;
-constexpr std::size_t screen = 240;        // points to choose single mistakes by
+constexpr std::size_t screen = 240;        // points used to screen single mistakes
 constexpr std::size_t few_points = 100;    // ... and several
-constexpr std::size_t most_edited = 2000;  // shapes, where those are changed together with others
+constexpr std::size_t most_edited = 2000;  // more shapes: no combinations that change them
 constexpr double exact_within = 3;         // in 1/255
 constexpr double right_within = 8;
 constexpr double tolerance = 2;
-constexpr double worst = 64;                          // more than this off counts no more
+constexpr double worst = 64;                          // larger errors count as this much
 constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
 std::string percent(double share) {
@@ -91,10 +91,10 @@ Range around(const Texture& t, int x, int y) {
 using Colors = std::vector<dvec3>;  // by point; 255 is full, not clamped
 
 struct Score {
-  double left = 0;    // what differs still, beyond the tolerance, in 1/255 * pixels
+  double left = 0;    // remaining error beyond the tolerance, in 1/255 * pixels
   double raw = 0;     // the same without tolerance
-  double exact = 0;   // weights of points that differed and are as the test has them
-  double broken = 0;  // weights of points that were right and are no more
+  double exact = 0;   // weight of points that differed and now match
+  double broken = 0;  // weight of points that matched and no longer do
 };
 
 Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {

@@ -25,7 +25,7 @@ struct PictureResult {
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
   std::vector<Claim> causes;         ///< mistakes that explain it
   std::string png;                   ///< reference, picture and heat map as a PNG; may be empty
-  std::string png_file;              ///< where that lies beside the page, instead of in it
+  std::string png_file;              ///< path relative to the page, if not embedded
 };
 
 struct StudentResult {
@@ -57,20 +57,20 @@ struct CauseCount {
 /// The causes of a class or of one student, the most frequent first.
 std::vector<CauseCount> count_causes(std::span<const StudentResult> students);
 
-/// A page: a table of students and pictures that can be sorted and filtered, the causes of the
-/// class, and what is wrong with each picture that did not pass. It needs no other file but those
-/// that PictureResult::png_file names.
+/// The report of a class as an HTML page: a table of students and pictures that can be sorted and
+/// filtered, the causes, and what is wrong with each picture that did not pass. Self-contained,
+/// except for the files in PictureResult::png_file.
 std::string gradebook_html(const Gradebook& book, std::string_view title);
 
-/// A page for one student, to hand back: without the table of the class.
+/// The page of one student, to hand back; it contains nothing about the class.
 std::string student_html(const StudentResult& student, std::string_view title);
 
-/// A line for each picture of each student, fields as RFC 4180 has them, the names of the fields
-/// first. Text that a spreadsheet would take for a formula gets an apostrophe before it.
+/// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put
+/// before text that a spreadsheet would take for a formula.
 std::string gradebook_csv(const Gradebook& book);
 
-/// The results of one student as Gradescope reads them (results.json): a test for each picture, a
-/// point for each that passed.
+/// The results of one student in Gradescope's format (results.json): one test and one point per
+/// picture.
 std::string gradescope_json(const StudentResult& student);
 
 /// A test suite for each student, with a test case for each picture.

@@ -6,7 +6,7 @@ namespace scenefile {
 
 namespace {
 
-// Spreadsheets run what begins like a formula, and names come from students.
+// Spreadsheets evaluate text that starts like a formula, and names come from students.
 std::string field(std::string_view text) {
   std::string result = "\"";
   if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {

@@ -44,7 +44,7 @@ li, h3 { overflow-wrap: anywhere; }
 @media (max-width: 30rem) { main { padding: .5rem; } tbody th { max-width: 7rem; } }
 )";
 
-// Sorts by a column, filters the rows, and opens what a link in the table leads to.
+// Sorts by a column, filters the rows, and opens the targets of links in the table.
 constexpr std::string_view script = R"(
 const table = document.querySelector('table'), body = table && table.tBodies[0];
 if (table) {
@@ -93,7 +93,7 @@ std::string names_of(const std::vector<Claim>& causes) {
   return text;
 }
 
-// What stands in a cell of the table: the cause where one is known.
+// The text of a table cell: the cause if one is known.
 std::string figure_of(const PictureResult& picture) {
   switch (picture.verdict) {
     case Verdict::passed:
@@ -117,7 +117,7 @@ std::size_t failed(const StudentResult& student) {
   return student.pictures.size() - student.passed();
 }
 
-// "blinn in 5 of 5" that did not pass.
+// "blinn in 5 of 5" pictures that did not pass.
 std::string causes_line(const StudentResult& student) {
   std::string text;
   for (const CauseCount& count : count_causes({&student, 1})) {
@@ -229,7 +229,7 @@ std::string details(const PictureResult& picture) {
   return html;
 }
 
-// What did not pass. `index` of the student in the table.
+// The pictures that did not pass. `index`: of the student in the table.
 std::string failures(const StudentResult& student, std::size_t index) {
   std::string html;
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {

@@ -134,15 +134,15 @@ void add_overflow(Hypotheses& list) {
   });
 }
 
-// How a program places what the nodes of a scene hold.
+// How a program places the contents of a scene's nodes.
 struct PlacingRules {
   bool nesting_reversed = false;    // the matrix of the inner node acts last
   bool listed_reversed = false;     // the first listed transform acts first
-  bool not_restored = false;        // the matrix of a node goes on to its next siblings
-  bool written_transposed = false;  // rows of matrices in the file are taken for columns
-  bool transposed = false;          // of shapes
-  bool inverted = false;            // of shapes
-  bool lights_stay = false;         // where they are written
+  bool not_restored = false;        // the matrix of a node also applies to its next siblings
+  bool written_transposed = false;  // rows of the file's matrices are read as columns
+  bool transposed = false;          // for shapes
+  bool inverted = false;            // for shapes
+  bool lights_stay = false;         // lights ignore the transforms of their nodes
 };
 
 bool any_light(const RenderScene& scene, const std::function<bool(const RenderLight&)>& is) {
@@ -153,18 +153,18 @@ bool any_material(const RenderScene& scene, bool (*is)(const RenderMaterial&)) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), is);
 }
 
-// What the file says of a light of the ready scene, in the world.
+// What the file says about a light of the render scene, in world space.
 struct WrittenLight {
   dvec3 position{0};
   double length = 1;  // of the direction
 };
 
-// Calls for each node wherever it stands: scene, node, the matrix of what stands in it.
+// Calls `found` with each node and its matrix, once for each instance.
 struct Placing {
   const Scene& scene;
   const PlacingRules& rules;
   std::function<void(const Node&, const glm::dmat4&)> found;
-  std::size_t left = 20000;  // nodes to visit at most
+  std::size_t left = 20000;  // maximum number of nodes to visit
 
   static glm::dmat4 matrix_of(const DAffine& a) {
     return {glm::dvec4(a.linear[0], 0), glm::dvec4(a.linear[1], 0), glm::dvec4(a.linear[2], 0),
@@ -183,7 +183,7 @@ struct Placing {
     return product;
   }
 
-  // False: too many nodes. NOLINTNEXTLINE(misc-no-recursion): as deep as the file, which is limited
+  // Returns false if there are too many nodes. NOLINTNEXTLINE(misc-no-recursion): limited depth
   bool visit(NodeId id, glm::dmat4& parent, int depth) {
     if (left-- == 0 || depth > 200) {
       left = 0;
@@ -246,7 +246,7 @@ std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderSc
   return result;
 }
 
-// Each primitive and light in a node of its own below the root, placed by these rules.
+// Puts each primitive and light into a separate node below the root, placed by these rules.
 bool place_all(Scene& scene, const PlacingRules& rules) {
   Scene flat;
   flat.name = scene.name;
@@ -259,7 +259,8 @@ bool place_all(Scene& scene, const PlacingRules& rules) {
                       return added;
                     };
                     if (!node.primitives.empty()) {
-                      // Rays are brought into the object by the upper rows of the inverse.
+                      // Rays are transformed to object space by the upper three rows of the
+                      // inverse.
                       glm::dmat4 to_world = rules.transposed ? glm::transpose(matrix) : matrix;
                       if (!rules.inverted) {
                         glm::dmat4 to_object = glm::inverse(to_world);

@@ -17,12 +17,12 @@ enum class NormalMistake : std::uint8_t {
   by_transpose,             ///< by the transpose, not inverted
   of_object,                ///< not transformed at all
   inverted,                 ///< pointing inward
-  toward_eye,               ///< turned to the eye's side
-  not_normalized,           ///< unit in the object, not in the world
-  raw_not_normalized,       ///< of curved sides as long as the point's distance from the axis
-  gradient_not_normalized,  ///< as long as the shape's gradient makes it
+  toward_eye,               ///< flipped toward the eye
+  not_normalized,           ///< normalized in object space only
+  raw_not_normalized,       ///< curved sides: as long as the distance from the axis
+  gradient_not_normalized,  ///< as long as the gradient of the shape's equation
   matrix_not_normalized,    ///< transformed like a direction, and not normalized
-  translated,               ///< transformed as a point
+  translated,               ///< transformed like a point, with the translation
 };
 
 enum class ConeNormalMistake : std::uint8_t {
@@ -37,33 +37,33 @@ enum class ConeNormalMistake : std::uint8_t {
 
 enum class NearestMistake : std::uint8_t {
   none,
-  farthest,         ///< the farthest hit wins
-  farthest_object,  ///< the nearest crossing of each object, and the farthest of these wins
-  last,             ///< the last object of the file wins
-  first,            ///< the first object of the file wins
-  object_distance,  ///< distances along rays normalized in each object's space
-  object_distance_compared,    ///< ... in comparisons alone
-  object_distance_everywhere,  ///< ... and those of shadow rays
-  far_root,                    ///< the farther crossing of each object
-  near_root_only,              ///< nothing where the nearer crossing lies behind the start
-  behind,                      ///< what lies behind the start is seen too
-  behind_first,                ///< ... and the least distance wins, negative or not
+  farthest,                    ///< the farthest hit wins
+  farthest_object,             ///< the farthest of the nearest hits of each object wins
+  last,                        ///< the last object of the file wins
+  first,                       ///< the first object of the file wins
+  object_distance,             ///< t of rays that are normalized in each object's space
+  object_distance_compared,    ///< ... only when objects are compared
+  object_distance_everywhere,  ///< ... and for shadow rays
+  far_root,                    ///< the farther hit of each object
+  near_root_only,              ///< no hit if the nearer root is negative
+  behind,                      ///< hits with negative t count too
+  behind_first,                ///< ... and the smallest t wins, even if negative
 };
 
 enum class LightVectorMistake : std::uint8_t {
   none,
-  not_normalized,  ///< to point and spot lights
-  reversed,        ///< of all lights
+  not_normalized,  ///< vectors to point and spot lights
+  reversed,        ///< vectors to all lights
   reversed_directional,
   reversed_positional,
-  reversed_shading,  ///< shadow rays run the right way
+  reversed_shading,  ///< only for shading; shadow rays are right
   reversed_directional_shading,
   reversed_positional_shading,
-  position_as_direction,  ///< of directional lights: from where they are said to be
+  position_as_direction,  ///< directional lights: uses their position
   directional_as_long_as_written,
   spot_as_long_as_written,
   as_long_as_written,  ///< directions of lights are not normalized
-  to_origin,           ///< point lights shine from their direction of the origin everywhere
+  to_origin,           ///< the direction from the origin, at every point
 };
 
 enum class AttenuationMistake : std::uint8_t {
@@ -80,11 +80,11 @@ enum class AttenuationMistake : std::uint8_t {
   not_clamped,
   squared,
   reversed_coefficients,
-  multiplied,    ///< by the polynomial, not divided
-  diffuse_only,  ///< highlights do not fade
+  multiplied,    ///< multiplied by the polynomial instead of divided
+  diffuse_only,  ///< highlights are not attenuated
   specular_only,
   one_plus,          ///< 1 / (1 + polynomial)
-  squared_distance,  ///< the square of the distance taken for the distance
+  squared_distance,  ///< the squared distance is used as the distance
   clamped_below,     ///< max(1, f)
 };
 
@@ -99,7 +99,7 @@ enum class SpotMistake : std::uint8_t {
   squared,
   cosine_power,
   reversed_axis,
-  inner_only_penumbra,  ///< nothing between the angles
+  inner_only_penumbra,  ///< no light between the two angles
 };
 
 enum class ShadowMistake : std::uint8_t {
@@ -112,8 +112,8 @@ enum class ShadowMistake : std::uint8_t {
   no_ambient_if_all,  ///< in shadow of every light: black
   keeps_specular,     ///< shadows only remove diffuse light
   keeps_diffuse,
-  half,             ///< shadows take half
-  spot_along_axis,  ///< a spot's ray runs against its axis
+  half,             ///< shadows remove half of the light
+  spot_along_axis,  ///< the shadow ray of a spotlight runs along its axis
   spot_without,
   point_without,
   directional_without,
@@ -121,16 +121,16 @@ enum class ShadowMistake : std::uint8_t {
   glass_lets_through,
   not_own_object,              ///< an object does not shadow itself
   any_nearer_than_eye,         ///< compared with the distance to the eye
-  unit_length,                 ///< only what is nearer than 1
-  direction_unnormalized_far,  ///< directional lights end at length 1
+  unit_length,                 ///< only objects nearer than 1 cast shadows
+  direction_unnormalized_far,  ///< shadow rays to directional lights have length 1
   squared_distance,            ///< compared with the square of the light's distance
   directional_ends_at_position,
   light_from_origin,     ///< compared with the light's distance from the world's origin
-  object_distance,       ///< distances along rays normalized in each object's space
-  only_camera_rays,      ///< not in reflections
+  object_distance,       ///< t of rays that are normalized in each object's space
+  only_camera_rays,      ///< no shadows in reflections
   from_eye,              ///< the ray starts at the eye
   from_origin,           ///< the ray starts at the world's origin
-  point_as_directional,  ///< to the light with t up to 1 along a unit vector
+  point_as_directional,  ///< t ends at 1, but the direction is a unit vector
 };
 
 enum class AmbientMistake : std::uint8_t {
@@ -169,13 +169,13 @@ enum class SpecularMistake : std::uint8_t {
   clamped_mirror,  ///< R is made with N.L cut off at 0
   no_exponent,
   by_light_view,    ///< L.V
-  reversed_mirror,  ///< R of the wrong sign
+  reversed_mirror,  ///< R has the wrong sign
   by_normal_view,   ///< N.V
   exponent_quarter,
   exponent_double,
   exponent_half,
   exponent_four,
-  zero_shines,  ///< exponent 0 makes an even shine
+  zero_shines,  ///< exponent 0 gives a uniform highlight
   no_color,
   no_light_color,
   diffuse_color,
@@ -201,10 +201,10 @@ enum class TextureMistake : std::uint8_t {
   lookup_clamped,  ///< does not wrap
   divided_repeat,
   swapped_uv,
-  blend_drops_color,       ///< blend * texture alone
+  blend_drops_color,       ///< only blend * texture
   decoded,                 ///< from sRGB
   ambient_too,             ///< replaces the ambient color as well
-  no_coefficient_on_rest,  ///< kd missing on the plain share
+  no_coefficient_on_rest,  ///< the diffuse color's share lacks kd
   filtered,                ///< bilinear, texels at their corners
   filtered_centered,       ///< bilinear, texels at their centers
   not_filtered,
@@ -218,10 +218,10 @@ enum class UvMistake : std::uint8_t {
   quarter,
   half,
   three_quarters,  ///< of a turn around the axis
-  round_flip_u,    ///< around the axis alone
+  round_flip_u,    ///< only around the axis
   sphere_linear_v,
   sphere_flip_v,
-  cube_same_faces,  ///< no face is turned as it should be
+  cube_same_faces,  ///< the faces are not rotated as they should be
   caps_flip_v,
   caps_as_side,
   flat_flip_u,
@@ -236,28 +236,28 @@ enum class UvMistake : std::uint8_t {
 enum class MirrorMistake : std::uint8_t {
   none,
   no_coefficient,
-  color_ignored,        ///< ks alone
-  neither,              ///< the mirrored color in full
+  color_ignored,        ///< only ks
+  neither,              ///< the full reflected color
   specular_color,       ///< ks * specular color
-  all_materials,        ///< all that shines reflects
+  all_materials,        ///< everything with a highlight reflects
   blended,              ///< mixed with the lighting, not added
   blended_coefficient,  ///< ... by ks * color
   blended_all,
   blended_plain,     ///< ... by ks, without the reflective color
   averaged,          ///< half lighting, half reflection
-  not_chained,       ///< behind the first mirror nothing is weighted
-  last_weight_only,  ///< each bounce has the weight of its own mirror alone
-  replaces,          ///< the lighting is lost
-  reversed,          ///< the ray goes into the surface
+  not_chained,       ///< no weights after the first mirror
+  last_weight_only,  ///< only the weight of the last mirror counts
+  replaces,          ///< the lighting is dropped
+  reversed,          ///< the reflected ray points into the surface
   wrong_sign,        ///< d + 2 (d.n) n
   along_normal,
-  straight,       ///< the ray goes on
-  eye_at_camera,  ///< highlights in reflections aim at the camera
+  straight,       ///< the ray is not deflected
+  eye_at_camera,  ///< highlights in reflections are those for the camera
   no_shadows,
   no_ambient,
   doubled,
   diffuse_coefficient,
-  no_local,  ///< reflections show other reflections alone
+  no_local,  ///< surfaces in reflections are not lit
   times_cosine,
   clamped_never,
   times_diffuse,
@@ -277,7 +277,7 @@ enum class GlassMistake : std::uint8_t {
   entering_always,      ///< 1 / ior at both walls
   blended,
   black_inside,  ///< the ray ends at the back wall
-  mirrored,      ///< the mirror's direction is taken
+  mirrored,      ///< follows the reflected direction
   times_diffuse,
   no_local,
   ior_one_and_half,

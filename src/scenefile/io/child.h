@@ -1,5 +1,5 @@
 #pragma once
-// Other programs.
+// Runs other programs.
 
 #include "scenefile/base/result.h"
 
@@ -9,12 +9,12 @@
 
 namespace scenefile {
 
-/// Whether one of the folders of PATH holds such a program.
+/// Whether a folder in PATH contains the program.
 bool has_program(std::string_view name);
 
-/// Runs a program and waits for its end. `words`: its name, looked for in PATH, and its arguments.
-/// Its standard input is empty, its standard output goes to standard error. An error where it
-/// cannot be started or fails.
+/// Runs a program and waits for it. `words`: its name, looked up in PATH, and its arguments.
+/// Standard input is empty, standard output is redirected to standard error. Returns an error if
+/// the program cannot be started or fails.
 Result<void> run_child(const std::vector<std::string>& words);
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// A regular file that is read in pieces.
+// Reads a regular file in pieces.
 
 #include "scenefile/base/result.h"
 
@@ -11,15 +11,15 @@ namespace scenefile {
 
 class FileReader {
  public:
-  /// Refuses what read_file() refuses, without blocking.
+  /// Rejects the same files as read_file(), without blocking.
   static Result<FileReader> open(const std::string& path);
   FileReader(FileReader&& other) noexcept;
   FileReader& operator=(FileReader&&) = delete;
   ~FileReader();
 
-  /// Length of the file when it was opened.
+  /// The size when the file was opened.
   std::uint64_t size() const;
-  /// `count` bytes from the place `at`; fewer where the file ends before.
+  /// Up to `count` bytes at offset `at`; fewer at the end of the file.
   Result<std::string> read(std::uint64_t at, std::size_t count) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A file that is written piece by piece, for what is too large to lie in memory whole.
+// Writes a file in pieces, for contents too large for memory.
 
 #include "scenefile/base/result.h"
 
@@ -10,10 +10,10 @@
 
 namespace scenefile {
 
-/// As write_file() (file.h): the target is the old file or the whole new one. Until commit() the
-/// bytes lie under another name beside it, and go away with the writer. Whoever holds one holds a
-/// DeferredSignals (interrupt.h) too, so that this also happens when a signal ends the program.
-/// What cannot be replaced, as standard output, gets all bytes at the end.
+/// Atomic like write_file() (file.h): until commit(), the bytes are in a temporary file next to the
+/// target, which the destructor removes. Keep a DeferredSignals (interrupt.h) alive as long as the
+/// writer, so that this also happens if a signal ends the program. A target that cannot be
+/// replaced, such as standard output, receives all bytes at the end.
 class FileWriter {
  public:
   static Result<FileWriter> create(const std::string& path);
@@ -22,9 +22,9 @@ class FileWriter {
   ~FileWriter();
 
   Result<void> append(std::string_view bytes);
-  /// Replaces bytes that were appended, from the place `at`, counted from the first of all.
+  /// Replaces appended bytes, starting at offset `at` in the file.
   Result<void> replace(std::uint64_t at, std::string_view bytes);
-  /// Makes what was written durable and gives it its name. The last call.
+  /// Syncs and renames the file. Must be the last call.
   Result<void> commit();
 
  private:

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586477;
 
-// Slope at an inner knot between two straight pieces that last `before` and `after`: that of the
-// parabola through the three points.
+// The slope at an inner knot between two segments that take the times `before` and `after`: that of
+// the parabola through the three points.
 template <typename T>
 T parabola_slope(const T& slope_before, const T& slope_after, double before, double after) {
   return (slope_before * after + slope_after * before) / (before + after);
 }
 
-// The same for a curve that must not overshoot.
+// The same, limited so that the curve does not overshoot.
 double monotone_slope(double slope_before, double slope_after, double before, double after) {
   if (slope_before * slope_after <= 0) {
     return 0;
@@ -29,7 +29,7 @@ double monotone_slope(double slope_before, double slope_after, double before, do
   return (w1 + w2) / (w1 / slope_before + w2 / slope_after);
 }
 
-// The cubic curve with values a, b and slopes at its ends, `s` in [0, 1] of its length.
+// The cubic Hermite curve from a to b with these slopes, at `s` in [0, 1].
 template <typename T>
 T hermite(const T& a, const T& b, const T& slope_a, const T& slope_b, double length, double s) {
   const double s2 = s * s;
@@ -60,7 +60,7 @@ glm::dvec4 rotation_of(const Camera& camera) {
   return {q.w, q.x, q.y, q.z};
 }
 
-// A rotation is two quaternions, q and -q: the one on the side of the view before, from the first.
+// Both q and -q represent a rotation: chooses the one nearer to the previous view.
 glm::dvec4 rotation_in_row(std::span<const CameraView> views, std::size_t first,
                            std::size_t index) {
   glm::dvec4 rotation = rotation_of(views[first].camera);

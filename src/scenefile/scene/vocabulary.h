@@ -39,7 +39,7 @@ using Member =
     std::variant<std::monostate, float Owner::*, glm::vec3 Owner::*, std::optional<float> Owner::*,
                  std::optional<int> Owner::*, std::string Owner::*, Rare<TextureUse> Owner::*>;
 
-/// Which lights use a value: all of them, or those with some property.
+/// Which lights use a value: all, or only those with some property.
 using UsedBy = bool (*)(LightType);
 constexpr bool every_light(LightType /*type*/) {
   return true;

@@ -16,8 +16,8 @@ struct DrawnPixel {
   glm::ivec2 at{0};
   Color color{0};               ///< of the course profile
   PixelSamples samples;         ///< of the fine profile
-  std::uint32_t signature = 0;  ///< of the last of them, where waves took them
-  PixelSurfaces surfaces;       ///< where they are wished for
+  std::uint32_t signature = 0;  ///< of the last sample; only set by waves
+  PixelSurfaces surfaces;       ///< if requested
 };
 
 /// Which surface data of camera rays to record.

@@ -11,14 +11,14 @@ namespace {
 
 constexpr float third = 1.0f / 3;
 
-// Share of squared differences on one surface that counts.
+// The factor for squared differences within one surface.
 constexpr float on_one_surface = third / 32;
 
 float clamped(float value) {
   return std::clamp(value, 0.0f, 1.0f);
 }
 
-// Channels of a row apart, with a copy of the pixels at its ends beyond them.
+// The channels of a row in separate arrays, padded with a copy of the first and the last pixel.
 struct Row {
   std::vector<float> channel[3];
   std::vector<std::uint32_t> surface;
@@ -42,7 +42,8 @@ struct Row {
   }
 };
 
-// Raises `most` to the contrasts of a row with the pixels of another, `step` to the right.
+// Raises each value of `most` to the contrast with the pixel of `other` that is `step` to the
+// right.
 void raise(const Row& row, const Row& other, int step, std::vector<float>& most) {
   const float* const r = row.channel[0].data() + 1;
   const float* const g = row.channel[1].data() + 1;

@@ -9,14 +9,14 @@
 
 namespace scenefile {
 
-/// How much two colors (three floats each) differ, clamped to [0, 1]: the mean of the channels'
-/// squared differences. Differences on one surface count for less: they are those of light that
-/// changes evenly, or of a filtered texture, and one sample in the middle tells most of them.
+/// How much two colors (three floats each) differ, from 0 to 1: the mean squared difference of the
+/// channels, clamped to [0, 1]. Differences within one surface count less: they come from smooth
+/// shading or a filtered texture, which one sample at the center captures well.
 float contrast(const float* a, const float* b, bool one_surface);
 
-/// Calls row(y, contrasts) for the rows of an image, on as many threads as there are: of each pixel
-/// the largest contrast() with one of its eight neighbors. `surfaces`: by pixel, equal where one
-/// surface is seen.
+/// Calls row(y, contrasts) for each row of an image, in parallel; `contrasts` is, for each pixel,
+/// the largest contrast() with any of its eight neighbors. `surfaces`: by pixel; equal values mean
+/// the same surface.
 void for_each_row_of_contrasts(const Image& image, std::span<const std::uint16_t> surfaces,
                                const std::function<void(int, std::span<const float>)>& row);
 

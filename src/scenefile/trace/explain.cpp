@@ -16,7 +16,8 @@ namespace scenefile {
 
 namespace {
 
-// What the middles of a pixel and of its neighbors see, and where in them it is itself.
+// What the center samples of a pixel and its neighbors see. `middle`: the index of the pixel
+// itself.
 struct Neighborhood {
   std::vector<CameraSample> samples;
   std::vector<WaveSight> sights;
@@ -54,7 +55,7 @@ float largest_contrast(const Neighborhood& near) {
   return most;
 }
 
-// As render() does it in its passes over the picture.
+// Takes the samples that render() takes in its passes.
 Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts,
                  MoreSamples& more) {
   const FineSampler sampler(tracer, camera);

@@ -15,35 +15,36 @@ constexpr std::uint32_t first_round = 4;
 // Samples per area light at hits of camera rays; secondary rays use one.
 constexpr std::uint32_t light_samples = 4;
 
-// The least variance of a pixel that sees an area light in part, over the square of its color:
-// points on a light are spread so evenly that a few samples may agree and be wrong.
+// The minimum variance assumed for a pixel that sees an area light partially, relative to its
+// squared color: points on a light are spread so evenly that a few samples may agree and be wrong.
 constexpr double variance_of_penumbra = 1.0 / 16;
 
-// A pixel of this variance is worth the most samples that are allowed, or these where less are
-// allowed: then pixels take fewer, but as many pixels take any.
+// A pixel with this variance justifies the maximum number of samples, but at least usual_samples:
+// with a smaller maximum, pixels take fewer samples, but the same pixels are refined.
 constexpr double worst_variance = 1.0 / 32;
 constexpr std::uint32_t usual_samples = 16;
 
-// Variance within a pixel over the contrast with its neighbors: 1/12 where colors change evenly.
+// The variance within a pixel relative to the contrast with its neighbors: 1/12 for a linear
+// gradient.
 constexpr double variance_of_contrast = 1.0 / 12;
 
-// What the contrast foretells counts as so many samples.
+// The variance estimated from the contrast counts as much as this many samples.
 constexpr double weight_of_contrast = 1;
 
-// Marks are square roots of contrasts in these units.
+// Marks are square roots of contrasts, in these units.
 constexpr double mark_unit = 1.0 / 255;
 
-// From so many samples on all pixels get a share of them.
+// From this many samples on, every pixel gets at least 1 / share_for_exactness of them.
 constexpr std::uint32_t samples_for_exactness = 256;
 constexpr std::uint32_t share_for_exactness = 32;
 
-// Where pixels begin with samples of their own.
+// The first round, for pictures in which every pixel starts with pattern samples.
 constexpr std::uint32_t first_samples = 4;
 
-// A pixel that is seen through a lens is settled when its mean is uncertain by less.
+// Behind a lens, a pixel has enough samples if the standard error of its mean is below this.
 constexpr double settled_error = 1.0 / 256;
 
-// Squared error of the mean of so many samples, for variance 1.
+// The squared error of the mean of `count` samples, for a variance of 1.
 double error_of(std::uint32_t count) {
   return 1 / (count * std::sqrt(double(count)));
 }
@@ -52,7 +53,7 @@ double gain(std::uint32_t count, std::uint32_t more) {
   return (error_of(count) - error_of(more)) / (more - count);
 }
 
-// Of the last half of so many samples.
+// The gain per sample from count / 2 to `count` samples.
 double gain_of_last(std::uint32_t count) {
   return gain(count / 2, count);
 }
@@ -116,7 +117,7 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
       plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options))),
       least_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
-// Of a quarter of the pixel, as four samples share it.
+// A sample that covers a quarter of the pixel, as in the first round of four.
 CameraSample FineSampler::sample_at(int x, int y, std::uint32_t index,
                                     const glm::dvec2& in_pixel) const {
   const std::uint32_t pixel =
@@ -188,7 +189,7 @@ void FineSampler::take(int x, int y, std::uint8_t mark, PixelSamples& samples,
 std::uint8_t FineSampler::mark_of(float contrast) const {
   const double rounded = std::ceil(std::sqrt(double(contrast)) / mark_unit);
   const auto mark = static_cast<std::uint8_t>(std::clamp(rounded, 0.0, 255.0));
-  // The middle goes to waste: so many samples as the first round has gain what is left to gain.
+  // The center sample is discarded, so the first round must gain what is left to gain.
   const std::uint32_t first = next_count(0);
   const double all = expected_variance(mark) * (1 - error_of(first)) / first;
   return all > least_gain_ ? mark : 0;

@@ -1,13 +1,12 @@
 #pragma once
 // The fine profile's samples of a pixel.
 //
-// Where one sample in the middle of a pixel tells enough, it is all that the pixel gets: what is
-// smooth within a pixel it tells best of all, and textures are filtered over the whole pixel. Where
-// it differs from a neighbor, most of all by seeing other surfaces, the pixel gets samples of its
-// own in place of it, spread over the pixel by a pattern: 4, 8, 16 ... until more would gain too
-// little. The error of such samples is about V n^-1.5 (squared; V:
-// variance of the color in the pixel), so that a sample gains V (n^-1.5 - m^-1.5) / (m - n) on the
-// way from n samples to m.
+// Every pixel first gets one sample at its center. That sample is enough where the picture is
+// smooth: textures are filtered over the whole pixel. A pixel that differs from a neighbor, above
+// all because it sees another surface, gets new samples instead, spread over the pixel by a
+// pattern: 4, then 8, 16 and so on, until more would gain too little. The squared error of n such
+// samples is about V n^-1.5, where V is the variance of the color within the pixel; going from n to
+// m samples therefore gains V (n^-1.5 - m^-1.5) / (m - n) per sample.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/integrator.h"
@@ -25,7 +24,7 @@ struct PixelSamples {
   /// `partly_lit`: the sample saw an area light partially.
   void add(const Color& color, bool partly_lit);
   Color mean() const { return count == 0 ? Color(0) : sum / double(count); }
-  /// Of the clamped colors, mean of the channels; 0 of less than two samples.
+  /// The variance of the clamped colors, averaged over the channels; 0 for fewer than two samples.
   double variance() const;
 };
 
@@ -42,17 +41,17 @@ bool is_soft(const RenderScene& scene, const RenderOptions& options);
 
 /// How the samples of a picture are shared out among its pixels.
 struct SamplePlan {
-  bool middles = true;      ///< begin with one sample in the middle of each pixel
-  std::uint32_t first = 1;  ///< else so many at least
+  bool middles = true;      ///< start with one sample at the center of each pixel
+  std::uint32_t first = 1;  ///< otherwise at least this many samples per pixel
   std::uint32_t most = 1;
 
-  /// Pixels get more by what their neighbors saw.
+  /// Whether a second pass refines pixels, depending on what their neighbors saw.
   bool two_passes() const { return middles && most > 1; }
 };
 
-/// `soft`: see is_soft(). Lenses and area lights blur what one sample cannot foresee, so
-/// that each pixel begins with several. So it does where so many samples are allowed that the
-/// picture shall be exact.
+/// `soft`: see is_soft(). With lenses and area lights, one sample cannot predict the variance, so
+/// each pixel starts with several. The same applies if so many samples are allowed that the picture
+/// should be exact.
 SamplePlan sample_plan(const RenderOptions& options, bool soft);
 
 /// The samples of a picture; each is a function of the pixel, its index and the seed.
@@ -61,18 +60,19 @@ class FineSampler {
   FineSampler(const Tracer& tracer, const CameraRays& camera);
 
   const SamplePlan& plan() const { return plan_; }
-  /// The sample in the middle of the pixel.
+  /// The sample at the center of the pixel.
   CameraSample middle(int x, int y) const;
   /// Sample number `index` of the pixel's pattern.
   CameraSample sample(int x, int y, std::uint32_t index) const;
-  /// How many samples of its own a pixel has after the round that follows `count`.
+  /// The number of pattern samples that a pixel has after the next round, given `count` so far.
   std::uint32_t next_count(std::uint32_t count) const;
-  /// Whether a pixel has enough samples of its own. `mark`: see mark_of(), 0 in one pass.
+  /// Whether a pixel has enough pattern samples. `mark`: see mark_of(); 0 if there is only one
+  /// pass.
   bool enough(const PixelSamples& samples, std::uint8_t mark) const;
-  /// Gives a pixel samples of its own, one after the other, until it has enough.
+  /// Takes pattern samples of a pixel, round by round, until it has enough.
   void take(int x, int y, std::uint8_t mark, PixelSamples& samples, RayCounts& counts) const;
-  /// What is to be kept of how much a pixel differs from its neighbors until its samples are taken:
-  /// 0 where its middle tells enough. `contrast`: the largest with a neighbor (edges.h).
+  /// The contrast of a pixel with its neighbors, quantized for storage until the second pass; 0 if
+  /// the center sample is enough. `contrast`: the largest with any neighbor (edges.h).
   std::uint8_t mark_of(float contrast) const;
 
  private:
@@ -83,7 +83,7 @@ class FineSampler {
   const CameraRays& camera_;
   std::uint32_t seed_;
   SamplePlan plan_;
-  double least_gain_;  // of a sample that is worth its time
+  double least_gain_;  // per sample, for a sample to be worth its time
 };
 
 }  // namespace scenefile

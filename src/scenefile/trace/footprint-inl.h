@@ -1,6 +1,6 @@
-// How rays change from one pixel to the next, on their way over mirrors and through glass, and what
-// their pixels cover of a texture; for any number of lanes (base/one_lane.h). After Igehy, "Tracing
-// Ray Differentials", 1999. No guard: included once for each number of lanes.
+// Ray differentials through reflections and refractions, and texture footprints, for any number of
+// lanes (base/one_lane.h). After Igehy, "Tracing Ray Differentials", 1999. No include guard:
+// included once for each number of lanes.
 
 #include "scenefile/base/shape.h"
 #include "scenefile/geometry/shapes.h"
@@ -8,7 +8,7 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// A change for a step to the right in the picture, and for one down.
+/// Derivatives for one step to the right and one step down in the picture.
 struct Steps {
   V3 x, y;
 };
@@ -18,10 +18,10 @@ inline Steps no_steps() {
   return {none, none};
 }
 
-/// Below this share of grazing light changes grow no further.
+/// Below this cosine, at grazing angles, derivatives do not grow any further.
 inline constexpr double least_cosine = 1.0 / 64;
 
-/// Of the unit directions of camera rays; steps of `width` pixels.
+/// The derivatives of the unit direction of a camera ray; a step is `width` pixels.
 inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_y, F width) {
   V3 forward = pinhole_forward(camera, x, y);
   F step = width * splat(camera.pixel);
@@ -38,7 +38,7 @@ inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_
   return {turned(step * splat3(camera.u)), turned(-(step * splat3(camera.v)))};
 }
 
-/// Of the points where rays meet a surface of that normal at distance t.
+/// The derivatives of the point where a ray hits a surface with this normal, at distance t.
 inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V3& ray,
                             const V3& normal, F t) {
   const F cosine = dot(ray, normal);
@@ -58,7 +58,7 @@ inline M face_is(F face, Face which) {
   return face == splat(static_cast<int>(which));
 }
 
-/// How the object-space normal of a shape turns for a step on its surface at p.
+/// The derivative of a shape's object-space normal for a step on its surface at p.
 inline V3 object_normal_turn(F shape, F face, const V3& p, const V3& step) {
   const V3 still{splat(0), splat(0), splat(0)};
   const M round =
@@ -80,8 +80,8 @@ inline V3 object_normal_turn(F shape, F face, const V3& p, const V3& step) {
   return select(round & shape_is(shape, Shape::sphere) & (size > splat(0)), ball, turn);
 }
 
-/// How the unit normal of a shape turns in world space for a step on its surface there. `x`, `y`,
-/// `z`: columns of the map to object space; `normal`: in object space.
+/// The derivative of a shape's unit normal in world space for a step on its surface. `x`, `y`, `z`:
+/// columns of the linear map from world to object space; `normal`: in object space.
 inline V3 world_normal_turn(const V3& x, const V3& y, const V3& z, F shape, F face, const V3& p,
                             const V3& normal, const V3& step) {
   const V3 object_step{x.x * step.x + y.x * step.y + z.x * step.z,
@@ -96,13 +96,13 @@ inline V3 world_normal_turn(const V3& x, const V3& y, const V3& z, F shape, F fa
   return select(known, (turn - dot(unit, turn) * unit) / size, V3{splat(0), splat(0), splat(0)});
 }
 
-/// Turns of the normal `geometric` for the normal `wanted`, which may be on the other side.
+/// Derivatives of the normal `geometric`, flipped if `wanted` points to its other side.
 inline Steps on_side(const Steps& turn, const V3& geometric, const V3& wanted) {
   const M other = dot(geometric, wanted) < splat(0);
   return {select(other, -turn.x, turn.x), select(other, -turn.y, turn.y)};
 }
 
-/// The changes of a mirrored direction. `turn`: of the normal.
+/// The derivatives of a reflected direction. `turn`: of the normal.
 inline Steps mirrored_steps(const V3& ray, const V3& normal, const Steps& direction,
                             const Steps& turn) {
   const F cosine = dot(ray, normal);
@@ -112,7 +112,7 @@ inline Steps mirrored_steps(const V3& ray, const V3& normal, const Steps& direct
   return {mirrored(direction.x, turn.x), mirrored(direction.y, turn.y)};
 }
 
-/// The same of a refracted direction; see refraction().
+/// The derivatives of a refracted direction; see refraction().
 inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps& direction,
                              const Steps& turn) {
   const F cosine = -dot(ray, normal);
@@ -132,7 +132,7 @@ struct UvStep {
   F u, v;
 };
 
-/// For a step on the surface of a shape at p, all in object space. At a pole all of u meets.
+/// For a step on the surface of a shape at p, all in object space. At a pole, where all u meet, 1.
 inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   const auto is = [&](Face f) { return face_is(face, f); };
   const M on_side = is(Face::pos_x) | is(Face::neg_x) | is(Face::pos_z) | is(Face::neg_z);
@@ -146,7 +146,7 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   }
   const F squared = p.x * p.x + p.z * p.z;
   const F around = (p.z * step.x - p.x * step.z) / squared / splat(2 * 3.14159265358979323846);
-  // Also false where it is no number.
+  // Also false for NaN.
   const M apart = (around >= splat(-1)) & (around <= splat(1));
   u = select(round, select(apart, around, splat(1)), u);
   const F distance = root(squared);
@@ -157,9 +157,9 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   return {u, v};
 }
 
-/// What a pixel covers of a texture, in texels: a parallelogram about the point that is looked up.
+/// The footprint of a pixel in a texture, in texels: a parallelogram around the lookup point.
 struct TexelFootprint {
-  F right_x, right_y;  ///< along the step to the right
+  F right_x, right_y;  ///< for the step to the right
   F down_x, down_y;
 };
 
@@ -178,10 +178,10 @@ inline TexelFootprint texel_footprint(const UvStep& right, const UvStep& down, F
   return {right.u * across, right.v * along, down.u * across, down.v * along};
 }
 
-/// More lookups than this along a long footprint cost more than they show.
+/// The maximum number of lookups along an elongated footprint; more would cost more than they show.
 inline constexpr double most_taps = 16;
 
-/// A place between texels, where whole numbers are their middles.
+/// The index of a texel, wrapped around to 0 .. size - 1.
 inline F wrapped(F index, F size) {
   const F inside = index - size * down(index / size);
   return select(inside >= splat(0), least(inside, size - splat(1)), splat(0));
@@ -191,7 +191,7 @@ inline V3 mix(const V3& a, const V3& b, F share) {
   return (splat(1) - share) * a + share * b;
 }
 
-/// Between the four texels around (x, y); `texels(x, y)` gives those at whole positions.
+/// Interpolates between the four texels around (x, y); `texels(x, y)` looks up one by its indices.
 template <typename Texels>
 V3 bilinear(F width, F height, F x, F y, const Texels& texels) {
   const F left = down(x);
@@ -208,11 +208,11 @@ V3 bilinear(F width, F height, F x, F y, const Texels& texels) {
   return mix(above, below, y - top);
 }
 
-/// Average over footprints about (x, y), in texels of the largest level. `textures` knows
-///   F levels()                                   how many there are
-///   V3 smooth(F level, M wanted, F x, F y)       the color there, interpolated in that level
-/// `grid`: 1, or 2 for four lookups at the quarters of the footprint, as four samples would have
-/// it. Lanes outside of `wanted` get any color.
+/// Averages over footprints around (x, y), in texels of the largest mip level. `textures` provides
+///   F levels()                                   number of mip levels
+///   V3 smooth(F level, M wanted, F x, F y)       the color at a point, interpolated in that level
+/// `grid`: 1, or 2 for four lookups in the quarters of the footprint, like four samples would make.
+/// Lanes outside of `wanted` return any color.
 template <typename Textures>
 V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F grid, M wanted) {
   const auto size = [](F a, F b) { return root(a * a + b * b); };
@@ -220,7 +220,7 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
   const F below = size(pixel.down_x, pixel.down_y);
   const M limited = finite(right + below);
   const M rightward = right >= below;
-  // What is small against a texel one lookup tells as well as four.
+  // For a footprint much smaller than a texel, one lookup is as good as four.
   const M quarters = limited & (grid > splat(1)) & (greatest(right, below) > splat(0.25));
   const F part = splat(1) / grid;
   const F longer = part * select(rightward, right, below);
@@ -228,7 +228,7 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
   const F major_x = part * select(rightward, pixel.right_x, pixel.down_x);
   const F major_y = part * select(rightward, pixel.right_y, pixel.down_y);
   const F width = greatest(greatest(shorter, longer / splat(most_taps)), splat(1));
-  // Texels of the level are about as wide as the footprint.
+  // Chooses the level whose texels are about as wide as the footprint.
   const F last = textures.levels() - splat(1);
   F level = splat(0);
   F texel = splat(1.5);

@@ -31,7 +31,7 @@ double number_of(Face face) {
   return static_cast<int>(face);
 }
 
-// (du, dv) of a step on the surface, by the tangents, all in object space.
+// (du, dv) for a step on the surface, from the tangents; all in object space.
 one::UvStep mesh_uv_step(const glm::dvec3& tangent_u, const glm::dvec3& tangent_v,
                          const glm::dvec3& step) {
   const glm::dvec3 area = glm::cross(tangent_u, tangent_v);
@@ -53,7 +53,7 @@ glm::dvec2 uv_step(const SurfacePoint& point, const glm::dvec3& world_step) {
   return {uv.u, uv.v};
 }
 
-// Turns of the normal on the side that it is wanted for.
+// Derivatives of the normal, on the side of the normal `wanted`.
 one::Steps turns_of(const SurfacePoint& point, const PixelSteps& steps, const glm::dvec3& wanted) {
   return one::on_side(in_lane(normal_turns(point, steps)), splat3(point.geometric), splat3(wanted));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What rays cover of surfaces and textures, for filtering (fine profile): how they change from one
-// pixel to the next.
+// Ray differentials and texture footprints, for filtering (fine profile). After Igehy, "Tracing Ray
+// Differentials", 1999.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/surface_point.h"
@@ -8,38 +8,39 @@
 
 namespace scenefile {
 
-/// Changes for a step to the right in the picture, and for one down; world units.
+/// Derivatives for one step to the right and one step down in the picture; world units.
 struct PixelSteps {
   glm::dvec3 x{0};
   glm::dvec3 y{0};
 };
 
-/// How a ray changes.
+/// The differential of a ray.
 struct RayDifferential {
   PixelSteps origin;
   PixelSteps direction;
 };
 
-/// Of a ray of the camera, as CameraRays::ray() has it; steps of `width` pixels.
+/// The differential of a camera ray, as for CameraRays::ray(); a step is `width` pixels.
 RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
                                     const glm::dvec2& lens, double width);
 
-/// Of the point where a ray in that unit direction meets the surface.
+/// The derivatives of the point where a ray with that unit direction hits the surface.
 PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
                           const SurfacePoint& point);
 
-/// What such a step covers in (u, v) around the point.
+/// The footprint in (u, v) around the point for these steps.
 UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps);
 
-/// Turns of the geometric normal for such steps.
+/// The derivatives of the geometric normal for these steps.
 PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps);
 
-/// After a mirror: `steps` of the point, `normal` as the ray was mirrored at it.
+/// After a reflection. `steps`: derivatives of the point; `normal`: the one used for the
+/// reflection.
 RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
                                       const SurfacePoint& point, const PixelSteps& steps,
                                       const glm::dvec3& normal);
 
-/// After a refraction; `normal` against the ray, `eta` as refract_direction() has it.
+/// After a refraction. `normal` points against the ray; `eta` as for refract_direction().
 RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
                                        const SurfacePoint& point, const PixelSteps& steps,
                                        const glm::dvec3& normal, double eta);

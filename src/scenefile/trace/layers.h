@@ -29,7 +29,7 @@ std::string missing_light(std::span<const Layer> layers, std::size_t lights);
 /// Name and channels of a layer.
 ImageLayer layer_without_values(const Layer& layer);
 
-/// From the least to the most of the numbers that are finite; the default is the range of none.
+/// The range of all finite values; by default the empty range.
 struct ValueRange {
   float least = std::numeric_limits<float>::max();
   float most = std::numeric_limits<float>::lowest();
@@ -37,7 +37,7 @@ struct ValueRange {
   friend bool operator==(const ValueRange&, const ValueRange&) = default;
 };
 ValueRange range_of(std::span<const float> values);
-/// The range of both.
+/// The range of both together.
 ValueRange joined(const ValueRange& a, const ValueRange& b);
 
 /// A layer as a picture in [0, 1], for formats that only store colors. Depth is white at the
@@ -46,7 +46,7 @@ ValueRange joined(const ValueRange& a, const ValueRange& b);
 /// is divided by `max_depth`; others are unchanged.
 Image layer_picture(const Layer& layer, const ImageLayer& values, int width, int height,
                     int max_depth);
-/// The same for some pixels: `range` is that of the whole layer. Writes 3 numbers a pixel to `rgb`.
+/// The same for some of the pixels; `range` is that of the whole layer. Writes 3 numbers per pixel.
 void layer_colors(const Layer& layer, std::span<const float> values, const ValueRange& range,
                   int max_depth, float* rgb);
 

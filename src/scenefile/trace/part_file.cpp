@@ -13,7 +13,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::string_view first_line = "scenefile part 1\n";
-// What every version of the file starts with.
+// The start of the first line in every version.
 constexpr std::string_view name_of_format = "scenefile part ";
 constexpr std::uint32_t most_layers = 4096;
 constexpr int most_side = 1 << 20;
@@ -27,7 +27,7 @@ std::uint64_t checksum_of(std::string_view bytes) {
   return hash.value();
 }
 
-// Calls value(x) for all that stands in the head, in its order; the lists have their sizes.
+// Calls value(x) for each number in the header, in order. The lists already have their sizes.
 template <typename Head, typename Value>
 void for_each_value(Head& head, const Value& value) {
   auto& picture = head.picture;
@@ -86,7 +86,7 @@ bool is_rounding(Rounding rounding) {
   return false;
 }
 
-// Whether such a part can be.
+// Whether a part can have this header.
 bool is_possible(const PartHead& head) {
   const DividedPicture& picture = head.picture;
   const PixelRegion& region = picture.region;
@@ -98,7 +98,7 @@ bool is_possible(const PartHead& head) {
                      [](const Layer& layer) { return is_kind(layer.kind); });
 }
 
-// Floats of a pixel.
+// The number of floats per pixel.
 std::size_t values_of_pixel(const DividedPicture& picture) {
   std::size_t count = 3;
   for (const Layer& layer : picture.layers) {
@@ -107,7 +107,7 @@ std::size_t values_of_pixel(const DividedPicture& picture) {
   return count;
 }
 
-// Values that become whole numbers in a file must be some.
+// Values that are written as integers must be in range.
 void make_whole(float* values, std::size_t count) {
   constexpr float most = 16777216;
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,14 +1,14 @@
 #pragma once
-// The file of one part of a picture: what it is of, and its pixels as they were drawn.
+// The file format for one part of a picture: what it is a part of, and its pixels.
 //
-//   scenefile part 1        a line; the number is that of this layout
-//   length of the head      4 bytes
-//   head                    PartHead
-//   checksum of the head    8 bytes
-//   rows                    the part's rows from the top: 3 floats a pixel, then those of each
-//   layer
+//   scenefile part 1        a line; the number is the version of the layout
+//   length of the header    4 bytes
+//   header                  PartHead
+//   checksum of the header  8 bytes
+//   rows                    the part's rows from the top: 3 floats per pixel, then those of
+//                           each layer
 //
-// Numbers are in the machine's own order of bytes: no other machine's build has the same key.
+// Numbers are in native byte order: builds for other machines have other keys.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/trace/layers.h"
@@ -26,22 +26,22 @@ namespace scenefile {
 
 /// What a picture was drawn from, as fingerprints (base/hash.h).
 struct PartKey {
-  std::uint64_t program = 0;  ///< the build
-  std::uint64_t scene = 0;    ///< its bytes
-  std::uint64_t assets = 0;   ///< names and bytes of its textures and meshes
-  std::uint64_t options = 0;  ///< all that changes the picture
-  std::uint64_t driver = 0;   ///< of OpenGL; 0: the ray tracer
+  std::uint64_t program = 0;  ///< the build of the program
+  std::uint64_t scene = 0;    ///< bytes of the scene file
+  std::uint64_t assets = 0;   ///< names and bytes of textures and meshes
+  std::uint64_t options = 0;  ///< all options that affect the picture
+  std::uint64_t driver = 0;   ///< the OpenGL driver; 0 for the ray tracer
 
   friend bool operator==(const PartKey&, const PartKey&) = default;
 };
 
-/// What all parts of a picture say alike.
+/// What all parts of a picture have in common.
 struct DividedPicture {
   PartKey key;
-  std::uint32_t count = 1;                ///< of the parts, up to most_parts
-  PixelRegion region;                     ///< the pixels of the picture when it is merged
-  Rounding rounding = Rounding::nearest;  ///< to 8 bits
-  int max_depth = 0;                      ///< as layer_picture() takes it
+  std::uint32_t count = 1;                ///< number of parts, up to most_parts
+  PixelRegion region;                     ///< the pixels of the merged picture
+  Rounding rounding = Rounding::nearest;  ///< for 8-bit output
+  int max_depth = 0;                      ///< for layer_picture()
   std::vector<Layer> layers;
 
   friend bool operator==(const DividedPicture&, const DividedPicture&) = default;
@@ -49,47 +49,47 @@ struct DividedPicture {
 
 struct PartHead {
   DividedPicture picture;
-  std::uint32_t index = 0;         ///< counted from 0; its pixels are those of part_of()
+  std::uint32_t index = 0;         ///< counted from 0; selects the pixels, see part_of()
   std::vector<ValueRange> ranges;  ///< of each layer
-  std::uint64_t checksum = 0;      ///< of the rows (PartChecksum)
+  std::uint64_t checksum = 0;      ///< of all rows
 
   PixelRegion region() const { return part_of(picture.region, index, picture.count); }
   friend bool operator==(const PartHead&, const PartHead&) = default;
 };
 
-/// The head of a part with these pixels; `image` and `layers` have its size and nothing else.
+/// The header of a part with these pixels; `image` and `layers` contain exactly the part.
 PartHead make_part_head(const DividedPicture& picture, std::uint32_t index, const Image& image,
                         std::span<const ImageLayer> layers);
 
-/// Row y of the part, counted from its top, as it stands in the file.
+/// The bytes of row y of the part, counted from its top.
 std::string part_row(const Image& image, std::span<const ImageLayer> layers, int y);
-/// How long a row is for a part of this picture that is so many pixels wide.
+/// The number of bytes of a row that is `width` pixels wide.
 std::size_t part_row_bytes(const DividedPicture& picture, int width);
 
-/// All that stands before the rows.
+/// Everything before the rows.
 std::string encode_part_head(const PartHead& head);
 
-/// No head is longer; that many bytes from the start of a file are enough to read it.
+/// The maximum size of a header: this many bytes of a file are enough to decode it.
 inline constexpr std::size_t most_part_head_bytes = std::size_t{1} << 16;
 
-/// Reads what encode_part_head() made from the first bytes of a file. Returns what is wrong, for a
-/// person; empty: nothing. `bytes_before_rows`: how long it is.
+/// Decodes the result of encode_part_head() at the start of a file. Returns an error text for
+/// people; empty on success. `bytes_before_rows`: the size of everything before the rows.
 std::string decode_part_head(std::string_view first_bytes, PartHead& head,
                              std::size_t& bytes_before_rows);
 
-/// How long the whole file is.
+/// The size of the complete file.
 std::uint64_t part_file_bytes(const PartHead& head, std::size_t bytes_before_rows);
 
-/// Whether a file that starts so is, or once was, a part.
+/// Whether a file that starts like this is a part, possibly a damaged one.
 bool is_part_file(std::string_view first_bytes);
 
-/// Why a part with the first key is none of the picture with the second, in words that follow "it
-/// is of"; empty where it is.
+/// Why a part with the key `found` does not belong to the picture with the key `wanted`, in words
+/// that complete "it was drawn from"; empty if it does.
 std::string_view foreign_part(const PartKey& found, const PartKey& wanted);
 
-/// Copies rows of a part, bytes as in the file, to where they belong. `rows`: whole rows of the
-/// part, beginning with the row `y` of the picture. `to`: the picture itself first, then its
-/// layers; their values are those of rows of the whole picture, beginning with the row `first`.
+/// Copies rows of a part to their place in the picture. `rows`: complete rows as in the file,
+/// starting with row `y` of the picture. `to`: the picture itself, then its layers; their values
+/// are rows of the whole picture, starting with row `first`.
 void place_part_rows(const PartHead& head, std::string_view rows, int y, int first,
                      std::span<ImageLayer> to);
 

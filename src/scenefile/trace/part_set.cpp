@@ -9,13 +9,13 @@ namespace scenefile {
 
 namespace {
 
-// The first candidate of the picture that most are parts of.
+// The first candidate of the picture that most candidates are parts of.
 std::size_t usual_candidate(std::span<const PartCandidate> candidates) {
   struct Group {
     std::size_t first = 0;
     std::size_t count = 0;
   };
-  std::map<std::string, Group> groups;  // by what all parts of a picture have alike
+  std::map<std::string, Group> groups;  // by what the parts of a picture have in common
   std::size_t best = no_file;
   std::size_t most = 0;
   for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -9,7 +9,7 @@ namespace scenefile {
 
 namespace {
 
-// The tiles from `first` to `last` of so many pixels that begin at `from`.
+// The pixels of tiles `first` to `last` along one axis, for a region of `size` pixels at `from`.
 std::pair<int, int> pixels_of_tiles(int first, int last, int from, int to) {
   return {std::min(from + first * tile_side, to), std::min(from + last * tile_side, to)};
 }
@@ -20,7 +20,7 @@ bool empty(const PixelRegion& region) {
 
 }  // namespace
 
-// Halves the region, along its longer side, until `count` parts are left.
+// Repeatedly halves the region along its longer side.
 PixelRegion part_of(const PixelRegion& region, std::uint32_t index, std::uint32_t count) {
   PixelRegion tiles{0, 0, tiles_across(region.width()), tiles_across(region.height())};
   while (count > 1 && !empty(tiles)) {

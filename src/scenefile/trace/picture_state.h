@@ -3,8 +3,8 @@
 // and converted to an image by its owner.
 //
 //   PictureState state = make_state(scene, options);
-//   while (!complete(state) && render_pass(traced, scene, options, state) ==
-//   RenderStatus::complete) {
+//   while (!complete(state) &&
+//          render_pass(traced, scene, options, state) == RenderStatus::complete) {
 //   }
 //   Resolved picture = resolve(std::move(state));
 //
@@ -25,8 +25,8 @@
 namespace scenefile {
 
 /// Arrays hold the pixels of `region`, row by row. The course profile takes one pass; so does the
-/// fine profile where pixels do not depend on their neighbors (fine_samples.h). Else its first pass
-/// takes a sample of each pixel, the second those of the pixels that are marked.
+/// fine profile if pixels do not depend on their neighbors (fine_samples.h). Otherwise its first
+/// pass takes one sample of each pixel, and its second pass refines the marked pixels.
 ///
 /// During a pass, threads write the pixels of unfinished pieces. Another thread may read the pixels
 /// of finished ones.
@@ -41,8 +41,8 @@ struct PictureState {
   bool sharp = true;                        ///< see denoised()
   Pieces pieces;                            ///< finished in this pass; tiles of the region
   std::uint32_t pass = 0;                   ///< 0 or 1
-  /// By pixel; empty: one pass is all. In the first pass kept_signature() (fine_samples.h), in the
-  /// second FineSampler::mark_of(): 0 where nothing more is needed.
+  /// By pixel; empty if there is only one pass. After the first pass kept_signature()
+  /// (fine_samples.h), then FineSampler::mark_of(): 0 if the pixel needs no more samples.
   std::vector<std::uint16_t> marked;
   std::size_t merged = 0;  ///< pixels that merge() put in
 };

@@ -196,7 +196,7 @@ class Renderer {
            picture_.marked[index(at)] != 0;
   }
 
-  // Makes of signatures marks of what pixels need.
+  // Converts signatures to marks: how much each pixel must be refined.
   void mark_uneven(const FineSampler& fine) {
     const std::vector<std::uint16_t> surfaces = picture_.marked;
     for_each_row_of_contrasts(

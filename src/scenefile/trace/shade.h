@@ -12,7 +12,7 @@ struct SampleKey {
   std::uint32_t sample = 0;         ///< of the pixel, from 0
   std::uint32_t pattern = 0;        ///< different for each pixel and each reflection
   std::uint32_t light_samples = 1;  ///< points on each area light (fine profile)
-  int texture_grid = 1;  ///< 2: each quarter of a footprint is looked up by itself (fine profile)
+  int texture_grid = 1;             ///< 2: a lookup in each quarter of a footprint (fine)
 };
 
 /// The course profile samples the centers of a grid with this many cells along each side of an area
@@ -23,8 +23,8 @@ inline constexpr std::uint32_t course_light_side = 4;
 bool shines_in(const Tracer& tracer, const RenderLight& light);
 
 /// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it. `steps`:
-/// of the point, from pixel to pixel; `grid`: see SampleKey. Tells the recorder of textures, if
-/// there is one.
+/// derivatives of the point, see footprint.h; `grid`: see SampleKey. Notifies the recorder of
+/// texture lookups.
 Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const PixelSteps& steps,
                     int grid, Recorder* recorder);
 

@@ -89,7 +89,7 @@ Texture halved(const Texture& texture) {
   return result;
 }
 
-// A texture in the one lane that filtered() knows.
+// A texture with the interface for filtered(), for one lane.
 struct OneTexture {
   const Pyramid& pyramid;
 

@@ -36,15 +36,15 @@ class Pyramid {
   std::vector<Texture> smaller_;
 };
 
-/// The parallelogram of (u, v) that a ray sees, by its sides: how (u, v) change for a step to the
-/// right in the picture, and for one down.
+/// A footprint in (u, v), a parallelogram: the derivatives of (u, v) for one step to the right and
+/// one step down in the picture.
 struct UvFootprint {
   glm::dvec2 right{0};
   glm::dvec2 down{0};
 };
 
 /// The average over the footprint; interpolates between texel centers if the footprint is smaller
-/// than a texel. `grid`: 2 to look up each quarter of the footprint by itself.
+/// than a texel. `grid`: 2 for a separate lookup in each quarter of the footprint.
 glm::dvec3 lookup_filtered(const Pyramid& pyramid, const RenderTexture& use, const glm::dvec2& uv,
                            const UvFootprint& footprint, int grid = 1);
 

@@ -19,7 +19,7 @@
 
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
-// What Highway says, for the one instruction set of simd128-inl.h.
+// The parts of Highway's interface that are used, for the one instruction set of simd128-inl.h.
 #define HWY_NAMESPACE N_SIMD128
 #define HWY_BEFORE_NAMESPACE() static_assert(true)
 #define HWY_AFTER_NAMESPACE() static_assert(true)
@@ -154,7 +154,7 @@ void record_surfaces(const WaveRays& rays, const WavePoints& points, bool lit,
   }
 }
 
-// A number for the surface that ray r hit.
+// A number that identifies the surface that ray r hit.
 std::uint32_t surface_number(const WaveHits& hits, std::uint32_t r) {
   if (hits.part[r] >= 0) {
     return static_cast<std::uint32_t>(hits.part[r]) * 16 + static_cast<std::uint32_t>(hits.face[r]);
@@ -170,7 +170,7 @@ std::uint32_t surface_number(const WaveHits& hits, std::uint32_t r) {
   return number;
 }
 
-// What is not filtered over footprints is never the same.
+// Textures that are not filtered over footprints differ in each sample.
 bool uneven(const WaveMaterial& material) {
   return material.bumped || material.texture != nullptr;
 }

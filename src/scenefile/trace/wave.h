@@ -29,10 +29,10 @@ struct WaveMaterial {
   double blend;       ///< of the texture, 0 without one
   double density[3];  ///< for shadow rays, as in Transmission
   const RenderMaterial* material;
-  const Texture* texture;  ///< if it is not filtered over what a ray covers
+  const Texture* texture;  ///< if it is not filtered over footprints
   const Pyramid* pyramid;  ///< if it is
   bool bumped;             ///< has a bump map
-  bool mirrors;            ///< rays go on by it
+  bool mirrors;            ///< reflects or transmits rays
   bool refracts;
 };
 
@@ -40,9 +40,9 @@ struct WaveMaterial {
 struct WaveSight {
   Color color{0};
   bool penumbra = false;  ///< saw an area light partially
-  /// Fine profile: of two samples that saw the same parts and faces in the same light, by way of
-  /// the same mirrors and glass, it is the same. Such samples differ by what changes evenly, and by
-  /// textures, which are filtered.
+  /// Fine profile: equal for samples that saw the same parts and faces in the same light, through
+  /// the same mirrors and glass. Such samples only differ by smooth shading and by textures, which
+  /// are filtered.
   std::uint32_t signature = 0;
 };
 
@@ -80,9 +80,9 @@ struct WaveScene {
   bool clear_shadows;             ///< some objects let light through
   bool fresnel;                   ///< use Fresnel's equations for glass
   std::vector<WaveMaterial> materials;
-  bool by_footprint = false;  ///< a texture or bump map is filtered over what rays cover
-  bool few_parts = false;     ///< all are shapes, and so few that each is tested
-  const PartTree& tree;       ///< of more, where all are shapes and not too many
+  bool by_footprint = false;  ///< a texture or bump map is filtered over footprints
+  bool few_parts = false;     ///< only shapes, and so few that each is tested
+  const PartTree& tree;       ///< otherwise used if there are only shapes, but not too many
 };
 
 /// The memory of a wave, to be reused for the same scene: it remembers recent occluders, which does

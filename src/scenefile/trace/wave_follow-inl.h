@@ -108,7 +108,7 @@ inline void push(const WaveScene& scene, const Path& path, std::uint32_t node, W
   rays.inside[i] = path.inside;
 }
 
-// Sends a path on from point k, where it arrived.
+// Continues the path of point k with a secondary ray.
 inline void redirect(const WaveScene& scene, const WavePoints& points, int k, int lane,
                      const double (&direction)[3][lanes], const double (&steps)[2][3][lanes],
                      Path& path) {

@@ -38,7 +38,7 @@ struct WaveVectors {
   alignas(64) double z[wave_rays];
 };
 
-/// Changes from pixel to pixel (footprint.h).
+/// Ray differentials (footprint.h).
 struct WaveSteps {
   WaveVectors x;
   WaveVectors y;
@@ -53,8 +53,8 @@ struct WaveRays {
   std::uint32_t node[wave_rays];
   int depth[wave_rays];
   double weight[wave_rays];
-  WaveSteps origin_steps;     ///< where WaveScene::by_footprint
-  WaveSteps direction_steps;  ///< likewise
+  WaveSteps origin_steps;     ///< if WaveScene::by_footprint
+  WaveSteps direction_steps;  ///< the same
   WaveArray<SampleKey, wave_rays> key;
   std::uint32_t budget[wave_rays];
   const Inside* inside[wave_rays];
@@ -77,8 +77,8 @@ struct WavePoints {
   WaveVectors position;
   WaveVectors normal;
   WaveVectors geometric;  ///< normal of the surface itself
-  WaveSteps steps;        ///< of points from where rays go on, where WaveScene::by_footprint
-  WaveSteps turns;        ///< of their geometric normals, likewise
+  WaveSteps steps;        ///< of points with secondary rays, if WaveScene::by_footprint
+  WaveSteps turns;        ///< the same for their geometric normals
   WaveVectors direction;  ///< of the ray
   alignas(64) double t[wave_rays];
   alignas(64) double offset[wave_rays];  ///< smallest t of rays that begin here
@@ -86,10 +86,10 @@ struct WavePoints {
   WaveVectors specular;
   alignas(64) double shininess[wave_rays];
   WaveVectors color;
-  std::uint32_t lit[wave_rays];  ///< fine profile: a bit for each light that is seen, in turn
+  std::uint32_t lit[wave_rays];  ///< fine profile: one bit per visible light
 };
 
-/// A signature with one thing more.
+/// Adds an item to a signature.
 inline std::uint32_t signed_with(std::uint32_t signature, std::uint32_t thing) {
   const std::uint32_t mixed = (signature ^ thing) * 0x9e3779b1u;
   return mixed ^ (mixed >> 15);
@@ -129,7 +129,7 @@ struct WaveLight {
 struct WaveNode {
   Color color{0};  ///< without secondary rays
   std::uint32_t parent = no_index;
-  std::uint32_t signature = 0;  ///< see WaveSight, of it and of what came of it
+  std::uint32_t signature = 0;  ///< see WaveSight; includes secondary rays
   RayKind kind = RayKind::camera;
   std::uint8_t bounces = 0;  ///< maximum of it and its descendants
   bool penumbra = false;     ///< it or a descendant saw area lights partially

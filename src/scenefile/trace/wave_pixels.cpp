@@ -220,7 +220,7 @@ std::vector<DrawnPixel> WaveSampler::course(std::span<const glm::ivec2> places) 
   return pixels;
 }
 
-// Takes so many samples of each pixel: sample_of(pixel, i) is number i of them.
+// Takes `count` samples of each pixel: sample_of(pixel, i) is the i-th.
 template <typename SampleOf>
 void WaveSampler::take(const std::vector<DrawnPixel*>& pixels, std::size_t each,
                        const SampleOf& sample_of) {

@@ -35,14 +35,14 @@ class WaveSampler {
   std::span<const WaveSight> middles(std::span<const glm::ivec2> pixels);
   /// course_pixel() of each pixel.
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
-  /// What FineSampler::middle() sees of pixels, at most wave_samples, in the order of `pixels`;
-  /// until the next call. Not recorded.
+  /// FineSampler::middle() of at most wave_samples pixels, in the order of `pixels`; valid until
+  /// the next call. Not recorded.
   std::span<const WaveSight> middles(const FineSampler& sampler,
                                      std::span<const glm::ivec2> pixels);
-  /// The same as a sample of each pixel, recorded.
+  /// One recorded center sample of each pixel.
   std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
                                        std::span<const glm::ivec2> pixels);
-  /// FineSampler::take() of each pixel with its mark.
+  /// FineSampler::take() of each pixel, with its mark.
   std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
                                std::span<const std::uint8_t> marks);
 

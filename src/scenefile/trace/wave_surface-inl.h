@@ -99,7 +99,7 @@ inline RayDifferential differential_of(const WaveRays& rays, std::uint32_t r) {
           {get(rays.direction_steps.x, i), get(rays.direction_steps.y, i)}};
 }
 
-// Those of a chunk of rays.
+// The same for a chunk of rays.
 inline V3 gather3(const WaveVectors& from, const std::uint32_t* ray) {
   alignas(64) double rows[3][lanes];
   for (int i = 0; i < lanes; ++i) {
@@ -214,7 +214,7 @@ inline ChunkTextures chunk_textures(const WavePoints& points, int at) {
   return chunk;
 }
 
-// Colors of texels at whole positions of textures that are so wide.
+// Looks up texels at integer positions, in textures of these widths.
 inline V3 texels(const Texture* const (&texture)[lanes], F width, F x, F y) {
   alignas(64) double offsets[lanes];
   alignas(32) std::int32_t rgb[lanes] = {};
@@ -240,7 +240,7 @@ inline V3 texture_at(const WaveScene& scene, const ChunkTextures& chunk, F u, F 
   return bilinear(chunk.width, chunk.height, x, y, at);
 }
 
-// The textures of a chunk that are filtered over footprints, as filtered() knows them.
+// The textures of a chunk that are filtered over footprints, with the interface for filtered().
 struct ChunkPyramids {
   const Pyramid* pyramid[lanes] = {};
   M used = no_lanes();
@@ -297,7 +297,7 @@ inline ChunkPyramids chunk_pyramids(const WaveRays& rays, const WavePoints& poin
   return chunk;
 }
 
-// What a chunk of points on shapes knows of itself in object space.
+// Object-space data of a chunk of points on shapes.
 struct ChunkShapes {
   Map map;
   F shape;
@@ -325,7 +325,7 @@ inline void filtered_texture_chunk(const ChunkShapes& shapes, const Steps& steps
   store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
 }
 
-// What pixels cover of the surfaces, for textures and for rays that go on.
+// The footprints on the surfaces, for textures and for secondary rays.
 inline void footprint_chunk(const ChunkShapes& shapes, const WaveRays& rays, bool textured,
                             WavePoints& points, int at) {
   const std::uint32_t* const ray = points.ray + at;

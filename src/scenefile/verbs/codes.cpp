@@ -18,7 +18,7 @@ namespace scenefile {
 namespace {
 
 std::vector<const Code*> collect() {
-  // One a line, so that additions do not meet.
+  // One per line, to avoid merge conflicts.
   // clang-format off
   std::vector<const Code*> codes{
       &convert_comments,

@@ -16,7 +16,7 @@ std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
 }
 
-// The sets of features that existing references were rendered with.
+// The sets of features that existing references are rendered with.
 void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
   const std::string_view profile = profile_option(render.profile);
   const auto add = [&](const char* words, const Features& features) {
@@ -61,7 +61,7 @@ SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
   return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
 }
 
-// Where to look first. `view`: of the scene, or null.
+// Finds out where to look first. `view`: of the scene, or null.
 std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture& test,
                                          const LoadedScene* scene, const SceneView* view) {
   const std::optional<WorstRegion> region = worst_region(reference, test);
@@ -82,7 +82,7 @@ std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture
   return place;
 }
 
-// A word of a command line as shells take it.
+// A word of a command line, quoted for shells.
 std::string shell_word(const std::string& word) {
   const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 ||

@@ -37,8 +37,8 @@ struct CompareSettings {
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
-/// The one of several ways in which the scene, with all assets, is most like the reference. `ways`
-/// is not empty.
+/// The way in which our picture of the scene, with all assets, is most similar to the reference.
+/// `ways` must not be empty.
 DrawnWay way_drawn(const Texture& reference, const LoadedScene& scene,
                    const std::vector<DrawnWay>& ways);
 
@@ -54,10 +54,10 @@ struct PictureComparison {
   PictureMeasures measures;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds; empty: the same
-  CauseReport causes;                ///< nothing where none were looked for
-  std::string drawn_with;            ///< DrawnWay::words of the reference; empty: not known
-  bool scene_used = false;           ///< whether a scene was there to look for causes with
-  std::optional<PlaceToLook> where;  ///< nothing where no pixel differs visibly
+  CauseReport causes;                ///< empty if no causes were looked for
+  std::string drawn_with;            ///< DrawnWay::words of the reference; empty: unknown
+  bool scene_used = false;           ///< whether the search for causes had a scene
+  std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 };
 
 /// Compares the pictures, and looks for causes according to settings.look. `scene`: the scene of
@@ -71,7 +71,9 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
 std::string causes_text(const PictureComparison& found);
 
 /// Where the pictures differ most as lines for people: the region, the object there, and the
-/// command that explains a pixel. `scene` and `test`: paths as given; an empty scene: no command.
+/// Where the pictures differ most, as text for people: the region, the object there, and a command
+/// that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is empty, there
+/// is no command.
 std::string where_text(const PictureComparison& found, const std::string& scene,
                        const std::string& test);
 

@@ -18,7 +18,7 @@ namespace scenefile {
 struct ExplainReport {
   PixelRecord pixel;
   std::vector<Remark> remarks;
-  std::optional<Yours> yours;  ///< another program's value of the pixel, where it was given
+  std::optional<Yours> yours;  ///< another program's value of the pixel, if given
 };
 
 /// Traces the pixel (x, y), row 0 at the top, like render() with these options. `sample` selects

@@ -36,7 +36,7 @@ std::string name_of_folder(std::string_view path) {
   return std::string(path.substr(path.rfind('/') + 1));
 }
 
-// A folder for each student, or a single folder with the pictures of one.
+// A folder for each student, or one folder with the pictures of a single student.
 std::vector<StudentFolder> student_folders(const std::string& folder) {
   std::vector<StudentFolder> students;
   for (const FolderEntry& entry : entries_of(folder)) {
@@ -62,8 +62,8 @@ std::string thumbnail(const Texture& reference, const Texture& picture, int widt
   return encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest, none);
 }
 
-// Where nobody gave thresholds, what is wrong decides: a known mistake fails at any PSNR, edges and
-// rounding alone pass.
+// If no thresholds were given, the kind of difference decides: known mistakes fail at any PSNR, and
+// pictures that differ only by edges and rounding pass.
 void follow_causes(const PictureComparison& compared, PictureResult& result) {
   const CauseReport& report = compared.causes;
   const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),
@@ -87,7 +87,7 @@ struct Reference {
   std::vector<DrawnWay> ways;  // how it was drawn, found once for the class
 };
 
-// The picture in the size of the reference, where only the size differs.
+// The picture, scaled to the size of the reference if only the size differs.
 std::optional<Texture> fitted(const Texture& picture, const Texture& right) {
   const double across = double(picture.width) * right.height;
   const double down = double(picture.height) * right.width;
@@ -202,7 +202,7 @@ class Grader {
     return result;
   }
 
-  // `path` of the picture; empty: there is none.
+  // `path` of the picture; empty if there is none.
   PictureResult grade(const Reference& reference, const std::string& path,
                       const std::function<bool(double)>& go_on) const {
     PictureResult result;

@@ -49,7 +49,7 @@ std::string meaning(std::string_view folder) {
   return word;
 }
 
-// The part of a file name from its last point on, in lower case; empty without one.
+// The extension of a file name in lower case, with its point; empty if there is none.
 std::string ending_of(std::string_view name) {
   const std::size_t point = name.rfind('.');
   return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
@@ -140,7 +140,7 @@ std::string trimmed(std::string_view text) {
                                          : std::string(text.substr(start, end - start + 1));
 }
 
-// Whether the file is meant: the whole name, or its end from a folder on.
+// Whether the path means the file: its whole name, or the end of it from some folder on.
 bool is_named(const FoundFile& file, const std::string& name) {
   std::string folders;
   for (const std::string& folder : file.folders) {

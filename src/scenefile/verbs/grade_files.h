@@ -1,5 +1,5 @@
 #pragma once
-// Matches the files of a class with references, despite common folder layouts, such as
+// Matches the files of a class with references, for common folder layouts such as
 // student_outputs/illuminate/required/X.png and required_outputs/LIGHT/X.png.
 
 #include <map>
@@ -16,30 +16,30 @@ struct FoundFile {
   std::string stem;                  ///< name without extension
 };
 
-/// The files below `folder` whose names are wanted, in the order of their names. What systems and
-/// archives leave behind (`__MACOSX`, names that begin with a point) is passed over, links to
-/// folders are not followed; at most 8 folders deep.
+/// The files below `folder` with suitable names, sorted by name; at most 8 folders deep. Skips
+/// files that systems and archives leave behind (`__MACOSX`, names that start with a point). Does
+/// not follow links to folders.
 std::vector<FoundFile> files_below(const std::string& folder,
                                    bool (*wanted)(std::string_view name));
 
 /// Whether the name ends like that of a picture: .png, .jpg, ...
 bool is_picture_name(std::string_view name);
 
-/// Which picture handed in is which reference, by names that may begin with folders and may have an
-/// ending.
+/// Says which submitted picture shows which reference. Names may include folders and extensions.
 struct NamePair {
   std::string handed_in;
   std::string reference;
 };
 
-/// A line for each pair: the name handed in, a comma or a tab, and the name of the reference; empty
-/// lines and those that begin with # say nothing. `wrong`: what is wrong, with the line's number;
-/// empty: nothing.
+/// One pair per line: the submitted name, a comma or a tab, and the name of the reference. Empty
+/// lines and lines that start with # are ignored. `wrong`: an error text with the line number;
+/// empty on success.
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong);
 
-/// For each reference the picture that is meant, by index into `pictures`; none: -1. Of the same
-/// name, with `_gen`, `_output` or `_out` behind it, or with its folder before it (FOLDER_X); where
-/// several references or pictures bear a name, their folders decide. What `map` names goes first.
+/// For each reference, the matching picture as an index into `pictures`; -1 if there is none. Names
+/// match if they are equal, or after adding _gen, _output or _out, or with the folder as a prefix
+/// (FOLDER_X). If several references or pictures have the same name, their folders decide. Pairs in
+/// `map` take precedence.
 std::vector<int> match_pictures(const std::vector<FoundFile>& references,
                                 const std::vector<FoundFile>& pictures,
                                 const std::vector<NamePair>& map = {});

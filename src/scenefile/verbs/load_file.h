@@ -28,8 +28,8 @@ struct AssetFile {
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings = {},
                             const AssetAccess& access = {});
 
-/// The same of a scene that was changed or made in memory, in place of what was loaded before: of
-/// scene.written at scene.path, which need not exist.
+/// The same for a scene that was changed or built in memory: loads scene.written as if it were
+/// stored at scene.path, which need not exist.
 void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
                        const AssetAccess& access = {});
 

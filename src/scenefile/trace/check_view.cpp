@@ -1,6 +1,7 @@
 #include "scenefile/trace/check_view.h"
 
 #include "scenefile/base/number.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/trace/codes.h"
 #include "scenefile/trace/scene_search.h"
 
@@ -65,7 +66,7 @@ class ViewCheck {
   bool reaches(const RenderLight& light) {
     if (search_.misses(lit_region(light))) {
       diagnostics_.report(light_misses, question_.place_of(light.source),
-                          light.type == LightType::spot
+                          has_cone(light.type)
                               ? "no object is in the cone of the spotlight"
                               : "no object is on the side that the area light shines on");
       return false;
@@ -76,9 +77,8 @@ class ViewCheck {
   // Whether an opaque object encloses the light, but not the camera. A highlight may still appear
   // on the outside of the object, because N.L < 0 does not suppress it.
   bool is_shut_in(const RenderLight& light) {
-    const bool has_a_place = light.type == LightType::point || light.type == LightType::spot;
     bool shut_in = false;
-    if (has_a_place && question_.shadows) {
+    if (is_at_a_point(light.type) && question_.shadows) {
       search_.enclosing(
           glm::dvec3(light.position), scene_.camera.position, [&](const Enclosure& e) {
             const RenderMaterial& m = scene_.materials[e.primitive->material];

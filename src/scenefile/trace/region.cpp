@@ -1,5 +1,7 @@
 #include "scenefile/trace/region.h"
 
+#include "scenefile/base/shape_traits.h"
+
 #include <cmath>
 
 namespace scenefile {
@@ -51,9 +53,9 @@ Region lit_region(const RenderLight& light) {
   Region region;
   const glm::dvec3 position(light.position);
   const glm::dvec3 direction(light.direction);
-  if (light.type == LightType::area) {
+  if (has_rectangle(light.type)) {
     region.push_back(through(position, -direction));
-  } else if (light.type == LightType::spot && light.outer_angle <= pi / 2) {
+  } else if (has_cone(light.type) && light.outer_angle <= pi / 2) {
     region.push_back(through(position, -direction));
     add_cone(region, position, direction, light.outer_angle);
   }

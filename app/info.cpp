@@ -5,8 +5,8 @@
 #include "app/output.h"
 #include "app/tree.h"
 #include "scenefile/base/text.h"
+#include "scenefile/placement/bounds.h"
 #include "scenefile/scene/summary.h"
-#include "scenefile/trace/bounds.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

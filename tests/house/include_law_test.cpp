@@ -31,14 +31,16 @@ const std::map<std::string, std::set<std::string>> may_know = {
     {"compare", {"base", "asset"}},
     {"io", {"base"}},
     {"grade", {"base", "scene", "geometry", "asset", "compare", "trace"}},
-    {"trace", {"base", "geometry", "asset", "scene/render_scene.h"}},
+    {"placement", {"base", "geometry", "asset", "scene/render_scene.h"}},
+    {"trace", {"base", "geometry", "asset", "placement", "scene/render_scene.h"}},
     {"view", {"base", "geometry", "asset", "scene/render_scene.h", "trace/render_options.h"}},
     {"explain", {"base", "scene", "geometry", "trace"}},
     {"verbs",
-     {"base", "scene", "format", "asset", "geometry", "compare", "io", "trace", "explain", "grade",
-      "export/codes.h", "import/codes.h", "view/codes.h"}},
+     {"base", "scene", "format", "asset", "geometry", "compare", "io", "placement", "trace",
+      "explain", "grade", "export/codes.h", "import/codes.h", "view/codes.h"}},
     {"viewer",
-     {"base", "scene", "format", "geometry", "asset", "compare", "io", "trace", "view", "explain"}},
+     {"base", "scene", "format", "geometry", "asset", "compare", "io", "placement", "trace", "view",
+      "explain"}},
 };
 
 // Each library except the standard library and glm is used by a single .cpp file. fmt is allowed in

@@ -1,7 +1,7 @@
 // RayScenes with our own BVH, for builds without Embree.
 
+#include "scenefile/geometry/ray_box.h"
 #include "scenefile/trace/box_tree.h"
-#include "scenefile/trace/ray_box.h"
 #include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/triangle.h"
 

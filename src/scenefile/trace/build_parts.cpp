@@ -1,6 +1,6 @@
 #include "scenefile/trace/build_parts.h"
 
-#include "scenefile/trace/group_bounds.h"
+#include "scenefile/placement/bounds.h"
 #include "scenefile/trace/part_tree.h"
 
 namespace scenefile {

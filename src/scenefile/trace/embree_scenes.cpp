@@ -3,9 +3,9 @@
 // instances are not used, because common builds only allow one level of them and abort at the
 // second.
 
+#include "scenefile/geometry/ray_box.h"
 #include "scenefile/trace/hand_over.h"
 #include "scenefile/trace/next_above.h"
-#include "scenefile/trace/ray_box.h"
 #include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/triangle.h"
 

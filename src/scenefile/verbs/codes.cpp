@@ -4,8 +4,8 @@
 #include "scenefile/export/codes.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/import/codes.h"
+#include "scenefile/placement/codes.h"
 #include "scenefile/scene/codes.h"
-#include "scenefile/trace/codes.h"
 #include "scenefile/view/codes.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #include "scenefile/base/hash.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/format/read_scene.h"
+#include "scenefile/placement/check_view.h"
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/codes.h"
-#include "scenefile/trace/check_view.h"
 #include "scenefile/verbs/codes.h"
 
 #include <algorithm>

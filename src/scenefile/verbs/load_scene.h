@@ -58,7 +58,7 @@ void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings
 /// What a picture with these options needs.
 LoadDepth depth_for(const RenderOptions& options);
 
-/// Adds findings that concern any picture of a usable scene (trace/check_view.h).
+/// Adds findings that concern any picture of a usable scene (placement/check_view.h).
 void check_picture(LoadedScene& scene);
 /// The same for a picture with these options, including findings that depend on them.
 void check_picture(LoadedScene& scene, const RenderOptions& options);

@@ -5,7 +5,7 @@
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
-#include "scenefile/trace/bounds.h"
+#include "scenefile/placement/bounds.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/session.h"
 

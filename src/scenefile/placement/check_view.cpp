@@ -1,9 +1,9 @@
-#include "scenefile/trace/check_view.h"
+#include "scenefile/placement/check_view.h"
 
 #include "scenefile/base/number.h"
 #include "scenefile/base/shape_traits.h"
-#include "scenefile/trace/codes.h"
-#include "scenefile/trace/scene_search.h"
+#include "scenefile/placement/codes.h"
+#include "scenefile/placement/scene_search.h"
 
 #include <fmt/format.h>
 

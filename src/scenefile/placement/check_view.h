@@ -21,7 +21,7 @@ struct ViewQuestion {
 
 /// Reports a camera inside an object, nothing in view, lights that cannot light anything visible,
 /// and scenes without any other light. Skips findings that depend on meshes that are not loaded.
-/// Takes time linear in the size of the scene, and at most a few seconds. Codes: trace/codes.h.
+/// Takes time linear in the size of the scene, and at most a few seconds. Codes: placement/codes.h.
 void check_view(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
                 Diagnostics& diagnostics);
 

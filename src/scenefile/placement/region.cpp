@@ -1,4 +1,4 @@
-#include "scenefile/trace/region.h"
+#include "scenefile/placement/region.h"
 
 #include "scenefile/base/shape_traits.h"
 

@@ -1,6 +1,4 @@
-#include "scenefile/trace/bounds.h"
-
-#include "scenefile/trace/group_bounds.h"
+#include "scenefile/placement/bounds.h"
 
 namespace scenefile {
 

@@ -1,7 +1,7 @@
-#include "scenefile/trace/check_view.h"
+#include "scenefile/placement/check_view.h"
 
 #include "scenefile/geometry/tessellate.h"
-#include "scenefile/trace/codes.h"
+#include "scenefile/placement/codes.h"
 #include "trace/build_scene.h"
 
 #include <gmock/gmock.h>
@@ -12,8 +12,10 @@
 #include <string>
 #include <utility>
 
-namespace scenefile::trace_test {
+namespace scenefile::placement_test {
 namespace {
+
+using namespace trace_test;
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -279,4 +281,4 @@ TEST(CheckView, ClaimsAreTrueOfThePicture) {
 }
 
 }  // namespace
-}  // namespace scenefile::trace_test
+}  // namespace scenefile::placement_test

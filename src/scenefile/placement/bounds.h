@@ -1,11 +1,17 @@
 #pragma once
-// Bounding boxes of meshes and groups, for bounds.h and the accelerator.
+// Bounding boxes of what a scene draws.
 
-#include "scenefile/trace/bounds.h"
+#include "scenefile/asset/load_assets.h"
+#include "scenefile/geometry/shapes.h"
+#include "scenefile/scene/render_scene.h"
 
 #include <vector>
 
 namespace scenefile {
+
+/// The bounding box of everything that the scene draws, in world space: tight for primitives
+/// outside of templates, conservative inside them. Empty for a scene that draws nothing.
+Bounds scene_bounds(const RenderScene& scene, const Assets& assets);
 
 /// By mesh file; empty if there are no triangles.
 std::vector<Bounds> mesh_bounds(const RenderScene& scene, const Assets& assets);

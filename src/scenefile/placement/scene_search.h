@@ -3,8 +3,8 @@
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
+#include "scenefile/placement/region.h"
 #include "scenefile/scene/render_scene.h"
-#include "scenefile/trace/region.h"
 
 #include <cstdint>
 #include <functional>

@@ -6,11 +6,13 @@
 
 namespace scenefile {
 
+/// Whether the closed box contains the point.
 inline bool holds(const Bounds& box, const glm::dvec3& p) {
   return glm::all(glm::lessThanEqual(box.min, p)) && glm::all(glm::lessThanEqual(p, box.max));
 }
 
-/// Clips [t0, t1] to the part of the ray inside the box. Returns false if nothing remains.
+/// Clips [t0, t1], parameters along the ray, to the part inside the box. Returns false if nothing
+/// remains. Slabs; a direction of 0 along an axis is allowed.
 inline bool clip_to_box(const Ray& ray, const Bounds& box, double& t0, double& t1) {
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis];

@@ -1,8 +1,8 @@
-#include "scenefile/trace/scene_search.h"
+#include "scenefile/placement/scene_search.h"
 
+#include "scenefile/geometry/ray_box.h"
 #include "scenefile/geometry/solid.h"
-#include "scenefile/trace/group_bounds.h"
-#include "scenefile/trace/ray_box.h"
+#include "scenefile/placement/bounds.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,13 @@
-#include "scenefile/trace/bounds.h"
+#include "scenefile/placement/bounds.h"
 
 #include "trace/build_scene.h"
 
 #include <gtest/gtest.h>
 
-namespace scenefile::trace_test {
+namespace scenefile::placement_test {
 namespace {
+
+using namespace trace_test;
 
 TEST(SceneBounds, AreTightOutsideTemplates) {
   SceneBuilder b;
@@ -46,4 +48,4 @@ TEST(SceneBounds, OfNothingAreEmpty) {
 }
 
 }  // namespace
-}  // namespace scenefile::trace_test
+}  // namespace scenefile::placement_test

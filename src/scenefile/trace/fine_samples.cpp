@@ -1,7 +1,6 @@
 #include "scenefile/trace/fine_samples.h"
 
 #include "scenefile/base/components.h"
-#include "scenefile/base/shape_traits.h"
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
@@ -91,7 +90,7 @@ bool has_lens(const RenderScene& scene, const RenderOptions& options) {
 }
 
 bool is_soft(const RenderScene& scene, const RenderOptions& options) {
-  const auto is_area = [](const RenderLight& light) { return has_rectangle(light.type); };
+  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
   return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
 }
 

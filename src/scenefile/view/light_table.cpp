@@ -50,7 +50,7 @@ void add_area(const RenderLight& light, std::uint32_t index, std::vector<Emitter
 
 bool shines(const RenderLight& light, std::uint32_t index, const DrawOptions& options) {
   return (index >= options.lights.size() || options.lights[index]) &&
-         (!options.directional_only || is_in_intersect(light.type)) &&
+         (!options.directional_only || light.type == LightType::directional) &&
          (!options.realtime || has_light(options.realtime->milestone, light.type));
 }
 

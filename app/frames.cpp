@@ -256,10 +256,11 @@ class Frames {
     context_.phase = "making the video";
     for (std::size_t i = 0; i < motion_.cameras.size(); ++i) {
       if (!is_there(i)) {
-        return {ExitCode::findings,
-                fmt::format("--video: frame {} of {} is not there yet; without --range all are "
-                            "drawn",
-                            i + 1, motion_.cameras.size())};
+        return {
+            ExitCode::findings,
+            fmt::format(
+                "--video: frame {} of {} does not exist yet; leave out --range to draw all frames",
+                i + 1, motion_.cameras.size())};
       }
     }
     // Written under another name until it is complete.

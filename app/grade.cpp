@@ -114,7 +114,7 @@ class HandOut {
     std::filesystem::create_directories(folder, error);
     if (error) {
       return Error{
-          fmt::format("cannot make the folder {}: {}", quoted(folder, 400), error.message())};
+          fmt::format("cannot create the folder {}: {}", quoted(folder, 400), error.message())};
     }
     return write_file((std::filesystem::path(folder) / name).string(), bytes);
   }

@@ -104,7 +104,7 @@ std::string summary_text(const LoadedScene& scene, const InfoReport& report) {
   append_line(text, "drawn", virtual_text(s.virtual_primitives));
   append_line(text, "nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
   append_line(text, "templates",
-              fmt::format("{}, copied {} times, {} inside each other", s.templates, s.instances,
+              fmt::format("{}, {} instances, nested {} deep", s.templates, s.instances,
                           s.instance_nesting));
   append_line(text, "transforms", fmt::format("{}", s.transforms));
   append_line(text, "materials", fmt::format("{}", s.materials));

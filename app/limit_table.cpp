@@ -128,7 +128,7 @@ std::string set_limit(Limits& limits, const std::string& assignment) {
   const auto* const limit = std::find_if(table.begin(), table.end(),
                                          [&](const LimitRow& row) { return row.name == name; });
   if (limit == table.end()) {
-    return fmt::format("there is no limit {}{}; \"scenefile help limits\" lists them", quoted(name),
+    return fmt::format("unknown limit {}{}; \"scenefile help limits\" lists them", quoted(name),
                        did_you_mean(name, names()));
   }
   std::uint64_t number = 0;

@@ -35,20 +35,21 @@ constexpr std::array table{
             "scenefile render chess.xml -o chess.exr --asset-root ~/course/data\n"
             "cat chess.xml | scenefile render - -o - > chess.png",
             run_render},
-    Command{"merge", for_merge, "PARTS... -o OUT", "put the parts of a picture together",
-            "Takes the files that render --part wrote and writes the picture, with its layers, to "
-            "the byte as one process would have. A folder means the parts in it. Parts that are "
-            "missing, doubled, damaged or of another picture are named, and nothing is written; "
-            "the exit status is then 1. Needs little memory however large the picture is.",
-            "scenefile merge parts/ -o chess.png\n"
-            "scenefile merge chess.*.part -o chess.exr\n"
-            "scenefile merge parts/ --missing",
-            run_merge, one_or_more},
-    Command{"frames", for_frames, "SCENE -o PATTERN", "draw a scene by a camera that moves",
-            "Draws a numbered picture for each frame of a turn around the scene, or of a path "
-            "through given views. Frames that are there and of the same scene and options are "
-            "skipped, so that a run goes on where it was ended, and several machines may share "
-            "the frames.",
+    Command{
+        "merge", for_merge, "PARTS... -o OUT", "merge the parts of a picture",
+        "Reads the files that render --part wrote, and writes the same bytes that a single process "
+        "would have written: the picture and its layers. A folder means the parts in it. If parts "
+        "are missing, duplicated, damaged or from another picture, they are listed, nothing is "
+        "written, and the exit status is 1. Needs little memory even for very large pictures.",
+        "scenefile merge parts/ -o chess.png\n"
+        "scenefile merge chess.*.part -o chess.exr\n"
+        "scenefile merge parts/ --missing",
+        run_merge, one_or_more},
+    Command{"frames", for_frames, "SCENE -o PATTERN", "draw numbered frames with a moving camera",
+            "Draws a numbered picture for each frame of a full turn around the scene "
+            "(--turntable), or of a path through given views (--path). Frames that already exist "
+            "for the same scene and options are skipped, so an interrupted run continues where it "
+            "stopped, and several machines can share the work.",
             "scenefile frames chess.xml -o frame%04d.png --turntable 96\n"
             "scenefile frames chess.xml -o frame%04d.png --turntable 96 --video turn.mp4\n"
             "scenefile frames chess.xml -o frame%04d.png --path cameras.json --range 49:96\n"
@@ -96,16 +97,17 @@ constexpr std::array table{
             "scenefile diff reference.png mine.png --scene chess.xml\n"
             "scenefile diff reference.png mine.png --min-psnr 40 --sheet sheet.png",
             run_diff, two},
-    Command{"grade", for_grade, "DIR", "compare the pictures of a class with the references",
-            "Takes each folder in DIR as a student, or DIR as a single one, and compares the "
-            "pictures with the references of the same names. With the scenes it says which mistake "
-            "explains a difference. The exit status is 1 if a picture did not pass.",
-            "scenefile grade handed-in --references right\n"
-            "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
-            "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
-            "scenefile grade mine --references right --gradescope results.json\n"
-            "scenefile grade mine --references right --max-share 2 --junit results.xml",
-            run_grade},
+    Command{
+        "grade", for_grade, "DIR", "compare the pictures of a class with the references",
+        "Each folder in DIR is a student; if DIR contains pictures, it is a single student. "
+        "Compares the pictures with the references of the same names and, if the scenes are given, "
+        "says which mistake explains a difference. The exit status is 1 if a picture did not pass.",
+        "scenefile grade handed-in --references right\n"
+        "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
+        "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
+        "scenefile grade mine --references right --gradescope results.json\n"
+        "scenefile grade mine --references right --max-share 2 --junit results.xml",
+        run_grade},
     Command{"format", for_format, "FILE...", "format scene files in place",
             "Writes each file again with one element or member per line. Comments, values, their "
             "order and spelling, and the encoding do not change; broken files are reported and not "
@@ -143,8 +145,8 @@ constexpr std::array table{
             "scenefile help camera.up-parallel-to-look",
             run_help, at_most_one},
     Command{"version", for_version, "", "print the version",
-            "Prints the version, how the program was built, and what it traces rays with on this "
-            "machine: Embree's version and the instruction set.",
+            "Prints the version, how the program was built, and what it uses to trace rays on this "
+            "machine: the version of Embree and the instruction set.",
             "scenefile version\nscenefile --version", run_version, at_most_one},
 };
 
@@ -169,7 +171,7 @@ std::string unknown_command(std::string_view name) {
     return fmt::format("{} is a file, not a command; a command comes first: scenefile check {}",
                        quoted(name), escaped(name));
   }
-  return fmt::format("there is no command {}{}", quoted(name), did_you_mean(name, command_names()));
+  return fmt::format("unknown command {}{}", quoted(name), did_you_mean(name, command_names()));
 }
 
 void bound(const Options& options, Context& context) {

@@ -85,11 +85,11 @@ std::string numbered(const Parts& parts, std::size_t file) {
 std::string foreign_text(const Parts& parts, std::size_t file) {
   const DividedPicture& found = parts.candidates[file].head.picture;
   const std::string_view why = foreign_part(found.key, parts.set.picture.key);
-  return fmt::format("{}: it is of {}", numbered(parts, file),
+  return fmt::format("{}: {}{}", numbered(parts, file), why.empty() ? "" : "drawn ",
                      !why.empty() ? why
                      : found.count != parts.set.picture.count
-                         ? "the same picture in another number of parts"
-                         : "another picture");
+                         ? "belongs to the same picture, divided into another number of parts"
+                         : "belongs to another picture");
 }
 
 // The reasons why the parts do not make a picture, one per line.
@@ -97,7 +97,7 @@ std::vector<std::string> problems(const Parts& parts) {
   const PartSet& set = parts.set;
   std::vector<std::string> lines;
   if (parts.paths.empty()) {
-    lines.emplace_back("there are no parts");
+    lines.emplace_back("no parts found");
   }
   for (const std::size_t file : set.foreign) {
     lines.push_back(foreign_text(parts, file));

@@ -69,7 +69,7 @@ std::string check_list(const std::string& value, std::string_view example) {
   const bool blank = value.find_first_of(" \t") != std::string::npos;
   if (blank || value.starts_with(',') || value.ends_with(',') ||
       value.find(",,") != std::string::npos) {
-    return fmt::format("write the list {} with commas and without blanks, such as {}",
+    return fmt::format("write the list {} with commas and without spaces, such as {}",
                        quoted(value), example);
   }
   return {};
@@ -238,7 +238,7 @@ std::string set_deny(Options& options, const std::string& value) {
 std::string set_allow(Options& options, const std::string& value) {
   const Code* const code = find_code(value);
   if (code == nullptr) {
-    return fmt::format("there is no code {}{}", quoted(value), did_you_mean(value, code_names()));
+    return fmt::format("unknown code {}{}", quoted(value), did_you_mean(value, code_names()));
   }
   if (code->severity == Severity::error) {
     return fmt::format("{} is an error: a scene that has it cannot be used", value);
@@ -397,8 +397,8 @@ std::string set_flag_of(Options& options, const std::string& /*value*/) {
 constexpr std::array table{
     OptionRow{
         "--output", "-o", "OUT",
-        "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part "
-        "the file of the part, by any name; for frames a pattern such as frame%04d.png.",
+        "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part, "
+        "the file for the part, with any name; for frames, a pattern such as frame%04d.png.",
         for_render | for_merge | for_frames, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
@@ -406,7 +406,8 @@ constexpr std::array table{
               "The pixel to explain; 0,0 is the one at the top left. Required.", for_explain,
               set_pixel},
     OptionRow{"--mine", "", "PICTURE",
-              "Your picture of the scene: its value beside ours, and what of ours would give it.",
+              "Your picture of the scene: compare its value with ours, and find the change of our "
+              "terms that gives it.",
               for_explain, set_name<&Options::mine>},
     OptionRow{
         "--sample", "", "N",
@@ -438,11 +439,11 @@ constexpr std::array table{
               "With --profile realtime: the two parameters of the tessellation (default 5,5).",
               for_realtime, set_parameters},
     OptionRow{"--near", "", "DEPTH",
-              "With --profile realtime: clip what is nearer to the camera (default 0.1).",
-              for_realtime, set_depth<&RealtimeOptions::near>},
+              "With --profile realtime: the near clipping plane (default 0.1).", for_realtime,
+              set_depth<&RealtimeOptions::near>},
     OptionRow{"--far", "", "DEPTH",
-              "With --profile realtime: clip what is farther from the camera (default 100).",
-              for_realtime, set_depth<&RealtimeOptions::far>},
+              "With --profile realtime: the far clipping plane (default 100).", for_realtime,
+              set_depth<&RealtimeOptions::far>},
     OptionRow{"--filter", "", "NAME",
               "With --profile realtime: none (default), invert, grayscale, blur or sharpen.",
               for_realtime, set_filter},
@@ -464,8 +465,8 @@ constexpr std::array table{
         [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
         "samples"},
     OptionRow{"--min-samples", "", "N",
-              "Smallest number of samples per pixel, for the profile fine (default 1). With the "
-              "same number for --samples every pixel takes exactly so many.",
+              "Smallest number of samples per pixel, for the profile fine (default 1). If "
+              "--samples is the same number, every pixel takes exactly that many.",
               for_tracing,
               [](Options& o, const std::string& v) {
                 return set_number(v, 1, 65536, o.render.min_samples);
@@ -506,20 +507,20 @@ constexpr std::array table{
     OptionRow{"--scenes", "", "DIR",
               "The scenes of the pictures, by the same names (default: with the references).",
               for_grade, set_name<&Options::scenes>},
+    OptionRow{"--map", "", "FILE",
+              "For pictures with other names than their references: a file with one line for each, "
+              "the submitted name, a comma, and the name of the reference.",
+              for_grade, set_name<&Options::name_map>},
     OptionRow{
-        "--map", "", "FILE",
-        "Which picture is which, where names differ: a line for each with the name handed in, "
-        "a comma, and the name of the reference.",
-        for_grade, set_name<&Options::name_map>},
-    OptionRow{"--report", "", "OUT",
-              "Write a page for the browser; pictures of large classes go into OUT-pictures.",
-              for_grade, set_name<&Options::report>},
-    OptionRow{"--pages", "", "DIR", "Write a page for each student into this folder.", for_grade,
-              set_name<&Options::pages>},
-    OptionRow{"--csv", "", "OUT", "Write the results as a table for spreadsheets.", for_grade,
+        "--report", "", "OUT",
+        "Write an HTML report; for large classes, its pictures are in the folder OUT-pictures.",
+        for_grade, set_name<&Options::report>},
+    OptionRow{"--pages", "", "DIR", "Write an HTML page for each student into this folder.",
+              for_grade, set_name<&Options::pages>},
+    OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.", for_grade,
               set_name<&Options::csv>},
     OptionRow{"--gradescope", "", "OUT",
-              "Write the results of one student as Gradescope reads them: results.json.", for_grade,
+              "Write the results of one student in Gradescope's format, results.json.", for_grade,
               set_name<&Options::gradescope>},
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
               set_name<&Options::junit>},
@@ -585,14 +586,13 @@ constexpr std::array table{
               "Run the steps in this file instead of a user's input, then close the window; "
               "docs/viewer.md lists the steps.",
               for_view, set_name<&Options::script>},
-    OptionRow{
-        "--part", "", "I/N",
-        "Draw part I of N of the picture, I from 1 to N, into the file of a part, which merge "
-        "takes. If it exists, nothing is done.",
-        for_render, set_part},
+    OptionRow{"--part", "", "I/N",
+              "Draw only part I of N of the picture, where I is 1 to N, and write it to a file for "
+              "merge. If that file already exists and is complete, do nothing.",
+              for_render, set_part},
     OptionRow{"--missing", "", "",
-              "Write nothing; print the numbers of the parts that are missing or damaged, one a "
-              "line. The exit status is then 1.",
+              "Write nothing; print the numbers of missing and damaged parts, one per line. The "
+              "exit status is 1 if there are any.",
               for_merge, set_flag<&Options::missing>},
     OptionRow{
         "--turntable", "", "N",
@@ -601,19 +601,19 @@ constexpr std::array table{
         for_frames,
         [](Options& o, const std::string& v) { return set_number(v, 1, 100000, o.turntable); }},
     OptionRow{"--path", "", "FILE",
-              "A JSON file of views with times, through which the camera moves smoothly; "
+              "A JSON file with views and their times; the camera moves smoothly through them. "
               "docs/many-machines.md describes it.",
               for_frames, set_name<&Options::path>},
     OptionRow{"--range", "", "A:B", "Only the frames A to B, counted from 1.", for_frames,
               set_range},
-    OptionRow{"--fps", "", "N", "Frames in a second (default: what --path says, else 24).",
+    OptionRow{"--fps", "", "N", "Frames per second (default: fps in the --path file, or else 24).",
               for_frames,
               [](Options& o, const std::string& v) {
                 return read_number(v, 0.001, 1000, o.fps.emplace());
               }},
     OptionRow{
         "--write-scenes", "", "PATTERN",
-        "Write the scene of each frame too, such as scene%04d.xml. Rendered, it is the frame.",
+        "Also write the scene of each frame, such as scene%04d.xml; rendering it gives the frame.",
         for_frames, set_name<&Options::write_scenes>},
     OptionRow{"--video", "", "FILE",
               "Make a video of all frames with ffmpeg, such as turn.mp4, .webm or .gif.",
@@ -681,11 +681,11 @@ constexpr std::array table{
               "The completion script for bash, zsh or fish: source <(scenefile help --completion "
               "bash).",
               for_help, set_completion},
-    OptionRow{"--quiet", "-q", "", "Say nothing but errors.",
+    OptionRow{"--quiet", "-q", "", "Print only errors.",
               for_tracing | for_check | for_convert | for_pictures | for_format | for_merge,
               set_flag<&Options::quiet>},
     OptionRow{
-        "--help", "-h", "", "This text.",
+        "--help", "-h", "", "Print this help.",
         for_all_readers | for_pictures | for_format | for_help | for_version | for_view | for_merge,
         set_flag<&Options::help>},
 };

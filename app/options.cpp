@@ -86,7 +86,6 @@ std::string lower_case_extension(std::string_view path) {
 
 std::string check_output(std::string_view command, const std::string& output) {
   ImageFormat format{};
-  const bool named = output.find('.', output.rfind('/') + 1) != std::string::npos;
   if (output.empty()) {
     return fmt::format("{} needs an output: -o OUT.png", command);
   }
@@ -100,9 +99,8 @@ std::string check_output(std::string_view command, const std::string& output) {
         "colors, so pictures could not be compared",
         quoted(output, 400));
   }
-  return fmt::format("cannot write {}: {}", quoted(output, 400),
-                     named ? "the name must end in .png, .exr or .pfm"
-                           : "without .png, .exr or .pfm at its end it does not say what to write");
+  return fmt::format("cannot write {}: the name must end in .png, .exr or .pfm",
+                     quoted(output, 400));
 }
 
 std::string check_pixel(const Options& options) {
@@ -130,10 +128,10 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
   if (arguments.size() > most) {
     ImageFormat format{};
     const bool output = command.bit == for_render && image_format_of(arguments[most], format);
-    return fmt::format("{} takes {}; what is {}?{}", command.name,
+    return fmt::format("{} takes {}; unexpected {}{}", command.name,
                        most == 1 ? "one argument" : fmt::format("{} arguments", most),
                        quoted(arguments[most], 400),
-                       output ? " The picture to write goes after -o" : "");
+                       output ? "; the picture to write goes after -o" : "");
   }
   if (std::count(arguments.begin(), arguments.end(), "-") > (command.bit == for_convert ? 2 : 1)) {
     return "standard input can be read only once";
@@ -222,7 +220,7 @@ std::string check_picture(const Options& options, std::string_view command) {
 // Checks of render that need more than one option.
 std::string check_render(const Options& options) {
   if (!options.checkpoint.empty() && (options.render.denoise || !options.render.layers.empty())) {
-    return fmt::format("a render with --checkpoint cannot have {}",
+    return fmt::format("--checkpoint cannot be combined with {}",
                        options.render.denoise ? "--denoise" : "--aov");
   }
   if (options.json && is_standard_output(options.output)) {

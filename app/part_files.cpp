@@ -21,8 +21,8 @@ Result<std::string> check_rows(const FileReader& file, const PartHead& head,
                                std::size_t before_rows) {
   const std::uint64_t length = part_file_bytes(head, before_rows);
   if (file.size() != length) {
-    return std::string(file.size() < length ? "the part is cut off"
-                                            : "the part is longer than it says");
+    return std::string(file.size() < length ? "the part is truncated"
+                                            : "the part is longer than its header says");
   }
   const PixelRegion region = head.region();
   const std::size_t row = part_row_bytes(head.picture, region.width());
@@ -37,7 +37,7 @@ Result<std::string> check_rows(const FileReader& file, const PartHead& head,
       return bytes.error();
     }
     if (bytes->size() != rows * row) {
-      return std::string("the part is cut off");
+      return std::string("the part is truncated");
     }
     for (std::size_t i = 0; i < rows; ++i) {
       hash.add(std::string_view(*bytes).substr(i * row, row));
@@ -145,7 +145,8 @@ bool PartRows::read(int first, int end) {
     const Result<std::string> rows = reader->read(
         rows_begin + std::uint64_t{row} * static_cast<std::uint64_t>(from - part.y0), wanted);
     if (!rows || rows->size() != wanted) {
-      error_ = rows ? fmt::format("{}: the file has become shorter", escaped(paths_[file], 4096))
+      error_ = rows ? fmt::format("{}: the file was truncated while it was read",
+                                  escaped(paths_[file], 4096))
                     : rows.error().text;
       return false;
     }

@@ -20,7 +20,7 @@ std::string other_part(const PartHead& found, const DividedPicture& picture, std
   PartKey wanted = picture.key;
   wanted.driver = found.picture.key.driver;  // only known after OpenGL has drawn
   if (const std::string_view why = foreign_part(found.picture.key, wanted); !why.empty()) {
-    return fmt::format("the part is of {}", why);
+    return fmt::format("the part was drawn {}", why);
   }
   if (found.index != index || found.picture.count != picture.count) {
     return fmt::format("it is part {} of {}, not {} of {}", found.index + 1, found.picture.count,

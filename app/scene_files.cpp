@@ -21,7 +21,7 @@ bool is_of_another_program(const std::string& path, const Limits& limits) {
 }
 
 void say_left_out(const std::string& folder, const std::vector<std::string>& left_out) {
-  say(fmt::format("{}: left out {} that {} not {}: {}{}\n", escaped(folder, 4096),
+  say(fmt::format("{}: skipped {} that {} not {}: {}{}\n", escaped(folder, 4096),
                   left_out.size() == 1 ? "one file" : fmt::format("{} files", left_out.size()),
                   left_out.size() == 1 ? "is" : "are", left_out.size() == 1 ? "a scene" : "scenes",
                   escaped(left_out.front(), 4096), left_out.size() == 1 ? "" : ", ..."));

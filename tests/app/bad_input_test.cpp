@@ -115,7 +115,7 @@ TEST(BadInput, AMisspelledFileAttributeIsUsedOrAnError) {
 TEST(BadInput, AMissingFileIsAShortLineAndAListOfPlaces) {
   const ProgramRun run = check(replaced("\"sphere\"", R"("mesh" filename="mesh/no.obj")"));
   EXPECT_THAT(run.out, HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
-                                 "    looked nowhere, for want of an asset root\n"
+                                 "    nowhere to look: there is no asset root\n"
                                  "    files elsewhere need --asset-root DIR or --allow-outside\n"));
 }
 
@@ -128,7 +128,7 @@ TEST(BadInput, WordsInOddOrder) {
   EXPECT_THAT(told({"a/b.xml"}), HasSubstr("a command comes first: scenefile check a/b.xml"));
   EXPECT_THAT(told({"--json", "check", "b.xml"}),
               HasSubstr("the command comes first, then options"));
-  EXPECT_THAT(told({"render", "a.xml", "b.png"}), HasSubstr("The picture to write goes after -o"));
+  EXPECT_THAT(told({"render", "a.xml", "b.png"}), HasSubstr("the picture to write goes after -o"));
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST_F(Check, AFolderStandsForTheScenesInIt) {
   folder.write("class/ben/bad.xml", "<scenefile>");
   const ProgramRun run = run_program({"check", "class"}, {.folder = folder.path()});
   EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.err, "class: left out one file that is not a scene: class/results.xml\n");
+  EXPECT_EQ(run.err, "class: skipped one file that is not a scene: class/results.xml\n");
   std::vector<std::size_t> places;
   for (const char* line : {"class/b9.xml: fine\n", "class/b10.xml: fine\n",
                            "class/anna/x.json: ", "class/ben/bad.xml: 1 error\n", "\n4 scenes: "}) {

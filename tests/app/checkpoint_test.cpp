@@ -110,10 +110,11 @@ TEST_F(CheckpointTest, WhatIsNotOfThisRenderIsRefused) {
   const std::string good = folder_.read("ck");
   const ProgramRun other_options = run(long_render("1"));
   EXPECT_EQ(other_options.status, 1);
-  EXPECT_THAT(other_options.err, HasSubstr("ck: the checkpoint is of other options; remove"));
+  EXPECT_THAT(other_options.err,
+              HasSubstr("ck: the checkpoint was written with other options; remove"));
 
   folder_.write("ck", good.substr(0, good.size() / 2));
-  EXPECT_THAT(run(long_render()).err, HasSubstr("ck: the checkpoint is cut off"));
+  EXPECT_THAT(run(long_render()).err, HasSubstr("ck: the checkpoint is truncated"));
 
   std::string damaged = good;
   damaged[good.size() / 3] ^= 1;

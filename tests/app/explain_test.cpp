@@ -32,7 +32,7 @@ TEST_F(Explain, TellsOfThePixel) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, AllOf(HasSubstr("pixel 16,12 of 32x24, profile course"),
-                             HasSubstr("meets sphere root/#1 (line 14)"),
+                             HasSubstr("hits sphere root/#1 (line 14)"),
                              HasSubstr("in object space"), HasSubstr("directional light (line 9)"),
                              HasSubstr("no occluder"), HasSubstr("sum "), Not(HasSubstr("\x1b"))));
 }
@@ -64,7 +64,8 @@ TEST_F(Explain, NeedsAPixelOfThePicture) {
 }
 
 TEST_F(Explain, ShowsTheSampleThatWasAsked) {
-  EXPECT_THAT(explain("16,12", {"--min-samples", "4", "--sample", "3"}).out, HasSubstr("sample 3: "));
+  EXPECT_THAT(explain("16,12", {"--min-samples", "4", "--sample", "3"}).out,
+              HasSubstr("sample 3: "));
 }
 
 TEST_F(Explain, ColorsAreForTerminals) {

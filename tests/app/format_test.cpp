@@ -85,7 +85,7 @@ TEST_F(Format, OfAFolderOnlyTheScenesAreTouched) {
   const ProgramRun run = in_folder({"format", "in/"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.err, AllOf(HasSubstr("in/a.xml: formatted\nin/deep/b.json: formatted\n"),
-                             HasSubstr("left out 2 files that are not scenes")));
+                             HasSubstr("skipped 2 files that are not scenes")));
   EXPECT_EQ(folder.read("in/a.xml"), tidy);
   EXPECT_EQ(folder.read("in/package.json"), package);
   EXPECT_EQ(folder.read("in/results.xml"), results);

@@ -88,7 +88,7 @@ TEST_F(RenderLayers, MistakesAreUsageErrors) {
       {{"--crop", "5,5,5,9"}, "contains no pixels"},
       {{"--crop", "0,0,33,24"}, "extends outside of the picture of 32x24"},
       {{"--denoise", "--profile", "course"}, "--denoise is for the profile fine"},
-      {{"--denoise", "--checkpoint", "c"}, "cannot have --denoise"},
+      {{"--denoise", "--checkpoint", "c"}, "cannot be combined with --denoise"},
       {{"--preview", "p.jpg"}, "must end in .png"},
   };
   for (const auto& c : cases) {

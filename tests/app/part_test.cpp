@@ -147,9 +147,9 @@ TEST_F(PartTest, MergeSaysWhatIsWrongAndWritesNothing) {
   folder.write("parts/notes.txt", "mine");
   const ProgramRun merged = run({"merge", "parts", "-o", "out.png"});
   EXPECT_EQ(merged.status, 1);
-  EXPECT_THAT(merged.err, HasSubstr("parts/2.part (part 2 of 4): the part is cut off"));
+  EXPECT_THAT(merged.err, HasSubstr("parts/2.part (part 2 of 4): the part is truncated"));
   EXPECT_THAT(merged.err, HasSubstr("parts/4b.part (part 4 of 4): the same part as parts/4.part"));
-  EXPECT_THAT(merged.err, HasSubstr("parts/foreign (part 1 of 4): it is of other options"));
+  EXPECT_THAT(merged.err, HasSubstr("parts/foreign (part 1 of 4): drawn with other options"));
   EXPECT_THAT(merged.err, HasSubstr("missing: 2 of 4: 2, 3"));
   EXPECT_THAT(folder.list(), ElementsAre("parts", "scene.xml"));
 

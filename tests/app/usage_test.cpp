@@ -28,8 +28,8 @@ void is_misuse(const std::vector<std::string>& arguments, const std::string& wor
 }
 
 TEST(Usage, SuggestsTheCommandThatWasMeant) {
-  is_misuse({"chekc", "a.xml"}, R"(there is no command "chekc"; did you mean check?)");
-  is_misuse({"qqqqqq"}, R"(there is no command "qqqqqq")");
+  is_misuse({"chekc", "a.xml"}, R"(unknown command "chekc"; did you mean check?)");
+  is_misuse({"qqqqqq"}, R"(unknown command "qqqqqq")");
   is_misuse({"re\x1b[31mnder"}, R"("re\u{1b}[31mnder")");
   is_misuse({}, "scenefile render SCENE");
 }
@@ -98,7 +98,7 @@ TEST(Usage, JudgesValues) {
   is_misuse({"check", "a.xml", "--deny", "all"}, R"("all" is neither warnings nor a code)");
   is_misuse({"check", "a.xml", "--deny", "xml.numbre"}, "did you mean xml.number?");
   is_misuse({"check", "a.xml", "--json", "--sarif"}, "choose one");
-  is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(there is no code "xml.nosuch")");
+  is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(unknown code "xml.nosuch")");
 }
 
 TEST(Usage, ListsHaveNoBlanks) {
@@ -108,10 +108,10 @@ TEST(Usage, ListsHaveNoBlanks) {
     return words;
   };
   is_misuse(render({"--features", "shadows,", "reflect"}),
-            R"(write the list "shadows," with commas and without blanks, such as shadows,reflect)");
-  is_misuse(render({"--features", "shadows, reflect"}), "with commas and without blanks");
-  is_misuse(render({"--features", "shadows,,reflect"}), "with commas and without blanks");
-  is_misuse(render({"--aov", "depth,", "normal"}), "with commas and without blanks");
+            R"(write the list "shadows," with commas and without spaces, such as shadows,reflect)");
+  is_misuse(render({"--features", "shadows, reflect"}), "with commas and without spaces");
+  is_misuse(render({"--features", "shadows,,reflect"}), "with commas and without spaces");
+  is_misuse(render({"--aov", "depth,", "normal"}), "with commas and without spaces");
   is_misuse(render({"--crop", "1,", "2,", "3,", "4"}), "such as 100,50,300,200");
   is_misuse({"explain", "a.xml", "--pixel", "3,", "4"}, "such as 320,240");
 }
@@ -121,10 +121,10 @@ TEST(Usage, MissesWhatIsMissing) {
   is_misuse({"render", "-o", "b.png"}, "render needs a scene");
   is_misuse({"render", "a.xml"}, "render needs an output");
   is_misuse({"render", "a.xml", "-o"}, "--output needs a value");
-  is_misuse({"render", "a.xml", "b.xml", "-o", "b.png"}, R"(what is "b.xml"?)");
+  is_misuse({"render", "a.xml", "b.xml", "-o", "b.png"}, R"(unexpected "b.xml")");
   is_misuse({"render", "a.xml", "-o", "b.jpg"}, "must end in .png, .exr or .pfm");
   is_misuse({"render", "a.xml", "-o", "b.JPEG"}, "JPEG changes colors");
-  is_misuse({"render", "a.xml", "-o", "picture"}, "does not say what to write");
+  is_misuse({"render", "a.xml", "-o", "picture"}, "the name must end in .png, .exr or .pfm");
 }
 
 TEST(Usage, TheCourseHasSamplesOfItsOwn) {

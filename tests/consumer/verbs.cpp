@@ -88,7 +88,7 @@ void explains() {
   const Result<ExplainReport> pixel = explain_pixel(scene, options, 16, 12);
   expect(bool(pixel), "a pixel is explained");
   if (pixel) {
-    expect(holds(explain_text(scene, *pixel), "meets sphere"), "as a text");
+    expect(holds(explain_text(scene, *pixel), "hits sphere"), "as a text");
     expect(holds(explain_json(scene, options, &*pixel), R"("shape": "sphere")"), "and as JSON");
   }
   const Result<ExplainReport> none = explain_pixel(scene, options, 16, 12, 100000);

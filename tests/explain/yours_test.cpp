@@ -81,7 +81,7 @@ TEST(Yours, SubsetsAreTheLastResort) {
   for (RenderMaterial& m : b.scene.materials) {
     m.specular = glm::vec3(0);
   }
-  EXPECT_THAT(compared(value_of(b)).fits, names("of these terms alone: diffuse"));
+  EXPECT_THAT(compared(value_of(b)).fits, names("with only these terms: diffuse"));
 }
 
 TEST(Yours, NothingIsSaidOfAnythingElse) {

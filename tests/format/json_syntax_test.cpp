@@ -101,7 +101,7 @@ TEST(JsonSyntax, WordsAndQuotes) {
       {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
       {"{\"a\": \"b, \"c\": 1}", json_syntax, {1, 12}, "an earlier string lacks its closing one"},
       {"{\u201Ca\u201D: 1}", json_syntax, {1, 2}, "a typographic quotation mark"},
-      {"{\u00A0\"a\": 1}", json_syntax, {1, 2}, "a special blank, U+00A0"},
+      {"{\u00A0\"a\": 1}", json_syntax, {1, 2}, "a special space character, U+00A0"},
       {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},
       {"{\"a\": None}", json_syntax, {1, 7}, "None is written null"},
       {"{\"a\": tru}", json_syntax, {1, 7}, "\"tru\" is not a value"},

@@ -61,13 +61,13 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<scale x=\"1\" x=\"2\"/>"), "4:14 attribute \"x\" is given twice");
   EXPECT_EQ(one("<scale x=1/>"), "4:10 \"1\" must be in quotation marks");
   EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
-            "4:10 a typographic quotation mark, as word processors put it; use \" or '");
+            "4:10 a typographic quotation mark, as word processors insert it; use \" or '");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
   EXPECT_EQ(one("<a b=\"x\"\n<c/>"), "5:1 the tag <a> of line 4 lacks its > or />");
   EXPECT_EQ(one("<a b=\"x & y\"/>"), "4:9 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"&nbsp;\"/>"),
             "4:7 the entity \"nbsp\" is not defined; for a bare & write &amp;");
-  EXPECT_EQ(one("<a b=\"&#xD800;\"/>"), "4:7 \"&#xD800;\" names no character");
+  EXPECT_EQ(one("<a b=\"&#xD800;\"/>"), "4:7 \"&#xD800;\" is not a valid character reference");
   EXPECT_THAT(one("<!-- a -- b -->"), HasSubstr("-- is not allowed inside a comment"));
   EXPECT_EQ(one("a\x01"), "4:2 the character \"\\u{1}\" is not allowed in XML");
   EXPECT_THAT(one("a \xFF"), HasSubstr("is not valid UTF-8"));
@@ -75,11 +75,12 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<--> note -->"), "4:1 a comment starts with <!--, not with <--");
   EXPECT_EQ(one("<a b=\"R&D\"/>"), "4:8 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"salt&pepper-1.obj\"/>"), "4:11 a bare & is not allowed; write &amp;");
-  EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by blanks, not by commas");
+  EXPECT_EQ(one("<a b=\"1\", c=\"2\"/>"), "4:9 attributes are separated by spaces, not by commas");
   EXPECT_EQ(one("<a b=\"1\"/ >"), "4:10 the / that ends a tag must be directly followed by >");
   EXPECT_THAT(one("<a b=\"1\"\\>"), HasSubstr("or with /> where nothing is inside"));
   EXPECT_EQ(one("<<a/>"), "4:2 two < in a row; one is enough");
-  EXPECT_EQ(one("<a\u00A0b=\"1\"/>"), "4:3 a special blank, U+00A0; use an ordinary one");
+  EXPECT_EQ(one("<a\u00A0b=\"1\"/>"),
+            "4:3 a special space character, U+00A0; use an ordinary space");
   EXPECT_THAT(one("<a b=\"1 c=\"2\"/>"), HasSubstr("4:12 \"2\" right after a quotation mark"));
 }
 
@@ -122,7 +123,7 @@ TEST(XmlSyntax, ShapesAreObjects) {
 }
 
 TEST(XmlSyntax, TheEndOfACommentHasNoGap) {
-  const std::string gap = "4:8 a comment ends with -->, without blanks in it; close the gap";
+  const std::string gap = "4:8 a comment ends with -->, without spaces in it; remove them";
   EXPECT_THAT(said(with_transforms("<!-- a -- >")), ElementsAre(gap));
   EXPECT_THAT(said(with_transforms("<!-- a -- >\n<!-- b -->")), ElementsAre(gap));
   EXPECT_THAT(found(with_transforms("<!-- a -- >")), ElementsAre("4:8 error xml.comment"));

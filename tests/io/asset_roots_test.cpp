@@ -250,7 +250,7 @@ TEST_F(Layout, StandardInputHasTheGivenRootsAlone) {
   AssetRootsOptions options;
   options.scene_path = "-";
   AssetRoots none(options);
-  EXPECT_THAT(misses(none, "a.png"), HasSubstr("for want of an asset root"));
+  EXPECT_THAT(misses(none, "a.png"), HasSubstr("nowhere to look"));
   options.asset_roots = {home.path("given")};
   AssetRoots roots(options);
   finds(roots, "a.png", "given/a.png", AssetRule::asset_root);

@@ -30,7 +30,7 @@ TEST(Checkpoint, EveryCutIsRecognized) {
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
   }
   EXPECT_THAT(complaint(""), HasSubstr("empty"));
-  EXPECT_THAT(complaint(good.substr(0, 30)), HasSubstr("cut off"));
+  EXPECT_THAT(complaint(good.substr(0, 30)), HasSubstr("truncated"));
   EXPECT_THAT(complaint(good + "x"), HasSubstr("longer"));
 }
 

@@ -43,7 +43,7 @@ class Sums {
 
   void check_ray(const RayRecord& ray) {
     if (!ray.surface.has_value()) {
-      expect(ray.color, Color(0), "a ray that meets nothing is black");
+      expect(ray.color, Color(0), "a ray that hits nothing is black");
       return;
     }
     const SurfaceRecord& s = *ray.surface;

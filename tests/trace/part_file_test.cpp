@@ -53,7 +53,7 @@ TEST(PartFile, EveryCutIsRecognized) {
     EXPECT_NE(complaint(std::string_view(bytes).substr(0, length)), "") << length;
   }
   EXPECT_THAT(complaint(""), HasSubstr("empty"));
-  EXPECT_THAT(complaint(bytes.substr(0, 30)), HasSubstr("cut off"));
+  EXPECT_THAT(complaint(bytes.substr(0, 30)), HasSubstr("truncated"));
 }
 
 TEST(PartFile, EveryDamagedBitIsRecognized) {
@@ -85,7 +85,7 @@ TEST(PartFile, WhatCannotBeIsRefused) {
   const auto refused = [](auto change) {
     PartHead head = some_head();
     change(head);
-    EXPECT_THAT(complaint(encode_part_head(head)), HasSubstr("there is no such part"));
+    EXPECT_THAT(complaint(encode_part_head(head)), HasSubstr("its header is invalid"));
   };
   refused([](PartHead& h) { h.index = h.picture.count; });
   refused([](PartHead& h) { h.picture.count = 0; });
@@ -167,7 +167,7 @@ PartCandidate candidate(std::uint32_t index, std::uint64_t scene = 2, std::strin
 
 TEST(PartSet, KnowsWhatIsWrong) {
   const std::vector<PartCandidate> files{
-      candidate(1), candidate(3), candidate(1), candidate(0, 9), candidate(2, 2, "cut off"), {}};
+      candidate(1), candidate(3), candidate(1), candidate(0, 9), candidate(2, 2, "truncated"), {}};
   std::vector<PartCandidate> with_unreadable = files;
   with_unreadable.back().damage = "the file is empty";
   const PartSet set = sort_parts(with_unreadable);

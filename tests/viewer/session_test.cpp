@@ -95,7 +95,7 @@ TEST_F(SessionTest, AClickSelectsWhatIsThere) {
   click(140, 245);
   EXPECT_EQ(selected(), "cone");
   EXPECT_THAT(session.selected_path, HasSubstr(" > "));
-  EXPECT_NEAR(selected_bounds(session).max.x, -0.5, 1e-6) << "of this copy alone";
+  EXPECT_NEAR(selected_bounds(session).max.x, -0.5, 1e-6) << "only of this copy";
   select(session, session.selected);
   EXPECT_NEAR(selected_bounds(session).max.x, 1.5, 1e-6) << "of all";
   EXPECT_TRUE(session.open_rows.contains(session.shown->outline.rows[*session.selected].parent));

@@ -15,7 +15,8 @@ namespace {
 // Why a well-formed number does not refer to an element.
 std::string out_of_range(std::string_view word, const IndexList& list) {
   if (word.find_first_of("123456789") == std::string_view::npos) {
-    return fmt::format("there is no {} 0: they count from 1, or from -1 backwards", list.name);
+    return fmt::format("there is no {} 0: numbers start at 1, or at -1 for the last one",
+                       list.name);
   }
   if (word[0] == '-') {
     return fmt::format("there is no {} {}: {} come before this face", list.name, escaped(word, 40),
@@ -34,7 +35,7 @@ std::optional<std::uint32_t> parse_index(std::string_view word, const IndexList&
   std::uint64_t number = 0;
   const auto result = std::from_chars(digits.data(), end, number);
   if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    why = word.empty() ? fmt::format("it names no {}", list.name)
+    why = word.empty() ? fmt::format("the number of the {} is missing", list.name)
                        : fmt::format("{} is not the number of a {}", quoted(word), list.name);
     return std::nullopt;
   }

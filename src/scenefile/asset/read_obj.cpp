@@ -150,7 +150,8 @@ class ObjReader {
     }
     if (!is_obj || (known_ == 0 && !unknown_.empty())) {
       const Location first = is_obj ? unknown_.front().second : Location{};
-      report(mesh_not_obj, first, "this is not an OBJ file: none of its lines is one of OBJ");
+      report(mesh_not_obj, first,
+             "this is not an OBJ file: no line begins with v, f or another OBJ keyword");
     }
     if (errors_ == 0) {
       report_unknown();

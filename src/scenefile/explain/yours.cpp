@@ -125,18 +125,18 @@ class Comparison {
     offer("without the diffuse term", all - terms_.diffuse());
     offer("without the specular term", all - terms_.specular());
     offer("without the reflection", all - terms_.mirror);
-    offer("without what shows through the object", all - terms_.glass);
+    offer("without the refraction", all - terms_.glass);
     offer("without any shadow", all + terms_.hidden());
     for (const LightTerms& l : terms_.lights) {
       if (terms_.lights.size() > 1) {
         offer(fmt::format("without {}, as in its shadow", light_name(l)),
               all - l.diffuse - l.specular);
         offer(fmt::format("without the shadow of {}", light_name(l)), all + l.hidden);
-        offer(fmt::format("with {} alone, and the ambient term", light_name(l)),
+        offer(fmt::format("with only {} and the ambient term", light_name(l)),
               terms_.ambient + l.diffuse + l.specular);
       }
     }
-    offer("with the ambient term alone", terms_.ambient);
+    offer("with only the ambient term", terms_.ambient);
     offer("with the ambient term twice", all + terms_.ambient);
     offer("with the diffuse term twice", all + terms_.diffuse());
     offer("with the specular term twice", all + terms_.specular());
@@ -178,7 +178,7 @@ class Comparison {
             all - terms_.mirror + terms_.mirror / double(global.specular));
     }
     const dvec3 eye = -surface_->ray.direction;
-    offer("with Blinn's highlight for Phong's",
+    offer("with Blinn's highlight instead of Phong's",
           relit([&](const LightSample& s, const RenderLight&) {
             const dvec3 half = glm::normalize(s.to_light + eye);
             const double shine = std::max(0.0, glm::dot(half, surface_->normal));
@@ -191,8 +191,7 @@ class Comparison {
     offer("without attenuation", relit([&](const LightSample& s, const RenderLight&) {
             return without_fading(s) * (dvec3(s.diffuse) + dvec3(s.specular));
           }));
-    offer("with 1 / d^2 for the attenuation",
-          relit([&](const LightSample& s, const RenderLight& l) {
+    offer("with 1 / d^2 as the attenuation", relit([&](const LightSample& s, const RenderLight& l) {
             const double fading =
                 l.type == LightType::directional ? 1 : std::min(1.0, 1 / (s.distance * s.distance));
             return without_fading(s) * fading * (dvec3(s.diffuse) + dvec3(s.specular));
@@ -205,7 +204,7 @@ class Comparison {
             return dvec3(s.color) *
                    (std::abs(s.n_dot_l) * dvec3(surface_->diffuse_color) + dvec3(s.specular));
           }));
-    offer("with the normal turned around", relit([&](const LightSample& s, const RenderLight&) {
+    offer("with the normal flipped", relit([&](const LightSample& s, const RenderLight&) {
             return dvec3(s.color) *
                    (std::max(0.0, -s.n_dot_l) * dvec3(surface_->diffuse_color) + dvec3(s.specular));
           }));
@@ -218,10 +217,10 @@ class Comparison {
         });
       };
       offer("without the texture", textured(plain));
-      offer("with the texture alone, whatever its blend", textured(dvec3(t.color)));
+      offer("with only the texture, ignoring its blend", textured(dvec3(t.color)));
       offer("with the texture times the diffuse coefficient",
             textured((1 - t.blend) * plain + t.blend * double(global.diffuse) * dvec3(t.color)));
-      offer("with the texture times the diffuse coefficient, whatever its blend",
+      offer("with the texture times the diffuse coefficient, ignoring its blend",
             textured(double(global.diffuse) * dvec3(t.color)));
       offer("with the texture times the diffuse color",
             textured((1 - t.blend) * plain + t.blend * plain * dvec3(t.color)));
@@ -242,7 +241,7 @@ class Comparison {
     offer("with red and blue exchanged", {c.z, c.y, c.x});
     offer("with gamma 2.2", glm::pow(c, dvec3(1 / 2.2)));
     offer("to the power of 2.2", glm::pow(c, dvec3(2.2)));
-    offer("as the background: your ray meets nothing here", dvec3(0));
+    offer("as the background: your ray hits nothing here", dvec3(0));
     offer("as the normal's color, (n + 1) / 2", 0.5 * (surface_->normal + 1.0));
   }
 
@@ -257,7 +256,7 @@ class Comparison {
                                      {"specular", terms_.specular()},
                                      {"reflection", terms_.mirror},
                                      {"transparency", terms_.glass},
-                                     {"what shadows take", terms_.hidden()}}};
+                                     {"what shadows remove", terms_.hidden()}}};
     for (unsigned set = 1; set < 1u << parts.size(); ++set) {
       dvec3 color(0);
       std::string names;
@@ -270,7 +269,7 @@ class Comparison {
         }
       }
       if (!useless) {
-        offer(fmt::format("of these terms alone: {}", names), color);
+        offer(fmt::format("with only these terms: {}", names), color);
       }
     }
   }

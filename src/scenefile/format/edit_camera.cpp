@@ -164,8 +164,8 @@ CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadO
   if (!writer.apply(edited)) {
     return refuse(
         slots.missing
-            ? "the file has no <cameradata>, and no <globaldata> after which one could be put"
-            : "the camera of the file lacks what the view needs");
+            ? "the file has no <cameradata>, and no <globaldata> after which one could be inserted"
+            : "the camera of the file lacks values that the view needs");
   }
   edited.insert(0, bytes.substr(0, bytes.size() - text.size()));
   if (!is_as_wanted(edited, before, camera, options)) {

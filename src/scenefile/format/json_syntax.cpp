@@ -413,7 +413,7 @@ class Explainer {
     }
     for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
       if (text_.substr(at_).starts_with(quote)) {
-        return "a typographic quotation mark, as word processors put it; use \"";
+        return "a typographic quotation mark, as word processors insert it; use \"";
       }
     }
     return {};

@@ -162,7 +162,7 @@ std::optional<SceneFormat> syntax_of(std::string_view text, Diagnostics& diagnos
 }
 
 std::string odd_blank_text(char32_t blank) {
-  return fmt::format("a special blank, U+{:04X}; use an ordinary one",
+  return fmt::format("a special space character, U+{:04X}; use an ordinary space",
                      static_cast<std::uint32_t>(blank));
 }
 

@@ -13,7 +13,7 @@ namespace scenefile {
 
 /// The message about `-- >` as the end of a comment.
 inline constexpr std::string_view broken_comment_end_text =
-    "a comment ends with -->, without blanks in it; close the gap";
+    "a comment ends with -->, without spaces in it; remove them";
 
 /// Reports comments that contain -- and comments that start with <--, and overwrites what is wrong
 /// with them. The result has the same length, and text outside of comments is unchanged. Returns

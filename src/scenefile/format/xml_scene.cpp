@@ -292,7 +292,7 @@ bool SceneBuilder::open_globals(const XmlTag& tag) {
   expect_no_attributes(context_, tag);
   if (scene_.global.location.known()) {
     context_.report(xml_duplicate_element, tag,
-                    fmt::format("a second <globaldata>, after line {}; what it gives counts",
+                    fmt::format("a second <globaldata>, after line {}; its values count",
                                 scene_.global.location.line));
   }
   globals_ = {};
@@ -406,11 +406,10 @@ bool SceneBuilder::open_transblock(const XmlTag& tag) {
 
 bool SceneBuilder::open_in_transblock(const XmlTag& tag) {
   if (top().has_content && !context_.options.compat_course) {
-    return ignore(
-        xml_after_object, tag,
-        fmt::format("{} is ignored, as all that follows the first object of a transblock; "
-                    "--compat course uses it",
-                    element_text(tag.name)));
+    return ignore(xml_after_object, tag,
+                  fmt::format("{} is ignored, like everything that follows the first object of a "
+                              "transblock; --compat course uses it",
+                              element_text(tag.name)));
   }
   if (tag.name == "transblock") {
     return ignore(xml_misplaced_element, tag,

@@ -234,7 +234,7 @@ bool in_comment(std::string_view text, std::size_t at) {
 std::string quote_hint(std::string_view rest) {
   for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
     if (rest.starts_with(quote)) {
-      return "a typographic quotation mark, as word processors put it; use \" or '";
+      return "a typographic quotation mark, as word processors insert it; use \" or '";
     }
   }
   return {};
@@ -279,11 +279,11 @@ std::string hint_before(std::string_view text, std::size_t at) {
     return "a tag ends with >, or with /> where nothing is inside; no \\ belongs there";
   }
   if ((before == '"' || before == '\'') && text[at] == ',') {
-    return "attributes are separated by blanks, not by commas";
+    return "attributes are separated by spaces, not by commas";
   }
   if (before == '"' || before == '\'') {
     return fmt::format(
-        "{} right after a quotation mark: a blank is missing, or an earlier value lacks its "
+        "{} right after a quotation mark: a space is missing, or an earlier value lacks its "
         "closing quotation mark",
         found);
   }
@@ -353,7 +353,8 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
       return fmt::format("the entity {} is not defined; for a bare & write &amp;",
                          quoted(name_at(rest.substr(rest.starts_with('&')))));
     case SyntaxFault::bad_character_reference:
-      return fmt::format("{} names no character", quoted(rest.substr(0, rest.find(';') + 1), 20));
+      return fmt::format("{} is not a valid character reference",
+                         quoted(rest.substr(0, rest.find(';') + 1), 20));
     case SyntaxFault::junk_after_document:
       return fmt::format("nothing may follow the closing tag of the scene; found {}",
                          quoted(rest.substr(0, rest.find_first_of("\r\n")), 20));

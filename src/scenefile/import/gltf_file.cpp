@@ -198,8 +198,7 @@ class Opener {
           length <= file_.buffers[buffer].size() - offset && stride <= 252) {
         view = {file_.buffers[buffer].substr(offset, length), stride};
       } else {
-        fine =
-            fail(import_value, {}, fmt::format("bufferViews[{}] leads outside of its buffer", i));
+        fine = fail(import_value, {}, fmt::format("bufferViews[{}] reaches beyond its buffer", i));
       }
       file_.views.push_back(view);
     }

@@ -78,7 +78,7 @@ class GltfReader {
     }
     const std::uint64_t number = value.whole().value_or(no_item);
     if (number >= size) {
-      fail(fmt::format("{} leads to nothing", where));
+      fail(fmt::format("{} refers to an element that does not exist", where));
       return no_item;
     }
     return static_cast<std::uint32_t>(number);
@@ -299,10 +299,11 @@ class GltfReader {
     const std::uint64_t bytes =
         absurd ? 0 : vertices * bytes_of_vertex + triangles * bytes_of_triangle;
     if (absurd || triangles > triangles_left_ || bytes > bytes_left_) {
-      diagnostics_.report(import_limit, {},
-                          fmt::format("{}: {} triangles of {} vertices are more than is left of "
-                                      "the limit for all meshes",
-                                      where, triangles, vertices));
+      diagnostics_.report(
+          import_limit, {},
+          fmt::format(
+              "{}: {} triangles of {} vertices exceed what is left of the limit for all meshes",
+              where, triangles, vertices));
       failed_ = true;
       return {};
     }
@@ -424,7 +425,7 @@ class GltfReader {
       }
     } else {
       diagnostics_.report(import_left_out, {},
-                          "the camera without perspective is given one of 45 degrees");
+                          "the orthographic camera becomes a perspective camera of 45 degrees");
     }
     Camera& c = result_.scene.camera.emplace();
     c.position = glm::vec3(world.offset);

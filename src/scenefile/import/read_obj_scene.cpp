@@ -55,10 +55,10 @@ class ObjSceneReader {
       return {};
     }
     if (mesh_.triangles.size() * bytes_of_triangle > options_.limits.mesh_bytes) {
-      diagnostics_.report(import_limit, {},
-                          fmt::format("{} triangles, cut up by material, take more than the limit "
-                                      "for all meshes",
-                                      mesh_.triangles.size()));
+      diagnostics_.report(
+          import_limit, {},
+          fmt::format("{} triangles, divided by material, exceed the limit for all meshes",
+                      mesh_.triangles.size()));
       return {};
     }
     sort_faces();

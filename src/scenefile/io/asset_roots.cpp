@@ -262,7 +262,7 @@ class AssetSearch {
         result_.notes.push_back("looked for " + from_scene(path));
       }
       if (result_.tried.empty()) {
-        result_.notes.emplace_back("looked nowhere, for want of an asset root");
+        result_.notes.emplace_back("nowhere to look: there is no asset root");
       }
       for (const std::string& root : roots_.index().skipped()) {
         result_.notes.push_back(root + " has too many files to search by name");

@@ -33,11 +33,12 @@ std::uint64_t checksum(Head head, std::string_view state) {
 }
 
 std::string foreign(const CheckpointKey& found, const CheckpointKey& wanted) {
-  const char* const what = found.scene != wanted.scene ? "another scene, or the scene was changed"
-                           : found.assets != wanted.assets   ? "other textures or meshes"
-                           : found.options != wanted.options ? "other options"
-                                                             : "another build of the program";
-  return fmt::format("the checkpoint is of {}", what);
+  const char* const what = found.scene != wanted.scene
+                               ? "from another scene, or the scene was changed"
+                           : found.assets != wanted.assets   ? "with other textures or meshes"
+                           : found.options != wanted.options ? "with other options"
+                                                             : "by another build of the program";
+  return fmt::format("the checkpoint was written {}", what);
 }
 
 }  // namespace
@@ -60,14 +61,14 @@ std::string decode_checkpoint(std::string_view bytes, const CheckpointKey& key,
     return bytes.empty() ? "the file is empty" : "the file is not a checkpoint of this version";
   }
   if (bytes.size() < head_bytes) {
-    return "the checkpoint is cut off";
+    return "the checkpoint is truncated";
   }
   Head head;
   std::memcpy(&head, bytes.data() + first_line.size(), sizeof head);
   bytes.remove_prefix(head_bytes);
   if (head.length != bytes.size()) {
     return fmt::format("the checkpoint is {}",
-                       bytes.size() < head.length ? "cut off" : "longer than it says");
+                       bytes.size() < head.length ? "truncated" : "longer than its header says");
   }
   if (head.checksum != checksum(head, bytes)) {
     return "the checkpoint is damaged: its checksum is wrong";

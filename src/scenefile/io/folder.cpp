@@ -175,7 +175,7 @@ Result<void> make_folder(const std::string& path) {
     }
   }
   if (!is_folder(path)) {
-    return Error{path + ": the folder cannot be made: " + error.message()};
+    return Error{path + ": cannot create the folder: " + error.message()};
   }
   return {};
 }

@@ -33,8 +33,7 @@ class ViewCheck {
     if (search_.misses(view_region(scene_.camera, question_.aspect))) {
       diagnostics_.report(
           camera_nothing_in_view, question_.camera,
-          fmt::format("no object is in view of the camera, in a picture up to {} times as wide as "
-                      "high",
+          fmt::format("no object is in view of the camera, for any aspect ratio up to {}",
                       number_text(static_cast<float>(question_.aspect))));
     }
   }

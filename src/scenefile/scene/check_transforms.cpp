@@ -94,8 +94,8 @@ class TransformCheck {
     if (const std::string_view extent = extent_text(map.linear); !extent.empty()) {
       reporter_.report(
           transform_degenerate, subject_,
-          fmt::format("{} is too {} for the numbers of a renderer; objects inside it are not drawn",
-                      what(), extent));
+          fmt::format("{} is too {} for single precision; objects inside it are not drawn", what(),
+                      extent));
       return false;
     }
     reporter_.report(transform_flat, subject_,
@@ -122,7 +122,7 @@ class TransformCheck {
       return true;
     }
     reporter_.report(scene_not_finite, subject_,
-                     fmt::format("{} is not made of finite numbers", name));
+                     fmt::format("{} contains a number that is not finite", name));
     return false;
   }
 

@@ -148,8 +148,7 @@ inline constexpr Code transform_flat{
 inline constexpr Code transform_degenerate{
     "transform.degenerate", Severity::warning, "transforms that are degenerate when combined",
     "Each transform is fine by itself, but their product is too large, too small or too skewed for "
-    "the numbers of a renderer; or a single one scales by 1e30 or 1e-30. Objects inside are not "
-    "drawn."};
+    "single precision; or a single one scales by 1e30 or 1e-30. Objects inside are not drawn."};
 inline constexpr Code transform_matrix_projective{
     "transform.matrix-projective", Severity::warning, "a matrix with an unusual last row",
     "Files list a matrix row by row, with the translation in the last column; the last row is 0 0 "

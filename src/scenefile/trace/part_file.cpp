@@ -173,10 +173,10 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
     return "the file is empty";
   }
   if (!bytes.starts_with(first_line.substr(0, bytes.size()))) {
-    return is_part_file(bytes) ? "the part is of another version of the program"
+    return is_part_file(bytes) ? "the part was written by another version of the program"
                                : "the file is not a part of a picture";
   }
-  const std::string cut_off = "the part is cut off";
+  const std::string cut_off = "the part is truncated";
   std::size_t at = first_line.size();
   if (bytes.size() < at + sizeof(Length)) {
     return cut_off;
@@ -184,7 +184,7 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
   const auto length = read_value<Length>(bytes.substr(at));
   at += sizeof length;
   if (length > most_part_head_bytes - at - sizeof(Checksum)) {
-    return "the part is damaged: its head is too long";
+    return "the part is damaged: its header is too long";
   }
   if (bytes.size() < at + length + sizeof(Checksum)) {
     return cut_off;
@@ -192,10 +192,10 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
   std::string_view body = bytes.substr(at, length);
   at += length;
   if (read_value<Checksum>(bytes.substr(at)) != checksum_of(body)) {
-    return "the part is damaged: the checksum of its head is wrong";
+    return "the part is damaged: the checksum of its header is wrong";
   }
   bytes_before_rows = at + sizeof(Checksum);
-  const std::string impossible = "the part is damaged: there is no such part";
+  const std::string impossible = "the part is damaged: its header is invalid";
   if (length < sizeof(std::uint32_t)) {
     return impossible;
   }
@@ -231,11 +231,11 @@ bool is_part_file(std::string_view first_bytes) {
 }
 
 std::string_view foreign_part(const PartKey& found, const PartKey& wanted) {
-  return found.scene != wanted.scene       ? "another scene, or the scene was changed"
-         : found.assets != wanted.assets   ? "other textures or meshes"
-         : found.options != wanted.options ? "other options"
-         : found.program != wanted.program ? "another build of the program"
-         : found.driver != wanted.driver   ? "another OpenGL driver"
+  return found.scene != wanted.scene       ? "from another scene, or the scene was changed"
+         : found.assets != wanted.assets   ? "with other textures or meshes"
+         : found.options != wanted.options ? "with other options"
+         : found.program != wanted.program ? "by another build of the program"
+         : found.driver != wanted.driver   ? "by another OpenGL driver"
                                            : "";
 }
 

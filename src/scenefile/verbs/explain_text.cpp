@@ -183,7 +183,7 @@ class Explanation {
     if (largest(ray.weight * ray.color) < half_step && ray.kind != RayKind::camera) {
       item.text += ray.surface.has_value()
                        ? fmt::format(": hits {}, too faint to show", object(ray.surface->object))
-                       : std::string(": meets nothing");
+                       : std::string(": hits nothing");
       return item;
     }
     item.below.push_back({way_text(ray), {}});
@@ -246,8 +246,7 @@ class Explanation {
 
   Item surface_item(const SurfaceRecord& s) const {
     Item item{
-        fmt::format("meets {} {} at t = {:.6g}", word_of(s.shape), bold(object(s.object)), s.t),
-        {}};
+        fmt::format("hits {} {} at t = {:.6g}", word_of(s.shape), bold(object(s.object)), s.t), {}};
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
     add(s.shape == Shape::mesh
             ? fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name))

@@ -12,68 +12,69 @@ constexpr std::array<CauseHelp, cause_count> pages{{
     {Cause::vertical_flip, "The picture is upside down",
      "Top and bottom are exchanged; nothing else differs.",
      "Row 0 of a picture is its top row, and y of the film grows upward.",
-     "Where a row of the picture becomes a height on the film."},
+     "Where the row of a pixel is converted to a height on the film plane."},
     {Cause::horizontal_flip, "The picture is mirrored",
      "Left and right are exchanged, as in a mirror.",
-     "The axis to the right of the camera has the wrong sign: the factors of a cross product were "
-     "exchanged, or a handedness mixed up.",
-     "Where the camera's axes are made, and where a column becomes a place on the film."},
+     "The camera's right axis has the wrong sign: the factors of a cross product are swapped, or "
+     "left-handed and right-handed are mixed up.",
+     "Where the camera's axes are computed, and where the column of a pixel is converted to a "
+     "position on the film plane."},
     {Cause::gamma, "Gamma",
      "Everything is paler (or darker) than it should be; black and full brightness are right.",
-     "The format has no gamma: values go into the picture unchanged.",
-     "Where colors become bytes, and where a library writes the file: some convert to sRGB on "
-     "their own."},
+     "The format has no gamma correction: values are stored unchanged.",
+     "Where colors become bytes, and where a library writes the file: some convert to sRGB "
+     "automatically."},
     {Cause::rounding, "Rounding",
      "Values are off by one, all in the same direction. It is invisible.",
-     "The references truncate; others round. This alone is not a mistake.",
-     "Nowhere, unless the bytes must be the same."},
+     "The references truncate; others round. This is not a mistake by itself.",
+     "Nothing to fix, unless the bytes must be equal."},
     {Cause::swapped_channels, "Channels in the wrong order",
-     "Red things are blue, or another exchange of the three; gray stays gray.",
-     "Some libraries want blue, green, red, or count four values a pixel.",
+     "Red objects are blue, or another permutation of the channels; gray stays gray.",
+     "Some libraries expect blue, green, red, or four values per pixel.",
      "Where a color becomes bytes, and how a pixel of a texture is read."},
     {Cause::half_pixel_shift, "Rays that miss the centers of pixels",
      "Edges are half a pixel off; areas are right.",
-     "A pixel covers an area, and its ray goes through the middle of it.",
-     "Where a pixel's number becomes a place on the film."},
+     "A pixel covers an area, and its ray goes through the center of that area.",
+     "Where the row and column of a pixel become a position on the film plane; add 0.5 to both."},
     {Cause::ambient, "The ambient term",
-     "What no light reaches is black, or everything is too bright by the same amount.",
-     "The ambient term is added once for each hit, with the global coefficient, whatever the "
-     "lights do.",
+     "Areas in shadow are black, or everything is too bright by the same amount.",
+     "The ambient term is added once for each hit, with the global coefficient, independent of the "
+     "lights.",
      "The lighting equation: what is before the loop over the lights, and what is inside it."},
     {Cause::diffuse, "The diffuse term",
      "Matte colors are missing, too bright, or on the wrong side of objects.",
-     "The term is kd times the color times N.L, not below 0; N and L of unit length.",
+     "The term is kd times the color times max(0, N.L); N and L are unit vectors.",
      "The lighting equation: coefficients, the dot product, and what happens below 0."},
     {Cause::specular, "The specular term",
      "Highlights are missing, in the wrong place, too large, too small, or too bright.",
-     "The term is ks times the specular color times (R.V)^n: R is L mirrored at N, V points to "
-     "where the ray came from.",
+     "The term is ks times the specular color times (R.V)^n: R is L reflected about N, and V "
+     "points to the origin of the ray.",
      "The lighting equation: the signs of R and V, the exponent, the coefficient."},
-    {Cause::blinn, "Blinn's highlights for Phong's",
+    {Cause::blinn, "Blinn's highlights instead of Phong's",
      "Highlights are wider than they should be, and long at grazing angles.",
-     "The equation has Phong's (R.V)^n. The half vector is another model.",
+     "The equation has Phong's (R.V)^n. The half vector belongs to another model, Blinn-Phong.",
      "Which vectors the specular term multiplies."},
-    {Cause::attenuation, "How lights fade",
-     "Far things are too bright or too dark; near ones may be too bright.",
-     "Point and spot lights are multiplied by min(1, 1 / (c + l d + q d^2)), with the "
-     "coefficients of the file; directional lights do not fade.",
-     "Which coefficient goes with which power of the distance, what the distance is measured "
-     "between, and the limit of 1."},
+    {Cause::attenuation, "Attenuation of lights",
+     "Distant surfaces are too bright or too dark; near ones may be too bright.",
+     "Point and spot lights are multiplied by min(1, 1 / (c + l d + q d^2)), with the coefficients "
+     "of the file; directional lights have no attenuation.",
+     "Which coefficient belongs to which power of the distance, how the distance is measured, and "
+     "the clamp to 1."},
     {Cause::normals, "Normals",
      "Shading is wrong on objects that are scaled or turned, and right on others; or all objects "
      "are lit from the wrong side.",
-     "Normals go to the world by the inverse transpose of the linear part of the matrix, and are "
-     "normalized after that.",
-     "Where a normal leaves the object's space, and the normals of each shape."},
+     "Normals are transformed to world space by the inverse transpose of the upper-left 3x3 "
+     "matrix, and then normalized.",
+     "Where normals are transformed to world space, and the normals of each shape."},
     {Cause::shadows, "Shadows", "Shadows are missing, too many, too dark, or where none should be.",
-     "A light counts unless something is hit between the surface and the light. Each light is "
-     "asked on its own; the ambient term stays.",
+     "A light contributes unless the shadow ray hits something between the surface and the light. "
+     "Each light is tested separately; the ambient term is never in shadow.",
      "The direction, the start and the end of the shadow ray, what is compared with the distance "
      "of "
      "the light, and what the loop over the lights does after a shadow."},
     {Cause::acne, "Shadow acne", "Dark specks or rings on surfaces that should be lit.",
      "Rays that start on a surface hit the same surface again because numbers are rounded.",
-     "The start of shadow rays and reflected rays: a little off the surface."},
+     "The start of shadow rays and reflected rays: offset it a little from the surface."},
     {Cause::texture, "Textures",
      "The image is upside down, mirrored, not repeated, missing, or too dark or too bright.",
      "u and v are computed in the object's space; v grows upward, rows of images grow downward; "
@@ -81,77 +82,78 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "texture is blended with the diffuse color, and is not multiplied by kd.",
      "The u and v of each shape and face, how they become a pixel of the image, and how its color "
      "goes into the diffuse term."},
-    {Cause::recursion_depth, "How deep reflections go",
+    {Cause::recursion_depth, "Recursion depth of reflections",
      "Mirrors in mirrors end too soon (black), or go on too long.",
      "The references follow four reflections in a row.",
      "Where the recursion ends, and whether the count starts at 0 or 1."},
     {Cause::spot_falloff, "Spots",
      "The cone of light is too wide or narrow, or its edge too hard or too soft.",
-     "angle is from the axis to where light ends; the penumbra is inside of it; within the "
-     "penumbra, the light falls off by the smoothstep of the angle.",
+     "angle is measured from the axis to the edge of the cone; the penumbra is inside of it; "
+     "within the penumbra, the light falls off by the smoothstep of the angle.",
      "Which angles are inner and outer, half or full, degrees or radians; and the polynomial."},
     {Cause::camera, "The camera",
      "Everything is too large, too small, stretched, or seen from elsewhere.",
-     "The height angle is the full vertical angle of view; the width follows by the aspect ratio "
-     "of "
-     "the tangents. The camera looks along -w; up is made perpendicular to it.",
-     "Half angles and their tangents, degrees and radians, aspect, and the three axes."},
+     "The height angle is the full vertical field of view; the width follows from the aspect "
+     "ratio, which multiplies the tangent, not the angle. The camera looks along -w; up is made "
+     "perpendicular to it.",
+     "Half angles and their tangents, degrees and radians, the aspect ratio, and the three axes."},
     {Cause::transforms, "Transforms",
      "Objects are in the wrong place, turned the wrong way, or of the wrong size.",
-     "Transforms of a block multiply in the order of the file, with those of outer blocks on the "
-     "left; angles are in degrees, matrices are listed by rows.",
-     "The order of each product, degrees, rows and columns, and what is handed down to children."},
+     "The transforms of a transblock are multiplied in the order of the file, with those of outer "
+     "transblocks on the left; angles are in degrees, matrices are listed row by row.",
+     "The order of each product, degrees and radians, rows and columns (glm is column-major), and "
+     "what is passed down to children."},
     {Cause::shapes, "Shapes",
-     "Objects are open, missing, of the wrong size, or shaded as if they were others.",
+     "Objects have holes, are missing, have the wrong size, or are shaded like other shapes.",
      "All shapes fit into a cube of side 1 around the origin; cylinders have two caps, cones one.",
      "The intersection of each shape: its size, its limits in y, its caps, its normal."},
     {Cause::nearest_hit, "The nearest hit", "Objects in the back are drawn over objects in front.",
-     "Of all hits in front of the camera the nearest counts, measured along the ray in the world.",
+     "The nearest of all hits in front of the camera counts; t is measured along the world-space "
+     "ray.",
      "What is compared between objects, and in which space it is measured."},
     {Cause::lights, "Lights",
      "Light comes from the wrong side, is missing, or has the wrong color.",
      "Directional lights have a direction of travel; point and spot lights a position. Vectors in "
      "the lighting equation point to the light and have unit length.",
      "How each type of light is read, the sign and length of its vector, and the loop over all."},
-    {Cause::reflection, "Reflections put together wrongly",
-     "Mirrors are too bright, too dark, or of the wrong color, or show the wrong things.",
-     "A reflection adds ks times the reflective color times what the mirrored ray sees. Weights "
-     "multiply from bounce to bounce; the eye of a reflection is where its ray starts.",
-     "What the color of the mirrored ray is multiplied by, what it is added to, and what the "
-     "recursion hands on."},
+    {Cause::reflection, "Combining reflections",
+     "Mirrors are too bright, too dark, have the wrong color, or show the wrong objects.",
+     "A reflection adds ks times the reflective color times the color of the reflected ray. "
+     "Weights multiply from bounce to bounce; the eye of a reflection is where its ray starts.",
+     "What the color of the reflected ray is multiplied by, what it is added to, and what the "
+     "recursion passes on."},
     {Cause::refraction, "Refraction",
      "Glass shows nothing, or shows the background in the wrong place.",
-     "Snell's law: on the way in the ratio is 1 to the index, on the way out the inverse; where "
-     "the "
-     "root is of a negative number, all is reflected.",
+     "Snell's law: on the way in, the ratio is 1 / ior, on the way out, ior; if the argument of "
+     "the square root is negative, all light is reflected (total internal reflection).",
      "The ratio, the side of the normal, and the start of the ray inside."},
     {Cause::overflow, "Values over 1",
-     "Bright places show dark or colored rings, or the whole is too dark.",
+     "Bright areas have dark or colored rings, or the whole picture is too dark.",
      "A byte holds 0 to 255; larger values must be clamped before the conversion.",
      "Where colors become bytes."},
-    {Cause::background, "The background", "Where nothing is hit the picture is not black.",
-     "The references are black there, and opaque.", "What a ray that hits nothing returns."},
+    {Cause::background, "The background", "Pixels where the ray hits nothing are not black.",
+     "The references are black there, with full opacity.", "What a ray that hits nothing returns."},
     {Cause::brightness, "The whole picture is too dark, too bright, or gray",
      "Every value is off by the same factor.",
-     "Something divides or multiplies all colors: samples that are counted but not taken, 255 and "
-     "256, a factor of the lights.",
+     "Something scales all colors: samples that are counted but not taken, 256 instead of 255, a "
+     "factor on the lights.",
      "Where colors are averaged and become bytes."},
     {Cause::black, "A black picture", "Nothing is drawn.",
-     "No ray hits anything, all values are not numbers, or the picture was never filled.",
-     "The direction of one ray through the middle, by hand; then the first intersection; then what "
-     "is stored. 'scenefile explain' shows all of it for a pixel."},
-    {Cause::features, "Other features than the reference",
+     "No ray hits anything, all values are NaN, or the picture is never filled.",
+     "Compute the direction of the ray through the center by hand; then the first intersection; "
+     "then what is stored. 'scenefile explain' shows all of it for a pixel."},
+    {Cause::features, "Different features than the reference",
      "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other "
      "way "
      "round.",
      "References of the first assignment have only directional lights and no shadows. This is not "
      "a mistake of the tracer.",
      "The configuration, and which folder of references belongs to it."},
-    {Cause::samples, "How the samples of a pixel are put together",
+    {Cause::samples, "Combining the samples of a pixel",
      "A black line around objects, everything too bright, or the whole picture blurred.",
-     "A pixel is the mean of its samples; a sample that meets nothing is black, and counts like "
-     "the others.",
-     "Where the samples of a pixel are added, and what is done when a ray meets nothing."},
+     "A pixel is the mean of its samples; a sample that hits nothing is black, and counts like the "
+     "others.",
+     "Where the samples of a pixel are added, and what is done when a ray hits nothing."},
 }};
 
 constexpr bool in_order() {

@@ -773,7 +773,7 @@ class Search {
       } else {
         const Tried alone = rated({i}, score_of({i}, points_.size()), b);
         one.evidence =
-            fmt::format("together they explain {} of the difference; alone {}",
+            fmt::format("together they explain {} of the difference; by itself {}",
                         percent(found.explained), percent(std::max(0.0, alone.explained)));
       }
       report_.claims.push_back(std::move(one));
@@ -894,7 +894,8 @@ class Search {
     if (const std::optional<double> p = common_value(powers); p && std::abs(*p - 1) > 0.05) {
       list_.push_back(
           {Cause::gamma,
-           *p < 1 ? fmt::format("gamma {:.2f} was applied, and the format knows none", 1 / *p)
+           *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
+                                1 / *p)
                   : fmt::format("values were taken to the power of {:.2f}", *p),
            Touches::picture,
            {},
@@ -948,7 +949,7 @@ class Search {
     });
     try_factor(Cause::reflection, "reflections are",
                [](Trial& t, double k) { t.mistakes.mirror_factor *= k; });
-    try_factor(Cause::refraction, "what shows through transparent objects is",
+    try_factor(Cause::refraction, "refraction is",
                [](Trial& t, double k) { t.mistakes.glass_factor *= k; });
     const std::size_t lights = view_->scene->lights.size();
     try_factor(Cause::lights, "the light of all lights is", [](Trial& t, double k) {

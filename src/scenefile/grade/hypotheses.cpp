@@ -45,20 +45,21 @@ void add_curve(Hypotheses& list, std::string what, double (*curve)(double)) {
 }
 
 void add_gamma(Hypotheses& list) {
-  add_curve(list, "gamma 2.2 was applied, and the format knows none",
+  add_curve(list, "gamma 2.2 was applied, but the format has no gamma correction",
             [](double v) { return std::pow(v, 1 / 2.2); });
   add_curve(list, "values were taken to the power of 2.2 (gamma the wrong way)",
             [](double v) { return std::pow(v, 2.2); });
-  add_curve(list, "gamma 2 was applied (a square root), and the format knows none",
+  add_curve(list, "gamma 2 was applied (a square root), but the format has no gamma correction",
             [](double v) { return std::sqrt(v); });
-  add_curve(list, "gamma 1.8 was applied, and the format knows none",
+  add_curve(list, "gamma 1.8 was applied, but the format has no gamma correction",
             [](double v) { return std::pow(v, 1 / 1.8); });
   add_curve(list, "values were squared", [](double v) { return v * v; });
   add_curve(list, "values were taken to the power of 1.8",
             [](double v) { return std::pow(v, 1.8); });
-  add_curve(list, "values were stored as sRGB codes, and the format knows no gamma", srgb_code);
-  add_curve(list, "values were decoded from sRGB, and the format knows no gamma", srgb_value);
-  add_curve(list, "values were tone mapped (x / (1 + x)), and the format knows none",
+  add_curve(list, "values were encoded as sRGB, but the format has no gamma correction", srgb_code);
+  add_curve(list, "values were decoded from sRGB, but the format has no gamma correction",
+            srgb_value);
+  add_curve(list, "values were tone mapped (x / (1 + x)), but the format has no tone mapping",
             [](double v) { return v / (1 + v); });
 }
 
@@ -108,7 +109,7 @@ void add_overflow(Hypotheses& list) {
                 return c;
               });
   add_picture(list, Cause::overflow,
-              "values over 1 wrap around to dark: they are not clamped (times 256)",
+              "values over 1 wrap around to dark: they are multiplied by 256 and not clamped",
               [](const dvec3& color) {
                 dvec3 c;
                 for (int i = 0; i < 3; ++i) {
@@ -329,7 +330,7 @@ class Maker {
     add_shifts();
     add_transforms();
     add_mode_of_reference();
-    add(Cause::lights, "no light adds anything: only the ambient term is left",
+    add(Cause::lights, "no light contributes: only the ambient term is left",
         [](Trial& t) { t.scene.lights.clear(); });
     return std::move(list_);
   }
@@ -365,9 +366,8 @@ class Maker {
     if (o.mode == Mode::intersect && o.profile == Profile::course && types_.size() > 0 &&
         !(types_.size() == 1 && types_.contains(LightType::directional))) {
       add(Cause::features,
-          "point and spot lights are counted, and the reference is of a mode that knows "
-          "directional "
-          "lights alone",
+          "point and spot lights are counted, and the reference is of a mode that only has "
+          "directional lights",
           [](Trial& t) { t.mistakes.all_lights = true; });
     }
     if (o.mode == Mode::intersect) {
@@ -425,7 +425,8 @@ class Maker {
         "the plain diffuse color is drawn, and no lighting");
     set(Cause::features, &ModelMistakes::shown, S::flat_ambient_diffuse,
         "ambient and diffuse colors are drawn, and no lighting");
-    set(Cause::features, &ModelMistakes::shown, S::white, "whatever is hit is white: no lighting");
+    set(Cause::features, &ModelMistakes::shown, S::white,
+        "everything that is hit is white: no lighting");
   }
 
   // Tried late: most scenes have lights that can be left out for simpler reasons.
@@ -437,8 +438,8 @@ class Maker {
             t.options.features.refract = t.options.features.texture = false;
           });
       add(Cause::features,
-          "point and spot lights are not counted: the picture is of a mode that knows directional "
-          "lights alone",
+          "point and spot lights are not counted: the picture is of a mode that only has "
+          "directional lights",
           [](Trial& t) {
             t.options.mode = Mode::intersect;
             t.options.profile = Profile::course;
@@ -471,12 +472,12 @@ class Maker {
         "the ambient term is added only where a light arrives");
     set(Cause::ambient, &ModelMistakes::ambient, A::unlit_only,
         "the ambient term is added only where no light arrives");
-    add(Cause::ambient, "the diffuse color is taken for the ambient color", [](Trial& t) {
+    add(Cause::ambient, "the diffuse color is used as the ambient color", [](Trial& t) {
       for (RenderMaterial& m : t.scene.materials) {
         m.ambient = m.diffuse;
       }
     });
-    add(Cause::ambient, "the ambient term is squared in its coefficient",
+    add(Cause::ambient, "the coefficient of the ambient term is squared",
         [](Trial& t) { t.scene.global.ambient *= t.scene.global.ambient; });
   }
 
@@ -498,7 +499,7 @@ class Maker {
         "the diffuse term takes the absolute value of N.L: surfaces are lit from behind");
     put(D::absolute_everywhere,
         "the absolute value of N.L is taken: surfaces are lit from behind, with highlights");
-    put(D::not_clamped, "N.L below 0 is not cut off: lights darken surfaces that look away");
+    put(D::not_clamped, "N.L is not clamped to 0: lights darken surfaces that face away");
     put(D::no_cosine, "the diffuse term lacks N.L");
     put(D::by_view, "the diffuse term uses N.V, not N.L");
     put(D::half_lambert, "the diffuse term uses (N.L + 1) / 2, not N.L");
@@ -536,8 +537,8 @@ class Maker {
     put(S::no_coefficient, "the specular term lacks the global coefficient");
     put(S::times_cosine, "the specular term is multiplied by N.L");
     put(S::absolute, "the specular term takes the absolute value of R.V");
-    put(S::negative_power, "R.V below 0 is raised to the exponent, too");
-    put(S::clamped_mirror, "R of the specular term is made with N.L cut off at 0");
+    put(S::negative_power, "R.V is not clamped to 0 before it is raised to the exponent");
+    put(S::clamped_mirror, "R of the specular term is computed with N.L clamped to 0");
     put(S::no_exponent, "the specular term lacks the exponent");
     put(S::reversed_mirror, "R of the specular term points the wrong way");
     put(S::by_light_view, "the specular term uses L.V, not R.V");
@@ -558,7 +559,7 @@ class Maker {
     if (any_material(scene_, [](const RenderMaterial& m) {
           return m.specular != glm::vec3(0) && m.shininess == 0;
         })) {
-      put(S::zero_shines, "an exponent of 0 makes an even shine, not none");
+      put(S::zero_shines, "an exponent of 0 gives a uniform highlight instead of none");
     }
   }
 
@@ -583,8 +584,7 @@ class Maker {
     }
     if (directional) {
       put(L::reversed_directional, "directional lights shine the wrong way");
-      change_lights(Cause::lights,
-                    "directional lights are taken for point lights at their position",
+      change_lights(Cause::lights, "directional lights are used as point lights at their position",
                     [](RenderLight& l) {
                       l.type = l.type == LightType::directional ? LightType::point : l.type;
                     });
@@ -594,7 +594,7 @@ class Maker {
       put(L::to_origin, "point lights shine along one direction everywhere");
       change_lights(Cause::lights, "lights are at the world's origin",
                     [](RenderLight& l) { l.position = glm::vec3(0); });
-      change_lights(Cause::lights, "the position of lights is mirrored at the origin",
+      change_lights(Cause::lights, "the position of lights is negated",
                     [](RenderLight& l) { l.position = -l.position; });
     }
     if (scene_.lights.size() > 1) {
@@ -605,7 +605,7 @@ class Maker {
       add(Cause::lights, "the last light is left out", [](Trial& t) { t.scene.lights.pop_back(); });
       add(Cause::lights, "the first light is left out",
           [](Trial& t) { t.scene.lights.erase(t.scene.lights.begin()); });
-      change_lights(Cause::lights, "the light of all lights is divided by their number",
+      change_lights(Cause::lights, "the light is divided by the number of lights",
                     [n = float(scene_.lights.size())](RenderLight& l) { l.color /= n; });
     }
     for (const LightType type : types_) {
@@ -732,15 +732,15 @@ class Maker {
     if (any_light(scene_, [](const RenderLight& l) { return l.attenuation.x != 0; })) {
       put(A::no_constant, "the constant term of the attenuation is missing");
     }
-    put(A::not_clamped, "the attenuation is not limited to 1");
+    put(A::not_clamped, "the attenuation is not clamped to 1");
     put(A::squared, "the attenuation is applied twice");
-    put(A::multiplied, "light is multiplied by the attenuation polynomial, not divided");
+    put(A::multiplied, "light is multiplied by the attenuation polynomial instead of divided");
     put(A::reversed_coefficients, "the coefficients of the attenuation are read in reverse order");
     put(A::diffuse_only, "highlights do not fade with distance");
     put(A::specular_only, "the diffuse term does not fade with distance");
     put(A::one_plus, "1 is added to the attenuation polynomial");
-    put(A::squared_distance, "the squared distance is taken for the distance in the attenuation");
-    put(A::clamped_below, "the attenuation is limited to at least 1, not at most");
+    put(A::squared_distance, "the attenuation uses the squared distance as the distance");
+    put(A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1");
   }
 
   void add_spots() {
@@ -761,17 +761,17 @@ class Maker {
     spot("spots shine in all directions", [](RenderLight& l) { l.type = LightType::point; });
     spot("spots have no penumbra: full light up to the outer angle",
          [](RenderLight& l) { l.inner_angle = l.outer_angle; });
-    put(S::linear, "spots fall off in a straight line, not by the smoothstep");
+    put(S::linear, "spots fall off linearly instead of by the smoothstep");
     spot("spots end at their inner angle", [](RenderLight& l) { l.outer_angle = l.inner_angle; });
     spot("the penumbra is outside the angle of the spot, not inside", [](RenderLight& l) {
       const float penumbra = l.outer_angle - l.inner_angle;
       l.inner_angle = l.outer_angle;
       l.outer_angle += penumbra;
     });
-    spot("the penumbra is taken for the inner angle", [](RenderLight& l) {
+    spot("the penumbra is used as the inner angle", [](RenderLight& l) {
       l.inner_angle = std::min(l.outer_angle - l.inner_angle, l.outer_angle);
     });
-    spot("inner and outer angle of spots are mixed up: angle and penumbra exchanged",
+    spot("inner and outer angle of spots are mixed up: angle and penumbra are swapped",
          [](RenderLight& l) {
            const float penumbra = l.outer_angle - l.inner_angle;
            const float outer = l.outer_angle;
@@ -785,7 +785,7 @@ class Maker {
     });
     spot("spots fall off from their axis, not from the inner angle",
          [](RenderLight& l) { l.inner_angle = 0; });
-    spot("the angle of the spot is taken for the full angle of the cone", [](RenderLight& l) {
+    spot("the angle of the spot is used as the full angle of the cone", [](RenderLight& l) {
       const float penumbra = l.outer_angle - l.inner_angle;
       l.outer_angle /= 2;
       l.inner_angle = std::max(0.0f, l.outer_angle - penumbra);
@@ -799,7 +799,7 @@ class Maker {
       l.outer_angle *= 2;
     });
     put(S::in_cosine, "the falloff of spots is between cosines, not between angles");
-    put(S::linear_in_cosine, "spots fall off in a straight line between cosines");
+    put(S::linear_in_cosine, "spots fall off linearly between cosines");
     put(S::inverted, "spots are dark inside and bright outside");
     put(S::penumbra_inverted, "the falloff of spots runs the wrong way in the penumbra");
     put(S::no_limit, "spots shine beyond their outer angle");
@@ -817,15 +817,15 @@ class Maker {
     };
     put(N::by_matrix, "normals are not transformed by the inverse transpose");
     put(N::of_object, "normals are left in the space of the object");
-    put(N::by_inverse, "normals are transformed by the inverse, and not transposed");
-    put(N::by_transpose, "normals are transformed by the transpose, and not inverted");
+    put(N::by_inverse, "normals are transformed by the inverse, not transposed");
+    put(N::by_transpose, "normals are transformed by the transpose, not inverted");
     put(N::inverted, "normals point inward");
     put(N::toward_eye, "normals are turned toward the eye");
     put(N::not_normalized, "normals are not normalized after the transform");
     put(N::raw_not_normalized, "normals are never normalized");
     put(N::gradient_not_normalized, "normals are never normalized (gradients)");
     put(N::matrix_not_normalized, "normals are transformed like directions, and not normalized");
-    put(N::translated, "normals are moved by the translation, as points are");
+    put(N::translated, "normals are translated, like points");
   }
 
   void add_shadows() {
@@ -848,7 +848,7 @@ class Maker {
       put(S::stops, "lights after the first shadowed one are lost");
       put(S::first_light_for_all, "the shadow of the first light counts for all");
     }
-    put(S::reversed, "shadow rays run away from the light");
+    put(S::reversed, "shadow rays point away from the light");
     put(S::black, "shadows are black: the ambient term is lost");
     put(S::no_ambient_if_all, "where every light is shadowed, the ambient term is lost, too");
     put(S::keeps_specular, "shadows remove only the diffuse term");
@@ -863,23 +863,25 @@ class Maker {
     }
     if (types_.contains(LightType::directional)) {
       put(S::directional_without, "directional lights cast no shadows");
-      put(S::direction_unnormalized_far, "shadows of directional lights reach only 1 unit far");
+      put(S::direction_unnormalized_far, "shadows of directional lights are only 1 unit long");
     }
     if (any_material(scene_,
                      [](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
       put(S::glass_lets_through, "transparent objects cast no shadows");
     }
     put(S::not_own_object, "objects cast no shadow on themselves");
-    put(S::any_nearer_than_eye, "the distance of what shadows is compared with that of the eye");
-    put(S::unit_length, "only what is nearer than 1 unit shadows");
-    put(S::point_as_directional, "shadows of point lights reach only 1 unit far");
+    put(S::any_nearer_than_eye,
+        "the distance of occluders is compared with the distance to the eye");
+    put(S::unit_length, "only objects nearer than 1 unit cast shadows");
+    put(S::point_as_directional, "shadows of point lights are only 1 unit long");
     put(S::from_eye, "shadow rays start at the eye");
     put(S::from_origin, "shadow rays start at the world's origin");
-    put(S::squared_distance, "what shadows is compared with the square of the light's distance");
-    put(S::object_distance, "distances along shadow rays are those of the objects' spaces");
+    put(S::squared_distance,
+        "the distance of occluders is compared with the square of the light's distance");
+    put(S::object_distance, "distances along shadow rays are measured in object space");
     if (types_.contains(LightType::directional)) {
       put(S::directional_ends_at_position,
-          "shadow rays of directional lights end where the light is said to be");
+          "shadow rays of directional lights end at the light's position");
     }
     put(S::light_from_origin, "the light's distance is measured from the world's origin");
     for (const double bias :
@@ -933,11 +935,11 @@ class Maker {
         "textures are multiplied by the diffuse color, and the blend is ignored");
     put(T::blend_reversed, "the blend of textures is reversed");
     put(T::added, "textures are added to the diffuse color, not blended with it");
-    put(T::blend_drops_color, "what the blend leaves of the diffuse color is lost");
+    put(T::blend_drops_color, "the diffuse color's share of the blend is missing");
     put(T::no_coefficient_on_rest,
         "the diffuse color blended with the texture lacks its coefficient");
     put(T::unlit, "textures are drawn without N.L");
-    put(T::blue_red, "red and blue of textures are exchanged");
+    put(T::blue_red, "red and blue of textures are swapped");
     put(T::gray, "textures are gray");
     put(T::lookup_clamped, "textures end at their edges: the lookup does not wrap around");
     put(T::divided_repeat, "u and v are divided by the repeat counts");
@@ -953,16 +955,17 @@ class Maker {
     }
     put(T::ambient_too, "the texture replaces the ambient color as well");
     uv(U::round_flip_u, "textures run the wrong way around spheres, cylinders and cones");
-    uv(U::half, "textures are turned by half a turn around spheres, cylinders and cones");
-    uv(U::quarter, "textures are turned by a quarter around spheres, cylinders and cones");
-    uv(U::three_quarters, "textures are turned by three quarters around spheres, cylinders, cones");
+    uv(U::half, "textures are rotated by half a turn around spheres, cylinders and cones");
+    uv(U::quarter, "textures are rotated by a quarter turn around spheres, cylinders and cones");
+    uv(U::three_quarters,
+       "textures are rotated by three quarters of a turn around spheres, cylinders and cones");
     uv(U::sphere_linear_v, "v of spheres grows with the height, not with the angle");
     uv(U::sphere_flip_v, "textures are upside down on spheres");
     uv(U::cube_same_faces, "opposite faces of cubes have the same u and v");
     uv(U::flat_flip_u, "textures are mirrored on flat faces");
     uv(U::flat_flip_v, "textures are upside down on flat faces");
     uv(U::caps_flip_v, "textures are upside down on caps");
-    uv(U::caps_as_side, "caps are textured as the side is");
+    uv(U::caps_as_side, "caps are textured like the side");
     uv(U::sphere_missing, "spheres have no texture");
     uv(U::cube_missing, "cubes have no texture");
     uv(U::cylinder_missing, "cylinders have no texture");
@@ -996,29 +999,32 @@ class Maker {
     put(M::blended, "reflections are blended with the lighting (by their color), not added");
     put(M::blended_all, "reflections are blended with the lighting, not added");
     put(M::blended_plain,
-        "reflections are blended with the lighting by the coefficient alone, not added");
+        "reflections are blended with the lighting by only the coefficient, not added");
     put(M::averaged, "reflections and lighting are averaged, not added");
     put(M::replaces, "reflections replace the lighting");
-    put(M::not_chained, "weights are not chained: nothing after the first mirror is weighted");
+    put(M::not_chained,
+        "weights are not multiplied along the path: nothing after the first mirror is weighted");
     put(M::last_weight_only,
-        "weights are not chained: each reflection has only the weight of its own mirror");
-    put(M::eye_at_camera, "highlights in reflections aim at the camera, not along the ray");
+        "weights are not multiplied along the path: each reflection only has the weight of its "
+        "mirror");
+    put(M::eye_at_camera,
+        "highlights in reflections are computed for the camera, not for the reflected ray");
     put(M::specular_color, "reflections are weighted by the specular color");
-    put(M::all_materials, "all that has highlights reflects");
-    put(M::reversed, "reflected rays run into the surface");
+    put(M::all_materials, "everything that has highlights reflects");
+    put(M::reversed, "reflected rays point into the surface");
     put(M::wrong_sign, "reflected rays have the wrong sign: d + 2 (d.n) n");
-    put(M::along_normal, "reflected rays run along the normal");
-    put(M::straight, "reflected rays go straight on");
+    put(M::along_normal, "reflected rays follow the normal");
+    put(M::straight, "reflected rays continue straight ahead");
     put(M::no_shadows, "reflections show no shadows");
     put(M::no_ambient, "reflections lack the ambient term");
     put(M::doubled, "reflections are added twice");
     put(M::halved, "reflections are halved");
     put(M::diffuse_coefficient, "reflections are weighted by the diffuse coefficient");
     put(M::no_local, "mirrors are not lit");
-    put(M::times_cosine, "reflections are multiplied by the cosine of the view");
+    put(M::times_cosine, "reflections are multiplied by N.V");
     put(M::times_diffuse, "reflections are multiplied by the diffuse color");
-    put(M::white_background, "reflections of nothing are white");
-    put(M::clamped_never, "reflected colors are not limited to 1 before they are added");
+    put(M::white_background, "reflected rays that hit nothing are white");
+    put(M::clamped_never, "reflected colors are not clamped to 1 before they are added");
   }
 
   void add_glass() {
@@ -1041,7 +1047,7 @@ class Maker {
     put(G::blended, "refraction is blended with the lighting, not added");
     put(G::no_total_reflection, "total internal reflection is black");
     put(G::black_inside, "rays end inside of transparent objects");
-    put(G::mirrored, "transparent objects mirror: the wrong direction is taken");
+    put(G::mirrored, "transparent objects reflect: the wrong direction is used");
     put(G::times_diffuse, "refraction is multiplied by the diffuse color");
     put(G::no_local, "transparent objects are not lit");
     put(G::ior_one_and_half, "the index of refraction is always 1.5");
@@ -1056,7 +1062,7 @@ class Maker {
       if (depth != view_.options.max_depth && (depth != 0 || mirrors())) {
         add(Cause::recursion_depth,
             depth == 0 && glass()
-                ? std::string("there are neither reflections nor refraction (recursion depth 0)")
+                ? std::string("there is neither reflection nor refraction (recursion depth 0)")
             : depth == 0 ? std::string("there are no reflections (recursion depth 0)")
                          : fmt::format("the recursion ends at depth {}, not {}", depth,
                                        view_.options.max_depth),
@@ -1098,7 +1104,7 @@ class Maker {
       const auto put = [&](C value, const char* what) {
         set(Cause::shapes, &ModelMistakes::cone_normal, value, what);
       };
-      put(C::level, "normals of cones are level, as those of cylinders");
+      put(C::level, "normals of cones are horizontal, like those of cylinders");
       put(C::like_sphere, "normals of cones are those of spheres");
       put(C::half_slope, "normals of cones rise too little");
       put(C::double_slope, "normals of cones rise too much");
@@ -1197,14 +1203,14 @@ class Maker {
     put(N::last, "the last object that is hit is shown, not the nearest");
     put(N::first, "the first object that is hit is shown, not the nearest");
     put(N::farthest, "the farthest hit is shown, not the nearest");
-    put(N::farthest_object, "the object that is hit last is shown, not the nearest");
-    put(N::object_distance, "distances are those of the objects' spaces");
-    put(N::object_distance_compared, "distances are compared in the spaces of the objects");
+    put(N::farthest_object, "the object whose hit is farthest is shown, not the nearest");
+    put(N::object_distance, "distances are measured in object space");
+    put(N::object_distance_compared, "distances are compared in object space");
     put(N::object_distance_everywhere,
-        "distances are those of the objects' spaces, and so they are along shadow rays");
+        "distances are measured in object space, also along shadow rays");
     put(N::far_root, "the far side of each object is shown");
     put(N::behind, "objects behind the camera are shown too");
-    put(N::behind_first, "what lies behind the camera is shown first");
+    put(N::behind_first, "objects behind the camera are shown first");
     put(N::near_root_only, "objects are invisible from inside");
   }
 
@@ -1229,10 +1235,10 @@ class Maker {
     const double right = std::tan(h / 2);
     const double degrees = h * 180 / pi;
     if (std::abs(aspect_ - 1) > 0.01) {
-      stretch("the width angle is taken as aspect times the height angle",
+      stretch("the width angle is computed as aspect times the height angle",
               std::tan(aspect_ * h / 2) / (aspect_ * right), 1);
-      stretch("the aspect ratio is ignored: the picture is as wide as high", 1 / aspect_, 1);
-      stretch("the height angle is taken for the width", 1 / aspect_, 1 / aspect_);
+      stretch("the aspect ratio is ignored: width and height are treated as equal", 1 / aspect_, 1);
+      stretch("the height angle is used as the width angle", 1 / aspect_, 1 / aspect_);
       stretch("the aspect ratio is inverted (height by width)", 1 / (aspect_ * aspect_), 1);
       stretch("the height is divided by the aspect ratio, and the width multiplied", 1,
               1 / aspect_);
@@ -1241,25 +1247,25 @@ class Maker {
       stretch("the height angle is divided by the aspect ratio, and it is taken for the width",
               1 / aspect_, std::tan(h / aspect_ / 2) / right);
     }
-    stretch("the full angle of view is taken for half of it", std::tan(h) / right,
+    stretch("the full field of view is used as the half angle", std::tan(h) / right,
             std::tan(h) / right);
-    stretch("a quarter of the angle of view is taken for half of it", std::tan(h / 4) / right,
+    stretch("a quarter of the field of view is used as the half angle", std::tan(h / 4) / right,
             std::tan(h / 4) / right);
-    stretch("the angle of view is in degrees where radians are needed",
-            std::tan(degrees / 2) / right, std::tan(degrees / 2) / right);
-    stretch("the angle of view is in degrees where radians are needed, and not halved",
+    stretch("the field of view is in degrees instead of radians", std::tan(degrees / 2) / right,
+            std::tan(degrees / 2) / right);
+    stretch("the field of view is in degrees instead of radians, and not halved",
             std::tan(degrees) / right, std::tan(degrees) / right);
-    stretch("the angle itself is taken for its tangent", h / 2 / right, h / 2 / right);
-    stretch("the sine of the angle is taken for its tangent", std::sin(h / 2) / right,
+    stretch("the angle itself is used instead of its tangent", h / 2 / right, h / 2 / right);
+    stretch("the sine of the angle is used instead of its tangent", std::sin(h / 2) / right,
             std::sin(h / 2) / right);
     stretch("the film is half as large as it should be", 0.5, 0.5);
     stretch("the film is twice as large as it should be", 2, 2);
-    stretch("the angle of view is ignored: 90 degrees", 1 / right, 1 / right);
-    stretch("the angle of view is ignored: 45 degrees", std::tan(pi / 8) / right,
+    stretch("the field of view is ignored: 90 degrees", 1 / right, 1 / right);
+    stretch("the field of view is ignored: 45 degrees", std::tan(pi / 8) / right,
             std::tan(pi / 8) / right);
-    stretch("the angle of view is ignored: 60 degrees", std::tan(pi / 6) / right,
+    stretch("the field of view is ignored: 60 degrees", std::tan(pi / 6) / right,
             std::tan(pi / 6) / right);
-    stretch("pixels are counted to their number less one", width_ / (width_ - 1.0),
+    stretch("pixel positions are divided by width - 1 and height - 1", width_ / (width_ - 1.0),
             height_ / (height_ - 1.0));
     list_.back().cause = Cause::half_pixel_shift;
     edit_camera("the camera looks backward", [](RenderCamera& c) { c.w = -c.w; });
@@ -1269,9 +1275,9 @@ class Maker {
     });
     edit_camera("the camera is at the world's origin",
                 [](RenderCamera& c) { c.position = dvec3(0); });
-    edit_camera("the camera's position is mirrored at the origin",
+    edit_camera("the camera's position is negated",
                 [](RenderCamera& c) { c.position = -c.position; });
-    edit_camera("the camera's axes are transposed: its matrix is that to the camera",
+    edit_camera("the camera's matrix is transposed: it maps to the camera's space",
                 [](RenderCamera& c) {
                   const glm::dmat3 axes = glm::transpose(glm::dmat3(c.u, c.v, c.w));
                   c.u = axes[0];
@@ -1285,7 +1291,7 @@ class Maker {
         c.v = glm::cross(c.w, c.u);
       }
     });
-    edit_camera("the camera's axes are those of the world", [](RenderCamera& c) {
+    edit_camera("the camera's axes are the world axes", [](RenderCamera& c) {
       c.u = {1, 0, 0};
       c.v = {0, 1, 0};
       c.w = {0, 0, 1};
@@ -1308,7 +1314,7 @@ class Maker {
                     [up](RenderCamera& c) { c.v = glm::normalize(up); });
         edit_camera("neither right nor up of the camera is normalized",
                     [up](RenderCamera& c) { c.u = glm::cross(-c.w, glm::normalize(up)); });
-        edit_camera("the axis to the right is not normalized, and up follows from it",
+        edit_camera("the camera's right axis is not normalized, and up is computed from it",
                     [up](RenderCamera& c) {
                       c.u = glm::cross(-c.w, glm::normalize(up));
                       c.v = glm::cross(c.w, c.u);
@@ -1321,9 +1327,9 @@ class Maker {
             c.v = glm::cross(c.w, c.u);
           }
         };
-        edit_camera("the look direction is taken for a point to look at",
+        edit_camera("the look direction is used as a point to look at",
                     [=](RenderCamera& c) { aim(c, look - c.position, up); });
-        edit_camera("the point to look at is taken for a direction",
+        edit_camera("the point to look at is used as a direction",
                     [=](RenderCamera& c) { aim(c, look + c.position, up); });
         edit_camera("the look direction is not normalized", [=](RenderCamera& c) { c.w = -look; });
       }
@@ -1438,9 +1444,9 @@ class Maker {
       return rotate != nullptr && rotate->angle_deg != 0;
     };
     rewrite_each("rotations turn the wrong way", [&](Transform& t) { return turned(t, -1); });
-    rewrite_each("angles of rotations are taken in degrees where radians are needed",
+    rewrite_each("angles of rotations are in degrees instead of radians",
                  [&](Transform& t) { return turned(t, float(180 / pi)); });
-    rewrite_each("angles of rotations are turned to radians twice",
+    rewrite_each("angles of rotations are converted to radians twice",
                  [&](Transform& t) { return turned(t, float(pi / 180)); });
     rewrite_each("rotations are ignored", [&](Transform& t) {
       const bool any = std::holds_alternative<Rotate>(t.map);
@@ -1534,14 +1540,14 @@ class Maker {
                {.nesting_reversed = true});
     place_each("all matrices are multiplied in the wrong order",
                {.nesting_reversed = true, .listed_reversed = true});
-    place_each("the matrix is not restored after a block: its transforms go on to the next",
+    place_each("the matrix is not restored after a block: its transforms also apply to the next",
                {.not_restored = true});
-    place_each("matrices to the world are transposed", {.transposed = true});
-    place_each("matrices that the file gives are transposed", {.written_transposed = true});
-    place_each("rays are transformed by the matrix to the world, not by its inverse",
+    place_each("object-to-world matrices are transposed", {.transposed = true});
+    place_each("matrices of the file are transposed", {.written_transposed = true});
+    place_each("rays are transformed by the object-to-world matrix, not by its inverse",
                {.inverted = true});
     place_each("lights are not moved by the transforms of their blocks", {.lights_stay = true});
-    rewrite("the last transform of each block is lost", [](Scene& scene) {
+    rewrite("the last transform of each block is missing", [](Scene& scene) {
       bool any = false;
       for (Node& node : scene.nodes) {
         if (node.transforms.size() > 1) {
@@ -1551,7 +1557,7 @@ class Maker {
       }
       return any;
     });
-    rewrite("the first transform of each block is lost", [](Scene& scene) {
+    rewrite("the first transform of each block is missing", [](Scene& scene) {
       bool any = false;
       for (Node& node : scene.nodes) {
         if (node.transforms.size() > 1) {
@@ -1582,7 +1588,7 @@ std::vector<Hypothesis> picture_hypotheses() {
   };
   turned(Cause::vertical_flip, "the picture is upside down (mirrored top to bottom)", false, true);
   turned(Cause::horizontal_flip, "the picture is mirrored left to right", true, false);
-  turned(Cause::vertical_flip, "the picture is turned by half a turn (mirrored both ways)", true,
+  turned(Cause::vertical_flip, "the picture is rotated by half a turn (mirrored both ways)", true,
          true);
   static constexpr std::array<std::pair<std::array<int, 3>, const char*>, 5> orders{
       {{{2, 1, 0}, "blue, green, red"},

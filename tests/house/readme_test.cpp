@@ -1,4 +1,5 @@
-// The README's example must be the program that the tests build against the installed package.
+// The examples in the pages must be the programs that the tests build against the installed
+// package.
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,16 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(Readme, ShowsTheConsumer) {
-  const std::string consumer = read("tests/consumer/main.cpp");
-  ASSERT_FALSE(consumer.empty());
-  EXPECT_NE(read("README.md").find("```cpp\n" + consumer + "```"), std::string::npos);
+// Whether the page shows the whole program.
+void expect_shown(const char* page, const char* program) {
+  const std::string text = read(program);
+  ASSERT_FALSE(text.empty()) << program;
+  EXPECT_NE(read(page).find("```cpp\n" + text + "```"), std::string::npos) << page;
+}
+
+TEST(Examples, AreTheConsumersOfTheInstalledPackage) {
+  expect_shown("README.md", "tests/consumer/main.cpp");
+  expect_shown("docs/library.md", "tests/consumer/normals.cpp");
 }
 
 }  // namespace

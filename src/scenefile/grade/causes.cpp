@@ -626,13 +626,11 @@ class Search {
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
         alone.front().broken <= most_broken) {
       const Hypothesis& h = list_[alone.front().together.front()];
-      report_.partial.push_back(
-          {h.cause, h.what,
-           fmt::format(
-               "made on purpose, it explains {} of the difference; something else is wrong, "
-               "too",
-               percent(alone.front().explained)),
-           alone.front().explained});
+      report_.partial.push_back({h.cause, h.what,
+                                 fmt::format("simulating this mistake explains {} of the "
+                                             "difference; something else is wrong, too",
+                                             percent(alone.front().explained)),
+                                 alone.front().explained});
     }
   }
 
@@ -767,8 +765,8 @@ class Search {
       Claim one{list_[i].cause, list_[i].what, {}, found.explained};
       if (found.together.size() == 1) {
         one.evidence = fmt::format(
-            "made on purpose, it leaves {:.3f}/255 of a mean difference of {:.3f}/255 beyond edges "
-            "and rounding, and {} of the pixels that differed are as here",
+            "simulating this mistake reduces the mean difference from {1:.3f}/255 to {0:.3f}/255 "
+            "(not counting edges and rounding) and reproduces {2} of the differing pixels",
             found.score.left / values, b.left / values, percent(found.exact));
       } else {
         const Tried alone = rated({i}, score_of({i}, points_.size()), b);
@@ -791,7 +789,8 @@ class Search {
           t.score.raw <= found.score.raw + rival_margin * b.left) {
         report_.rivals.push_back(
             {h.cause, h.what,
-             fmt::format("made on purpose, it explains {} of the difference", percent(t.explained)),
+             fmt::format("simulating this mistake explains {} of the difference",
+                         percent(t.explained)),
              t.explained});
         if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
           same += "; or " + h.what;
@@ -1068,7 +1067,7 @@ class Search {
         report_.claims.push_back(
             {Cause::samples,
              fmt::format("the picture is blurred: each pixel is the mean of {}", filter.what),
-             fmt::format("made on purpose, it explains {} of the difference",
+             fmt::format("simulating this mistake explains {} of the difference",
                          percent(1 - s.left / b.left)),
              1 - s.left / b.left});
         return true;

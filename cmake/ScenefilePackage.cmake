@@ -13,8 +13,8 @@ install(FILES ${PROJECT_BINARY_DIR}/scenefileConfig.cmake
   ${PROJECT_BINARY_DIR}/scenefileConfigVersion.cmake DESTINATION ${package_folder} COMPONENT library)
 install(EXPORT scenefileTargets NAMESPACE scenefile:: DESTINATION ${package_folder} COMPONENT library)
 
-# Archives in the order of linking: whoever uses another comes first. What has no .pc file everywhere
-# is named as a library.
+# Archives in link order: each comes before those that it uses. Libraries without a .pc file on some systems
+# are listed by name.
 get_property(rooms GLOBAL PROPERTY scenefile_installed_rooms)
 list(REVERSE rooms)
 list(TRANSFORM rooms PREPEND -lscenefile_ OUTPUT_VARIABLE libs)

@@ -1,5 +1,5 @@
 # cmake -DPROGRAM=... -DOUT=... -P make_manual.cmake
-# Manual pages and completions, as PROGRAM knows itself, in the folders OUT/man1, bash, zsh and fish.
+# Writes PROGRAM's manual pages and completions to the folders OUT/man1, bash, zsh and fish.
 function(answer file)
   execute_process(COMMAND ${PROGRAM} help ${ARGN} OUTPUT_FILE ${OUT}/${file} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -20,7 +20,7 @@ foreach(i RANGE ${last})
 endforeach()
 file(COPY ${CMAKE_CURRENT_LIST_DIR}/../packages/projects_ray.1 DESTINATION ${OUT}/man1)
 
-# As everywhere: packed, without time or name in it.
+# Compressed like all manual pages, without time or name.
 find_program(GZIP gzip REQUIRED)
 file(GLOB pages ${OUT}/man1/*.1)
 execute_process(COMMAND ${GZIP} -9n ${pages} COMMAND_ERROR_IS_FATAL ANY)

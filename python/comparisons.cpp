@@ -1,4 +1,4 @@
-// Pictures against pictures, scenes against scenes, and the work of a class.
+// Comparing pictures and scenes, and grading a class.
 
 #include "interruptible.h"
 #include "pictures.h"
@@ -56,7 +56,7 @@ CompareSettings settings_of(std::optional<double> min_psnr, std::optional<double
           .ways = possible_ways(profiles, options.contains("features"))};
 }
 
-// The scene of that file, or the one that is given; without a mesh that is missing.
+// The scene in that file, or the given scene; drawn without missing meshes.
 std::shared_ptr<const LoadedScene> shown_scene(const py::object& scene) {
   if (scene.is_none()) {
     return nullptr;
@@ -99,7 +99,7 @@ Comparison compare(const py::object& reference, const py::object& picture, const
 Differences diff(const py::object& a, const py::object& b) {
   const auto of = [](const py::object& scene) {
     if (scene.is_none()) {
-      throw py::type_error("a scene is a file name or what read() returns");
+      throw py::type_error("a scene must be a file name or a Scene");
     }
     return shown_scene(scene);
   };
@@ -145,7 +145,7 @@ py::tuple tuple_of(const std::vector<T>& list) {
   return py::tuple(py::cast(list));
 }
 
-// The measures of a picture that there is.
+// The measures of a picture, if it exists.
 template <typename Class, typename Get>
 void bind_measures(Class& c, Get get) {
   using Owner = typename Class::type;
@@ -184,10 +184,10 @@ void bind_gradebook(py::module_& m) {
       .def("__repr__", [](const StudentResult& s) {
         return fmt::format("<Student {}: {} of {} passed>", s.name, s.passed(), s.pictures.size());
       });
-  py::class_<Gradebook>(m, "Gradebook", "What a class handed in, against the references.")
+  py::class_<Gradebook>(m, "Gradebook", "The graded pictures of a class.")
       .def_property_readonly("students", [](const Gradebook& b) { return tuple_of(b.students); })
       .def_property_readonly("passed", &Gradebook::all_passed)
-      .def("html", &gradebook_html, "One page that needs no other file.",
+      .def("html", &gradebook_html, "The report as one self-contained HTML page.",
            py::arg("title") = "Ray tracer grades")
       .def("junit", &gradebook_junit)
       .def_property_readonly("data",
@@ -232,7 +232,8 @@ void bind_comparisons(py::module_& m) {
       .def("__repr__",
            [](const Claim& c) { return fmt::format("<Cause {}: {}>", name_of(c.cause), c.what); });
 
-  py::class_<Comparison> comparison(m, "Comparison", "How far a picture is from its reference.");
+  py::class_<Comparison> comparison(m, "Comparison",
+                                    "How much a picture differs from its reference.");
   bind_measures(comparison,
                 [](const Comparison& c) -> const PictureMeasures& { return c.found.measures; });
   comparison
@@ -270,7 +271,7 @@ void bind_comparisons(py::module_& m) {
       .def("__repr__", [](const SceneDifference& d) {
         return fmt::format("<SceneDifference {}>", difference_text(d));
       });
-  py::class_<Differences>(m, "SceneDifferences", "In what two scenes differ.")
+  py::class_<Differences>(m, "SceneDifferences", "The differences between two scenes.")
       .def_property_readonly("equal", [](const Differences& d) { return d.diff.equal; })
       .def_property_readonly("same_meaning",
                              [](const Differences& d) { return d.diff.same_meaning; })
@@ -282,8 +283,10 @@ void bind_comparisons(py::module_& m) {
 
   bind_gradebook(m);
 
-  m.def("diff", &diff, "In what two scenes differ, by what they mean.", py::arg("a"), py::arg("b"));
-  m.def("compare", &compare, "How far a picture is from its reference, and by which mistake.",
+  m.def("diff", &diff, "The differences in meaning between two scenes.", py::arg("a"),
+        py::arg("b"));
+  m.def("compare", &compare,
+        "How much a picture differs from its reference, and which mistake explains it.",
         py::arg("reference"), py::arg("picture"), py::arg("scene") = py::none(), py::kw_only(),
         py::arg("min_psnr") = py::none(), py::arg("max_mean") = py::none(),
         py::arg("max_difference") = py::none(), py::arg("max_share") = py::none(),

@@ -71,7 +71,7 @@ SharedState new_state(std::string path, bool compat_course, bool allow_missing, 
   return state;
 }
 
-// The scene that was loaded becomes the one to edit. Raises what keeps it from being used.
+// Makes the loaded scene the one to edit. Raises an exception if it cannot be used.
 SharedState opened(SharedState state, LoadedScene loaded) {
   if (!loaded.usable()) {
     raise_unusable(loaded);
@@ -155,7 +155,7 @@ void bind_findings(py::module_& m) {
       .def("__repr__",
            [](const Diagnostic& d) { return fmt::format("<Diagnostic {}>", text_of(d)); });
 
-  py::class_<Report>(m, "Report", "What there is to say about a scene. True when it can be used.")
+  py::class_<Report>(m, "Report", "The findings about a scene. True if the scene can be used.")
       .def_property_readonly("verdict",
                              [](const Report& r) { return verdict_word(verdict_of(*r.scene)); })
       .def_property_readonly("diagnostics",
@@ -178,17 +178,18 @@ void bind_findings(py::module_& m) {
                            r.scene->diagnostics.count(Severity::warning));
       });
 
-  m.def("read", &read, "Reads a scene from a file. Raises SceneError where it has errors.",
+  m.def("read", &read, "Reads a scene from a file. Raises SceneError if it has errors.",
         py::arg("path"), py::kw_only(), py::arg("compat_course") = false,
         py::arg("allow_missing") = false, py::arg("asset_roots") = Paths(),
         py::arg("allow_outside") = false);
   m.def("read_text", &read_text,
-        "Reads a scene from its text. Textures and meshes are looked for as if it lay in `folder`.",
+        "Reads a scene from its text. Textures and meshes are looked up as if the file were in "
+        "`folder`.",
         py::arg("text"), py::kw_only(), py::arg("folder") = FilePath{"."},
         py::arg("compat_course") = false, py::arg("allow_missing") = false,
         py::arg("asset_roots") = Paths(), py::arg("allow_outside") = false);
-  m.def("check", &check, "Says everything that is wrong with the scene in a file.", py::arg("path"),
-        py::kw_only(), py::arg("strict") = false, py::arg("deny_warnings") = false,
+  m.def("check", &check, "Reports everything that is wrong with the scene in a file.",
+        py::arg("path"), py::kw_only(), py::arg("strict") = false, py::arg("deny_warnings") = false,
         py::arg("deny") = std::vector<std::string>(), py::arg("allow") = std::vector<std::string>(),
         py::arg("assets") = true, py::arg("compat_course") = false,
         py::arg("allow_missing") = false, py::arg("asset_roots") = Paths(),
@@ -201,7 +202,7 @@ void bind_findings(py::module_& m) {
              state->scene.nodes[state->scene.root].name = "root";
              return state;
            }),
-           "An empty scene, whose textures and meshes are looked for in `folder`.", py::kw_only(),
+           "An empty scene. Textures and meshes are looked up in `folder`.", py::kw_only(),
            py::arg("folder") = FilePath{"."})
       .def(
           "check",
@@ -211,7 +212,7 @@ void bind_findings(py::module_& m) {
                                        known_codes(std::move(allow))};
             return report_of(*look_at(state), policy);
           },
-          "Says everything that is wrong with the scene as it is now.", py::kw_only(),
+          "Reports everything that is wrong with the current scene.", py::kw_only(),
           py::arg("strict") = false, py::arg("deny_warnings") = false,
           py::arg("deny") = std::vector<std::string>(),
           py::arg("allow") = std::vector<std::string>())

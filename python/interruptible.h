@@ -1,5 +1,5 @@
 #pragma once
-// Long work that Python can watch and stop.
+// Long tasks that Python can monitor and stop.
 
 #include <pybind11/pybind11.h>
 
@@ -7,10 +7,11 @@
 
 namespace scenefile::python {
 
-/// Does `work` in a thread of its own, without the interpreter's lock. Meanwhile this thread
-/// handles signals and calls `progress`, unless it is None, with the share that is done. When one
-/// of them raises, the work is told to stop, and the exception goes on after it has. `work` gets a
-/// function to call now and then, from any one thread at a time, which returns false to stop it.
+/// Runs `work` in another thread, without the interpreter's lock. Meanwhile the calling thread
+/// handles signals and calls `progress`, unless it is None, with the finished fraction. If one of
+/// these raises an exception, `work` is asked to stop, and the exception propagates after it has
+/// ended. `work` receives a function to call occasionally, from one thread at a time, which returns
+/// false to stop it.
 void run_interruptible(const std::function<void(const std::function<bool(double)>&)>& work,
                        const pybind11::object& progress);
 

@@ -52,7 +52,7 @@ def main(folder, version, out):
     wheel = pathlib.Path(out) / f"scenefile-{version}-{tag()}.whl"
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in files.items():
-            entry = zipfile.ZipInfo(name)  # with a time of its own: the same files make the same wheel
+            entry = zipfile.ZipInfo(name)  # with a fixed time: the same files give the same wheel
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, data)

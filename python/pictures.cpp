@@ -1,4 +1,4 @@
-// Rendering, and how a pixel came to its color.
+// Rendering, and explaining pixels.
 
 #include "pictures.h"
 
@@ -24,7 +24,7 @@ namespace scenefile::python {
 
 namespace {
 
-// Height x width, and the channels where they are several; of the memory of `owner`.
+// An array of height x width (x channels, if there are several) over the memory of `owner`.
 py::array_t<float> view_of(std::vector<float>& values, int width, int height, std::size_t channels,
                            const py::object& owner) {
   std::vector<py::ssize_t> shape{height, width};
@@ -70,7 +70,7 @@ void write(const std::string& path, const std::string& bytes) {
   }
 }
 
-// As `scenefile render` does: layers go into the same .exr, or beside a .png.
+// Like `scenefile render`: layers go into the same .exr, or into files next to a .png.
 void save(const Picture& picture, const FilePath& path) {
   ImageFormat format{};
   if (!image_format_of(path.text, format)) {
@@ -130,7 +130,7 @@ std::unique_ptr<Picture> render_with(SceneState& state, const py::object& progre
   return draw(state, render_options(given), progress);
 }
 
-// For notebooks: small, and with few samples.
+// For notebooks: small, with few samples.
 py::object preview(SceneState& state) {
   if (!look_at(state)->usable()) {
     return py::none();
@@ -180,14 +180,14 @@ std::uint8_t byte_of(float value) {
   return quantize(value, Rounding::nearest);
 }
 
-// Rows of colors of three or four channels, or of one.
+// Rows of colors with one, three or four channels.
 template <typename T>
 Texture texture_of_values(const py::array_t<T, py::array::c_style | py::array::forcecast>& array) {
   const int dimensions = static_cast<int>(array.ndim());
   const py::ssize_t channels = dimensions == 3 ? array.shape(2) : 1;
   if ((dimensions != 2 && dimensions != 3) || (channels != 1 && channels != 3 && channels != 4) ||
       array.shape(0) > 65536 || array.shape(1) > 65536) {
-    throw py::value_error("a picture is an array of height x width x 3");
+    throw py::value_error("a picture must be an array of height x width x 3");
   }
   Texture texture;
   texture.height = static_cast<int>(array.shape(0));
@@ -225,13 +225,13 @@ Texture texture_of(const py::handle& picture) {
       default:
         break;
     }
-    throw py::type_error("a picture holds floats from 0 to 1, or uint8");
+    throw py::type_error("a picture must contain floats from 0 to 1, or uint8");
   }
   FilePath path;
   try {
     path = picture.cast<FilePath>();
   } catch (const py::cast_error&) {
-    throw py::type_error("a picture is a file name, an array, or what render() returns");
+    throw py::type_error("a picture must be a file name, an array, or a Picture");
   }
   std::optional<Result<Texture>> loaded;
   {
@@ -253,26 +253,27 @@ py::bytes png_of(const Texture& picture) {
 }
 
 void bind_pictures(py::module_& m) {
-  py::class_<Picture>(m, "Picture", "A picture that was rendered.")
+  py::class_<Picture>(m, "Picture", "A rendered picture.")
       .def_property_readonly("width", [](const Picture& p) { return p.result.image.width; })
       .def_property_readonly("height", [](const Picture& p) { return p.result.image.height; })
       .def_property_readonly("profile",
                              [](const Picture& p) { return profile_word(p.options.profile); })
-      .def_property_readonly("pixels", &pixels_of,
-                             "height x width x 3 floats, 1 is full intensity; the picture's memory")
-      .def_property_readonly("layers", &layers_of, "the layers that were asked for, by name")
+      .def_property_readonly(
+          "pixels", &pixels_of,
+          "height x width x 3 floats, where 1 is full intensity; shares the picture's memory")
+      .def_property_readonly("layers", &layers_of, "the requested layers, by name")
       .def_property_readonly(
           "quantized",
           [](const Picture& p) {
             return array_of(quantize(p.result.image, rounding_of(p.options.profile)));
           },
-          "height x width x 3 bytes, as a .png holds them")
+          "height x width x 3 bytes, as stored in a .png")
       .def_property_readonly("rays",
                              [](const Picture& p) {
                                const RenderStats& s = p.result.stats;
                                return s.primary_rays + s.shadow_rays + s.secondary_rays;
                              })
-      .def("save", &save, "Writes a .png, .exr or .pfm, whole or not at all.", py::arg("path"))
+      .def("save", &save, "Writes a .png, .exr or .pfm atomically.", py::arg("path"))
       .def("_repr_png_",
            [](const Picture& p) {
              return png_of(quantize(p.result.image, rounding_of(p.options.profile)));
@@ -282,7 +283,7 @@ void bind_pictures(py::module_& m) {
                            profile_word(p.options.profile));
       });
 
-  py::class_<Explanation>(m, "Explanation", "How a pixel came to its color.")
+  py::class_<Explanation>(m, "Explanation", "How the color of a pixel is computed.")
       .def_property_readonly("text", [](const Explanation& e) { return e.text; })
       .def_property_readonly(
           "data",
@@ -292,9 +293,10 @@ void bind_pictures(py::module_& m) {
   auto scene = py::reinterpret_borrow<py::class_<SceneState, SharedState>>(m.attr("Scene"));
   scene
       .def("render", &render_with,
-           "Draws the scene as it is now. Options are those of \"scenefile render\".",
-           py::kw_only(), py::arg("progress") = py::none())
-      .def("explain", &explain, "Says how the pixel (x, y), row 0 on top, came to its color.",
+           "Draws the current scene. Options are those of \"scenefile render\".", py::kw_only(),
+           py::arg("progress") = py::none())
+      .def("explain", &explain,
+           "Explains how the color of the pixel (x, y) is computed; row 0 is the top row.",
            py::arg("x"), py::arg("y"), py::kw_only(), py::arg("sample") = py::none())
       .def("_repr_png_", &preview);
 

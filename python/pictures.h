@@ -8,14 +8,14 @@
 
 namespace scenefile::python {
 
-/// A picture that was rendered. Its arrays share its memory.
+/// A rendered picture. Its arrays share its memory.
 struct Picture {
   RenderResult result;
   RenderOptions options;
 };
 
-/// The 8-bit picture of a Picture, of an array of rows of colors, or of the file of that name.
-/// Raises TypeError for anything else, OSError or ValueError where the file cannot be used.
+/// The 8-bit picture of a Picture, of an array of rows of colors, or of an image file. Raises
+/// TypeError for anything else, OSError or ValueError if the file cannot be used.
 Texture texture_of(const pybind11::handle& picture);
 
 /// Height x width x 3, 8 bits.

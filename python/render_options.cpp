@@ -19,7 +19,7 @@ namespace {
 int number(const char* name, const py::handle& value, int least, int most) {
   const long long n = value.cast<long long>();
   if (n < least || n > most) {
-    throw py::value_error(fmt::format("{}: {} is not from {} to {}", name, n, least, most));
+    throw py::value_error(fmt::format("{}: {} is not between {} and {}", name, n, least, most));
   }
   return static_cast<int>(n);
 }
@@ -35,7 +35,7 @@ void set_features(RenderOptions& options, const py::handle& value) {
   const std::string list = joined_words(value);
   if (const std::string_view wrong = parse_features(list, options.features); !wrong.empty()) {
     throw py::value_error(
-        fmt::format("features: \"{}\" is none of shadows, reflect, refract, texture, "
+        fmt::format("features: \"{}\" is not one of shadows, reflect, refract, texture, "
                     "texture-filter, super-sample, depthoffield, all, none",
                     wrong));
   }
@@ -49,8 +49,8 @@ void set_layers(RenderOptions& options, const py::handle& value) {
   }
   if (const std::string_view wrong = parse_layers(list, options.layers); !wrong.empty()) {
     throw py::value_error(
-        fmt::format("layers: \"{}\" is none of depth, normal, uv, albedo, object-id, light-1, "
-                    "light-2 and so on, shadow, reflection-depth, or stands twice",
+        fmt::format("layers: \"{}\" is not one of depth, normal, uv, albedo, object-id, light-1, "
+                    "light-2 and so on, shadow, reflection-depth, or is given twice",
                     wrong));
   }
 }
@@ -69,7 +69,7 @@ struct Option {
   void (*set)(RenderOptions& options, const py::handle& value);
 };
 
-// The profile is taken before, for it decides what the others are when they are not given.
+// The profile comes first, because it determines the defaults of the others.
 constexpr Option known_options[] = {
     {"profile", "profile", [](RenderOptions& /*options*/, const py::handle& /*value*/) {}},
     {"size", "width", set_size},
@@ -149,7 +149,7 @@ RenderOptions render_options(const py::dict& given) {
       known->set(options, value);
     } catch (const py::cast_error&) {
       throw py::type_error(
-          fmt::format("{}: {} is not a value for it", name, py::repr(value).cast<std::string>()));
+          fmt::format("{}: invalid value {}", name, py::repr(value).cast<std::string>()));
     }
   }
   check_crop(options);

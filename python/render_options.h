@@ -8,12 +8,12 @@
 
 namespace scenefile::python {
 
-/// The options of a picture from keyword arguments, with the names of RenderOptions' fields but
-/// `size`. Raises TypeError for a name that is none of them, ValueError for a value or an option
-/// that the profile does not know.
+/// The options of a picture from keyword arguments named like the fields of RenderOptions, plus
+/// `size`. Raises TypeError for an unknown name, ValueError for an invalid value or an option that
+/// the profile does not support.
 RenderOptions render_options(const pybind11::dict& given);
 
-/// "shadows,reflect" of that or of a list of words.
+/// "shadows,reflect" from that text, or from a list of words.
 std::string joined_words(const pybind11::handle& words);
 
 }  // namespace scenefile::python

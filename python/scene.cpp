@@ -1,4 +1,4 @@
-// Scenes and their parts, to be read and edited.
+// Scenes and their parts, for reading and editing.
 
 #include "scenefile/base/shape.h"
 #include "scenefile/base/text.h"
@@ -21,7 +21,7 @@ namespace scenefile::python {
 
 namespace {
 
-// How members look in Python.
+// Converts members to Python values.
 double to_python(float value) {
   return shown(value);
 }
@@ -45,7 +45,7 @@ struct Given<RareText> {
   using Type = std::string;
 };
 
-// A property that is a member of the struct behind the part.
+// A property for a member of the struct that the part refers to.
 template <typename Class, typename Struct, typename T>
 void member(Class& c, const char* name, T Struct::*at, const char* doc) {
   using SomePart = typename Class::type;
@@ -81,7 +81,7 @@ py::tuple parts_of(const NodePart& node, std::size_t count) {
   return parts;
 }
 
-// All nodes of the scene, each before those below it: the root's, then those of the templates.
+// All nodes of the scene, parents first: those of the root, then those of the templates.
 std::vector<NodeId> all_nodes(const Scene& scene) {
   std::vector<NodeId> result;
   std::vector<NodeId> open(scene.templates.rbegin(), scene.templates.rend());
@@ -108,7 +108,7 @@ void remove_node(const NodePart& part) {
   edit(part);
 }
 
-// Takes the part out of its node's list.
+// Removes the part from the list of its node.
 template <typename SomePart, typename T>
 void remove_from(const SomePart& part, std::vector<T> Node::*list) {
   edit(part);
@@ -165,7 +165,7 @@ void bind_values(py::module_& m) {
       .def("__repr__", [](const Translate& t) {
         return fmt::format("Translate(({:g}, {:g}, {:g}))", t.by.x, t.by.y, t.by.z);
       });
-  py::class_<Rotate>(m, "Rotate", "Turns about an axis, right-handed, by degrees.")
+  py::class_<Rotate>(m, "Rotate", "Rotates about an axis, right-handed, in degrees.")
       .def(py::init([](const glm::vec3& axis, float angle) {
              return Rotate{axis, angle};
            }),
@@ -184,7 +184,7 @@ void bind_values(py::module_& m) {
       .def("__repr__", [](const Scale& s) {
         return fmt::format("Scale(({:g}, {:g}, {:g}))", s.by.x, s.by.y, s.by.z);
       });
-  py::class_<Matrix>(m, "Matrix", "Any map, as the rows of a 4x4 matrix for column vectors.")
+  py::class_<Matrix>(m, "Matrix", "Any affine map, as the rows of a 4x4 matrix for column vectors.")
       .def(py::init(&matrix_of), py::arg("rows"))
       .def_property_readonly("rows", &rows_of)
       .def(py::self == py::self);
@@ -207,9 +207,9 @@ void bind_camera_and_globals(py::module_& m) {
   py::class_<CameraPart> camera(m, "Camera");
   identity(camera);
   member(camera, "position", &Camera::position, "where it is");
-  member(camera, "look", &Camera::look, "direction in which it looks");
+  member(camera, "look", &Camera::look, "view direction");
   member(camera, "up", &Camera::up, "direction that is up in the picture");
-  member(camera, "height_angle_deg", &Camera::height_angle_deg, "full vertical angle of view");
+  member(camera, "height_angle_deg", &Camera::height_angle_deg, "full vertical field of view");
   member(camera, "aperture", &Camera::aperture, "size of the lens; 0 is a pinhole");
   member(camera, "focal_length", &Camera::focal_length, "distance of the plane in focus");
   camera.def(
@@ -218,7 +218,7 @@ void bind_camera_and_globals(py::module_& m) {
         Camera& c = edit(part);
         c.look = point - c.position;
       },
-      "Turns the camera to a point.", py::arg("point"));
+      "Points the camera at a point.", py::arg("point"));
 
   py::class_<GlobalsPart> globals(m, "Globals");
   identity(globals);
@@ -364,7 +364,7 @@ void bind_node(py::module_& m) {
                               part.state->removals}};
           },
           py::arg("type"))
-      .def("remove", &remove_node, "Takes the node and all below it out of the scene.")
+      .def("remove", &remove_node, "Removes the node and its descendants from the scene.")
       .def("__repr__", [](const NodePart& part) {
         const Node& n = part.get();
         return fmt::format("<Node {}: {} primitives, {} lights, {} children>",
@@ -493,8 +493,7 @@ void bind_scene(py::module_& m) {
           [](SceneState& s, std::string_view format) { return written(s, format_of(format)).text; },
           "The scene as the text of a file, in XML or JSON.", py::arg("format") = "xml")
       .def("save", &save,
-           "Writes a scene file, .xml or .json, whole or not at all. Returns what the format could "
-           "not say.",
+           "Writes a scene file, .xml or .json, atomically. Returns what the format could not express.",
            py::arg("path"))
       .def("__repr__", [](const SceneState& s) { return fmt::format("<Scene {}>", s.path); });
 }

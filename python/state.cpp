@@ -32,7 +32,7 @@ std::size_t index_of_word(const char* what, std::string_view word, const std::st
       return i;
     }
   }
-  throw py::value_error(fmt::format("{}: \"{}\" is none of {}", what, word,
+  throw py::value_error(fmt::format("{}: \"{}\" is not one of {}", what, word,
                                     fmt::join(std::span(words, count), ", ")));
 }
 
@@ -105,12 +105,12 @@ void raise_error(const Error& error) {
 
 namespace {
 
-// Of the primitives or lights of the part's node.
+// The list of primitives or lights of the part's node.
 template <typename Parts>
 auto& part_at(const Part& part, Parts& parts) {
   if (part.removals != part.state->removals || part.index >= parts.size()) {
     throw std::runtime_error(
-        "a part of the scene was removed since this one was looked up: look it up again");
+        "a part of the scene was removed after this one was looked up: look it up again");
   }
   return parts[part.index];
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene in Python is, and what its parts hold on to.
+// The scene behind its Python object, and references from its parts.
 
 #include "scenefile/verbs/load_file.h"
 #include "values.h"
@@ -11,9 +11,9 @@
 
 namespace scenefile::python {
 
-/// A scene that is being edited, and what was last made of it. Parts in Python share it. What was
-/// made is never changed, only replaced, so that threads may go on with it without the
-/// interpreter's lock.
+/// A scene that can be edited, and what was last derived from it. Its parts in Python share it.
+/// Derived data is never changed, only replaced, so that other threads can keep using it without
+/// the interpreter's lock.
 struct SceneState {
   std::string path;  ///< as given; for a scene in memory a name in its folder, or "-"
   LoadSettings settings;
@@ -25,18 +25,18 @@ struct SceneState {
 };
 using SharedState = std::shared_ptr<SceneState>;
 
-/// What the scene is now: checked, prepared, with its files; whatever was found. Releases the
-/// interpreter's lock while it loads.
+/// The current scene: checked, prepared, with its files and all findings. Releases the
+/// interpreter's lock while loading.
 std::shared_ptr<const LoadedScene> look_at(SceneState& state);
 
-/// The same, for work that needs a usable scene. Raises SceneError or OSError for any other.
+/// The same, for work that needs a usable scene; raises SceneError or OSError if it is not.
 std::shared_ptr<const LoadedScene> usable(SceneState& state);
 
-/// Raises SceneError or OSError, whichever it deserves.
+/// Raises SceneError, or OSError if the file cannot be read.
 [[noreturn]] void raise_unusable(const LoadedScene& scene);
 [[noreturn]] void raise_error(const Error& error);
 
-/// Where a part of a scene is. Every edit goes through edit().
+/// A reference to a part of a scene. Every edit goes through edit().
 struct Part {
   SharedState state;
   NodeId node = 0;
@@ -67,7 +67,7 @@ struct GlobalsPart : Part {
   Global& get() const;
 };
 
-/// A part to change: what was made of the scene no longer holds.
+/// Returns a part for changing; discards what was derived from the scene.
 template <typename SomePart>
 auto& edit(const SomePart& part) {
   part.state->loaded.reset();

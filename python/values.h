@@ -1,5 +1,5 @@
 #pragma once
-// How plain values of the library look in Python.
+// Conversions between values of the library and of Python.
 
 #include <glm/glm.hpp>
 #include <pybind11/pybind11.h>
@@ -17,17 +17,16 @@ namespace py = pybind11;
 /// The module scenefile._base; it lives as long as the process.
 py::module_ base_module();
 
-/// The number that a float shows as: 0.1f is 0.1, not 0.10000000149011612. Converts back to the
-/// same float.
+/// The double with the shortest digits of a float: 0.1 for 0.1f, not 0.10000000149011612. Converts
+/// back to the same float.
 double shown(float value);
 
-/// The name of a file, from anything that Python takes for one.
+/// A file name from any path-like Python object.
 struct FilePath {
   std::string text;
 };
 
-/// The index of `word` in `words`, an array of the library's words. Raises ValueError that names
-/// them all.
+/// The index of `word` in `words`. Raises a ValueError that lists them if there is none.
 std::size_t index_of_word(const char* what, std::string_view word, const std::string_view* words,
                           std::size_t count);
 
@@ -62,7 +61,7 @@ struct type_caster<scenefile::python::FilePath> {
   }
 };
 
-/// Any three numbers in; scenefile.Vec3 out.
+/// Accepts any three numbers; returns scenefile.Vec3.
 template <>
 struct type_caster<glm::vec3> {
   PYBIND11_TYPE_CASTER(glm::vec3, const_name("Vec3"));

@@ -18,7 +18,7 @@ _Transform: TypeAlias = "Translate | Rotate | Scale | Matrix"
 
 __version__: str
 
-# Properties that take more than they give.
+# Properties whose setters accept more types than their getters return.
 class _Vector:
     def __get__(self, instance: object, owner: Any) -> Vec3: ...
     def __set__(self, instance: object, value: _Triple) -> None: ...

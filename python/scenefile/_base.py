@@ -1,4 +1,4 @@
-"""What is simpler in Python than in C++: values and the exception. The C++ part imports this."""
+"""Values and the exception, which are simpler in Python than in C++. The extension module imports this file."""
 
 from __future__ import annotations
 

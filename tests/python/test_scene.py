@@ -141,7 +141,7 @@ def test_values_that_make_no_sense(ball, tmp_path):
         scene.camera.position = (1, 2)
     with pytest.raises(TypeError):
         scene.camera.position = "abc"
-    with pytest.raises(ValueError, match="none of cube, cone"):
+    with pytest.raises(ValueError, match="not one of cube, cone"):
         scene.primitives[0].shape = "ball"
     with pytest.raises(ValueError, match=".xml or .json"):
         scene.save(tmp_path / "x.txt")

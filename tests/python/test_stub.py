@@ -1,4 +1,4 @@
-"""The stub names exactly what there is."""
+"""The stub lists exactly the names of the module."""
 
 import ast
 

@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The good scene with a text replaced.
+// A valid scene with one text replaced.
 std::string replaced(const std::string& what, const std::string& with) {
   std::string text = good_scene;
   return text.replace(text.find(what), what.size(), with);

@@ -126,7 +126,7 @@ TEST(Faults, EveryCommandKeepsToItsTime) {
 
 TEST(Faults, MemoryThatRunsOutIsStatusThree) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers need address space of their own";
+  GTEST_SKIP() << "sanitizers need additional address space";
 #endif
   const TempFolder folder;
   folder.write("s.xml", good_scene);

@@ -1,4 +1,4 @@
-// Pictures by a camera that moves.
+// The command frames: pictures from a moving camera.
 
 #include "app/run_program.h"
 

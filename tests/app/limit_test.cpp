@@ -179,7 +179,7 @@ TEST(Limits, AGenerousTimeoutChangesNothing) {
 
 TEST(Limits, MemoryBeyondTheLimitIsStatusFour) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers need memory of their own";
+  GTEST_SKIP() << "sanitizers need additional memory";
 #endif
   const TempFolder folder;
   folder.write("s.xml", good_scene);

@@ -1,4 +1,4 @@
-// Pictures in parts: what is merged is what one process writes, and nothing else is.
+// Parts: merging gives the same bytes as a single process, and rejects everything else.
 
 #include "app/run_program.h"
 
@@ -50,7 +50,7 @@ struct PartTest : ::testing::Test {
   TempFolder folder;
 };
 
-// Both profiles, layers, noise taken away, crops; in all formats.
+// Both profiles, layers, denoising and crops, in all formats.
 TEST_F(PartTest, MergeToTheBytesOfOneProcess) {
   struct Case {
     int count;

@@ -208,7 +208,7 @@ TEST_F(View, ComparesWithAReference) {
   EXPECT_EQ(run.status, 0) << run.err;
   const Texture split = picture("split.png");
   EXPECT_GT(count(split, 255, 255, 255), 300) << "the line of the split";
-  // Our own picture is the reference, so there is no difference anywhere.
+  // The reference is our own picture, so nothing differs.
   const Texture difference = picture("difference.png");
   EXPECT_EQ(color_at(split, sphere_x + 20, middle_y), 'r');
   EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');

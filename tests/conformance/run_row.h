@@ -10,7 +10,7 @@ namespace scenefile::conformance {
 /// A rendered and compared row.
 struct Result {
   Row row;
-  std::string error;  ///< why there is no picture; empty when there is one
+  std::string error;  ///< an error text if there is no picture
   Texture ours;
   Texture theirs;
   ImageDifference difference;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The action, the hooks and the autograder do what they say, as far as that can be tried without their hosts.
+"""Tests the action, the hooks and the autograder, as far as possible without their hosts.
 
     examples.py PROGRAM
 """
@@ -27,7 +27,7 @@ def run(command, folder, environment, status=0):
 
 
 def try_action(folder):
-    """The steps of the action that are scripts, as a workflow runs them."""
+    """Runs the script steps of the action like a workflow."""
     (folder / "scenes").mkdir()
     (folder / "scenes" / "good.xml").write_text(GOOD)
     steps = [step for step in yaml.safe_load((ROOT / "action.yml").read_text())["runs"]["steps"] if "run" in step]

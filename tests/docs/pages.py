@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The pages lead where they say, and the commands they show run.
+"""Checks the pages: links lead somewhere, and the commands that are shown run.
 
-    pages.py links                  every link of every page, with its heading, is there
-    pages.py commands PROGRAM       every line that begins with `scenefile` runs, on files of the names it uses
+    pages.py links                  every link of every page leads to an existing page and heading
+    pages.py commands PROGRAM       every line that begins with `scenefile` runs, on files with the names it uses
 
-A command ends with status 0, or 1 for findings and differences. Commands of the window draw one picture in a screen of their own, where there is
-xvfb-run; otherwise they are counted as left out.
+A command ends with status 0, or 1 for findings and differences. Commands of the window draw one picture on a virtual screen, if there is
+xvfb-run; otherwise they are counted as skipped.
 """
 import os
 import pathlib
@@ -39,7 +39,7 @@ def without_code(text):
 
 
 def anchors(page):
-    """What headings are called in links."""
+    """The anchors of headings and ids."""
     text, fenced, names = page.read_text(), False, set()
     for line in text.splitlines():
         if line.lstrip().startswith("```"):
@@ -61,14 +61,14 @@ def dead_links():
             name, _, anchor = link.partition("#")
             target = (page.parent / name).resolve() if name else page
             if not target.exists():
-                dead.append(f"{page.relative_to(ROOT)}: {link}: there is no such file")
+                dead.append(f"{page.relative_to(ROOT)}: {link}: no such file")
             elif anchor and target.suffix == ".md" and anchor not in anchors(target):
-                dead.append(f"{page.relative_to(ROOT)}: {link}: there is no such heading")
+                dead.append(f"{page.relative_to(ROOT)}: {link}: no such heading")
     return dead, count
 
 
 def commands():
-    """Page, line number and text of each command that is shown."""
+    """Page, line number and text of each command shown."""
     for page in PAGES:
         if page.name == "CHANGELOG.md":
             continue
@@ -89,7 +89,7 @@ def commands():
 
 
 def make_files(folder, program):
-    """Files of the names that the pages use."""
+    """Creates files with the names that the pages use."""
 
     def run(*words):
         subprocess.run([program, *words], cwd=folder, check=True, stderr=subprocess.DEVNULL)
@@ -162,7 +162,7 @@ def main():
         print(*wrong, f"{count} links, {len(wrong)} dead", sep="\n")
     elif len(sys.argv) == 3 and sys.argv[1] == "commands":
         wrong, count, left_out = run_commands(pathlib.Path(sys.argv[2]).resolve())
-        print(*wrong, f"{count} commands ran, {len(wrong)} wrong, {left_out} left out for want of a screen", sep="\n")
+        print(*wrong, f"{count} commands ran, {len(wrong)} wrong, {left_out} skipped because there is no screen", sep="\n")
     else:
         sys.exit(__doc__)
     return 1 if wrong or count == 0 else 0

@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
     process = start(folder, "good.png")
     said = process.communicate()[1]
     if process.returncode != 0:
-        sys.exit("the render left alone fails: " + said.decode(errors="replace"))
+        sys.exit("the uninterrupted render fails: " + said.decode(errors="replace"))
     seconds = time.monotonic() - began
     good = read(os.path.join(folder, "good.png"))
 

@@ -4,7 +4,7 @@
     sweep.py PROGRAM SHIM [--points N] [--only render,check] [--kinds memory,write] [--seed 1]
 
 SHIM is fail_call.c, built for preloading. A first run counts the calls of a kind; then each of them
-(or N of them) fails, once alone and once with all later ones. Every run must end by itself: with
+(or N of them) fails, once by itself and once with all later ones. Every run must end by itself: with
 status 0 and correct output, or with status 1 to 4, a message, the previous output, and no other file.
 """
 import argparse

@@ -22,7 +22,7 @@ using fuzz::require;
 void require_files(const ImportedScene& imported) {
   std::set<std::string> names;
   for (const ImportedFile& file : imported.files) {
-    require(names.insert(file.name).second, "files have names of their own");
+    require(names.insert(file.name).second, "file names are unique");
     require(file.name.starts_with("model-") && file.name.find('/') == std::string::npos,
             "names are ours");
     if (file.name.ends_with(".obj")) {

@@ -1,4 +1,4 @@
-// Bytes as the file of a part, as the head inside one, and as a file with those bytes changed.
+// Tests bytes as a part file, as the header inside one, and as a file with those bytes changed.
 
 #include "law.h"
 #include "scenefile/base/hash.h"
@@ -20,7 +20,7 @@ void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// A file whose head has a checksum that is right.
+// A file with a valid checksum of its header.
 std::string with_checksum(std::string_view body) {
   std::string file(first_line);
   append(file, static_cast<std::uint32_t>(body.size()));
@@ -31,7 +31,7 @@ std::string with_checksum(std::string_view body) {
   return file;
 }
 
-// Rows of the part are put where they belong, and nowhere else.
+// The rows of the part are copied to their place, and nowhere else.
 void place(const PartHead& head) {
   const PixelRegion part = head.region();
   const PixelRegion& whole = head.picture.region;

@@ -84,7 +84,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                                     {.allow_missing = true, .limits = limits}, diagnostics);
   require(assets.textures.size() == ready.texture_files.size() &&
               assets.meshes.size() == ready.mesh_files.size(),
-          "assets stand at the indices of the scene");
+          "assets are at the indices of the scene");
   fuzz::require_sound(diagnostics, limits, text);
   draw(ready, assets, Profile::course, Mode::ray);
   draw(ready, assets, Profile::fine, Mode::ray);

@@ -44,7 +44,7 @@ void require_light(const RenderLight& light) {
 }
 
 void require_camera(const RenderCamera& camera) {
-  require(finite(camera.position), "the camera stands somewhere");
+  require(finite(camera.position), "the camera has a position");
   require(unit(camera.u) && unit(camera.v) && unit(camera.w), "camera axes are unit vectors");
   require(std::abs(glm::dot(camera.u, camera.v)) < 1e-6 &&
               std::abs(glm::dot(camera.u, camera.w)) < 1e-6 &&
@@ -71,7 +71,7 @@ void require_safe(const Prepared& prepared, const Limits& limits) {
       require(invertible(DAffine(primitive.group_from_object)), "primitives can be placed");
     }
     for (const RenderInstance& instance : scene.groups[g].instances) {
-      require(instance.group < g, "groups stand behind what they contain");
+      require(instance.group < g, "groups come after those that they contain");
       require(instance.source < prepared.sources.size(), "sources of instances exist");
       require(invertible(DAffine(instance.group_from_instance)), "instances can be placed");
     }

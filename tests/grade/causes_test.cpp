@@ -1,5 +1,6 @@
-// Each mistake is made by the student's tracer, which shares nothing with the tracer, on generated
-// scenes, and must be named on nine of ten; right pictures must not be blamed for anything.
+// The student's tracer, which shares no code with the model, makes each mistake on generated
+// scenes. Each must be named on nine of ten scenes, and correct pictures must not be blamed for
+// anything.
 
 #include "scenefile/grade/causes.h"
 

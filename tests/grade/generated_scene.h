@@ -28,7 +28,7 @@ class GeneratedScene {
 
   trace_test::SceneBuilder builder;
 
-  /// As a file would say it.
+  /// The scene as a file would describe it.
   Scene written() const {
     const RenderScene& ready = builder.scene;
     Scene scene;
@@ -63,7 +63,7 @@ class GeneratedScene {
     return scene;
   }
 
-  /// As the student draws it, with these mistakes.
+  /// The scene as the student's tracer draws it with these mistakes.
   Texture drawn_by_student(std::set<std::string, std::less<>> mistakes, int width = 96,
                            int height = 72) const {
     student::Job job;

@@ -62,7 +62,7 @@ TEST(Gradebook, HtmlStandsAloneAndEscapes) {
                           HasSubstr("there are no shadows"), HasSubstr("href=\"#p1-1\""),
                           HasSubstr("id=\"p1-1\"")));
   EXPECT_THAT(html, AllOf(Not(HasSubstr("http")), Not(HasSubstr("a<b"))));
-  // Only the page's own script, after all that students wrote.
+  // The page contains only its own script, which follows all text from students.
   EXPECT_EQ(html.find("<script"), html.rfind("<script"));
   EXPECT_GT(html.find("<script"), html.find("</main>"));
 }

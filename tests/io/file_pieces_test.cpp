@@ -1,4 +1,4 @@
-// Files that are read and written in pieces.
+// Reading and writing files in pieces.
 
 #include "io/temp_folder.h"
 #include "scenefile/io/file_reader.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pictures in random parts, and workers that are killed: what is merged is what one process writes, to the byte.
+"""Pictures in random parts, with workers that are killed: merging gives the same bytes as one process.
 
     partitions.py PROGRAM SCENE... [--partitions 200] [--kills 50] [--seed 1] [--most 64]
 
@@ -35,7 +35,7 @@ def run(words, folder):
 
 
 def some_options():
-    """Options of render, and the end of the output's name."""
+    """Options of render, and the extension of the output."""
     width, height = chance.randint(1, args.most), chance.randint(1, args.most)
     words = ["--size", f"{width}x{height}"]
     end = chance.choice([".png", ".exr", ".pfm"])
@@ -61,7 +61,7 @@ def some_options():
 
 
 def files_of(folder):
-    """All but what a killed program leaves under a temporary name, hidden."""
+    """All files except hidden temporary ones, which a killed program leaves."""
     return {name: open(os.path.join(folder, name), "rb").read() for name in sorted(os.listdir(folder))
             if os.path.isfile(os.path.join(folder, name)) and not name.endswith(".tmp")}
 
@@ -102,7 +102,7 @@ def partition(number):
 
 
 def killed(number):
-    """Draws parts one after the other and merges; one of these is killed in the middle. Then once more."""
+    """Draws parts one after the other and merges, killing one of these processes halfway; then repeats that."""
     scene = scenes[number % len(scenes)]
     options = ["--size", "160x120", "--samples", "16", "--aov", "depth,normal"]
     count = 4

@@ -197,7 +197,7 @@ TEST(CheckView, MaterialsThatShowNoLight) {
   b.scene.global.diffuse = 0;
   EXPECT_THAT(codes(judge(b)), ElementsAre("scene.unlit"));
   b.scene.materials[b.plain].specular = {1, 1, 1};
-  EXPECT_THAT(codes(judge(b)), ElementsAre("scene.unlit")) << "shininess 0 is no highlight";
+  EXPECT_THAT(codes(judge(b)), ElementsAre("scene.unlit")) << "shininess 0 gives no highlight";
   b.scene.materials[b.plain].shininess = 5;
   EXPECT_THAT(codes(judge(b)), IsEmpty());
 }

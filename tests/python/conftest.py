@@ -37,7 +37,7 @@ def ball(tmp_path):
 
 @pytest.fixture
 def program():
-    """Runs the program that was built beside the module."""
+    """Runs the program from the same build as the module."""
     if PROGRAM is None:
         pytest.skip("SCENEFILE_PROGRAM does not name the program")
 

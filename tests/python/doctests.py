@@ -1,4 +1,4 @@
-"""Runs the examples of docs/python.md in an empty folder with the scene that they speak of."""
+"""Runs the examples of docs/python.md in an empty folder with the scene that they use."""
 
 import doctest
 import os

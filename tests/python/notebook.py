@@ -18,7 +18,7 @@ import scenefile
 
 matplotlib.use("Agg")
 shown = []
-# What a notebook brings along.
+# Functions that notebooks provide.
 sys.modules["IPython"] = types.ModuleType("IPython")
 sys.modules["IPython"].get_ipython = lambda: None
 sys.modules["IPython.display"] = types.ModuleType("IPython.display")

@@ -1,4 +1,4 @@
-"""Not run: mypy --strict reads it, to see that the stubs say what the manual says."""
+"""Not run: mypy --strict checks it, to verify that the stubs agree with docs/python.md."""
 
 import numpy as np
 

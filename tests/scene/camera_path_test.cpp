@@ -43,7 +43,7 @@ TEST(CameraPath, GoesThroughTheViews) {
   }
 }
 
-// Position and direction change by about as much in each of two short steps that follow.
+// Position and direction change by about as much in two consecutive short steps.
 TEST(CameraPath, NeitherPlaceNorSpeedJumps) {
   constexpr double step = 1e-2;
   for (const bool with_focus : {true, false}) {

@@ -253,7 +253,7 @@ TEST(PrepareLaws, EqualsPlainExpansion) {
 }
 
 TEST(PrepareLaws, GroupsAreInOrderAndNotEmpty) {
-  holds("groups stand behind what they contain, and draw something",
+  holds("groups come after those that they contain, and draw something",
         [](const Scene& scene, Random&) {
           const RenderScene ready = prepare(scene, Limits{}).scene;
           RC_ASSERT(ready.root == ready.groups.size() - 1);

@@ -106,7 +106,7 @@ def disagreements(side, seen, validate, codes, folder):
              for path, found in codes.items() if path not in refused and missed(seen, found)}
     alone = [p for p in refused if not seen_by_reader(seen, codes[p])]
     for path in still_refused(side, validate, alone, folder):
-        wrong[path] = (f"the schema alone refuses it: {refused[path]}; "
+        wrong[path] = (f"only the schema rejects it: {refused[path]}; "
                        f"found: {' '.join(codes[path]) or 'nothing'}")
     return wrong, refused
 

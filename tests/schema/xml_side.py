@@ -44,7 +44,7 @@ def refusals(paths, validate):
 
 @functools.cache
 def kind_of(path):
-    """Every validator asks for the same files again."""
+    """Cached, because every validator requests the same files."""
     data = pathlib.Path(path).read_bytes()
     if not is_well_formed(data):
         return "broken"
@@ -130,8 +130,8 @@ def xsd_refusals(paths):
 
 
 def variants(data, tried):
-    """Scenes that differ from this one in one place; of each kind of place one. `tried` holds the kinds
-    that other files have had, and gets those of this one."""
+    """Scenes that differ from this one in one place, one for each kind of place. `tried` contains the kinds
+    already used for other files; those of this file are added."""
     try:
         root = ElementTree.fromstring(data)
     except ElementTree.ParseError:

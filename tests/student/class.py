@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes up a class and grades it: students' pictures with known mistakes, in the layout that courses use.
+"""Generates a class and grades it: students' pictures with known mistakes, in the course's folder layout.
 
   class.py --build build/release --students 150 --pictures 31 --size 320x240 --out DIR
 

@@ -57,7 +57,7 @@ class Bench:
                 size = open(picture, "rb").read(24)
                 size = "%dx%d" % (int.from_bytes(size[16:20], "big"), int.from_bytes(size[20:24], "big"))
             else:
-                # Smaller, as the program draws it.
+                # At a smaller size, like the program draws it.
                 size = self.options.corpus_size
                 picture = os.path.join(self.folder, reference.replace("/", "_"))
                 run([self.program, "render", "-q", path, "-o", picture, "--profile", "course", "--size", size] +
@@ -114,7 +114,7 @@ class Bench:
         wanted = [self.mistakes[m][1] for m in mistakes]
         if any(self.mistakes[m][0] in UNKNOWN for m in mistakes):
             return ("wrong" if found else "right", words, seconds, "; ".join(c["what"] for c in said.get("partial", [])))
-        # Black pictures are black pictures, whatever the mistake.
+        # All black pictures are equal, whatever the mistake.
         if found == ["black"]:
             return ("right", words, seconds, "")
         named = [any(f in w for f in found) for w in wanted]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the pictures of docs/mistakes.md: pictures.py BUILD OUT_FOLDER.
+"""Creates the pictures of docs/mistakes.md: pictures.py BUILD OUT_FOLDER.
 
 For each cause the right picture, and beside it the one with a mistake of that kind.
 """

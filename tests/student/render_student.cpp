@@ -1,7 +1,7 @@
-// Draws a scene as the student does: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES
-// [MISTAKE]... With --pair before the scene: the right picture to the left of it. FEATURES: "all",
-// "intersect", or words of the course's configuration with commas. Without arguments: the list of
-// mistakes, their families and the causes that are right answers.
+// Draws a scene like the student: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES
+// [MISTAKE]... With --pair before the scene, the correct picture is drawn to the left of it.
+// FEATURES: "all", "intersect", or a comma-separated list of names from the course's configuration.
+// Without arguments: lists the mistakes, their families, and the causes that are correct answers.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/compare/sheet.h"

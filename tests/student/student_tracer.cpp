@@ -133,7 +133,7 @@ constexpr KnownMistake table[] = {
     {"output-half", "output", "brightness"},
     {"output-normals", "output", "features"},
     {"output-black", "output", "black"},
-    // The same mistakes as others write them.
+    // Other ways to write the same mistakes.
     {"camera-pixels-less-one", "camera", "camera|half-pixel-shift"},
     {"camera-backward-turned", "camera", "camera"},
     {"camera-right-edges", "camera", "half-pixel-shift"},
@@ -195,7 +195,7 @@ constexpr KnownMistake table[] = {
     {"output-srgb", "output", "gamma"},
     {"output-blurred", "output", "samples"},
     {"output-gray", "output", "brightness"},
-    // Right programs that are not ours: nothing is to be named.
+    // Correct programs that differ from ours: no mistake must be named.
     {"habit-rounds", "habits", "rounding"},
     {"habit-four-samples", "habits", ""},
     {"habit-nine-samples", "habits", ""},
@@ -204,7 +204,7 @@ constexpr KnownMistake table[] = {
     {"habit-bias-along-normal", "habits", ""},
     {"habit-coarse-distances", "habits", ""},
     {"habit-clamped-lights", "habits", ""},
-    // Outside of all families: nothing is to be named.
+    // Mistakes outside of all known families: no mistake must be named.
     {"strange-fog", "strange", ""},
     {"strange-vignette", "strange", ""},
     {"strange-noise", "strange", ""},
@@ -350,7 +350,7 @@ class Tracer {
     return result;
   }
 
-  // Always the same for a pixel, in [0, 1).
+  // A fixed random number for each pixel, in [0, 1).
   static float chance(int a, int b) {
     auto x =
         static_cast<std::uint32_t>(a) * 2654435761u ^ static_cast<std::uint32_t>(b) * 2246822519u;
@@ -1058,7 +1058,7 @@ class Tracer {
     return has("normal-inverted") ? -glm::normalize(world) : glm::normalize(world);
   }
 
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as reflections go
+  // NOLINTNEXTLINE(misc-no-recursion): limited by the depth of reflections
   vec3 trace(const vec3& from, const vec3& direction, int depth) const {
     const float least = depth == 0           ? (has("hit-behind") ? -far_away : 0)
                         : has("mirror-acne") ? 0

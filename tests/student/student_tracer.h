@@ -17,7 +17,8 @@ namespace scenefile::student {
 struct KnownMistake {
   std::string_view name;    ///< "lights-only-first"
   std::string_view family;  ///< for tables
-  std::string_view causes;  ///< words of name_of(Cause) that are right answers, separated by '|'
+  std::string_view
+      causes;  ///< names (name_of) of causes that are correct answers, separated by '|'
 };
 
 std::span<const KnownMistake> known_mistakes();
@@ -30,7 +31,7 @@ struct Job {
   bool reflect = true;
   bool refract = true;
   bool texture = true;
-  bool directional_alone = false;  ///< and nothing of the above: the first of the course's projects
+  bool directional_alone = false;  ///< without the above: the course's first project
   std::set<std::string, std::less<>> mistakes;
 };
 

@@ -53,7 +53,7 @@ class Sums {
       return;
     }
     if (ray.inner_wall) {
-      expect(ray.local, Color(0), "an inner wall has no light of its own");
+      expect(ray.local, Color(0), "an inner wall is not lit");
     } else {
       check_local(ray, s);
     }

@@ -1,4 +1,4 @@
-// How rays change from pixel to pixel, against rays of the pixels beside.
+// Compares ray differentials with the rays of neighboring pixels.
 
 #include "scenefile/trace/footprint.h"
 
@@ -25,7 +25,7 @@ struct Bent {
   glm::dvec3 refracted;
 };
 
-// A shape in front of the camera, and what becomes of a ray of the picture.
+// A shape in front of the camera, and the path of a ray through it.
 struct OneShape {
   SceneBuilder b;
   Shape shape;
@@ -80,7 +80,7 @@ void expect_as_neighbor(const OneShape& scene, const glm::dvec2& pixel, const gl
   expect_near((beside.direction - ray.direction) / step, from_camera.direction.x, "camera, right");
   expect_near((below.direction - ray.direction) / step, from_camera.direction.y, "camera, down");
   const std::optional<SurfacePoint> point_beside = scene.point_of(beside);
-  // Edges, and grazing light, where changes are cut.
+  // Edges, and grazing angles, where derivatives are limited.
   if (!point || !point_beside || point->hit.face != point_beside->hit.face ||
       -glm::dot(point->normal, ray.direction) < 0.2) {
     return;

@@ -1,4 +1,4 @@
-// The files of parts: what was written comes back, and nothing else is taken for it.
+// Part files: reading returns what was written, and rejects everything else.
 
 #include "scenefile/trace/part_file.h"
 
@@ -80,7 +80,7 @@ TEST(PartFile, SaysWhatItIsInstead) {
   EXPECT_THAT(foreign_part({1, 2, 3, 4, 9}, {1, 2, 3, 4, 5}), HasSubstr("driver"));
 }
 
-// With a checksum that is right.
+// With a valid checksum.
 TEST(PartFile, WhatCannotBeIsRefused) {
   const auto refused = [](auto change) {
     PartHead head = some_head();

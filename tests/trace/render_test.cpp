@@ -126,7 +126,7 @@ TEST(Render, LayersAndNoiseAreTheSameForAnyNumberOfThreads) {
   }
 }
 
-// Rays of the camera, in a picture of 40 x 30 pixels that hold a disk on black.
+// Camera rays of a picture of 40 x 30 pixels that shows a disk on black.
 std::uint64_t camera_rays(int samples, int min_samples, const RenderOptions& others = {}) {
   SceneBuilder b;
   RenderMaterial plain;

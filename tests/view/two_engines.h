@@ -10,7 +10,7 @@
 namespace scenefile::view_test {
 
 struct Agreement {
-  std::string error;    ///< why there are no pictures; empty: there are
+  std::string error;    ///< an error text if there are no pictures
   double whole_db = 0;  ///< PSNR of all pixels; 99 for equal pictures
   /// Excludes pixels within two pixels of a change of object; 99 if none remain.
   double inside_db = 0;

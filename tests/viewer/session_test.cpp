@@ -502,7 +502,7 @@ TEST_F(SessionTest, TheSelectionStaysWithItsGroup) {
           "<object type=\"tree\" name=\"ball\"><transblock>"
           "<object type=\"primitive\" name=\"sphere\"/></transblock></object></transblock>"
           "<transblock><object type=\"primitive\" name=\"cube\">");
-  EXPECT_EQ(selected(), "") << "it lies in another group";
+  EXPECT_EQ(selected(), "") << "it is in another group";
   EXPECT_TRUE(session.selected_box.empty());
 }
 

@@ -1,4 +1,4 @@
-// What emscripten 3.1.6 declares and does not have.
+// Functions that emscripten 3.1.6 declares but does not define.
 #include <errno.h>
 #include <spawn.h>
 #include <stddef.h>
@@ -6,13 +6,13 @@
 
 #include <sys/random.h>
 
-// It has getentropy alone.
+// It only has getentropy.
 ssize_t getrandom(void* bytes, size_t count, unsigned flags) {
   (void)flags;
   return getentropy(bytes, count) == 0 ? (ssize_t)count : -1;
 }
 
-// There are no other programs to start.
+// There are no other programs to run.
 int posix_spawnp(pid_t* restrict id, const char* restrict program,
                  const posix_spawn_file_actions_t* actions,
                  const posix_spawnattr_t* restrict attributes, char* const* restrict words,

@@ -1,4 +1,4 @@
-// Included before every source: what libc++ 13, that of emscripten 3.1.6, lacks.
+// Included before every source: what libc++ 13 of emscripten 3.1.6 lacks.
 #pragma once
 #include <version>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
-// The program for node: the same options, output and exit status as the one that is compiled for a
-// machine. One command more: `scenefile lsp`, the language server.
+// The program for Node.js: the same options, output and exit status as the native
+// program, and an additional command: `scenefile lsp`, the language server.
 
 import { runProgram } from '../lib/program.js';
 

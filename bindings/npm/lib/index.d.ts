@@ -1,11 +1,11 @@
-/** A scene file: its text, or its bytes as they are on disk. */
+/** A scene file: its text, or its bytes as on disk. */
 export type SceneSource = string | Uint8Array;
 
-/** Files that are beside the scene, such as textures and meshes, by their path from its folder. */
+/** Files next to the scene, such as textures and meshes, by their path relative to its folder. */
 export type Files = Record<string, string | Uint8Array> | Map<string, string | Uint8Array>;
 
 export interface SceneOptions {
-  /** The name in messages; its ending does not matter. Default: scene.xml or scene.json. */
+  /** The name in messages; its extension does not matter. Default: scene.xml or scene.json. */
   name?: string;
   files?: Files;
   /** Read as the course's programs did (`--compat course`). */
@@ -19,11 +19,11 @@ export interface Finding {
   code: string;
   severity: Severity;
   message: string;
-  /** From 1; absent where the finding has no place. */
+  /** From 1; absent if the finding has no place. */
   line?: number;
   /** From 1, in Unicode code points. */
   column?: number;
-  /** The file, where that is not the scene. */
+  /** The file, if it is not the scene. */
   file?: string;
 }
 
@@ -34,34 +34,34 @@ export interface CheckResult {
   errors: number;
   warnings: number;
   notes: number;
-  /** Findings that are counted but not listed, because there are very many. */
+  /** The number of findings that are not listed because there are too many. */
   not_listed: number;
   findings: Finding[];
 }
 
 export interface CheckOptions extends SceneOptions {
-  /** false: look for no textures and meshes. */
+  /** false: do not open textures and meshes. */
   assets?: boolean;
-  /** Folders of this machine in which textures and meshes are looked for, too. */
+  /** Folders of this machine in which textures and meshes are looked up, too. */
   roots?: string[];
-  /** Spellings that only some programs read are errors. */
+  /** Treat spellings that only some programs accept as errors. */
   strict?: boolean;
 }
 
-/** What is wrong or doubtful in a scene. */
+/** Reports everything that is wrong or doubtful in a scene. */
 export function check(scene: SceneSource, options?: CheckOptions): Promise<CheckResult>;
 
-/** What is in a scene: camera, counts, lights, files (the answer of `scenefile info --json`). */
+/** Describes a scene: camera, counts, lights, files (the output of `scenefile info --json`). */
 export function read(scene: SceneSource, options?: SceneOptions): Promise<Record<string, unknown>>;
 
-/** The file laid out anew; comments and values stay. Throws a SceneError if it is broken. */
+/** Formats the file; comments and values do not change. Throws a SceneError if it has syntax errors. */
 export function format(scene: SceneSource, options?: SceneOptions): Promise<string>;
 
 export interface Converted {
   bytes: Uint8Array;
-  /** Files that were written beside it. */
+  /** Files that were written next to it. */
   files: Map<string, Uint8Array>;
-  /** What the other format cannot say, for people. */
+  /** Text for people about what the other format cannot express. */
   messages: string;
 }
 
@@ -84,7 +84,7 @@ export interface RenderOptions extends SceneOptions {
   samples?: number;
   maxDepth?: number;
   seed?: number;
-  /** As `--crop` has it: draw a part of the picture, for example in strips by several workers. */
+  /** Like `--crop`: draw a part of the picture, for example in strips by several workers. */
   crop?: string;
   /** Draw without meshes that are missing. */
   allowMissing?: boolean;
@@ -93,11 +93,11 @@ export interface RenderOptions extends SceneOptions {
 export interface Picture {
   width: number;
   height: number;
-  /** RGBA, row 0 on top. */
+  /** RGBA; row 0 is the top row. */
   data: Uint8ClampedArray;
   /** The same as a PNG file. */
   png: Uint8Array;
-  /** The answer of `scenefile render --json`. */
+  /** The output of `scenefile render --json`. */
   report: Record<string, unknown>;
 }
 
@@ -118,21 +118,21 @@ export interface SceneDiff {
   differences: Record<string, unknown>[];
 }
 
-/** How the meanings of two scenes differ, in whichever format each is. */
+/** The differences in meaning between two scenes in any formats. */
 export function diff(a: SceneSource, b: SceneSource, options?: SceneOptions): Promise<SceneDiff>;
 
 export interface RunResult {
   status: number;
   stdout: Uint8Array;
   stderr: string;
-  /** All files that are there afterwards. */
+  /** All files that exist afterwards. */
   files: Map<string, Uint8Array>;
 }
 
-/** Runs any command of the program among files in memory. */
+/** Runs any command of the program with files in memory. */
 export function run(words: string[], options?: { files?: Files; stdin?: string | Uint8Array }): Promise<RunResult>;
 
-/** A scene that cannot be used for what was asked. */
+/** Thrown if a scene cannot be used for the requested operation. */
 export class SceneError extends Error {
   /** The exit status of the program. */
   status: number;

@@ -1,4 +1,4 @@
-// The library: what the program does, for scenes in memory. index.d.ts says what each function is.
+// The library: the program's commands for scenes in memory. index.d.ts documents the functions.
 
 import { run } from './memory.js';
 import { decodePng } from './png.js';
@@ -7,7 +7,7 @@ export { run };
 
 const text = new TextDecoder();
 
-/** What went wrong with a scene that should have been drawn or converted. */
+/** Thrown if a scene cannot be drawn or converted. */
 export class SceneError extends Error {
   constructor(message, status, findings) {
     super(message);

@@ -1,5 +1,5 @@
-// The language server: findings while a scene is edited, layout, corrections of misspelled names, and
-// what a finding means. Source of the protocol: "Language Server Protocol", version 3.17.
+// The language server: findings while a scene is edited, formatting, quick fixes for misspelled names, and
+// explanations of findings. Source of the protocol: "Language Server Protocol", version 3.17.
 
 import { existsSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
@@ -9,12 +9,12 @@ import { check, format, run } from './index.js';
 
 const pause = 40; // milliseconds without a change before a scene is checked
 
-// Beside the scene's own folder (docs/assets.md).
+// In addition to the scene's own folder (docs/assets.md).
 const neighbors = ['image', 'images', 'texture', 'textures', 'mesh', 'meshes', 'model', 'models'];
 
 const severities = { error: 1, warning: 2, note: 3 };
 
-/** Serves one client until it says exit. */
+/** Serves one client until it sends exit. */
 export function serve(input, output, exit = (status) => process.exit(status)) {
   const documents = new Map();
   let stopped = false;
@@ -69,7 +69,7 @@ export function serve(input, output, exit = (status) => process.exit(status)) {
     'textDocument/didOpen': ({ textDocument: d }) => change(d.uri, d.version, d.text),
     'textDocument/didChange': ({ textDocument: d, contentChanges }) =>
       change(d.uri, d.version, contentChanges.at(-1).text),
-    // A texture may have come meanwhile.
+    // A texture may have been added in the meantime.
     'textDocument/didSave': ({ textDocument: d }) => {
       const document = documents.get(d.uri);
       if (document !== undefined) {
@@ -143,7 +143,7 @@ function positionOf(finding, lines) {
   return { line, character: before.join('').length };
 }
 
-// From the place of a finding to the end of the name or value there.
+// The range of the name or value at the place of a finding.
 function rangeOf(finding, text) {
   const lines = text.split(/\r\n|\r|\n/);
   const start = positionOf(finding, lines);
@@ -212,7 +212,7 @@ function offsetAt(text, position) {
   return ends.lastIndex + position.character;
 }
 
-// Where the name is, and in the end tag of the element if it has one.
+// The ranges of the name in the start tag and, if there is one, in the end tag.
 function placesOf(wrong, start, text) {
   const at = text.indexOf(wrong, offsetAt(text, start));
   const close = text.indexOf(`</${wrong}>`, at);

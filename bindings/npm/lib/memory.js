@@ -1,4 +1,4 @@
-// The program with files in memory: what the functions of the library are made of.
+// Runs the program with files in memory; the library's functions use this.
 
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -9,7 +9,7 @@ const folder = '/scene';
 
 const text = new TextDecoder();
 
-/** One loaded module. Its memory grows to what its largest job needed. */
+/** One loaded module. Its memory keeps the size that its largest job needed. */
 class Instance {
   #module;
   #job = null;
@@ -76,7 +76,7 @@ class Instance {
   }
 }
 
-// Names stay inside of the folder.
+// Names cannot leave the folder.
 function inFolder(name) {
   const parts = [];
   for (const part of name.replaceAll('\\', '/').split('/')) {
@@ -127,9 +127,9 @@ function asBytes(content) {
 }
 
 /**
- * Runs `scenefile ...words` among `files`, which are all that it sees. Resolves to its exit status,
- * what it wrote to both outputs, and all files that are there afterwards. `roots`: folders of this
- * machine in which textures and meshes are looked for, too.
+ * Runs `scenefile ...words` with access to `files` only. Resolves to its exit status,
+ * the contents of both outputs, and all files that exist afterwards. `roots`: folders of this
+ * machine in which textures and meshes are looked up, too.
  */
 export async function run(words, { files = {}, stdin = '', roots = [] } = {}) {
   const given = new Map(

@@ -1,9 +1,9 @@
-// The PNG files that the program writes: 8 bits, RGB, no interlacing, rows without a filter or by
+// Decodes the PNG files that the program writes: 8 bits, RGB, no interlacing, rows without a filter or with
 // "Sub". Source: W3C, "Portable Network Graphics (PNG) Specification (Second Edition)".
 
 import { inflateSync } from 'node:zlib';
 
-/** The pixels as RGBA, row 0 on top. */
+/** The pixels as RGBA; row 0 is the top row. */
 export function decodePng(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const packed = [];

@@ -7,10 +7,10 @@ import tty from 'node:tty';
 
 const require = createRequire(import.meta.url);
 
-// What the program gets to know of the environment.
+// The environment variables that the program can read.
 const variables = ['CI', 'COLORTERM', 'CS123_DATA', 'NO_COLOR', 'TERM'];
 
-// The core knows slashes alone.
+// The core only supports forward slashes.
 function withSlashes(word) {
   return process.platform === 'win32' ? word.replaceAll('\\', '/') : word;
 }

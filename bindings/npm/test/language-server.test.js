@@ -1,4 +1,4 @@
-// A client that speaks the protocol.
+// A client of the protocol.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -54,7 +54,7 @@ class Client {
 
   #write(message) {
     const body = Buffer.from(JSON.stringify({ jsonrpc: '2.0', ...message }));
-    // In two pieces, as pipes may cut.
+    // In two pieces, as pipes may split messages.
     this.server.stdin.write(`Content-Length: ${body.length}\r\n`);
     this.server.stdin.write(Buffer.concat([Buffer.from('\r\n'), body]));
   }

@@ -1,4 +1,4 @@
-# As libraries/ made it.
+# The library built in libraries/.
 find_path(fmt_INCLUDE_DIR fmt/format.h REQUIRED)
 find_library(fmt_LIBRARY fmt REQUIRED)
 if(NOT TARGET fmt::fmt)

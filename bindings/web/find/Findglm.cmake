@@ -1,4 +1,4 @@
-# Headers alone.
+# Only headers.
 find_path(glm_INCLUDE_DIR glm/glm.hpp REQUIRED)
 if(NOT TARGET glm::glm)
   add_library(glm::glm INTERFACE IMPORTED)

@@ -1,4 +1,4 @@
-// fmt 9 as a library, from its headers: those are all that its package has for other systems. The
+// fmt 9 as a library, from its headers, which are all that its package has for other systems. The
 // same as its own format.cc.
 #include <fmt/format-inl.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Textures and meshes of a scene that is written to another folder.
+// Adjusts the texture and mesh names of a scene that is written to another folder.
 
 #include "app/load.h"
 
@@ -7,10 +7,10 @@
 
 namespace scenefile::app {
 
-/// Looks for each file of the scene from the folder of `output`. If a file is only found from the
-/// scene's current folder, it gets a path relative to the folder of `output`, with a note, provided
-/// that it is found that way. Otherwise (files outside the roots are never opened) a warning says
-/// that the file stays behind. Does nothing for outputs without a folder, such as pipes.
+/// Looks up each file of the scene from the folder of `output`. A file that is only found from the
+/// scene's current folder gets a path relative to the folder of `output`, with a note, if it can be
+/// found that way. Otherwise (files outside the roots are never opened) a warning says that the
+/// file is in another folder. Does nothing for outputs without a folder, such as pipes.
 void carry_files(LoadedScene& scene, const std::string& output, const Options& options);
 
 }  // namespace scenefile::app

@@ -9,7 +9,7 @@
 
 namespace scenefile::app {
 
-/// What the picture is drawn from that these options ask for.
+/// The fingerprints of everything that the picture depends on.
 CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene);
 
 /// Reads options.checkpoint, if it exists, into checkpoints.resume, and makes checkpoints.save

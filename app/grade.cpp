@@ -70,7 +70,7 @@ Result<std::vector<NamePair>> load_map(const Options& options) {
   return map;
 }
 
-// What is written for each student: a page, and the pictures of a large class beside the report.
+// The files for each student: a page, and for large classes the pictures next to the report.
 class HandOut {
  public:
   explicit HandOut(const Options& options) : options_(options) {}
@@ -119,7 +119,7 @@ class HandOut {
     return write_file((std::filesystem::path(folder) / name).string(), bytes);
   }
 
-  // A name of a file of its own for each student.
+  // A unique file name for each student.
   std::string page_name(const std::string& student) {
     std::string name;
     for (const char c : student) {

@@ -15,12 +15,12 @@
 
 namespace scenefile::app {
 
-/// A part of a picture that was drawn alone.
+/// A part that was drawn.
 struct PartReport {
   std::uint32_t index = 0;  ///< counted from 0
   std::uint32_t count = 1;
   PixelRegion region;
-  bool skipped = false;  ///< its file was there
+  bool skipped = false;  ///< its file already existed
 };
 
 /// The result of a render.

@@ -182,7 +182,7 @@ std::string set_features(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
     return wrong;
   }
-  // The course's projects by their names.
+  // The features of the course's projects.
   if (value == "intersect" || value == "illuminate") {
     options.render.mode = value == "intersect" ? Mode::intersect : options.render.mode;
     parse_features(value == "intersect" ? "none" : "shadows,reflect,texture",

@@ -39,7 +39,7 @@ void say_afterwards(const Text& text) {
   try {
     say(text());
   } catch (const std::bad_alloc&) {
-    // The work is worth more than the remark.
+    // Ignores a lack of memory: a remark is not worth failing for.
   }
 }
 

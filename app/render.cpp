@@ -76,7 +76,7 @@ ExitCode check_targets(const Options& options) {
   return ExitCode::fine;
 }
 
-// What is drawn of the scene, which gives up its groups.
+// The scene to draw; releases its groups.
 RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptions& render_options,
                    Checkpoints checkpoints) {
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
@@ -98,7 +98,7 @@ RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptio
                  .traced = &traced});
 }
 
-// `picture`: what the options ask for a part of; null: for a whole picture.
+// `picture`: the picture that options.part is a part of; null for a whole picture.
 Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* picture,
              RenderReport& report, Context& context) {
   context.phase = "reading the checkpoint";
@@ -149,7 +149,7 @@ std::string work_text(const RenderReport& report) {
   return fmt::format("{:.2f} million rays", static_cast<double>(rays) / 1e6);
 }
 
-// The picture that OpenGL drew, or the part of it.
+// The part of the picture that OpenGL drew, or the whole picture.
 Outcome write_drawn(const Options& options, Image drawn, DividedPicture* picture,
                     const RenderReport& report, Context& context) {
   if (picture == nullptr) {

@@ -34,22 +34,22 @@ inline bool every(M m) {
 inline M no_lanes() {
   return false;
 }
-inline F root(F x) {
+inline F sqrt(F x) {
   return std::sqrt(x);
 }
-inline F down(F x) {
+inline F floor(F x) {
   return std::floor(x);
 }
-inline F magnitude(F x) {
+inline F abs(F x) {
   return std::abs(x);
 }
-inline F with_sign_of(F x, F sign) {
+inline F copysign(F x, F sign) {
   return std::copysign(x, sign);
 }
-inline F least(F a, F b) {
+inline F min(F a, F b) {
   return std::min(a, b);
 }
-inline F greatest(F a, F b) {
+inline F max(F a, F b) {
   return std::max(a, b);
 }
 /// Calls f for the numbers of each lane of the mask, 0 elsewhere.

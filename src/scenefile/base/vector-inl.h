@@ -32,10 +32,10 @@ inline V3 cross(const V3& a, const V3& b) {
   return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
 inline F length(const V3& a) {
-  return root(dot(a, a));
+  return sqrt(dot(a, a));
 }
 inline V3 normalize(const V3& a) {
-  return (splat(1) / root(dot(a, a))) * a;
+  return (splat(1) / sqrt(dot(a, a))) * a;
 }
 inline V3 select(M m, const V3& yes, const V3& no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
@@ -48,8 +48,8 @@ V3 splat3(const Vector& v) {
 inline M finite(F x) {
   return x - x == splat(0);
 }
-inline F within(F x, double low, double high) {
-  return least(greatest(x, splat(low)), splat(high));
+inline F clamp(F x, double low, double high) {
+  return min(max(x, splat(low)), splat(high));
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

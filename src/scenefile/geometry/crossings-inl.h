@@ -66,7 +66,7 @@ struct Roots {
   F first, second;
 };
 inline Roots solve(F a, F h, F c, F square_root) {
-  const F q = -(h + with_sign_of(square_root, h));
+  const F q = -(h + copysign(square_root, h));
   return {q / a, select(q == splat(0), splat(0), c / q)};
 }
 
@@ -76,7 +76,7 @@ inline Span sphere_span(const V3& p, const V3& d, M& crossed) {
   const F a = dot(d, d);
   const F square = splat(shape_radius * shape_radius) * a - dot(w, w);
   crossed = crossed & (square >= splat(0));
-  const F half = root(square);
+  const F half = sqrt(square);
   const F middle = -dot(p, d);
   return side_span((middle - half) / a, (middle + half) / a);
 }
@@ -89,9 +89,9 @@ inline Span cylinder_span(const V3& p, const V3& d, M& crossed) {
   const F square = splat(shape_radius * shape_radius) * a - w * w;
   const M upright = a == splat(0);
   crossed = crossed & select(upright, c <= splat(0), square >= splat(0));
-  const Roots roots = solve(a, p.x * d.x + p.z * d.z, c, root(square));
-  Span span = side_span(select(upright, -infinity, least(roots.first, roots.second)),
-                        select(upright, infinity, greatest(roots.first, roots.second)));
+  const Roots roots = solve(a, p.x * d.x + p.z * d.z, c, sqrt(square));
+  Span span = side_span(select(upright, -infinity, min(roots.first, roots.second)),
+                        select(upright, infinity, max(roots.first, roots.second)));
   clip(span, p.y, d.y, -shape_radius, shape_radius, Face::bottom, Face::top);
   return span;
 }
@@ -107,9 +107,9 @@ inline Span cone_span(const V3& p, const V3& d, M& crossed) {
   const F c = p.x * p.x + p.z * p.z - quarter * p.y * p.y;
   const V3 w = cross(p, d);
   const F square = quarter * (w.x * w.x + w.z * w.z) - w.y * w.y;
-  const Roots roots = solve(a, h, c, root(greatest(square, zero)));
-  const F lesser = least(roots.first, roots.second);
-  const F greater = greatest(roots.first, roots.second);
+  const Roots roots = solve(a, h, c, sqrt(max(square, zero)));
+  const F lesser = min(roots.first, roots.second);
+  const F greater = max(roots.first, roots.second);
   // If the ray is flatter than the cone, both roots are on one half. If it is steeper, there is one
   // on each half, and the inside lies beyond both. Parallel to a generator there is one root, or
   // none (a second root at infinity).
@@ -146,19 +146,19 @@ inline Slab slab(F origin, F direction) {
   const F b = (splat(shape_radius) - origin) / direction;
   const M along = direction == splat(0);
   if (none(along)) {
-    return {least(a, b), greatest(a, b)};
+    return {min(a, b), max(a, b)};
   }
   const M inside = (origin >= splat(-shape_radius)) & (origin <= splat(shape_radius));
-  return {select(along, select(inside, -infinity, infinity), least(a, b)),
-          select(along, select(inside, infinity, -infinity), greatest(a, b))};
+  return {select(along, select(inside, -infinity, infinity), min(a, b)),
+          select(along, select(inside, infinity, -infinity), max(a, b))};
 }
 
 inline Crossing cube_crossing(const V3& p, const V3& d, F t_min, F t_max, M active) {
   const Slab x = slab(p.x, d.x);
   const Slab y = slab(p.y, d.y);
   const Slab z = slab(p.z, d.z);
-  const F enter = greatest(greatest(x.near, y.near), z.near);
-  const F exit = least(least(x.far, y.far), z.far);
+  const F enter = max(max(x.near, y.near), z.near);
+  const F exit = min(min(x.far, y.far), z.far);
   const M meets = active & (enter <= exit) & (exit > t_min) & (enter < t_max) & finite(dot(p, d));
   const M front = enter > t_min;
   const M hit = meets & (front | (exit < t_max));

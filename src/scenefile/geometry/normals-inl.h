@@ -13,7 +13,7 @@ struct Around {
 };
 
 inline Around around_axis(const V3& p) {
-  const F distance = root(p.x * p.x + p.z * p.z);
+  const F distance = sqrt(p.x * p.x + p.z * p.z);
   const M beside = distance > splat(0);
   return {select(beside, p.x / distance, splat(1)), select(beside, p.z / distance, splat(0)),
           distance};
@@ -21,7 +21,7 @@ inline Around around_axis(const V3& p) {
 
 /// For a point on the sphere or near it.
 inline V3 sphere_normal(const V3& p, const Around& around) {
-  const F size = root(around.distance * around.distance + p.y * p.y);
+  const F size = sqrt(around.distance * around.distance + p.y * p.y);
   const M apart = size > splat(0);
   const F up = select(apart, p.y / size, splat(0));
   const F out = select(apart, around.distance / size, splat(1));
@@ -44,8 +44,8 @@ inline V3 cone_normal(const Around& around) {
 /// approximation is that of atan() in Cephes (Moshier, 1989).
 inline F angle_of(F y, F x) {
   constexpr double half_turn = 3.14159265358979323846;
-  const F longer = greatest(magnitude(x), magnitude(y));
-  const F shorter = least(magnitude(x), magnitude(y));
+  const F longer = max(abs(x), abs(y));
+  const F shorter = min(abs(x), abs(y));
   const M steep = shorter > splat(0.66) * longer;
   const F over = select(steep, shorter - longer, shorter);
   const F under = select(steep, shorter + longer, longer);
@@ -70,10 +70,10 @@ inline F angle_of(F y, F x) {
   const F arc = t + t * (z * polynomial(above) / polynomial(below));
   // Adds the low-order part of pi where it matters.
   const F eighth = select(steep, splat(half_turn / 4) + (arc + splat(3.061616997868383e-17)), arc);
-  const F quarter = select(magnitude(y) > magnitude(x),
+  const F quarter = select(abs(y) > abs(x),
                            splat(half_turn / 2) - (eighth - splat(6.123233995736766e-17)), eighth);
   const F half = select(x < splat(0), splat(half_turn) - quarter, quarter);
-  return with_sign_of(half, y);
+  return copysign(half, y);
 }
 
 /// The u coordinate on round sides.
@@ -86,7 +86,7 @@ inline F around_u(const Around& around) {
 /// The v coordinate on the sphere.
 inline F sphere_v(F height, const Around& around) {
   const F latitude = angle_of(height, around.distance);
-  return within(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);
+  return clamp(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

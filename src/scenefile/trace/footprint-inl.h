@@ -42,7 +42,7 @@ inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_
 inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V3& ray,
                             const V3& normal, F t) {
   const F cosine = dot(ray, normal);
-  const F slant = with_sign_of(greatest(magnitude(cosine), splat(least_cosine)), cosine);
+  const F slant = copysign(max(abs(cosine), splat(least_cosine)), cosine);
   const auto on_surface = [&](const V3& from, const V3& turn) {
     const V3 moved = from + t * turn;
     return moved - (dot(moved, normal) / slant) * ray;
@@ -117,7 +117,7 @@ inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps
                              const Steps& turn) {
   const F cosine = -dot(ray, normal);
   const F squared = splat(1) - eta * eta * (splat(1) - cosine * cosine);
-  const F out = root(greatest(squared, splat(least_cosine * least_cosine)));
+  const F out = sqrt(max(squared, splat(least_cosine * least_cosine)));
   const F along = eta * cosine - out;
   const F rate = eta - eta * eta * cosine / out;
   const auto refracted = [&](const V3& d, const V3& n) {
@@ -149,7 +149,7 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   // Also false for NaN.
   const M apart = (around >= splat(-1)) & (around <= splat(1));
   u = select(round, select(apart, around, splat(1)), u);
-  const F distance = root(squared);
+  const F distance = sqrt(squared);
   const F outward = select(distance > splat(0), (p.x * step.x + p.z * step.z) / distance, splat(0));
   const F up =
       (distance * step.y - p.y * outward) / (squared + p.y * p.y) / splat(3.14159265358979323846);
@@ -183,8 +183,8 @@ inline constexpr double most_taps = 16;
 
 /// The index of a texel, wrapped around to 0 .. size - 1.
 inline F wrapped(F index, F size) {
-  const F inside = index - size * down(index / size);
-  return select(inside >= splat(0), least(inside, size - splat(1)), splat(0));
+  const F inside = index - size * floor(index / size);
+  return select(inside >= splat(0), min(inside, size - splat(1)), splat(0));
 }
 
 inline V3 mix(const V3& a, const V3& b, F share) {
@@ -194,8 +194,8 @@ inline V3 mix(const V3& a, const V3& b, F share) {
 /// Interpolates between the four texels around (x, y); `texels(x, y)` looks up one by its indices.
 template <typename Texels>
 V3 bilinear(F width, F height, F x, F y, const Texels& texels) {
-  const F left = down(x);
-  const F top = down(y);
+  const F left = floor(x);
+  const F top = floor(y);
   const F x0 = wrapped(left, width);
   const F y0 = wrapped(top, height);
   const auto next = [](F at, F size) {
@@ -215,19 +215,19 @@ V3 bilinear(F width, F height, F x, F y, const Texels& texels) {
 /// Lanes outside of `wanted` return any color.
 template <typename Textures>
 V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F grid, M wanted) {
-  const auto size = [](F a, F b) { return root(a * a + b * b); };
+  const auto size = [](F a, F b) { return sqrt(a * a + b * b); };
   const F right = size(pixel.right_x, pixel.right_y);
   const F below = size(pixel.down_x, pixel.down_y);
   const M limited = finite(right + below);
   const M rightward = right >= below;
   // For a footprint much smaller than a texel, one lookup is as good as four.
-  const M quarters = limited & (grid > splat(1)) & (greatest(right, below) > splat(0.25));
+  const M quarters = limited & (grid > splat(1)) & (max(right, below) > splat(0.25));
   const F part = splat(1) / grid;
   const F longer = part * select(rightward, right, below);
   const F shorter = part * select(rightward, below, right);
   const F major_x = part * select(rightward, pixel.right_x, pixel.down_x);
   const F major_y = part * select(rightward, pixel.right_y, pixel.down_y);
-  const F width = greatest(greatest(shorter, longer / splat(most_taps)), splat(1));
+  const F width = max(max(shorter, longer / splat(most_taps)), splat(1));
   // Chooses the level whose texels are about as wide as the footprint.
   const F last = textures.levels() - splat(1);
   F level = splat(0);
@@ -236,7 +236,7 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
     wider = wider & (level < last) & !(width < texel);
     level = select(wider, level + splat(1), level);
   }
-  const F taps = select(limited, within(-down(-(longer / width)), 1, most_taps), splat(1));
+  const F taps = select(limited, clamp(-floor(-(longer / width)), 1, most_taps), splat(1));
   V3 sum{splat(0), splat(0), splat(0)};
   for (int quarter = 0; quarter < 4; ++quarter) {
     const M here = quarter == 0 ? wanted : wanted & quarters;

@@ -75,12 +75,12 @@ inline F mirrored_cosine(const V3& normal, const V3& to_light, F cosine, const V
 /// files usually have, use multiplication: fast, and the same on every machine.
 inline F power(F x, F n, M wanted) {
   const F largest_whole = splat(4096);
-  const M whole = (down(n) == n) & (n <= largest_whole);
+  const M whole = (floor(n) == n) & (n <= largest_whole);
   const M broken = wanted & !whole;
   F result = splat(1);
   F left = select(wanted & whole, n, splat(0));
   for (F square = x; any(left > splat(0)); square = square * square) {
-    const F half = down(splat(0.5) * left);
+    const F half = floor(splat(0.5) * left);
     result = select(half + half == left, result, result * square);
     left = half;
   }

@@ -13,7 +13,7 @@ inline constexpr double course_offset = 1e-3;
 /// The same for the fine profile: hits are accurate to about 1e-15 of the numbers involved.
 /// `point`: start of the new ray; `distance`: length of the previous ray.
 inline F fine_offset(const V3& point, F distance) {
-  const F size = greatest(greatest(magnitude(point.x), magnitude(point.y)), magnitude(point.z));
+  const F size = max(max(abs(point.x), abs(point.y)), abs(point.z));
   return splat(1e-9) * (size + distance);
 }
 
@@ -26,7 +26,7 @@ inline Refracted refraction(const V3& direction, const V3& normal, F eta) {
   const F cosine = -dot(direction, normal);
   const F squared = splat(1) - eta * eta * (splat(1) - cosine * cosine);
   const M through = squared >= splat(0);
-  return {through, normalize(eta * direction + (eta * cosine - root(squared)) * normal)};
+  return {through, normalize(eta * direction + (eta * cosine - sqrt(squared)) * normal)};
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

@@ -83,23 +83,23 @@ inline M no_lanes() {
 inline M first_lanes(std::size_t count) {
   return {wasm_i64x2_make(count > 0 ? -1 : 0, count > 1 ? -1 : 0)};
 }
-inline F root(F x) {
+inline F sqrt(F x) {
   return {wasm_f64x2_sqrt(x.v)};
 }
-inline F down(F x) {
+inline F floor(F x) {
   return {wasm_f64x2_floor(x.v)};
 }
-inline F magnitude(F x) {
+inline F abs(F x) {
   return {wasm_f64x2_abs(x.v)};
 }
-inline F with_sign_of(F x, F sign) {
+inline F copysign(F x, F sign) {
   return {wasm_v128_bitselect(sign.v, x.v, wasm_f64x2_const_splat(-0.0))};
 }
 // Like std::min and std::max for equal arguments.
-inline F least(F a, F b) {
+inline F min(F a, F b) {
   return {wasm_f64x2_pmin(a.v, b.v)};
 }
-inline F greatest(F a, F b) {
+inline F max(F a, F b) {
   return {wasm_f64x2_pmax(a.v, b.v)};
 }
 /// From and to aligned memory.
@@ -127,7 +127,7 @@ inline M of_bits(unsigned mask) {
   return {wasm_i64x2_make(-std::int64_t{mask & 1}, -std::int64_t{mask >> 1 & 1})};
 }
 /// The next larger number for positive numbers; infinity is unchanged.
-inline F above(F x) {
+inline F next_up(F x) {
   const F next{wasm_i64x2_add(x.v, wasm_i64x2_const_splat(1))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
 }

@@ -130,15 +130,14 @@ unsigned touched(const Boxes& boxes, int at, const Bundle& bundle, const Heading
   const bool forward = heading.sign > 0;
   const F low = load_floats(boxes.min[heading.main] + at);
   const F high = load_floats(boxes.max[heading.main] + at);
-  const F near = greatest(splat(0), (forward ? low : -high) - splat(bundle.origin_high[0]));
-  const F far = least(splat(bundle.reach), (forward ? high : -low) - splat(bundle.origin_low[0]));
+  const F near = max(splat(0), (forward ? low : -high) - splat(bundle.origin_high[0]));
+  const F far = min(splat(bundle.reach), (forward ? high : -low) - splat(bundle.origin_low[0]));
   M meets = near <= far;
   for (int i = 0; i < 2; ++i) {
     const F slope_low = splat(bundle.slope_low[i]);
     const F slope_high = splat(bundle.slope_high[i]);
-    const F least_side = splat(bundle.origin_low[1 + i]) + least(slope_low * near, slope_low * far);
-    const F most_side =
-        splat(bundle.origin_high[1 + i]) + greatest(slope_high * near, slope_high * far);
+    const F least_side = splat(bundle.origin_low[1 + i]) + min(slope_low * near, slope_low * far);
+    const F most_side = splat(bundle.origin_high[1 + i]) + max(slope_high * near, slope_high * far);
     meets = meets & (least_side <= load_floats(boxes.max[heading.side[i]] + at)) &
             (most_side >= load_floats(boxes.min[heading.side[i]] + at));
   }

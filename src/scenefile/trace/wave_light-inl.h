@@ -25,7 +25,7 @@ void find_light(const WaveScene& scene, const RenderLight& light, const OnLight&
     store3(here.to_light, out.to_light, at);
     store(scene.course ? here.distance : here.distance * splat(1 - 1e-9), out.end + at);
     store(here.attenuation * here.spot_factor, out.share + at);
-    store(greatest(splat(0), cosine), out.cosine + at);
+    store(max(splat(0), cosine), out.cosine + at);
     store(select(shines, mirrored, splat(0)), out.mirrored + at);
     out.asks[at / lanes] = static_cast<std::uint8_t>(bits(asks));
   }

@@ -68,7 +68,7 @@ struct Nearest {
 
 inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min, M active,
                          Nearest& nearest) {
-  const Crossing found = part_crossing(part, rays, t_min, above(nearest.t), active);
+  const Crossing found = part_crossing(part, rays, t_min, next_up(nearest.t), active);
   if (none(found.hit)) {
     return;
   }

@@ -168,8 +168,8 @@ inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   const M below = is(Face::bottom) | is(Face::neg_y);
   F along = select(is(Face::pos_x), -p.z, p.x);
   along = select(is(Face::neg_x), p.z, select(is(Face::neg_z), -p.x, along));
-  u = within(along + splat(0.5), 0, 1);
-  v = within(select(on_side, p.y, select(below, p.z, -p.z)) + splat(0.5), 0, 1);
+  u = clamp(along + splat(0.5), 0, 1);
+  v = clamp(select(on_side, p.y, select(below, p.z, -p.z)) + splat(0.5), 0, 1);
   const M round = wanted & is(Face::side);
   if (none(round)) {
     return;
@@ -177,7 +177,7 @@ inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   const Around around = around_axis(p);
   const M ball = round & (shape == splat(static_cast<int>(Shape::sphere)));
   u = select(round, around_u(around), u);
-  v = select(round, within(p.y + splat(0.5), 0, 1), v);
+  v = select(round, clamp(p.y + splat(0.5), 0, 1), v);
   v = select(ball, sphere_v(p.y, around), v);
 }
 
@@ -235,7 +235,7 @@ inline V3 texture_at(const WaveScene& scene, const ChunkTextures& chunk, F u, F 
   const F y = texel_y(v, chunk.repeat_v, chunk.height);
   const auto at = [&](F column, F row) { return texels(chunk.texture, chunk.width, column, row); };
   if (!scene.tracer.options.features.texture_filter) {
-    return at(wrapped(down(x), chunk.width), wrapped(down(y), chunk.height));
+    return at(wrapped(floor(x), chunk.width), wrapped(floor(y), chunk.height));
   }
   return bilinear(chunk.width, chunk.height, x, y, at);
 }

@@ -85,23 +85,23 @@ inline M no_lanes() {
 inline M first_lanes(std::size_t count) {
   return {hn::FirstN(D(), count)};
 }
-inline F root(F x) {
+inline F sqrt(F x) {
   return {hn::Sqrt(x.v)};
 }
-inline F down(F x) {
+inline F floor(F x) {
   return {hn::Floor(x.v)};
 }
-inline F magnitude(F x) {
+inline F abs(F x) {
   return {hn::Abs(x.v)};
 }
-inline F with_sign_of(F x, F sign) {
+inline F copysign(F x, F sign) {
   return {hn::CopySign(x.v, sign.v)};
 }
 // Like std::min and std::max for equal arguments.
-inline F least(F a, F b) {
+inline F min(F a, F b) {
   return {hn::Min(b.v, a.v)};
 }
-inline F greatest(F a, F b) {
+inline F max(F a, F b) {
   return {hn::Max(b.v, a.v)};
 }
 /// From and to aligned memory.
@@ -146,7 +146,7 @@ inline M of_bits(unsigned mask) {
   return {hn::LoadMaskBits(D(), bytes)};
 }
 /// The next larger number for positive numbers; infinity is unchanged.
-inline F above(F x) {
+inline F next_up(F x) {
   const hn::RebindToSigned<D> integers;
   const F next{hn::BitCast(D(), hn::Add(hn::BitCast(integers, x.v), hn::Set(integers, 1)))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);

@@ -83,8 +83,8 @@ std::string realtime_text(const RealtimeReport& report) {
   }
   std::string text =
       fmt::format("{}: {} lights are used, {:.0f} triangles of shapes with parameters {},{}",
-                  milestone_names[static_cast<std::size_t>(report.options.milestone)],
-                  report.lights, report.triangles, parameters.parameter1, parameters.parameter2);
+                  word_of(report.options.milestone), report.lights, report.triangles,
+                  parameters.parameter1, parameters.parameter2);
   if (!report.skipped_lights.empty()) {
     text += "; skipped lights: " + counts_text(skipped, light_words);
   }

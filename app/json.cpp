@@ -144,14 +144,14 @@ void add_object_ids(Json& json, const LoadedScene& scene) {
 
 void add_realtime(Json& json, const RealtimeReport& report) {
   const RealtimeOptions& options = report.options;
-  json.add("milestone", milestone_names[static_cast<std::size_t>(options.milestone)]);
+  json.add("milestone", word_of(options.milestone));
   json.begin_array("parameters");
   json.value(options.tessellation.parameter1);
   json.value(options.tessellation.parameter2);
   json.end_array();
   json.add("near", options.near);
   json.add("far", options.far);
-  json.add("filter", filter_names[static_cast<std::size_t>(options.filter)]);
+  json.add("filter", word_of(options.filter));
   json.add("lights_drawn", std::uint64_t{report.lights});
   json.begin_array("lights_skipped");
   for (const SkippedLight& light : report.skipped_lights) {

@@ -6,10 +6,6 @@
 
 namespace scenefile::app {
 
-inline constexpr std::array<std::string_view, 2> milestone_names{"lights-camera", "action"};
-inline constexpr std::array<std::string_view, 5> filter_names{"none", "invert", "grayscale", "blur",
-                                                              "sharpen"};
-
 /// Output formats, which are also their file name extensions.
 inline constexpr std::array<std::string_view, 6> format_words{"xml", "json", "pov",
                                                               "glb", "gltf", "obj"};

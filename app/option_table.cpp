@@ -152,14 +152,14 @@ std::string set_depth(Options& options, const std::string& value) {
 
 std::string set_filter(Options& options, const std::string& value) {
   std::size_t index = 0;
-  std::string wrong = set_choice("filter", value, filter_names, index);
+  std::string wrong = set_choice("filter", value, filter_words, index);
   options.realtime_panel.filter = static_cast<Filter>(index);
   return wrong;
 }
 
 std::string set_milestone(Options& options, const std::string& value) {
   std::size_t index = 0;
-  std::string wrong = set_choice("milestone", value, milestone_names, index);
+  std::string wrong = set_choice("milestone", value, milestone_words, index);
   options.realtime_panel.milestone = static_cast<Milestone>(index);
   return wrong;
 }
@@ -704,7 +704,7 @@ std::span<const std::string_view> words_of(const OptionRow& row) {
   };
   const std::array sets{
       Words{set_profile, profile_choices}, Words{set_engine, engine_words},
-      Words{set_filter, filter_names},     Words{set_milestone, milestone_names},
+      Words{set_filter, filter_words},     Words{set_milestone, milestone_words},
       Words{set_mode, mode_words},         Words{set_features, feature_words()},
       Words{set_layers, layer_words()},    Words{set_to, format_words},
       Words{set_compat, compat_words},     Words{set_completion, shell_words},

@@ -6,7 +6,7 @@
 #include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/findings.h"
 #include "scenefile/verbs/load_file.h"
-#include "scenefile/view/realtime.h"
+#include "scenefile/base/realtime.h"
 
 #include <array>
 #include <cstdint>

@@ -2,9 +2,10 @@
 
 #include "app/names.h"
 #include "app/option_table.h"
+#include "scenefile/base/realtime.h"
 #include "scenefile/base/shape_traits.h"
+#include "scenefile/geometry/realtime_mesh.h"
 #include "scenefile/verbs/codes.h"
-#include "scenefile/view/realtime_lights.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,7 +81,7 @@ RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene
 
 void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
   const RealtimeReport report = realtime_report(options, scene);
-  const std::string_view milestone = milestone_names[static_cast<std::size_t>(options.milestone)];
+  const std::string_view milestone = word_of(options.milestone);
   for (const SkippedLight& light : report.skipped_lights) {
     const bool in_action = has_light(Milestone::action, light.type);
     scene.diagnostics.report(

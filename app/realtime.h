@@ -3,7 +3,7 @@
 
 #include "app/load.h"
 #include "app/options.h"
-#include "scenefile/view/realtime.h"
+#include "scenefile/base/realtime.h"
 
 #include <cstdint>
 #include <optional>

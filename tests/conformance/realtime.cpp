@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -46,23 +47,21 @@ struct Measured {
 };
 
 template <typename T, std::size_t count>
-bool choose(const std::string& word, const std::string_view (&words)[count], T& value) {
+bool choose(const std::string& word, const std::array<std::string_view, count>& words, T& value) {
   const auto* const found = std::find(std::begin(words), std::end(words), word);
   value = static_cast<T>(found - std::begin(words));
   return found != std::end(words);
 }
 
 bool parse_row(const std::string& line, RealtimeRow& row) {
-  static constexpr std::string_view milestones[] = {"lights-camera", "action"};
-  static constexpr std::string_view filters[] = {"none", "invert", "grayscale", "blur", "sharpen"};
   std::istringstream cells(line);
   std::string milestone;
   std::string filter;
   RealtimeOptions& o = row.options;
   cells >> row.scene >> row.reference >> milestone >> o.tessellation.parameter1 >>
       o.tessellation.parameter2 >> o.near >> o.far >> filter;
-  return bool(cells) && choose(milestone, milestones, o.milestone) &&
-         choose(filter, filters, o.filter);
+  return bool(cells) && choose(milestone, milestone_words, o.milestone) &&
+         choose(filter, filter_words, o.filter);
 }
 
 void save(const std::string& folder, const std::string& reference, std::string_view who,

@@ -1,5 +1,7 @@
 #include "view/software_realtime.h"
 
+#include "scenefile/geometry/realtime_mesh.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,19 +49,6 @@ dvec3 light_of(const RenderLight& light, const dvec3& point, dvec3& to_light) {
     }
   }
   return color;
-}
-
-bool is_known(LightType type, Milestone milestone) {
-  switch (type) {
-    case LightType::directional:
-      return true;
-    case LightType::point:
-    case LightType::spot:
-      return milestone == Milestone::action;
-    case LightType::area:
-      break;
-  }
-  return false;
 }
 
 class Rasterizer {
@@ -243,7 +232,7 @@ class Rasterizer {
     const dvec3 to_eye = glm::normalize(scene_.camera.position - at.world);
     dvec3 sum = double(global.ambient) * dvec3(material.ambient);
     for (const RenderLight& light : scene_.lights) {
-      if (!is_known(light.type, options_.milestone)) {
+      if (!has_light(options_.milestone, light.type)) {
         continue;
       }
       dvec3 to_light;

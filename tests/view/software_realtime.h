@@ -4,7 +4,7 @@
 
 #include "scenefile/asset/image.h"
 #include "scenefile/scene/render_scene.h"
-#include "scenefile/view/realtime.h"
+#include "scenefile/base/realtime.h"
 
 #include <vector>
 

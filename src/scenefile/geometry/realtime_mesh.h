@@ -2,20 +2,10 @@
 // The shapes as the assignment Realtime tessellates them: by two parameters, deliberately coarse.
 // For meshes that approximate the exact shapes, see tessellate.h.
 
+#include "scenefile/base/realtime.h"
 #include "scenefile/geometry/mesh.h"
 
 namespace scenefile {
-
-/// The two sliders of the assignment. Values are clamped to 1 to most_tessellation, and further to
-/// the minimum of each shape: 2 rings for a sphere, 3 wedges for a round shape.
-struct TessellationParameters {
-  int parameter1 = 5;  ///< rings of a sphere or cap, stacks of a cylinder or cone, tiles of a cube
-  int parameter2 = 5;  ///< wedges about the y axis; not used by cubes
-
-  friend bool operator==(const TessellationParameters&, const TessellationParameters&) = default;
-};
-
-inline constexpr int most_tessellation = 1024;
 
 /// Watertight triangles with normals but no uvs, counterclockwise seen from outside. Vertices lie
 /// on the exact surface and have its normal; at the tip of a cone, each wedge has the normal of its

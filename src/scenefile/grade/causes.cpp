@@ -1,5 +1,6 @@
 #include "scenefile/grade/causes.h"
 
+#include "scenefile/grade/evidence.h"
 #include "scenefile/grade/hypotheses.h"
 #include "scenefile/grade/model.h"
 
@@ -23,97 +24,18 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double enough = 0.85;        // share of the difference that a claim must explain
-constexpr double enough_exact = 0.75;  // share of the differing pixels that it must match
-constexpr double enough_shift = 0.6;   // of edges, for shifts of less than a pixel
-constexpr double most_broken = 0.03;   // share of the right pixels that it may break
-constexpr double part = 0.5;           // minimum for a partial cause
-constexpr double necessary = 0.03;     // what each of several mistakes adds
+constexpr double enough_shift = 0.6;  // of edges, for shifts of less than a pixel
+constexpr double necessary = 0.03;    // what each of several mistakes adds
 constexpr double rival_margin = 0.03;
-constexpr double most_unlike = 0.1;          // share of pixels where ours may differ
 constexpr double most_for_rounding = 0.05;   // share of pixels that differ by more
 constexpr double least_for_several = 0.001;  // share of pixels that must differ
-constexpr std::size_t few_pixels = 12;
-constexpr std::size_t screen = 240;        // points used to screen single mistakes
-constexpr std::size_t few_points = 100;    // ... and several
-constexpr std::size_t most_edited = 2000;  // more shapes: no combinations that change them
-constexpr double exact_within = 3;         // in 1/255
-constexpr double right_within = 8;
-constexpr double tolerance = 2;
-constexpr double worst = 64;                          // larger errors count as this much
+constexpr std::size_t screen = 240;          // points used to screen single mistakes
+constexpr std::size_t few_points = 100;      // ... and several
+constexpr std::size_t most_edited = 2000;    // more shapes: no combinations that change them
 constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
-}
-
-struct Point {
-  int x = 0;
-  int y = 0;
-  dvec3 test{0};  // in 1/255, like all colors here
-  dvec3 low{0};   // range of equal values
-  dvec3 high{0};
-  double weight = 1;  // number of pixels that it represents
-  bool differs = false;
-};
-
-dvec3 at(const Texture& t, int x, int y) {
-  const std::uint8_t* p = t.texel(x, y);
-  return {p[0], p[1], p[2]};
-}
-
-dvec3 outside(const dvec3& value, const dvec3& low, const dvec3& high) {
-  return glm::max(dvec3(0), glm::max(low - value, value - high));
-}
-
-double largest_of(const dvec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
-// The minimum and maximum over the neighboring pixels.
-struct Range {
-  dvec3 low, high;
-  bool calm() const { return largest_of(high - low) <= 12; }
-};
-
-Range around(const Texture& t, int x, int y) {
-  Range range{dvec3(255), dvec3(0)};
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, t.height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, t.width - 1); ++u) {
-      const dvec3 c = at(t, u, v);
-      range.low = glm::min(range.low, c);
-      range.high = glm::max(range.high, c);
-    }
-  }
-  return range;
-}
-
-using Colors = std::vector<dvec3>;  // by point; 255 is full, not clamped
-
-struct Score {
-  double left = 0;    // remaining error beyond the tolerance, in 1/255 * pixels
-  double raw = 0;     // the same without tolerance
-  double exact = 0;   // weight of points that differed and now match
-  double broken = 0;  // weight of points that matched and no longer do
-};
-
-Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {
-  Score s;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& p = points[i];
-    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    const dvec3 off = outside(c, p.low, p.high);
-    s.left += p.weight * (std::min(off.x, worst) + std::min(off.y, worst) + std::min(off.z, worst));
-    const dvec3 d = glm::abs(c - p.test);
-    s.raw += p.weight * (std::min(d.x, worst) + std::min(d.y, worst) + std::min(d.z, worst));
-    const double most = largest_of(off);
-    if (p.differs) {
-      s.exact += most <= exact_within - tolerance ? p.weight : 0;
-    } else {
-      s.broken += most > right_within ? p.weight : 0;
-    }
-  }
-  return s;
 }
 
 // Several mistakes at once, as indices into the list.
@@ -127,70 +49,6 @@ struct Tried {
   double broken = 0;
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
 };
-
-// Adds random but reproducible points of a class of pixels.
-void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
-                std::size_t count, bool differs, bool strict, std::mt19937& random,
-                std::vector<Point>& points) {
-  const std::size_t all = pixels.size();
-  count = std::min(count, all);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::swap(pixels[i], pixels[i + random() % (all - i)]);
-    Point p;
-    p.x = static_cast<int>(pixels[i] % static_cast<std::uint32_t>(test.width));
-    p.y = static_cast<int>(pixels[i] / static_cast<std::uint32_t>(test.width));
-    p.test = at(test, p.x, p.y);
-    const Range of_test = around(test, p.x, p.y);
-    const Range of_reference = around(reference, p.x, p.y);
-    const dvec3 r = at(reference, p.x, p.y);
-    // At edges of the reference, positions of edges are not compared, only nearby colors.
-    const bool exactly =
-        strict || (of_reference.calm() && (differs || of_test.calm())) ||
-        (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);
-    p.low = (exactly ? p.test : of_test.low) - tolerance;
-    p.high = (exactly ? p.test : of_test.high) + tolerance;
-    p.weight = static_cast<double>(all) / static_cast<double>(count);
-    p.differs = differs;
-    points.push_back(p);
-  }
-}
-
-// The pixels that differ by more than edges and rounding explain, and the others.
-struct Pixels {
-  std::vector<std::uint32_t> different;
-  std::vector<std::uint32_t> same;
-  std::vector<std::uint32_t> off;  // by more than 8/255, including edges
-};
-
-Pixels sorted_pixels(const Texture& reference, const Texture& test) {
-  Pixels pixels;
-  for (int y = 0; y < test.height; ++y) {
-    for (int x = 0; x < test.width; ++x) {
-      const std::uint8_t* r = reference.texel(x, y);
-      const std::uint8_t* t = test.texel(x, y);
-      const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(test.width) +
-                         static_cast<std::uint32_t>(x);
-      const int most =
-          std::max({std::abs(r[0] - t[0]), std::abs(r[1] - t[1]), std::abs(r[2] - t[2])});
-      if (most > 4) {
-        const Range of_test = around(test, x, y);
-        const Range of_reference = around(reference, x, y);
-        const double off =
-            std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
-                     largest_of(outside(at(test, x, y), of_reference.low, of_reference.high)));
-        if (off > 4) {
-          pixels.different.push_back(index);
-        }
-        if (most > right_within) {
-          pixels.off.push_back(index);
-        }
-      } else {
-        pixels.same.push_back(index);
-      }
-    }
-  }
-  return pixels;
-}
 
 class Search {
  public:

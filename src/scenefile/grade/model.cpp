@@ -924,21 +924,8 @@ std::vector<dvec3> Model::self_mirrored(const ModelRay& ray, std::uint32_t patte
   return colors;
 }
 
-dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
-                   const dvec3& chain) const {
-  ModelHit hit;
-  if (known != nullptr) {
-    hit = *known;
-  } else if (!search(ray, t_min, infinity, false, nullptr, hit)) {
-    hit.part = nullptr;
-  }
-  if (hit.part == nullptr) {
-    return depth > 0 && m_.mirror == MirrorMistake::white_background ? dvec3(1) : m_.background;
-  }
-  const Surface s = surface(ray, hit);
-  if (options_.mode == Mode::normals && m_.shown == ShownInstead::none) {
-    return 0.5 * (s.normal + 1.0);
-  }
+// What the surface shows without the rays that start from it, other than those of shadows.
+dvec3 Model::surface_color(const Surface& s, const dvec3& to_eye, int depth) const {
   switch (m_.shown) {
     case ShownInstead::normals:
       return 0.5 * (s.normal + 1.0);
@@ -958,7 +945,43 @@ dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double
     case ShownInstead::none:
       break;
   }
-  dvec3 color = lighting(s, -ray.direction, depth, nullptr);
+  return lighting(s, to_eye, depth, nullptr);
+}
+
+dvec3 Model::lit(const ShownPoint& point) const {
+  Surface s;
+  s.material = &scene_.materials[point.material];
+  s.position = point.position;
+  s.object_normal = point.object_normal;
+  s.normal = point.normal;
+  s.geometric = unit(point.normal);
+  s.eye = scene_.camera.position;
+  s.direction = unit(point.position - scene_.camera.position);
+  if (m_.normals == NormalMistake::toward_eye && glm::dot(s.normal, s.direction) > 0) {
+    s.normal = -s.normal;
+  }
+  return surface_color(s, -s.direction, 0);
+}
+
+dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
+                   const dvec3& chain) const {
+  ModelHit hit;
+  if (known != nullptr) {
+    hit = *known;
+  } else if (!search(ray, t_min, infinity, false, nullptr, hit)) {
+    hit.part = nullptr;
+  }
+  if (hit.part == nullptr) {
+    return depth > 0 && m_.mirror == MirrorMistake::white_background ? dvec3(1) : m_.background;
+  }
+  const Surface s = surface(ray, hit);
+  if (options_.mode == Mode::normals && m_.shown == ShownInstead::none) {
+    return 0.5 * (s.normal + 1.0);
+  }
+  dvec3 color = surface_color(s, -ray.direction, depth);
+  if (m_.shown != ShownInstead::none) {
+    return color;
+  }
   if (options_.mode == Mode::ray) {
     const dvec3 local = color;
     dvec3 kept = color;

@@ -65,6 +65,15 @@ struct ModelRay {
   glm::dvec3 direction{0, 0, -1};
 };
 
+/// A point that another renderer shows: position in the world, its surface's normal as it is to be
+/// used, and the normal in the object's space.
+struct ShownPoint {
+  glm::dvec3 position{0};
+  glm::dvec3 normal{0};
+  glm::dvec3 object_normal{0};
+  std::uint32_t material = 0;
+};
+
 /// A scene drawn with mistakes. Everything it refers to must outlive it.
 class Model {
  public:
@@ -83,6 +92,9 @@ class Model {
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
   /// The color at the center of a pixel, with the camera's lens samples; not clamped.
   glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
+  /// The color of a point that is visible from the camera, without rays: no shadows, textures,
+  /// reflections or refraction. Not clamped.
+  glm::dvec3 lit(const ShownPoint& point) const;
   /// The number of rays so far, as a measure of work.
   std::uint64_t rays() const { return rays_; }
 
@@ -99,6 +111,7 @@ class Model {
                Arrival& arriving) const;
   bool shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
                 int depth) const;
+  glm::dvec3 surface_color(const Surface& s, const glm::dvec3& to_eye, int depth) const;
   glm::dvec3 lighting(const Surface& s, const glm::dvec3& to_eye, int depth,
                       std::vector<glm::dvec3>* shares) const;
   /// `chain`: the weight of this ray's mirror; only for MirrorMistake::last_weight_only.

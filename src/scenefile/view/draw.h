@@ -11,7 +11,7 @@
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/scene/render_scene.h"
-#include "scenefile/view/realtime.h"
+#include "scenefile/base/realtime.h"
 
 #include <glm/glm.hpp>
 

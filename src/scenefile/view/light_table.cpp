@@ -1,7 +1,7 @@
 #include "scenefile/view/light_table.h"
 
 #include "scenefile/base/shape_traits.h"
-#include "scenefile/view/realtime_lights.h"
+#include "scenefile/base/realtime.h"
 
 namespace scenefile {
 

@@ -4,17 +4,10 @@
 #include "scenefile/view/shadows.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace scenefile {
 
 namespace {
-
-// The size of the course's screenshots, and of the window they were taken in.
-constexpr double course_width = 1024;
-constexpr double course_height = 768;
-constexpr double window_width = 1092;
-constexpr double window_height = 818;
 
 // The size of the frame that is drawn and filtered. The scene covers a viewport of the picture's
 // size at its lower left; the rest is background.
@@ -49,11 +42,6 @@ void filter_picture(GlDevice::State& device, const PixelSurface& picture,
 }
 
 }  // namespace
-
-RealtimeWindow realtime_window(int width, int height) {
-  return {static_cast<int>(std::max(1L, std::lround(width * window_width / course_width))),
-          static_cast<int>(std::max(1L, std::lround(height * window_height / course_height)))};
-}
 
 DrawOptions realtime_draw_options(const DrawOptions& options) {
   DrawOptions result = options;

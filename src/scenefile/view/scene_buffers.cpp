@@ -1,5 +1,6 @@
 #include "scenefile/view/scene_buffers.h"
 
+#include "scenefile/geometry/realtime_mesh.h"
 #include "scenefile/view/codes.h"
 #include "scenefile/view/device.h"
 

@@ -1,0 +1,116 @@
+#include "scenefile/grade/evidence.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace scenefile {
+
+using glm::dvec3;
+
+namespace {
+
+constexpr double worst = 64;  // more than this off counts no more
+
+}  // namespace
+
+dvec3 at(const Texture& t, int x, int y) {
+  const std::uint8_t* p = t.texel(x, y);
+  return {p[0], p[1], p[2]};
+}
+
+dvec3 outside(const dvec3& value, const dvec3& low, const dvec3& high) {
+  return glm::max(dvec3(0), glm::max(low - value, value - high));
+}
+
+double largest_of(const dvec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+Range around(const Texture& t, int x, int y) {
+  Range range{dvec3(255), dvec3(0)};
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, t.height - 1); ++v) {
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, t.width - 1); ++u) {
+      const dvec3 c = at(t, u, v);
+      range.low = glm::min(range.low, c);
+      range.high = glm::max(range.high, c);
+    }
+  }
+  return range;
+}
+
+Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {
+  Score s;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& p = points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    const dvec3 off = outside(c, p.low, p.high);
+    s.left += p.weight * (std::min(off.x, worst) + std::min(off.y, worst) + std::min(off.z, worst));
+    const dvec3 d = glm::abs(c - p.test);
+    s.raw += p.weight * (std::min(d.x, worst) + std::min(d.y, worst) + std::min(d.z, worst));
+    const double most = largest_of(off);
+    if (p.differs) {
+      s.exact += most <= exact_within - tolerance ? p.weight : 0;
+    } else {
+      s.broken += most > right_within ? p.weight : 0;
+    }
+  }
+  return s;
+}
+
+void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
+                std::size_t count, bool differs, bool strict, std::mt19937& random,
+                std::vector<Point>& points) {
+  const std::size_t all = pixels.size();
+  count = std::min(count, all);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::swap(pixels[i], pixels[i + random() % (all - i)]);
+    Point p;
+    p.x = static_cast<int>(pixels[i] % static_cast<std::uint32_t>(test.width));
+    p.y = static_cast<int>(pixels[i] / static_cast<std::uint32_t>(test.width));
+    p.test = at(test, p.x, p.y);
+    const Range of_test = around(test, p.x, p.y);
+    const Range of_reference = around(reference, p.x, p.y);
+    const dvec3 r = at(reference, p.x, p.y);
+    // At edges of the reference, positions of edges are not compared, only nearby colors.
+    const bool exactly =
+        strict || (of_reference.calm() && (differs || of_test.calm())) ||
+        (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);
+    p.low = (exactly ? p.test : of_test.low) - tolerance;
+    p.high = (exactly ? p.test : of_test.high) + tolerance;
+    p.weight = static_cast<double>(all) / static_cast<double>(count);
+    p.differs = differs;
+    points.push_back(p);
+  }
+}
+
+Pixels sorted_pixels(const Texture& reference, const Texture& test) {
+  Pixels pixels;
+  for (int y = 0; y < test.height; ++y) {
+    for (int x = 0; x < test.width; ++x) {
+      const std::uint8_t* r = reference.texel(x, y);
+      const std::uint8_t* t = test.texel(x, y);
+      const auto index = static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(test.width) +
+                         static_cast<std::uint32_t>(x);
+      const int most =
+          std::max({std::abs(r[0] - t[0]), std::abs(r[1] - t[1]), std::abs(r[2] - t[2])});
+      if (most > 4) {
+        const Range of_test = around(test, x, y);
+        const Range of_reference = around(reference, x, y);
+        const double off =
+            std::max(largest_of(outside(at(reference, x, y), of_test.low, of_test.high)),
+                     largest_of(outside(at(test, x, y), of_reference.low, of_reference.high)));
+        if (off > 4) {
+          pixels.different.push_back(index);
+        }
+        if (most > right_within) {
+          pixels.off.push_back(index);
+        }
+      } else {
+        pixels.same.push_back(index);
+      }
+    }
+  }
+  return pixels;
+}
+
+}  // namespace scenefile

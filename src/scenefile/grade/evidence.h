@@ -1,0 +1,74 @@
+#pragma once
+// Points of two pictures to compare, how well predicted colors fit there, and what suffices for a
+// claim. Shared by the searches for causes; internal to the room. All colors in 1/255.
+
+#include "scenefile/asset/image.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace scenefile {
+
+// A claim needs all of the first three.
+inline constexpr double enough = 0.85;        ///< share of the difference that a claim must explain
+inline constexpr double enough_exact = 0.75;  ///< share of the differing pixels that it must match
+inline constexpr double most_broken = 0.03;   ///< share of the right pixels that it may break
+inline constexpr double part = 0.5;           ///< minimum for a partial cause
+inline constexpr std::size_t few_pixels = 12;  ///< fewer pixels that differ are no evidence
+/// Share of pixels where our picture of the scene may differ from the reference.
+inline constexpr double most_unlike = 0.1;
+
+inline constexpr double exact_within = 3;
+inline constexpr double right_within = 8;
+inline constexpr double tolerance = 2;
+
+struct Point {
+  int x = 0;
+  int y = 0;
+  glm::dvec3 test{0};
+  glm::dvec3 low{0};  ///< range of equal values
+  glm::dvec3 high{0};
+  double weight = 1;  ///< number of pixels that it represents
+  bool differs = false;
+};
+
+glm::dvec3 at(const Texture& t, int x, int y);
+/// How far the value is outside of the range.
+glm::dvec3 outside(const glm::dvec3& value, const glm::dvec3& low, const glm::dvec3& high);
+double largest_of(const glm::dvec3& v);
+
+/// The minimum and maximum over the neighboring pixels.
+struct Range {
+  glm::dvec3 low, high;
+  bool calm() const { return largest_of(high - low) <= 12; }
+};
+Range around(const Texture& t, int x, int y);
+
+using Colors = std::vector<glm::dvec3>;  ///< by point; 255 is full, not clamped
+
+struct Score {
+  double left = 0;    ///< remaining error beyond the tolerance, in 1/255 * pixels
+  double raw = 0;     ///< the same without tolerance
+  double exact = 0;   ///< weight of points that differed and now match
+  double broken = 0;  ///< weight of points that matched and no longer do
+};
+Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors);
+
+/// The pixels that differ by more than edges and rounding explain, and the others.
+struct Pixels {
+  std::vector<std::uint32_t> different;
+  std::vector<std::uint32_t> same;
+  std::vector<std::uint32_t> off;  ///< by more than 8/255, including edges
+};
+Pixels sorted_pixels(const Texture& reference, const Texture& test);
+
+/// Adds random but reproducible points of a class of pixels. `strict`: the test's own colors count
+/// at edges as well.
+void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
+                std::size_t count, bool differs, bool strict, std::mt19937& random,
+                std::vector<Point>& points);
+
+}  // namespace scenefile

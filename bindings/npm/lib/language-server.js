@@ -1,11 +1,15 @@
-// The language server: findings while a scene is edited, formatting, quick fixes for misspelled names, and
-// explanations of findings. Source of the protocol: "Language Server Protocol", version 3.17.
+// The language server: findings while a scene is edited, completion, formatting, quick fixes for
+// misspelled names, and explanations of findings and of the words of the format. Source of the protocol:
+// "Language Server Protocol", version 3.17.
 
-import { existsSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 import { check, format, run } from './index.js';
+import { complete, correct, declarationOf, describe, mayBeScene, offsetOf, wordEnd } from './words.js';
+
+const vocabulary = JSON.parse(readFileSync(new URL('vocabulary.json', import.meta.url), 'utf8'));
 
 const pause = 40; // milliseconds without a change before a scene is checked
 
@@ -51,6 +55,8 @@ export function serve(input, output, exit = (status) => process.exit(status)) {
         textDocumentSync: { openClose: true, change: 1, save: true },
         documentFormattingProvider: true,
         hoverProvider: true,
+        definitionProvider: true,
+        completionProvider: { triggerCharacters: ['<', '"', ' ', '/'] },
         codeActionProvider: { codeActionKinds: ['quickfix'] },
       },
       serverInfo: { name: 'scenefile' },
@@ -60,6 +66,9 @@ export function serve(input, output, exit = (status) => process.exit(status)) {
       return null;
     },
     'textDocument/formatting': ({ textDocument }) => edits(documents.get(textDocument.uri)),
+    'textDocument/completion': ({ textDocument, position }) => completions(documents.get(textDocument.uri), position),
+    'textDocument/definition': ({ textDocument, position }) =>
+      definition(documents.get(textDocument.uri), position),
     'textDocument/hover': ({ textDocument, position }) => hover(documents.get(textDocument.uri), position),
     'textDocument/codeAction': ({ textDocument, range }) => corrections(documents.get(textDocument.uri), range),
   };
@@ -128,27 +137,31 @@ function nameOf(uri) {
   return uri.startsWith('file:') ? basename(fileURLToPath(uri)) : undefined;
 }
 
+// Editors ask about every XML and JSON file.
 async function findingsOf({ uri, text }) {
+  if (!mayBeScene(text)) {
+    return [];
+  }
   const { findings, error } = await check(text, { name: nameOf(uri), roots: rootsOf(uri) });
   return error === undefined ? findings : [{ code: 'unreadable', severity: 'error', message: error }];
 }
 
-// The program counts columns in code points from 1, the protocol in UTF-16 units from 0.
-function positionOf(finding, lines) {
-  if (finding.line === undefined) {
-    return { line: 0, character: 0 };
-  }
-  const line = Math.min(finding.line - 1, lines.length - 1);
-  const before = [...lines[line]].slice(0, (finding.column ?? 1) - 1);
-  return { line, character: before.join('').length };
+// Positions of the protocol count from 0, columns in UTF-16 units.
+function positionAt(text, offset) {
+  const before = text.slice(0, offset).split(/\r\n|\r|\n/);
+  return { line: before.length - 1, character: before.at(-1).length };
 }
+
+function offsetAt(text, { line, character }) {
+  return offsetOf(text, line + 1, 1) + character;
+}
+
+const rangeAt = (text, from, to) => ({ start: positionAt(text, from), end: positionAt(text, to) });
 
 // The range of the name or value at the place of a finding.
 function rangeOf(finding, text) {
-  const lines = text.split(/\r\n|\r|\n/);
-  const start = positionOf(finding, lines);
-  const word = /^<?\/?[\w.:-]+|^"[^"]*"?|^\S/.exec(lines[start.line].slice(start.character));
-  return { start, end: { line: start.line, character: start.character + (word?.[0].length ?? 0) } };
+  const from = finding.line === undefined ? 0 : offsetOf(text, finding.line, finding.column);
+  return rangeAt(text, from, wordEnd(text, from));
 }
 
 function diagnosticOf(finding, text) {
@@ -182,67 +195,64 @@ function holds(range, position) {
   );
 }
 
+// Why a finding was made there; otherwise what the word means.
 async function hover(document, position) {
-  const finding = document?.findings.find((f) => f.line !== undefined && holds(rangeOf(f, document.text), position));
-  if (finding === undefined) {
+  if (document === undefined) {
     return null;
   }
-  const help = new TextDecoder().decode((await run(['help', finding.code])).stdout);
-  return { contents: { kind: 'plaintext', value: help }, range: rangeOf(finding, document.text) };
-}
-
-// `unknown element <difuse> in <object>; did you mean <diffuse>?`, `<transblok> was read as <transblock>`
-function correction({ message }) {
-  const words =
-    /(?:<([^<>]+)>|"([^"]+)")[^;]*; did you mean (?:<([^<>]+)>|"?([\w.-]+)"?)\?/.exec(message) ??
-    /<([^<>]+)>() was read as <([^<>]+)>/.exec(message);
-  return words === null ? null : { wrong: words[1] ?? words[2], right: words[3] ?? words[4] };
-}
-
-function positionAt(text, offset) {
-  const before = text.slice(0, offset).split(/\r\n|\r|\n/);
-  return { line: before.length - 1, character: before.at(-1).length };
-}
-
-function offsetAt(text, position) {
-  const ends = /\r\n|\r|\n/g;
-  for (let line = 0; line < position.line; ++line) {
-    ends.exec(text);
+  const { text, findings } = document;
+  const finding = findings.find((f) => f.line !== undefined && holds(rangeOf(f, text), position));
+  if (finding !== undefined) {
+    const help = new TextDecoder().decode((await run(['help', finding.code])).stdout);
+    return { contents: { kind: 'plaintext', value: help }, range: rangeOf(finding, text) };
   }
-  return ends.lastIndex + position.character;
+  const found = describe(text, offsetAt(text, position), vocabulary);
+  return found && { contents: { kind: 'plaintext', value: found.about }, range: rangeAt(text, found.from, found.to) };
 }
 
-// The ranges of the name in the start tag and, if there is one, in the end tag.
-function placesOf(wrong, start, text) {
-  const at = text.indexOf(wrong, offsetAt(text, start));
-  const close = text.indexOf(`</${wrong}>`, at);
-  const places = text[at - 1] === '<' && close >= 0 ? [at, close + 2] : [at];
-  return at < 0 ? [] : places;
+function definition(document, position) {
+  if (document === undefined) {
+    return null;
+  }
+  const { uri, text } = document;
+  const found = declarationOf(text, offsetAt(text, position), vocabulary);
+  return found && { uri, range: rangeAt(text, found.from, found.to) };
+}
+
+const completionKinds = { element: 7, attribute: 10, value: 12 }; // Class, Property, Value
+
+function completions(document, position) {
+  const { text } = document ?? { text: '' };
+  const found = complete(text, offsetAt(text, position), vocabulary);
+  return (found?.items ?? []).map(({ label, kind, about, insert }) => ({
+    label,
+    kind: completionKinds[kind],
+    documentation: about,
+    filterText: insert,
+    textEdit: { range: rangeAt(text, found.from, found.to), newText: insert },
+  }));
 }
 
 function corrections(document, range) {
   const actions = [];
   for (const finding of document?.findings ?? []) {
-    const found = correction(finding);
-    const diagnostic = diagnosticOf(finding, document.text);
+    const { text, uri } = document;
+    const diagnostic = diagnosticOf(finding, text);
     const { start } = diagnostic.range;
-    if (found === null || finding.line === undefined || range.end.line < start.line || start.line < range.start.line) {
+    if (finding.line === undefined || range.end.line < start.line || start.line < range.start.line) {
       continue;
     }
-    const changes = placesOf(found.wrong, start, document.text).map((at) => ({
-      range: { start: positionAt(document.text, at), end: positionAt(document.text, at + found.wrong.length) },
-      newText: found.right,
-    }));
-    if (changes.length === 0 || changes[0].range.start.line !== start.line) {
-      continue;
+    const found = correct(text, offsetAt(text, start), finding.message);
+    if (found !== null) {
+      const changes = found.changes.map(({ from, to, insert }) => ({ range: rangeAt(text, from, to), newText: insert }));
+      actions.push({
+        title: found.title,
+        kind: 'quickfix',
+        diagnostics: [diagnostic],
+        isPreferred: true,
+        edit: { changes: { [uri]: changes } },
+      });
     }
-    actions.push({
-      title: `Change ${found.wrong} to ${found.right}`,
-      kind: 'quickfix',
-      diagnostics: [diagnostic],
-      isPreferred: true,
-      edit: { changes: { [document.uri]: changes } },
-    });
   }
   return actions;
 }

@@ -154,6 +154,48 @@ for (const [right, wrong, code] of [
   });
 }
 
+const at = (text, mark) => {
+  const before = text.slice(0, text.indexOf(mark)).split('\n');
+  return { line: before.length - 1, character: before.at(-1).length };
+};
+
+test('completes elements, attributes and values', async () => {
+  const labels = async (text) => {
+    await open(text.replace('|', ''));
+    const { result } = await client.request('textDocument/completion', { textDocument: { uri }, position: at(text, '|') });
+    return result.map(({ label }) => label);
+  };
+  assert.deepEqual((await labels(scene.replace('<id ', '<|id '))).slice(0, 3), ['id', 'color', 'function']);
+  assert.deepEqual(await labels(scene.replace('"sphere"', '"sphere" |')), ['filename', 'meshfile']);
+  assert.deepEqual(await labels(scene.replace('"directional"', '"|"')), ['point', 'directional', 'spot', 'area']);
+  assert.deepEqual(await labels('{"groups": [{"primitives": [{"type": "|"}]}]}'), ['"cube"', '"cone"', '"cylinder"', '"sphere"', '"mesh"']);
+  assert.ok((await labels('{"cameraData": {"|"}}')).includes('"heightAngle"'));
+});
+
+test('says what a word of the format means', async () => {
+  await open(scene);
+  const { result } = await client.request('textDocument/hover', { textDocument: { uri }, position: at(scene, 'transblock') });
+  assert.match(result.contents.value, /transform/i);
+});
+
+test('finds the template of an instance', async () => {
+  const text = scene.replace(
+    '  <object type="tree" name="root">',
+    '  <object type="tree" name="leg"/>\n  <object type="tree" name="root"><transblock><object type="master" name="leg"/></transblock>',
+  );
+  await open(text);
+  const { result } = await client.request('textDocument/definition', {
+    textDocument: { uri },
+    position: { ...at(text, 'leg"/></trans'), character: at(text, 'leg"/></trans').character + 1 },
+  });
+  assert.deepEqual(result.range.start, at(text, 'leg"/>\n'));
+});
+
+test('files of other programs get no findings', async () => {
+  assert.deepEqual(await open('<project><name>not a scene</name></project>'), []);
+  assert.deepEqual(await open('{"name": "package"}'), []);
+});
+
 test('formatting replaces the text', async () => {
   await open(scene.replaceAll('\n', ''));
   const { result } = await client.request('textDocument/formatting', { textDocument: { uri }, options: {} });

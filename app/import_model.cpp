@@ -84,7 +84,7 @@ Result<void> write_model(const std::string& output, const std::string& text,
     const std::string& path = list.back().path;
     for (const std::string& input : inputs) {
       if (!input.empty() && same_file(path, input)) {
-        return Error{fmt::format("{}, a file beside the output, would replace {}, which was read; "
+        return Error{fmt::format("{}, a file next to the output, would replace {}, which was read; "
                                  "give the output another name",
                                  quoted(path, 400), quoted(input, 400)),
                      ErrorKind::usage};

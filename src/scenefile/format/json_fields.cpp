@@ -4,7 +4,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/other_words.h"
+#include "scenefile/format/foreign_names.h"
 
 #include <fmt/format.h>
 
@@ -155,7 +155,7 @@ void JsonFields::settle_unknown(JsonIndex key) {
   const std::string name = context_.tape.string(key);
   const std::string_view word = std::string_view(name).substr(0, 64);
   const std::string_view near = lacked(nearest_name(word, vocabulary_.keys));
-  const std::string_view usual = lacked(in_our_words(word, vocabulary_.keys));
+  const std::string_view usual = lacked(translated_name(word, vocabulary_.keys));
   const std::string_view advice = json_key_advice(vocabulary_.what, word);
   const std::string_view meant = near.empty() ? usual : near;
   context_.report(near.empty() ? json_unknown_key : json_misspelled_key, key,

@@ -2,12 +2,12 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
+#include "scenefile/format/json_blocks.h"
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_parts.h"
 #include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
-#include "scenefile/format/large_scene.h"
+#include "scenefile/format/reader_memory.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>

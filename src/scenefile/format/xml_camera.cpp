@@ -2,7 +2,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
-#include "scenefile/format/xml_parts.h"
+#include "scenefile/format/xml_blocks.h"
 
 #include <fmt/format.h>
 

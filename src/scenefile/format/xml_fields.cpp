@@ -3,7 +3,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/other_words.h"
+#include "scenefile/format/foreign_names.h"
 #include "scenefile/format/xml_values.h"
 #include "scenefile/scene/vocabulary.h"
 
@@ -62,7 +62,7 @@ std::vector<std::string_view> words_of(std::span<const FieldName> names) {
 }
 
 std::string_view translated(std::string_view name, std::span<const FieldName> names) {
-  return in_our_words(name, words_of(names));
+  return translated_name(name, words_of(names));
 }
 
 std::string_view nearest_field(std::string_view name, std::span<const FieldName> names) {

@@ -2,8 +2,8 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/other_words.h"
-#include "scenefile/format/xml_parts.h"
+#include "scenefile/format/foreign_names.h"
+#include "scenefile/format/xml_blocks.h"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ void read_type(const XmlContext& context, Location place, std::string_view word,
     }
     return;
   }
-  const std::string_view usual = in_our_words(word, light_words);
+  const std::string_view usual = translated_name(word, light_words);
   const std::string_view near = usual.empty() ? nearest_name(word, light_words) : usual;
   const auto meant = std::find(light_words.begin(), light_words.end(), near);
   draft.type_known = meant != light_words.end();

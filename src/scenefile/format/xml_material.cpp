@@ -1,8 +1,8 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/large_scene.h"
-#include "scenefile/format/xml_parts.h"
+#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/xml_blocks.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/other_words.h"
-#include "scenefile/format/xml_parts.h"
+#include "scenefile/format/foreign_names.h"
+#include "scenefile/format/xml_blocks.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribut
   if (near.empty()) {
     const std::string hint =
         shape == shape_words.size()
-            ? did_you_mean(in_our_words(attribute.value, type_names))
+            ? did_you_mean(translated_name(attribute.value, type_names))
             : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
     context.report(
         xml_unknown_object_type, attribute,
@@ -215,7 +215,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
           xml_unknown_shape, object.name_place,
           fmt::format("shape {} is not part of the format ({}); it is not drawn{}", shape,
                       fmt::join(shape_words, ", "),
-                      did_you_mean(in_our_words(object.name, shape_words))));
+                      did_you_mean(translated_name(object.name, shape_words))));
       return std::nullopt;
     }
     context.diagnostics.report(xml_misspelled_shape, object.name_place,

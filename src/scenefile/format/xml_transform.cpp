@@ -1,5 +1,5 @@
 #include "scenefile/format/codes.h"
-#include "scenefile/format/xml_parts.h"
+#include "scenefile/format/xml_blocks.h"
 #include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>

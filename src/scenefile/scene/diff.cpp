@@ -168,7 +168,7 @@ class Comparison {
   void compare_nodes(const std::vector<NodeId>& all_of_a, const std::vector<NodeId>& all_of_b) {
     const std::vector<NodeId> a = a_.existing(all_of_a);
     const std::vector<NodeId> b = b_.existing(all_of_b);
-    const std::size_t behind = pending_.size();
+    const std::size_t first_added = pending_.size();
     for (const AlignedPair& pair : align(a_.items(a), b_.items(b))) {
       if (!pair.b) {
         const NodeId id = a[*pair.a];
@@ -184,7 +184,7 @@ class Comparison {
       }
     }
     // Reversed, so that the first child is compared first.
-    std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(behind), pending_.end());
+    std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first_added), pending_.end());
   }
 
   Side a_;

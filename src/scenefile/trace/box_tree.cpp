@@ -98,16 +98,16 @@ struct BoxTree::Work {
       grow(bin.box, boxes[*i]);
       ++bin.count;
     }
-    std::array<double, bins> behind{};  // cost of this bin and all after it
+    std::array<double, bins> cost_after{};  // cost of this bin and all after it
     Bin sum;
     for (std::size_t b = bins; b-- > 1;) {
       sum.add(all[b]);
-      behind[b] = sum.cost();
+      cost_after[b] = sum.cost();
     }
     sum = {};
     for (std::size_t b = 1; b < bins; ++b) {
       sum.add(all[b - 1]);
-      if (const double cost = sum.cost() + behind[b]; cost < best.cost) {
+      if (const double cost = sum.cost() + cost_after[b]; cost < best.cost) {
         best = {cost, cuts, b};
       }
     }
@@ -155,10 +155,10 @@ BoxTree::Child BoxTree::make(Work& work, std::uint32_t first, std::uint32_t last
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(
       {{work.box(items + first, items + half), work.box(items + half, items + last)}, {}});
-  const Child before = make(work, first, half, level + 1);
-  const Child behind = make(work, half, last, level + 1);
-  nodes_[index].child[0] = before;
-  nodes_[index].child[1] = behind;
+  const Child left = make(work, first, half, level + 1);
+  const Child right = make(work, half, last, level + 1);
+  nodes_[index].child[0] = left;
+  nodes_[index].child[1] = right;
   return {index, 0};
 }
 

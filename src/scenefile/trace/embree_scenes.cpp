@@ -5,7 +5,7 @@
 
 #include "scenefile/geometry/ray_box.h"
 #include "scenefile/trace/hand_over.h"
-#include "scenefile/trace/next_above.h"
+#include "scenefile/trace/next_up.h"
 #include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/triangle.h"
 

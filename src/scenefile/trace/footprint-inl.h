@@ -240,10 +240,10 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
   V3 sum{splat(0), splat(0), splat(0)};
   for (int quarter = 0; quarter < 4; ++quarter) {
     const M here = quarter == 0 ? wanted : wanted & quarters;
-    const F aside = select(quarters, splat(quarter % 2 == 0 ? -0.25 : 0.25), splat(0));
-    const F behind = select(quarters, splat(quarter / 2 == 0 ? -0.25 : 0.25), splat(0));
-    const F at_x = x + aside * pixel.right_x + behind * pixel.down_x;
-    const F at_y = y + aside * pixel.right_y + behind * pixel.down_y;
+    const F right_share = select(quarters, splat(quarter % 2 == 0 ? -0.25 : 0.25), splat(0));
+    const F down_share = select(quarters, splat(quarter / 2 == 0 ? -0.25 : 0.25), splat(0));
+    const F at_x = x + right_share * pixel.right_x + down_share * pixel.down_x;
+    const F at_y = y + right_share * pixel.right_y + down_share * pixel.down_y;
     for (int i = 0;; ++i) {
       const M active = here & (taps > splat(i));
       if (none(active)) {

@@ -27,10 +27,10 @@ double fresnel_reflectance(double cosine, double eta) {
   if (squared <= 0) {
     return 1;
   }
-  const double behind = std::sqrt(squared);
-  const double across = (eta * cosine - behind) / (eta * cosine + behind);
-  const double along = (cosine - eta * behind) / (cosine + eta * behind);
-  return 0.5 * (across * across + along * along);
+  const double transmitted = std::sqrt(squared);
+  const double s_polarized = (eta * cosine - transmitted) / (eta * cosine + transmitted);
+  const double p_polarized = (cosine - eta * transmitted) / (cosine + eta * transmitted);
+  return 0.5 * (s_polarized * s_polarized + p_polarized * p_polarized);
 }
 
 }  // namespace scenefile

@@ -1,6 +1,6 @@
 #include "scenefile/trace/parts.h"
 
-#include "scenefile/trace/next_above.h"
+#include "scenefile/trace/next_up.h"
 
 #include <algorithm>
 #include <cmath>

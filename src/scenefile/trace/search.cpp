@@ -1,6 +1,6 @@
 #include "scenefile/trace/search.h"
 
-#include "scenefile/trace/next_above.h"
+#include "scenefile/trace/next_up.h"
 #include "scenefile/trace/ray_scenes.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void search_mesh(Query& q, const Part& part, const Ray& ray) {
 void test_shape(Query& q, const Part& part, const Ray& ray) {
   // Includes the best t, to decide between equal hits.
   ShapeHit hit;
-  const double end = q.shadow ? q.best : next_above<std::int64_t>(q.best);
+  const double end = q.shadow ? q.best : next_up<std::int64_t>(q.best);
   if (!intersect(part.shape, ray, q.t_min, end, hit)) {
     return;
   }

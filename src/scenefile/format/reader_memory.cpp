@@ -1,4 +1,4 @@
-#include "scenefile/format/large_scene.h"
+#include "scenefile/format/reader_memory.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "scenefile/format/other_words.h"
+#include "scenefile/format/foreign_names.h"
 
 #include "scenefile/base/text.h"
 #include "scenefile/scene/vocabulary.h"
@@ -95,7 +95,7 @@ constexpr Advice advices[] = {
 
 }  // namespace
 
-std::string_view in_our_words(std::string_view word, std::span<const std::string_view> known) {
+std::string_view translated_name(std::string_view word, std::span<const std::string_view> known) {
   const auto* const found =
       std::find_if(std::begin(translations), std::end(translations), [&](const Pair& pair) {
         return equal_ignoring_case(pair.first, word) &&

@@ -8,7 +8,7 @@ namespace scenefile {
 
 /// std::nextafter(value, infinity), inlined. Bits: the integer type of the same size.
 template <typename Bits, typename Float>
-Float next_above(Float value) {
+Float next_up(Float value) {
   if (!(value < std::numeric_limits<Float>::infinity())) {
     return value;
   }
@@ -20,7 +20,7 @@ Float next_above(Float value) {
 }
 
 inline float next_up(double value) {
-  return next_above<std::int32_t>(static_cast<float>(value));
+  return next_up<std::int32_t>(static_cast<float>(value));
 }
 
 }  // namespace scenefile

@@ -1,11 +1,11 @@
-#include "scenefile/format/json_parts.h"
+#include "scenefile/format/json_blocks.h"
 
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/direction.h"
-#include "scenefile/format/large_scene.h"
-#include "scenefile/format/other_words.h"
+#include "scenefile/format/foreign_names.h"
+#include "scenefile/format/reader_memory.h"
 
 #include <fmt/format.h>
 
@@ -101,7 +101,7 @@ bool is_identifier(std::string_view name) {
 // A hint for an unknown type: the format's word for it, advice about a light among primitives, or
 // the list of types.
 std::string type_hint(std::string_view word, std::span<const std::string_view> names) {
-  if (const std::string_view ours = in_our_words(word, names); !ours.empty()) {
+  if (const std::string_view ours = translated_name(word, names); !ours.empty()) {
     return fmt::format("; did you mean \"{}\"?", ours);
   }
   const bool is_light =

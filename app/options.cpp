@@ -203,7 +203,7 @@ std::string check_crop(const Options& options) {
   return {};
 }
 
-// What is the same for one picture and for many.
+// Checks shared by render and frames.
 std::string check_picture(const Options& options, std::string_view command) {
   if (std::string wrong = check_crop(options); !wrong.empty()) {
     return wrong;
@@ -238,7 +238,7 @@ std::string check_render(const Options& options) {
   return check_picture(options, "render");
 }
 
-// What is wrong with a name that a number is to be put into: "f%04d.png".
+// Checks a name pattern for numbers, such as "f%04d.png".
 std::string check_pattern(const std::string& pattern) {
   const std::size_t begin = pattern.find('%');
   const std::size_t end = pattern.find_first_not_of("0123456789", begin + 1);
@@ -250,7 +250,7 @@ std::string check_pattern(const std::string& pattern) {
                             quoted(pattern, 400));
 }
 
-// What the options of frames cannot see alone.
+// Checks of frames that need more than one option.
 std::string check_frames(const Options& options) {
   if (options.turntable.has_value() == !options.path.empty()) {
     return "frames needs either --turntable N or --path FILE";
@@ -274,7 +274,7 @@ std::string check_frames(const Options& options) {
   return options.output.empty() ? std::string() : check_picture(options, "frames");
 }
 
-// What the options of merge cannot see alone.
+// Checks of merge that need more than one option.
 std::string check_merge(const Options& options) {
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";

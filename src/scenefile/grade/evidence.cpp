@@ -9,7 +9,7 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double worst = 64;  // more than this off counts no more
+constexpr double worst = 64;  // larger errors count as this much
 
 }  // namespace
 

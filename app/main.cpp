@@ -99,7 +99,7 @@ constexpr std::array table{
             run_diff, two},
     Command{
         "grade", for_grade, "DIR", "compare the pictures of a class with the references",
-        "Each folder in DIR is a student; if DIR contains pictures, it is a single student. "
+        "Each folder in DIR is a student; without such folders, DIR itself is a single student. "
         "Compares the pictures with the references of the same names and, if the scenes are given, "
         "says which mistake explains a difference. The exit status is 1 if a picture did not pass.",
         "scenefile grade handed-in --references right\n"

@@ -171,7 +171,7 @@ bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
   }
   const std::string header = header_of(width, height, channels);
   const std::size_t blocks = static_cast<std::size_t>((height - 1) / rows_of_a_block + 1);
-  // Where the blocks lie is known when all are written.
+  // The offsets of the blocks are only known when all are written.
   std::string offsets(8 * blocks, '\0');
   if (!sink.append(header) || !sink.append(offsets)) {
     return false;

@@ -21,7 +21,7 @@ class TransformCheck {
   TransformCheck(const Transform& transform, const Subject& subject, Reporter& reporter)
       : transform_(transform), subject_(subject), reporter_(reporter) {}
 
-  /// Whether the transform alone leaves something to draw.
+  /// Whether the transform, by itself, leaves something to draw.
   bool run() {
     return std::visit([this](const auto& map) { return check(map); }, transform_.map);
   }

@@ -17,6 +17,10 @@ inline constexpr int wave_nodes = 4096;  ///< in all generations
 inline constexpr int wave_insides = 4096;
 static_assert(wave_nodes >= rays_of_a_sample && 2 * wave_rays >= rays_of_a_sample);
 
+/// Elements of an array of rays. A few more than the rays: if all arrays began at the same place in
+/// their memory pages, the elements of one ray would evict each other from the cache.
+inline constexpr int wave_row = wave_rays + 16;
+
 /// An array whose memory is not touched before it is written: a wave is large, and few scenes use
 /// all of it.
 template <typename T, int size>
@@ -33,9 +37,9 @@ class WaveArray {
 };
 
 struct WaveVectors {
-  alignas(64) double x[wave_rays];
-  alignas(64) double y[wave_rays];
-  alignas(64) double z[wave_rays];
+  alignas(64) double x[wave_row];
+  alignas(64) double y[wave_row];
+  alignas(64) double z[wave_row];
 };
 
 /// Ray differentials (footprint.h).
@@ -49,44 +53,44 @@ struct WaveRays {
   int count = 0;
   WaveVectors origin;
   WaveVectors direction;
-  alignas(64) double start[wave_rays];
-  std::uint32_t node[wave_rays];
-  int depth[wave_rays];
-  double weight[wave_rays];
+  alignas(64) double start[wave_row];
+  std::uint32_t node[wave_row];
+  int depth[wave_row];
+  double weight[wave_row];
   WaveSteps origin_steps;     ///< if WaveScene::by_footprint
   WaveSteps direction_steps;  ///< the same
-  WaveArray<SampleKey, wave_rays> key;
-  std::uint32_t budget[wave_rays];
-  const Inside* inside[wave_rays];
+  WaveArray<SampleKey, wave_row> key;
+  std::uint32_t budget[wave_row];
+  const Inside* inside[wave_row];
 };
 
 /// The nearest hit of each ray of a generation.
 struct WaveHits {
   bool apart = false;  ///< this or an earlier generation was incoherent: bundles do not help
-  alignas(64) double t[wave_rays];     ///< infinity: no hit
-  alignas(64) double face[wave_rays];  ///< number of a Face
-  alignas(64) double part[wave_rays];  ///< index in the root group; -1: see `others`
-  WaveArray<Hit, wave_rays> others;    ///< hits other than shapes of the root group
+  alignas(64) double t[wave_row];     ///< infinity: no hit
+  alignas(64) double face[wave_row];  ///< number of a Face
+  alignas(64) double part[wave_row];  ///< index in the root group; -1: see `others`
+  WaveArray<Hit, wave_row> others;    ///< hits other than shapes of the root group
 };
 
 /// The points to shade, a subset of the hits.
 struct WavePoints {
   int count = 0;
-  std::uint32_t ray[wave_rays];  ///< ascending
-  const WaveMaterial* material[wave_rays];
+  std::uint32_t ray[wave_row];  ///< ascending
+  const WaveMaterial* material[wave_row];
   WaveVectors position;
   WaveVectors normal;
   WaveVectors geometric;  ///< normal of the surface itself
   WaveSteps steps;        ///< of points with secondary rays, if WaveScene::by_footprint
   WaveSteps turns;        ///< the same for their geometric normals
   WaveVectors direction;  ///< of the ray
-  alignas(64) double t[wave_rays];
-  alignas(64) double offset[wave_rays];  ///< smallest t of rays that begin here
+  alignas(64) double t[wave_row];
+  alignas(64) double offset[wave_row];  ///< smallest t of rays that begin here
   WaveVectors diffuse;
   WaveVectors specular;
-  alignas(64) double shininess[wave_rays];
+  alignas(64) double shininess[wave_row];
   WaveVectors color;
-  std::uint32_t lit[wave_rays];  ///< fine profile: one bit per visible light
+  std::uint32_t lit[wave_row];  ///< fine profile: one bit per visible light
 };
 
 /// Adds an item to a signature.
@@ -114,15 +118,15 @@ struct WaveLight {
   bool at_a_point = false;  ///< all shadow rays end at the same point
   glm::dvec3 from{0};       ///< that point
   WaveVectors to_light;
-  alignas(64) double end[wave_rays];       ///< of the shadow ray
-  alignas(64) double share[wave_rays];     ///< fraction of the light's color that arrives
-  alignas(64) double cosine[wave_rays];    ///< between normal and light, at least 0
-  alignas(64) double mirrored[wave_rays];  ///< cosine for the highlight
-  std::uint8_t asks[wave_rays];            ///< one bit per lane: whether light arrives
-  std::uint8_t blocked[wave_rays];         ///< one bit per lane
-  std::uint32_t index = 0;                 ///< of the light
-  RecentBlockers recent[8];                ///< by index modulo their number
-  WaveVectors left;                        ///< fraction that transparent objects let through
+  alignas(64) double end[wave_row];       ///< of the shadow ray
+  alignas(64) double share[wave_row];     ///< fraction of the light's color that arrives
+  alignas(64) double cosine[wave_row];    ///< between normal and light, at least 0
+  alignas(64) double mirrored[wave_row];  ///< cosine for the highlight
+  std::uint8_t asks[wave_row];            ///< one bit per lane: whether light arrives
+  std::uint8_t blocked[wave_row];         ///< one bit per lane
+  std::uint32_t index = 0;                ///< of the light
+  RecentBlockers recent[8];               ///< by index modulo their number
+  WaveVectors left;                       ///< fraction that transparent objects let through
 };
 
 /// A ray of any generation: its color, and where it belongs.

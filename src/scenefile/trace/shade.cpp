@@ -100,12 +100,13 @@ struct Reflector {
     const bool grid = tracer.course();
     const std::uint32_t side = course_light_side;
     const std::uint32_t samples = grid ? side * side : key.light_samples;
+    const PatternSeeds seeds = seeds_of(mixed_bits(key.pattern, 16 + index));
     Color sum(0);
     std::uint32_t lit = 0;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const glm::dvec2 on_light =
           grid ? glm::dvec2(i % side + 0.5, i / side + 0.5) / double(side)
-               : stratified_2d(key.sample * samples + i, mixed_bits(key.pattern, 16 + index));
+               : in_unit_square(pattern_point(key.sample * samples + i, seeds));
       Illumination arriving;
       if (illuminate(light, point.position, on_light, arriving)) {
         const Color color = lit_by(arriving, counts);

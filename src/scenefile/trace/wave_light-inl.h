@@ -90,22 +90,38 @@ inline RecordedLight recorded_light(const WavePoints& points, const WaveLight& l
 struct LightSamples {
   const WaveRays& rays;
   const WavePoints& points;
+  const WaveLightPatterns& patterns;
   const RenderLight& light;
   std::uint32_t index;
-  std::uint32_t pattern;
   bool grid;
   std::uint32_t count = 1;
 
-  LightSamples(const WaveScene& scene, const WaveRays& r, const WavePoints& p, std::uint32_t i)
+  LightSamples(const WaveScene& scene, const WaveRays& r, const WavePoints& p, std::uint32_t i,
+               WaveLightPatterns& to)
       : rays(r),
         points(p),
+        patterns(to),
         light(scene.tracer.scene.lights[i]),
         index(i),
-        pattern(16 + i),
         grid(scene.course) {
     if (light.type == LightType::area) {
       const std::uint32_t side = course_light_side;
       count = grid ? side * side : rays.key[points.ray[0]].light_samples;
+      if (!grid) {
+        find_patterns(to);
+      }
+    }
+  }
+
+  void find_patterns(WaveLightPatterns& to) const {
+    const int whole = (points.count + lanes - 1) / lanes * lanes;
+    for (int k = 0; k < whole; ++k) {
+      const SampleKey& key = rays.key[points.ray[k]];
+      const PatternSeeds seeds = seeds_of(mixed_bits(key.pattern, 16 + index));
+      to.index[k] = key.sample * count;
+      to.order[k] = seeds.order;
+      to.first[k] = seeds.first;
+      to.second[k] = seeds.second;
     }
   }
 
@@ -121,10 +137,11 @@ struct LightSamples {
     alignas(64) double u[lanes];
     alignas(64) double v[lanes];
     for (int lane = 0; lane < lanes; ++lane) {
-      const SampleKey& key = rays.key[points.ray[chunk + lane]];
-      const glm::dvec2 p = stratified_2d(key.sample * count + i, mixed_bits(key.pattern, pattern));
-      u[lane] = p.x;
-      v[lane] = p.y;
+      const int k = chunk + lane;
+      const PatternPoint p = pattern_point(
+          patterns.index[k] + i, {patterns.order[k], patterns.first[k], patterns.second[k]});
+      u[lane] = p.x * pattern_unit;
+      v[lane] = p.y * pattern_unit;
     }
     return {load(u), load(v)};
   }
@@ -248,7 +265,8 @@ inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     memory.light.index = i;
     if (shines_in(scene.tracer, lights[i])) {
-      add_light(scene, LightSamples(scene, rays, memory.points, i), memory, counts, record);
+      const LightSamples samples(scene, rays, memory.points, i, memory.light.patterns);
+      add_light(scene, samples, memory, counts, record);
     }
   }
 }

@@ -112,6 +112,14 @@ struct RecentBlockers {
   void add(std::uint32_t index) { part[most / 2 + added++ % (most / 2)] = index; }
 };
 
+/// The patterns of the points on an area light, and where in them a ray's points begin.
+struct WaveLightPatterns {
+  std::uint32_t index[wave_row];
+  std::uint32_t order[wave_row];
+  std::uint32_t first[wave_row];
+  std::uint32_t second[wave_row];
+};
+
 /// The light that arrives at the points from one light.
 struct WaveLight {
   bool apart = false;       ///< rays to the last light were incoherent: bundles do not help
@@ -125,6 +133,7 @@ struct WaveLight {
   std::uint8_t asks[wave_row];            ///< one bit per lane: whether light arrives
   std::uint8_t blocked[wave_row];         ///< one bit per lane
   std::uint32_t index = 0;                ///< of the light
+  WaveLightPatterns patterns;             ///< if it is an area light (fine profile)
   RecentBlockers recent[8];               ///< by index modulo their number
   WaveVectors left;                       ///< fraction that transparent objects let through
 };

@@ -8,6 +8,8 @@ mistakes, and counts right, wrong and missing answers.
   mistakes.py --build build/release --strange       pictures that are wrong in ways unheard of: the same
   CORPUS=DIR mistakes.py ...                        and those of the course (references.tsv)
   mistakes.py --per-mistake 2 --only light          a sample, some mistakes
+  mistakes.py --habit habit-four-samples            every picture is antialiased, too
+  mistakes.py --seed 8 --folder DIR                 other scenes and combinations; keeps the pictures
 """
 import argparse, collections, json, os, random, subprocess, sys, tempfile, time, zlib
 from concurrent.futures import ThreadPoolExecutor
@@ -30,7 +32,8 @@ class Bench:
         self.options = options
         self.student = os.path.join(options.build, "tests/student/scenefile_student")
         self.program = options.program or os.path.join(options.build, "scenefile")
-        self.folder = tempfile.mkdtemp()
+        self.folder = options.folder or tempfile.mkdtemp()
+        os.makedirs(self.folder, exist_ok=True)
         rows = [line.split("\t") for line in run([self.student]).stdout.splitlines()]
         self.mistakes = {name: (family, set(causes.split("|"))) for name, family, causes in rows}
         self.scenes = []
@@ -66,7 +69,13 @@ class Bench:
                                 size))
 
     def draw(self, scene, mistakes):
-        out = os.path.join(self.folder, "%s.%s.png" % (scene[0].replace("/", "_"), "+".join(mistakes) or "clean"))
+        """The picture; one of an earlier run in the same folder is used again."""
+        if self.options.habit:
+            mistakes = tuple(mistakes) + (self.options.habit,)
+        out = os.path.join(self.folder, "%s.%s.%s.png" % (scene[0].replace("/", "_"), "+".join(mistakes) or "clean",
+                                                          scene[4]))
+        if os.path.exists(out):
+            return out
         drawn = run([self.student, scene[1], out, scene[4], scene[3]] + list(mistakes), self.options.patience)
         return out if drawn.returncode == 0 else None
 
@@ -148,13 +157,16 @@ def main():
     parser.add_argument("--visible", type=float, default=0.005, help="share of pixels that must change")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--verbose", action="store_true")
+    parser.add_argument("--seed", type=int, default=7)
+    parser.add_argument("--habit", default="", help="how the student's program differs from ours besides")
+    parser.add_argument("--folder", help="keeps the pictures there")
     options = parser.parse_args()
     bench = Bench(options)
     scenes = [s for s in bench.scenes if options.scene in s[0]]
     for scene in scenes:
         bench.clean_picture(scene)
     tasks = []
-    chance = random.Random(7)
+    chance = random.Random(options.seed)
     scenes = [s for s in scenes if bench.clean[s[0]] is not None]
     habits = [m for m in bench.mistakes if bench.mistakes[m][0] == "habits"]
     if options.clean:
@@ -174,7 +186,8 @@ def main():
         for index, name in enumerate(m for m in bench.mistakes if options.only in m and
                                      (bench.mistakes[m][0] == "strange" if options.strange
                                       else bench.mistakes[m][0] not in UNKNOWN)):
-            order = scenes[index % len(scenes):] + scenes[:index % len(scenes)]
+            first = (index + options.seed) % len(scenes)
+            order = scenes[first:] + scenes[:first]
             tasks.append((order, (name,)))
     results = []
 

@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <thread>
 
 namespace scenefile {
@@ -25,7 +26,8 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double enough_shift = 0.6;  // of edges, for shifts of less than a pixel
-constexpr double necessary = 0.03;    // what each of several mistakes adds
+constexpr double necessary = 0.01;    // share of what differs that each of several changes
+constexpr double nearly_all = 0.95;   // share of pixels where a single mistake leaves no doubt
 constexpr double rival_margin = 0.03;
 constexpr double most_for_rounding = 0.05;   // share of pixels that differ by more
 constexpr double least_for_several = 0.001;  // share of pixels that must differ
@@ -53,8 +55,8 @@ struct Tried {
 class Search {
  public:
   Search(const Texture& reference, const Texture& test, const SceneView* view,
-         const std::function<bool(double)>& go_on)
-      : reference_(reference), test_(test), view_(view), go_on_(go_on) {}
+         const std::function<bool(double)>& go_on, LookFor look_for)
+      : reference_(reference), test_(test), view_(view), go_on_(go_on), look_for_(look_for) {}
 
   CauseReport run() {
     const Pixels pixels = sorted_pixels(reference_, test_);
@@ -272,12 +274,8 @@ class Search {
 
   // The picture with these mistakes; nullopt if none affects drawing.
   std::optional<Colors> drawn(const Together& together, std::size_t count, const Turn& turn) const {
-    Touches touches = Touches::picture;
-    bool hits = false;
-    for (const std::uint16_t i : together) {
-      touches = std::max(touches, list_[i].touches);
-      hits = hits || list_[i].touches >= Touches::hits;
-    }
+    const Touches touches = touched_by(together);
+    const bool hits = touches >= Touches::hits;
     if (touches == Touches::picture) {
       return std::nullopt;
     }
@@ -285,7 +283,22 @@ class Search {
     if (one != no_member && turn == Turn() && one < cache_.size() && cache_[one].size() >= count) {
       return Colors(cache_[one].begin(), cache_[one].begin() + std::ptrdiff_t(count));
     }
-    Trial trial = right_trial(touches == Touches::shapes);
+    const Trial trial = trial_of(together);
+    const std::shared_ptr<const ModelShapes> shapes = shapes_of(trial, touches);
+    return draw(trial, *shapes, points_, count, turn, hits ? nullptr : &clean(turn).hits);
+  }
+
+  Touches touched_by(const Together& together) const {
+    Touches touches = Touches::picture;
+    for (const std::uint16_t i : together) {
+      touches = std::max(touches, list_[i].touches);
+    }
+    return touches;
+  }
+
+  // Those that change the shapes first: they replace what others change.
+  Trial trial_of(const Together& together) const {
+    Trial trial = right_trial(touched_by(together) == Touches::shapes);
     for (const Touches kind : {Touches::shapes, Touches::shading}) {
       for (const std::uint16_t i : together) {
         if (list_[i].draw && (list_[i].touches == Touches::shapes) == (kind == Touches::shapes)) {
@@ -293,11 +306,32 @@ class Search {
         }
       }
     }
-    std::shared_ptr<const ModelShapes> shapes = shapes_;
-    if (touches == Touches::shapes) {
-      shapes = flatten(trial.scene, *view_->assets);
+    return trial;
+  }
+
+  std::shared_ptr<const ModelShapes> shapes_of(const Trial& trial, Touches touches) const {
+    return touches == Touches::shapes ? flatten(trial.scene, *view_->assets) : shapes_;
+  }
+
+  Turn turn_of(const Together& together) const {
+    Turn turn;
+    for (const std::uint16_t i : together) {
+      turn.across = turn.across != list_[i].turn.across;
+      turn.down = turn.down != list_[i].turn.down;
     }
-    return draw(trial, *shapes, points_, count, turn, hits ? nullptr : &clean(turn).hits);
+    return turn;
+  }
+
+  // Colors as those of the mistakes that change the finished picture make them.
+  Colors finished(const Together& together, Colors colors) const {
+    for (const std::uint16_t i : together) {
+      if (list_[i].color) {
+        for (dvec3& c : colors) {
+          c = 255.0 * list_[i].color(c / 255.0);
+        }
+      }
+    }
+    return colors;
   }
 
   static constexpr std::uint16_t no_member = 0xffff;
@@ -349,38 +383,19 @@ class Search {
     }
   }
 
-  // The best score of two candidates for the test: the changed drawing, or the reference plus the
-  // change.
-  Score score_of(const Together& together, std::size_t count,
-                 const std::optional<Colors>& known = std::nullopt) const {
-    Turn turn;
-    std::vector<const Hypothesis*> on_picture;
-    for (const std::uint16_t i : together) {
-      turn.across = turn.across != list_[i].turn.across;
-      turn.down = turn.down != list_[i].turn.down;
-      if (list_[i].color) {
-        on_picture.push_back(&list_[i]);
-      }
-    }
-    const auto finished = [&](Colors colors) {
-      for (dvec3& c : colors) {
-        for (const Hypothesis* h : on_picture) {
-          c = 255.0 * h->color(c / 255.0);
-        }
-      }
-      return score(points_, count, colors);
-    };
+  // What the mistakes make of the picture at the first points: the changed drawing, or the
+  // reference plus the change, whichever is closer to the test.
+  Colors predicted(const Together& together, std::size_t count) const {
+    const Turn turn = turn_of(together);
     const Clean& right = clean(turn);
-    const std::optional<Colors> changed = known ? known : drawn(together, count, turn);
+    const auto first = [count](const Colors& colors) {
+      return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
+    };
+    const std::optional<Colors> changed = drawn(together, count, turn);
     if (!changed) {
-      Colors reference(right.reference.begin(), right.reference.begin() + std::ptrdiff_t(count));
-      const Score of_reference = finished(std::move(reference));
-      if (!usable_) {
-        return of_reference;
-      }
-      Colors model(right.drawn.begin(), right.drawn.begin() + std::ptrdiff_t(count));
-      const Score of_model = finished(std::move(model));
-      return of_model.left < of_reference.left ? of_model : of_reference;
+      Colors of_reference = finished(together, first(right.reference));
+      return usable_ ? closer(std::move(of_reference), finished(together, first(right.drawn)))
+                     : of_reference;
     }
     Colors added(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -388,9 +403,19 @@ class Search {
       const dvec3 before = glm::clamp(right.drawn[i], dvec3(0), dvec3(255));
       added[i] = right.reference[i] + now - before;
     }
-    const Score of_added = finished(std::move(added));
-    const Score of_changed = finished(*changed);
-    return of_added.left < of_changed.left ? of_added : of_changed;
+    return closer(finished(together, std::move(added)), finished(together, *changed));
+  }
+
+  Colors closer(Colors a, Colors b) const {
+    const Score of_a = score(points_, a.size(), a);
+    const Score of_b = score(points_, b.size(), b);
+    const double near = 0.02 * std::min(of_a.left, of_b.left);
+    const bool alike = std::abs(of_a.left - of_b.left) <= near;
+    return (alike ? of_a.raw <= of_b.raw : of_a.left < of_b.left) ? std::move(a) : std::move(b);
+  }
+
+  Score score_of(const Together& together, std::size_t count) const {
+    return score(points_, count, predicted(together, count));
   }
 
   Tried rated(Together together, const Score& s, const Base& b) const {
@@ -439,47 +464,37 @@ class Search {
     for (std::uint16_t i = 0; i < list_.size(); ++i) {
       singles.push_back({i});
     }
+    if (usable_) {
+      fill_cache(screen);
+    }
     std::vector<Tried> ranked = try_all(singles, screen, 0, 0.3);
     sort_by_merit(ranked);
-    std::vector<Tried> best = verified(ranked, 16, 0.3, 0.4);
-    if (stopped_ && best.empty()) {
+    const std::vector<Tried> alone = verified(ranked, 16, 0.3, 0.4);
+    if (stopped_ && alone.empty()) {
       return;
     }
-    if (!best.empty() && good(best.front())) {
-      const Tried whole = completed(best.front());
-      claim(whole, best);
-      return;
-    }
-    if (claim_acne()) {
-      return;
-    }
-    if (report_.share_different < least_for_several) {
-      return;
-    }
-    const std::vector<Tried> alone = best;
-    if (usable_) {
-      fill_cache(few_points);
-    }
-    std::vector<Tried> pairs = extended(firsts(ranked), few_points, 0.4, 0.65);
-    best = verified(pairs, 12, 0.65, 0.7);
-    if (!best.empty() && good(best.front())) {
-      const Tried pair = without_needless(best.front());
-      claim(completed(pair), best);
-      return;
-    }
-    if (!pairs.empty() && pairs.front().merit() > 0.3 && rays_ < work_for_pairs) {
-      std::vector<Tried> starts(
-          pairs.begin(), pairs.begin() + std::min<std::ptrdiff_t>(4, std::ptrdiff_t(pairs.size())));
-      std::vector<Together> sets;
-      for (const Tried& t : starts) {
-        sets.push_back(t.together);
-      }
-      std::vector<Tried> triples = extended(sets, few_points, 0.7, 0.9);
-      best = verified(triples, 8, 0.9, 1);
-      if (!best.empty() && good(best.front())) {
-        claim(without_needless(best.front()), best);
+    std::optional<Tried> found;
+    if (!alone.empty() && good(alone.front())) {
+      if (alone.front().exact < nearly_all && claim_acne({}, alone.front().exact)) {
         return;
       }
+      found = completed(alone.front());
+    } else if (claim_acne({}, 0)) {
+      return;
+    }
+    if (look_for_ == LookFor::several_at_once && !(found && sure(*found)) &&
+        report_.share_different >= least_for_several) {
+      std::optional<Tried> more = usable_ ? several(ranked, alone) : several_of_picture(ranked);
+      if (!report_.claims.empty()) {
+        return;
+      }
+      if (more && (!found || more->score.left < 0.6 * found->score.left)) {
+        found = std::move(more);
+      }
+    }
+    if (found && (sure(*found) || causes_as_good(*found, alone) < 3)) {
+      claim(*found, alone);
+      return;
     }
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
         alone.front().broken <= most_broken) {
@@ -490,6 +505,370 @@ class Search {
                                              percent(alone.front().explained)),
                                  alone.front().explained});
     }
+  }
+
+  // The number of causes whose pictures are the same as that of one mistake. Many, where that
+  // picture shows next to nothing.
+  std::size_t causes_as_good(const Tried& found, const std::vector<Tried>& others) const {
+    std::set<Cause> causes;
+    for (const Tried& t : others) {
+      if (found.together.size() == 1 && t.together.size() == 1 && good(t) &&
+          t.score.raw <= tie_limit(found.score.raw, base(points_.size()).left)) {
+        causes.insert(list_[t.together.front()].cause);
+      }
+    }
+    return causes.size();
+  }
+
+  // Leaves nothing to look for.
+  bool sure(const Tried& t) const { return t.explained >= 0.98 && t.exact >= nearly_all; }
+
+  // Two or three mistakes at once. With spots, these are claimed here.
+  std::optional<Tried> several(const std::vector<Tried>& ranked, const std::vector<Tried>& alone) {
+    const Frame plain = frame({}, screen);
+    std::vector<Frame> moved;  // as another camera or other shapes show the scene
+    for (const Together& made : likely_places(ranked)) {
+      if (rays_ < work_for_pairs && step(0.45)) {
+        moved.push_back(frame(made, few_points));
+      }
+    }
+    std::vector<Tried> pairs = approximate_pairs(plain, Together(), plain.members, 120);
+    pairs = tried_again(pairs, 120, 0.5, 0.55);
+    for (const Frame& f : moved) {
+      append(pairs, besides(f));
+    }
+    append(pairs, with_picture(plain));
+    sort_by_merit(pairs);
+    std::vector<Tried> best = verified(pairs, 16, 0.6, 0.65);
+    const std::optional<Tried> pair = first_good(best);
+    if (pair && sure(*pair)) {
+      return pair;
+    }
+    for (const std::vector<Tried>* list : {&alone, &std::as_const(best)}) {
+      std::size_t left = 4;
+      for (const Tried& t : *list) {
+        if (left > 0 && t.merit() > 0.15 && t.together.size() < 3) {
+          --left;
+          if (claim_acne(t.together, 0)) {
+            return std::nullopt;
+          }
+        }
+      }
+    }
+    if (pairs.empty() || pairs.front().merit() < 0.3 || rays_ > work_for_pairs) {
+      return pair;
+    }
+    std::vector<Tried> triples = approximate_triples(plain, pairs);
+    for (const Frame& f : moved) {
+      append(triples, approximate_pairs(f, Together(), f.members, 40));
+    }
+    append(triples, pairs_with_picture(plain, pairs));
+    sort_by_merit(triples);
+    triples = tried_again(triples, 150, 0.7, 0.9);
+    best = verified(triples, 12, 0.9, 1);
+    const std::optional<Tried> triple = first_good(best);
+    return triple && (!pair || triple->score.left < 0.6 * pair->score.left) ? triple : pair;
+  }
+
+  // Without the scene: only mistakes that change the finished picture.
+  std::optional<Tried> several_of_picture(const std::vector<Tried>& ranked) {
+    std::vector<Together> starts;
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
+      starts.push_back(ranked[i].together);
+    }
+    return first_good(verified(extended(starts, few_points, 0.4, 0.9), 12, 0.9, 1));
+  }
+
+  std::optional<Tried> first_good(const std::vector<Tried>& best) {
+    std::size_t left = 6;
+    for (const Tried& t : best) {
+      if (!good(t) || left-- == 0) {
+        break;
+      }
+      const Tried fewer = without_needless(t);
+      if (good(fewer)) {
+        return completed(fewer);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The picture with some mistakes, and with each other single mistake besides.
+  struct Frame {
+    Together made;
+    std::size_t count = 0;
+    Colors colors;
+    std::vector<std::uint16_t> members;  // that change these colors
+    std::vector<Colors> with;            // by mistake; empty: not a member
+  };
+
+  Frame frame(const Together& made, std::size_t count) {
+    Frame f;
+    f.made = made;
+    f.count = std::min(count, points_.size());
+    const Turn turn = turn_of(made);
+    const Colors& right = clean(turn).drawn;
+    f.colors = drawn(made, f.count, turn)
+                   .value_or(Colors(right.begin(), right.begin() + std::ptrdiff_t(f.count)));
+    f.with.resize(list_.size());
+    in_parallel(0, list_.size(), [&](std::size_t i) {
+      const auto other = static_cast<std::uint16_t>(i);
+      if (list_[i].touches != Touches::picture && fits(made, other)) {
+        if (std::optional<Colors> colors = drawn(joined(made, {other}), f.count, turn)) {
+          f.with[i] = *std::move(colors);
+        }
+      }
+    });
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      bool changes = false;
+      for (std::size_t k = 0; k < f.with[i].size() && !changes; ++k) {
+        const dvec3 now = glm::clamp(f.with[i][k], dvec3(0), dvec3(255));
+        const dvec3 before = glm::clamp(f.colors[k], dvec3(0), dvec3(255));
+        changes = largest_of(glm::abs(now - before)) > tolerance;
+      }
+      if (changes) {
+        f.members.push_back(i);
+      } else {
+        f.with[i].clear();
+      }
+    }
+    return f;
+  }
+
+  static Together joined(Together a, const Together& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    std::sort(a.begin(), a.end());
+    return a;
+  }
+
+  static void append(std::vector<Tried>& list, const std::vector<Tried>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  }
+
+  // How well one set of colors follows the other: the correlation.
+  double likeness(const Colors& colors) const {
+    double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+      for (int k = 0; k < 3; ++k) {
+        const double x = c[k];
+        const double y = points_[i].test[k];
+        n += 1;
+        a += x;
+        b += y;
+        aa += x * x;
+        bb += y * y;
+        ab += x * y;
+      }
+    }
+    const double spread = (n * aa - a * a) * (n * bb - b * b);
+    return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
+  }
+
+  // Mistakes that move what is seen, such that it follows the test better or fits best.
+  std::vector<Together> likely_places(const std::vector<Tried>& ranked) const {
+    std::vector<std::pair<double, std::uint16_t>> places;
+    const std::size_t count = std::min(screen, points_.size());
+    const auto first = [count](const Colors& colors) {
+      return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
+    };
+    const double least = likeness(first(clean({}).drawn)) - 0.02;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      const Hypothesis& h = list_[i];
+      const bool turns = h.turn != Turn();
+      if (turns || (h.touches >= Touches::hits && cache_[i].size() >= count &&
+                    h.cause != Cause::half_pixel_shift)) {
+        const double like = likeness(first(turns ? clean(h.turn).drawn : cache_[i]));
+        if (like > least) {
+          places.emplace_back(-like, i);
+        }
+      }
+    }
+    std::stable_sort(places.begin(), places.end());
+    std::vector<Together> result;
+    for (std::size_t i = 0; i < std::min<std::size_t>(7, places.size()); ++i) {
+      result.push_back({places[i].second});
+    }
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
+      const Together& t = ranked[i].together;
+      if (list_[t.front()].touches >= Touches::hits &&
+          std::find(result.begin(), result.end(), t) == result.end()) {
+        result.push_back(t);
+      }
+    }
+    return result;
+  }
+
+  // What is made in the frame with each single mistake besides.
+  std::vector<Tried> besides(const Frame& f) const {
+    const Base b = base(f.count);
+    std::vector<Tried> result;
+    for (const std::uint16_t i : f.members) {
+      const Together together = joined(f.made, {i});
+      result.push_back(rated(together, score(points_, f.count, finished(together, f.with[i])), b));
+    }
+    sort_by_merit(result);
+    result.resize(std::min<std::size_t>(result.size(), 30));
+    return result;
+  }
+
+  // Pairs of mistakes as the sum of what each changes, or the product; `on_picture` is done to
+  // that.
+  std::vector<Tried> approximate_pairs(const Frame& f, const Together& on_picture,
+                                       const std::vector<std::uint16_t>& members,
+                                       std::size_t most) const {
+    const std::size_t count = std::min(f.count, few_points);
+    const Base b = base(count);
+    std::vector<std::vector<Tried>> found(members.size());
+    in_parallel(0, members.size(), [&](std::size_t i) {
+      Colors sum(count);
+      Colors product(count);
+      for (std::size_t j = i + 1; j < members.size(); ++j) {
+        if (!fits({members[i]}, members[j])) {
+          continue;
+        }
+        const Colors& x = f.with[members[i]];
+        const Colors& y = f.with[members[j]];
+        for (std::size_t k = 0; k < count; ++k) {
+          const dvec3& c = f.colors[k];
+          sum[k] = x[k] + y[k] - c;
+          for (int channel = 0; channel < 3; ++channel) {
+            product[k][channel] =
+                c[channel] > 2 ? x[k][channel] * y[k][channel] / c[channel] : sum[k][channel];
+          }
+        }
+        const Score of_sum = score(points_, count, finished(on_picture, sum));
+        const Score of_product = score(points_, count, finished(on_picture, product));
+        found[i].push_back(
+            rated(joined(joined(f.made, on_picture), joined({members[i]}, {members[j]})),
+                  of_sum.left <= of_product.left ? of_sum : of_product, b));
+      }
+      sort_by_merit(found[i]);
+      found[i].resize(std::min(found[i].size(), most));
+    });
+    std::vector<Tried> result;
+    for (const std::vector<Tried>& list : found) {
+      append(result, list);
+    }
+    sort_by_merit(result);
+    result.resize(std::min(result.size(), most));
+    return result;
+  }
+
+  // The best of these as they are drawn, not approximated.
+  std::vector<Tried> tried_again(const std::vector<Tried>& list, std::size_t most, double from,
+                                 double to) {
+    std::vector<Together> sets;
+    for (const Tried& t : list) {
+      if (sets.size() < most && std::find(sets.begin(), sets.end(), t.together) == sets.end()) {
+        sets.push_back(t.together);
+      }
+    }
+    std::vector<Tried> result = try_all(sets, few_points, from, to);
+    sort_by_merit(result);
+    return result;
+  }
+
+  std::vector<std::uint16_t> color_changes() const {
+    std::vector<std::uint16_t> result;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      if (list_[i].color) {
+        result.push_back(i);
+      }
+    }
+    return result;
+  }
+
+  // Each change of the colors of the finished picture with each single mistake.
+  std::vector<Tried> with_picture(const Frame& f) const {
+    const std::vector<std::uint16_t> changes = color_changes();
+    const std::size_t count = std::min(f.count, few_points);
+    const Base b = base(count);
+    std::vector<std::vector<Tried>> found(changes.size());
+    in_parallel(0, changes.size(), [&](std::size_t p) {
+      for (const std::uint16_t i : f.members) {
+        if (fits({changes[p]}, i)) {
+          const Colors colors(f.with[i].begin(), f.with[i].begin() + std::ptrdiff_t(count));
+          const Together together = joined({changes[p]}, {i});
+          found[p].push_back(rated(together, score(points_, count, finished(together, colors)), b));
+        }
+      }
+      sort_by_merit(found[p]);
+      found[p].resize(std::min<std::size_t>(found[p].size(), 60));
+    });
+    std::vector<Tried> result;
+    for (const std::vector<Tried>& list : found) {
+      append(result, list);
+    }
+    for (const std::uint16_t p : changes) {
+      for (std::uint16_t i = 0; i < list_.size(); ++i) {
+        if (list_[i].touches == Touches::picture && i != p && fits({p}, i)) {
+          const Together together = joined({p}, {i});
+          result.push_back(rated(together, score_of(together, count), b));
+        }
+      }
+    }
+    return result;
+  }
+
+  // The most promising changes of the finished picture with two other mistakes.
+  std::vector<Tried> pairs_with_picture(const Frame& f, const std::vector<Tried>& pairs) const {
+    std::vector<Tried> result;
+    std::map<std::uint16_t, std::vector<std::uint16_t>> members;
+    for (const Tried& t : pairs) {
+      if (t.together.size() != 2) {
+        continue;
+      }
+      for (const bool second : {false, true}) {
+        const std::uint16_t p = t.together[second ? 1 : 0];
+        const std::uint16_t other = t.together[second ? 0 : 1];
+        if (list_[p].color && !f.with[other].empty() &&
+            (members.size() < 3 || members.contains(p)) && members[p].size() < 50) {
+          members[p].push_back(other);
+        }
+      }
+    }
+    for (const auto& [p, others] : members) {
+      append(result, approximate_pairs(f, {p}, others, 40));
+    }
+    return result;
+  }
+
+  // The best pairs with a third mistake each, approximated.
+  std::vector<Tried> approximate_triples(const Frame& f, const std::vector<Tried>& pairs) const {
+    std::vector<Together> starts;
+    for (const Tried& t : pairs) {
+      const bool on_picture =
+          std::any_of(t.together.begin(), t.together.end(),
+                      [&](std::uint16_t i) { return list_[i].touches == Touches::picture; });
+      if (t.together.size() == 2 && !on_picture && starts.size() < 24) {
+        starts.push_back(t.together);
+      }
+    }
+    const std::size_t count = std::min(f.count, few_points);
+    const Base b = base(count);
+    std::vector<std::vector<Tried>> found(starts.size());
+    in_parallel(0, starts.size(), [&](std::size_t s) {
+      const std::optional<Colors> start = drawn(starts[s], count, Turn());
+      for (const std::uint16_t i : f.members) {
+        if (!start || !fits(starts[s], i) ||
+            std::find(starts[s].begin(), starts[s].end(), i) != starts[s].end()) {
+          continue;
+        }
+        Colors colors(count);
+        for (std::size_t k = 0; k < count; ++k) {
+          colors[k] = (*start)[k] + f.with[i][k] - f.colors[k];
+        }
+        found[s].push_back(rated(joined(starts[s], {i}), score(points_, count, colors), b));
+      }
+    });
+    std::vector<Tried> result;
+    for (const std::vector<Tried>& list : found) {
+      append(result, list);
+    }
+    sort_by_merit(result);
+    result.resize(std::min<std::size_t>(result.size(), 120));
+    return result;
   }
 
   // The best screened mistakes, evaluated at all points; among similar ones the more likely first.
@@ -517,32 +896,6 @@ class Search {
     std::stable_sort(result.begin(), last,
                      [](const Tried& a, const Tried& b) { return a.together < b.together; });
     std::stable_partition(result.begin(), result.end(), [&](const Tried& t) { return good(t); });
-    return result;
-  }
-
-  // What to combine with others: the best, those that correct many pixels, and changes of the whole
-  // picture.
-  std::vector<Together> firsts(const std::vector<Tried>& ranked) const {
-    std::vector<Together> result;
-    const auto add = [&](const Together& t) {
-      if (std::find(result.begin(), result.end(), t) == result.end()) {
-        result.push_back(t);
-      }
-    };
-    for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
-      add(ranked[i].together);
-    }
-    std::vector<Tried> by_exact = ranked;
-    std::stable_sort(by_exact.begin(), by_exact.end(),
-                     [](const Tried& a, const Tried& b) { return a.exact > b.exact; });
-    for (std::size_t i = 0; i < std::min<std::size_t>(4, by_exact.size()); ++i) {
-      add(by_exact[i].together);
-    }
-    for (std::uint16_t i = 0; i < list_.size(); ++i) {
-      if (list_[i].touches == Touches::picture) {
-        add({i});
-      }
-    }
     return result;
   }
 
@@ -587,31 +940,113 @@ class Search {
   // Adds the mistake that explains most of the remaining difference, if any.
   Tried completed(const Tried& found) {
     const Base b = base(points_.size());
-    const double rest = found.score.left;
-    if (stopped_ || rest < 0.02 * b.left || found.together.size() > 2) {
+    if (stopped_ || found.together.size() > 2) {
       return found;
     }
-    std::vector<Tried> more = extended({found.together}, screen, 0.7, 0.9);
-    std::vector<Tried> best = verified(more, 6, 0.9, 1);
-    if (!best.empty() && best.front().score.left < 0.4 * rest &&
-        best.front().broken <= most_broken && good(best.front())) {
-      return completed(without_needless(best.front()));
+    std::vector<Point> points = points_;
+    std::array<Clean, 4> clean_before = clean_;
+    std::vector<Colors> cache = std::move(cache_);
+    const std::optional<Tried> more = with_one_more(found, b);
+    points_ = std::move(points);
+    clean_ = std::move(clean_before);
+    cache_ = std::move(cache);
+    return more ? completed(*more) : found;
+  }
+
+  std::optional<Tried> with_one_more(const Tried& found, const Base& b) {
+    const std::size_t count = look_first_at_rest(found.together);
+    if (count < few_pixels) {
+      return std::nullopt;
     }
-    return found;
+    std::vector<Together> sets;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      if (std::find(found.together.begin(), found.together.end(), i) == found.together.end() &&
+          fits(found.together, i)) {
+        sets.push_back(joined(found.together, {i}));
+      }
+    }
+    std::vector<Tried> more = try_all(sets, count, 0.7, 0.9);
+    std::stable_sort(more.begin(), more.end(),
+                     [](const Tried& x, const Tried& y) { return x.score.left < y.score.left; });
+    more.resize(std::min<std::size_t>(more.size(), 8));
+    for (const Tried& t : more) {
+      const Tried whole = rated(t.together, score_of(t.together, points_.size()), b);
+      if (whole.score.left < 0.6 * found.score.left && good(whole) && each_needed(whole.together)) {
+        return whole;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Puts points that the mistakes leave wrong before the others, one of four a right one. The
+  // number of these.
+  std::size_t look_first_at_rest(const Together& together) {
+    const Colors colors = predicted(together, points_.size());
+    std::vector<Point> wrong;
+    std::vector<Point> right;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& p = points_[i];
+      const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+      (largest_of(outside(c, p.low, p.high)) > exact_within ? wrong : right).push_back(p);
+    }
+    const std::size_t count = std::min<std::size_t>(wrong.size(), screen);
+    points_.clear();
+    std::size_t r = 0;
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      points_.push_back(wrong[i]);
+      if (i % 3 == 2 && r < right.size()) {
+        points_.push_back(right[r++]);
+      }
+    }
+    points_.insert(points_.end(), right.begin() + std::ptrdiff_t(r), right.end());
+    cache_.clear();
+    prepare_clean();
+    return count + count / 3;
+  }
+
+  bool each_needed(const Together& together) const {
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      if (!needed(together, i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Whether one of several is needed: where it changes the picture, the picture is right with it
+  // and wrong without.
+  bool needed(const Together& together, std::size_t member) const {
+    Together fewer = together;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(member));
+    const std::size_t count = points_.size();
+    const Colors with = predicted(together, count);
+    const Colors without = predicted(fewer, count);
+    double changed = 0;
+    double gained = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& p = points_[i];
+      const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
+      const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
+      if (largest_of(glm::abs(a - b)) > right_within) {
+        changed += p.weight;
+        gained += largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
+        gained -= largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0;
+      }
+    }
+    return changed >= necessary * weight_that_differs(count) && gained >= 0.4 * changed;
   }
 
   Tried without_needless(Tried found) {
     const Base b = base(points_.size());
     for (std::size_t i = 0; found.together.size() > 1 && i < found.together.size();) {
+      if (needed(found.together, i)) {
+        ++i;
+        continue;
+      }
       Together fewer = found.together;
       fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-      const Tried t = rated(fewer, score_of(fewer, points_.size()), b);
-      if (good(t) && t.explained > found.explained - necessary / 3) {
-        found = t;
-        i = 0;
-      } else {
-        ++i;
-      }
+      found = rated(fewer, score_of(fewer, points_.size()), b);
+      i = 0;
     }
     return found;
   }
@@ -651,6 +1086,7 @@ class Search {
                          percent(t.explained)),
              t.explained});
         if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
+          report_.rivals.back().said = true;
           same += "; or " + h.what;
         }
       }
@@ -702,13 +1138,19 @@ class Search {
       return;
     }
     const dvec3 color = dvec3(most->first[0], most->first[1], most->first[2]) / 255.0;
-    list_.push_back({Cause::background,
-                     fmt::format("the background is {} {} {}, not black", most->first[0],
-                                 most->first[1], most->first[2]),
-                     Touches::shading,
-                     [color](Trial& t) { t.mistakes.background = color; },
-                     {},
-                     {}});
+    for (const bool in_reflections : {false, true}) {
+      list_.push_back(
+          {Cause::background,
+           fmt::format("the background is {} {} {}, not black{}", most->first[0], most->first[1],
+                       most->first[2], in_reflections ? ", and reflections show it" : ""),
+           Touches::shading,
+           [=](Trial& t) {
+             t.mistakes.background = color;
+             t.mistakes.background_in_reflections = in_reflections;
+           },
+           {},
+           {}});
+    }
   }
 
   // The value that most of `found` agree on, if they do.
@@ -934,32 +1376,41 @@ class Search {
     return false;
   }
 
-  // Whether the test has the color of the clean picture without some of the lights.
-  static bool lacks_lights(const dvec3& test, const dvec3& clean,
-                           const std::vector<dvec3>& shares) {
+  // Whether the test has the color `full` without some of the lights, as it is shown.
+  template <typename Shown>
+  static bool lacks_lights(const dvec3& test, const dvec3& full, const std::vector<dvec3>& shares,
+                           const Shown& shown) {
     const std::size_t count = std::min<std::size_t>(shares.size(), 5);
     for (unsigned subset = 1; subset < 1u << count; ++subset) {
-      dvec3 c = clean;
+      dvec3 c = full;
       for (std::size_t i = 0; i < count; ++i) {
-        c -= (subset >> i & 1) != 0 ? 255.0 * shares[i] : dvec3(0);
+        c -= (subset >> i & 1) != 0 ? shares[i] : dvec3(0);
       }
-      if (largest_of(glm::abs(glm::clamp(c, dvec3(0), dvec3(255)) - test)) <= 4) {
+      if (largest_of(glm::abs(shown(c) - test)) <= 4) {
         return true;
       }
     }
     return false;
   }
 
-  bool claim_acne() {
-    if (!usable_ || !view_->options.features.shadows || view_->options.mode != Mode::ray) {
+  // Spots, beside other mistakes that are `made`. `least`: the share of the pixels that differ for
+  // which it must account.
+  bool claim_acne(const Together& made, double least) {
+    if (!usable_ || !view_->options.features.shadows || view_->options.mode != Mode::ray ||
+        turn_of(made) != Turn()) {
       return false;
     }
-    const Trial trial = right_trial(false);
-    const Model model(trial.scene, *shapes_, *view_->assets, trial.options, trial.mistakes);
+    const Trial trial = trial_of(made);
+    const std::shared_ptr<const ModelShapes> shapes = shapes_of(trial, touched_by(made));
+    const Model model(trial.scene, *shapes, *view_->assets, trial.options, trial.mistakes);
     Trial unlit = trial;
     unlit.scene.lights.clear();
-    const Model dark(unlit.scene, *shapes_, *view_->assets, unlit.options, unlit.mistakes);
+    const Model dark(unlit.scene, *shapes, *view_->assets, unlit.options, unlit.mistakes);
+    const auto shown = [&](const dvec3& c) {
+      return glm::clamp(finished(made, {255.0 * c}).front(), dvec3(0), dvec3(255));
+    };
     std::size_t looked_at = 0;
+    std::size_t differing = 0;
     std::size_t between = 0;
     std::size_t scattered = 0;
     std::size_t dull = 0;
@@ -969,34 +1420,48 @@ class Search {
     std::size_t beside_right = 0;
     for (std::size_t i = 0; i < points_.size() && looked_at < 400; ++i) {
       const Point& p = points_[i];
-      if (!p.differs || clean({}).hits[i].part == nullptr) {
+      if (!p.differs) {
+        continue;
+      }
+      const ModelRay ray = model.camera_ray(middle(p, {}) + trial.shift, test_.width, test_.height);
+      const ModelHit hit = made.empty() ? clean({}).hits[i] : model.first_hit(ray);
+      ++differing;
+      const dvec3 full = made.empty() ? clean({}).drawn[i] / 255.0 : model.color(ray, &hit);
+      if (hit.part == nullptr ||
+          (!made.empty() && largest_of(outside(shown(full), p.low, p.high)) <= exact_within)) {
         continue;
       }
       ++looked_at;
-      const ModelRay ray = model.camera_ray(middle(p, {}), test_.width, test_.height);
-      const dvec3 low = glm::clamp(255.0 * dark.color(ray), dvec3(0), dvec3(255));
-      const dvec3 high = glm::clamp(clean({}).drawn[i], dvec3(0), dvec3(255));
-      between += largest_of(outside(p.test, low - 4.0, high + 4.0)) <= 0 ? 1 : 0;
-      scattered += right_beside(p) ? 1 : 0;
-      const RenderMaterial& m = trial.scene.materials[clean({}).hits[i].part->material];
+      const dvec3 a = shown(dark.color(ray));
+      const dvec3 b = shown(full);
+      between += largest_of(outside(p.test, glm::min(a, b) - 4.0, glm::max(a, b) + 4.0)) <= 0;
+      const bool beside = made.empty() ? right_beside(p) : drawn_beside(p, model, trial, shown);
+      scattered += beside ? 1 : 0;
+      const RenderMaterial& m = trial.scene.materials[hit.part->material];
       // Mirrors with self-intersections may show anything.
       if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
         ++dull;
-        lacking += lacks_lights(p.test, clean({}).drawn[i], model.light_shares(ray)) ? 1 : 0;
+        lacking += lacks_lights(p.test, full, model.light_shares(ray), shown) ? 1 : 0;
       } else if (m.transparent == glm::vec3(0) && mirrors < 150) {
         ++mirrors;
         const std::vector<dvec3> seen = model.self_mirrored(ray, 16);
         seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
-          return largest_of(glm::abs(glm::clamp(255.0 * c, dvec3(0), dvec3(255)) - p.test)) <= 3;
+          return largest_of(glm::abs(shown(c) - p.test)) <= 3;
         });
-        beside_right += right_beside(p) ? 1 : 0;
+        beside_right += beside ? 1 : 0;
       }
     }
     const auto share = [](std::size_t part_of, std::size_t whole) {
       return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
     };
-    if (mirrors >= 3 * few_pixels && share(seeing_themselves, mirrors) >= 0.85 &&
-        share(beside_right, mirrors) >= 0.25 && 4 * mirrors > 3 * (mirrors + dull)) {
+    // The other mistakes must be right where there are no spots.
+    if (!made.empty() && (share(looked_at, differing) > 0.75 || share(scattered, looked_at) < 0.4 ||
+                          !each_needed(made))) {
+      return false;
+    }
+    if (made.empty() && mirrors >= 3 * few_pixels && share(seeing_themselves, mirrors) >= 0.85 &&
+        share(beside_right, mirrors) >= 0.25 && 4 * mirrors > 3 * (mirrors + dull) &&
+        share(seeing_themselves, mirrors) >= least) {
       report_.claims.push_back(
           {Cause::acne,
            "reflected rays meet the surface that they start from, in spots (acne): start them off "
@@ -1008,19 +1473,44 @@ class Search {
     }
     if (looked_at < few_pixels || dull < few_pixels ||
         share(scattered, looked_at) < (share(lacking, dull) < 0.97 ? 0.4 : 0.25) ||
-        share(lacking, dull) < 0.85 ||
+        share(lacking, dull) < std::max(0.85, least) ||
         share(between, looked_at) < (share(lacking, dull) < 0.95 ? 0.85 : 0.5)) {
       return false;
+    }
+    for (const std::uint16_t i : made) {
+      report_.claims.push_back(
+          {list_[i].cause, list_[i].what,
+           fmt::format(
+               "simulating this mistake explains {} of the pixels that differ; the others are "
+               "spots",
+               percent(1 - share(looked_at, differing))),
+           1 - share(looked_at, differing)});
     }
     report_.claims.push_back(
         {Cause::acne,
          "surfaces shadow themselves in spots (shadow acne): start rays off the surface",
          fmt::format(
-             "{} of the pixels that differ on dull surfaces lack exactly the light of one or "
+             "{} of the pixels that differ{} on dull surfaces lack exactly the light of one or "
              "more lights, scattered among right ones",
-             percent(share(lacking, dull))),
+             percent(share(lacking, dull)), made.empty() ? "" : " still"),
          share(between, looked_at)});
     return true;
+  }
+
+  // Whether a neighbor is as it is drawn with the mistakes.
+  template <typename Shown>
+  bool drawn_beside(const Point& p, const Model& model, const Trial& trial,
+                    const Shown& shown) const {
+    for (int y = std::max(p.y - 1, 0); y <= std::min(p.y + 1, test_.height - 1); ++y) {
+      for (int x = std::max(p.x - 1, 0); x <= std::min(p.x + 1, test_.width - 1); ++x) {
+        const dvec3 c = shown(model.color(
+            model.camera_ray(dvec2(x + 0.5, y + 0.5) + trial.shift, test_.width, test_.height)));
+        if (largest_of(glm::abs(c - at(test_, x, y))) <= 3) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   bool right_beside(const Point& p) const {
@@ -1065,6 +1555,7 @@ class Search {
   const Texture& test_;
   const SceneView* view_;
   const std::function<bool(double)>& go_on_;
+  LookFor look_for_;
   std::shared_ptr<const ModelShapes> shapes_;
   std::vector<Hypothesis> list_;
   std::vector<Point> points_;
@@ -1138,10 +1629,13 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
 }
 
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views) {
-  SceneView best = views.front();
-  const auto shapes = flatten(*best.scene, *best.assets);
+  return views[equally_alike(reference, views).front()];
+}
+
+std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const SceneView> views) {
+  const auto shapes = flatten(*views.front().scene, *views.front().assets);
   if (shapes == nullptr || views.size() == 1) {
-    return best;
+    return {0};
   }
   std::mt19937 random(4);
   std::vector<std::uint32_t> pixels(std::size_t(reference.width) * reference.height);
@@ -1151,9 +1645,10 @@ SceneView most_alike(const Texture& reference, std::span<const SceneView> views)
   std::vector<Point> points;
   add_points(reference, reference, std::move(pixels), 1200, false, false, random, points);
   double least = std::numeric_limits<double>::infinity();
-  for (const SceneView& view : views) {
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < views.size(); ++i) {
     const ModelMistakes right;
-    const Model model(*view.scene, *shapes, *view.assets, view.options, right);
+    const Model model(*views[i].scene, *shapes, *views[i].assets, views[i].options, right);
     Colors colors;
     for (const Point& p : points) {
       colors.push_back(
@@ -1161,19 +1656,22 @@ SceneView most_alike(const Texture& reference, std::span<const SceneView> views)
     }
     const double left = score(points, points.size(), colors).left;
     if (left < least) {
+      best.clear();
+    }
+    if (left <= least) {
       least = left;
-      best = view;
+      best.push_back(i);
     }
   }
   return best;
 }
 
 CauseReport find_causes(const Texture& reference, const Texture& test, const SceneView* view,
-                        const std::function<bool(double done)>& go_on) {
+                        const std::function<bool(double done)>& go_on, LookFor look_for) {
   if (reference.width != test.width || reference.height != test.height || reference.empty()) {
     return {};
   }
-  CauseReport report = Search(reference, test, view, go_on).run();
+  CauseReport report = Search(reference, test, view, go_on, look_for).run();
   if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));

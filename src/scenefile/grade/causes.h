@@ -60,6 +60,7 @@ struct Claim {
   std::string what;      ///< "the texture is upside down"
   std::string evidence;  ///< how much of the difference it explains, as text
   double explained = 0;  ///< fraction of the difference that the mistake removes, <= 1
+  bool said = false;     ///< of a rival: the claim's text names it
 };
 
 /// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size,
@@ -87,12 +88,15 @@ struct CauseReport {
   double share_scene_unlike = 1;
 };
 
+enum class LookFor : std::uint8_t { single_mistakes, several_at_once };
+
 /// Looks for mistakes at some thousand pixels: a model of a student's ray tracer makes each mistake
 /// there. Calls `go_on` occasionally with the finished fraction of the work in [0, 1]; if it
 /// returns false, stops with the claims so far. No claims if the sizes differ.
 CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
-                        const std::function<bool(double done)>& go_on = {});
+                        const std::function<bool(double done)>& go_on = {},
+                        LookFor look_for = LookFor::several_at_once);
 
 /// What the scene shows at the middle of a pixel of a picture of that size: RenderPrimitive::source
 /// of the nearest shape; none: nothing, or the scene has too many shapes.
@@ -102,5 +106,8 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
 /// The view whose picture is most similar to the reference; the first of equals. `views` must not
 /// be empty.
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views);
+
+/// The indices of all views whose pictures are as similar as that of the first of them.
+std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const SceneView> views);
 
 }  // namespace scenefile

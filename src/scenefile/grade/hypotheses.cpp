@@ -1209,8 +1209,23 @@ class Maker {
     put(N::object_distance_everywhere,
         "distances are measured in object space, also along shadow rays");
     put(N::far_root, "the far side of each object is shown");
-    put(N::behind, "objects behind the camera are shown too");
-    put(N::behind_first, "objects behind the camera are shown first");
+    const auto put_behind = [&](N value, const char* what) {
+      for (const bool in_reflections : {false, true}) {
+        if (!in_reflections || mirrors() || glass()) {
+          add(
+              Cause::nearest_hit,
+              fmt::format("{}{}", what,
+                          in_reflections ? ", and reflections show what lies behind them" : ""),
+              [=](Trial& t) {
+                t.mistakes.nearest = value;
+                t.mistakes.behind_in_reflections = in_reflections;
+              },
+              Touches::hits);
+        }
+      }
+    };
+    put_behind(N::behind, "objects behind the camera are shown too");
+    put_behind(N::behind_first, "objects behind the camera are shown first");
     put(N::near_root_only, "objects are invisible from inside");
   }
 
@@ -1305,6 +1320,13 @@ class Maker {
             c.v = glm::cross(c.w, c.u);
           }
         });
+    for (const double scale : {1.0, 2.0, 3.0, 5.0, 10.0, glm::length(scene_.camera.position)}) {
+      if (scale > 0) {
+        add(
+            Cause::camera, "rays of the camera are parallel: there is no perspective",
+            [scale](Trial& t) { t.mistakes.orthographic = scale; }, Touches::camera);
+      }
+    }
     if (view_.written != nullptr && view_.written->camera) {
       const Camera& written = *view_.written->camera;
       const dvec3 up(written.up);

@@ -323,7 +323,10 @@ struct ModelMistakes {
   GlassMistake glass = GlassMistake::none;
   ShownInstead shown = ShownInstead::none;
   glm::dvec3 background{0};
-  bool all_lights = false;  ///< in a mode that only uses directional lights
+  bool background_in_reflections = false;
+  bool behind_in_reflections = true;  ///< reflected rays see behind their start too
+  double orthographic = 0;            ///< parallel rays from a film this far ahead; 0: perspective
+  bool all_lights = false;            ///< in a mode that only uses directional lights
 };
 
 }  // namespace scenefile

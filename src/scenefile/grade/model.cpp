@@ -59,8 +59,12 @@ Model::Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& 
 ModelRay Model::camera_ray(const dvec2& place, int width, int height) const {
   const RenderCamera& c = scene_.camera;
   const double spread = 2 * std::tan(c.fov_y / 2) / height;
-  const dvec3 direction =
-      spread * (place.x - width / 2.0) * c.u - spread * (place.y - height / 2.0) * c.v - c.w;
+  const dvec3 on_film =
+      spread * (place.x - width / 2.0) * c.u - spread * (place.y - height / 2.0) * c.v;
+  if (m_.orthographic > 0) {
+    return {c.position + m_.orthographic * on_film, unit(-c.w)};
+  }
+  const dvec3 direction = on_film - c.w;
   return {c.position, unit(direction)};
 }
 
@@ -972,7 +976,9 @@ dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double
     hit.part = nullptr;
   }
   if (hit.part == nullptr) {
-    return depth > 0 && m_.mirror == MirrorMistake::white_background ? dvec3(1) : m_.background;
+    return depth > 0 && m_.mirror == MirrorMistake::white_background ? dvec3(1)
+           : depth == 0 || m_.background_in_reflections              ? m_.background
+                                                                     : dvec3(0);
   }
   const Surface s = surface(ray, hit);
   if (options_.mode == Mode::normals && m_.shown == ShownInstead::none) {

@@ -396,7 +396,11 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
 bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
                    const ModelPart* without, ModelHit& hit) const {
   ++rays_;
-  const NearestMistake nearest = shadow ? NearestMistake::none : m_.nearest;
+  const bool behind =
+      m_.nearest == NearestMistake::behind || m_.nearest == NearestMistake::behind_first;
+  // Only camera rays start at 0.
+  const bool right_here = shadow || (behind && t_min > 0 && !m_.behind_in_reflections);
+  const NearestMistake nearest = right_here ? NearestMistake::none : m_.nearest;
   const bool scaled_shadow = shadow && (m_.nearest == NearestMistake::object_distance_everywhere ||
                                         m_.shadow == ShadowMistake::object_distance);
   const bool pruned =
@@ -407,7 +411,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   const bool of_object = nearest == NearestMistake::object_distance ||
                          nearest == NearestMistake::object_distance_compared ||
                          nearest == NearestMistake::object_distance_everywhere;
-  if (nearest == NearestMistake::behind || nearest == NearestMistake::behind_first) {
+  if (behind && !right_here) {
     t_min = -infinity;
   }
   bool found = false;
@@ -435,7 +439,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
     // Among equal ones the last in the file wins.
     return key < best || (key == best && candidate.part > hit.part);
   };
-  const bool along = nearest != NearestMistake::behind && nearest != NearestMistake::behind_first;
+  const bool along = !behind || right_here;
   const double searched_to = scaled_shadow ? infinity : t_max;
   walk(
       shapes_.tree, ray.origin, ray.direction, t_min,

@@ -98,9 +98,14 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+bool explained_by_one(const CauseReport& report) {
+  return report.share_different < 0.001 ||
+         (report.claims.size() == 1 && report.claims.front().explained > 0.95);
+}
+
 // Looks for causes; uses the scene if possible.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
+                     const CompareSettings& settings, const std::function<bool(double)>& go_on,
                      PictureComparison& found) {
   if (scene == nullptr || !scene->usable()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
@@ -108,10 +113,21 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     return;
   }
   found.scene_used = true;
-  const SceneView view =
-      view_of(*scene, ways.empty() ? DrawnWay() : way_drawn(reference, *scene, ways));
-  found.drawn_with = view.said;
+  std::vector<DrawnWay> ways = settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()}
+                               : settings.ways_fit   ? settings.ways
+                                                     : ways_drawn(reference, *scene, settings.ways);
+  SceneView view = view_of(*scene, ways.front());
   found.causes = find_causes(reference, test, &view, go_on);
+  // The program of the picture may have had other features that the reference does not show.
+  for (std::size_t i = 1; i < ways.size() && !explained_by_one(found.causes); ++i) {
+    const SceneView other = view_of(*scene, ways[i]);
+    CauseReport causes = find_causes(reference, test, &other, go_on, LookFor::single_mistakes);
+    if (explained_by_one(causes)) {
+      found.causes = std::move(causes);
+      view = other;
+    }
+  }
+  found.drawn_with = view.said;
   found.where = place_to_look(reference, test, scene, &view);
 }
 
@@ -128,14 +144,26 @@ std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, boo
   return ways;
 }
 
-DrawnWay way_drawn(const Texture& reference, const LoadedScene& scene,
-                   const std::vector<DrawnWay>& ways) {
+std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
+                                 const std::vector<DrawnWay>& ways) {
   std::vector<SceneView> views;
   for (const DrawnWay& way : ways) {
     views.push_back(view_of(scene, way));
   }
-  const SceneView found = most_alike(reference, views);
-  return {found.options, found.said};
+  std::vector<DrawnWay> found;
+  for (const std::size_t i : equally_alike(reference, views)) {
+    // Fewer features than the first has may be visible once there is a mistake.
+    const auto same = [&](const DrawnWay& way) {
+      const Features& a = way.options.features;
+      const Features& b = ways[i].options.features;
+      return way.options.mode == ways[i].options.mode && a.shadows == b.shadows &&
+             a.texture == b.texture;
+    };
+    if (found.size() < 3 && std::none_of(found.begin(), found.end(), same)) {
+      found.push_back(ways[i]);
+    }
+  }
+  return found;
 }
 
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
@@ -147,7 +175,7 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
-    look_for_causes(reference, test, scene, settings.ways, go_on, found);
+    look_for_causes(reference, test, scene, settings, go_on, found);
   }
   return found;
 }
@@ -160,6 +188,9 @@ std::string causes_text(const PictureComparison& found) {
                         claim.evidence);
   }
   for (const Claim& claim : report.rivals) {
+    if (claim.said) {
+      continue;
+    }
     text += fmt::format("   or: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
   }

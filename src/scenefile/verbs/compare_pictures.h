@@ -27,9 +27,10 @@ struct DrawnWay {
 enum class LookForCauses : std::uint8_t { where_broken, always };
 
 struct CompareSettings {
-  Thresholds thresholds;                             ///< none: the pictures must be equal
-  int pixel_threshold = 8;                           ///< larger differences count, in 1/255
-  std::vector<DrawnWay> ways;                        ///< the most similar to the reference is used
+  Thresholds thresholds;       ///< none: the pictures must be equal
+  int pixel_threshold = 8;     ///< larger differences count, in 1/255
+  std::vector<DrawnWay> ways;  ///< the most similar to the reference is used
+  bool ways_fit = false;       ///< all ways show the reference equally, the likeliest first
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
 };
 
@@ -37,10 +38,10 @@ struct CompareSettings {
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
-/// The way in which our picture of the scene, with all assets, is most similar to the reference.
-/// `ways` must not be empty.
-DrawnWay way_drawn(const Texture& reference, const LoadedScene& scene,
-                   const std::vector<DrawnWay>& ways);
+/// The ways in which our picture of the scene, with all assets, is most similar to the reference:
+/// the likeliest first, then those with other features. `ways` must not be empty.
+std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
+                                 const std::vector<DrawnWay>& ways);
 
 /// Where two pictures differ most, and what the scene shows there.
 struct PlaceToLook {

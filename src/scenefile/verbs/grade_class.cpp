@@ -128,7 +128,7 @@ class Grader {
         reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
       }
       if (reference.scene && reference.scene->usable() && !settings_.ways.empty()) {
-        reference.ways = {way_drawn(reference.picture, *reference.scene, settings_.ways)};
+        reference.ways = ways_drawn(reference.picture, *reference.scene, settings_.ways);
       }
       references_.push_back(std::move(reference));
     }
@@ -230,6 +230,7 @@ class Grader {
     const Texture& shown = other_size ? *other_size : *picture;
     CompareSettings settings = settings_;
     settings.ways = reference.ways;
+    settings.ways_fit = true;
     const PictureComparison compared = compare_pictures(
         reference.picture, shown, reference.scene ? &*reference.scene : nullptr, settings, go_on);
     result.measures = compared.measures;

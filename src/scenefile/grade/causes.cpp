@@ -534,9 +534,15 @@ class Search {
     }
     std::vector<Tried> pairs = approximate_pairs(plain, Together(), plain.members, 120);
     pairs = tried_again(pairs, 120, 0.5, 0.55);
+    std::vector<std::pair<double, const Frame*>> by_merit;
     for (const Frame& f : moved) {
-      append(pairs, besides(f));
+      const std::vector<Tried> found = besides(f);
+      by_merit.emplace_back(found.empty() ? 0 : -found.front().merit(), &f);
+      append(pairs, found);
     }
+    std::stable_sort(by_merit.begin(), by_merit.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    by_merit.resize(std::min<std::size_t>(by_merit.size(), 2));
     append(pairs, with_picture(plain));
     sort_by_merit(pairs);
     std::vector<Tried> best = verified(pairs, 16, 0.6, 0.65);
@@ -559,8 +565,8 @@ class Search {
       return pair;
     }
     std::vector<Tried> triples = approximate_triples(plain, pairs);
-    for (const Frame& f : moved) {
-      append(triples, approximate_pairs(f, Together(), f.members, 40));
+    for (const auto& [merit, f] : by_merit) {
+      append(triples, approximate_pairs(*f, Together(), f->members, 40));
     }
     append(triples, pairs_with_picture(plain, pairs));
     sort_by_merit(triples);
@@ -672,7 +678,7 @@ class Search {
     const auto first = [count](const Colors& colors) {
       return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
     };
-    const double least = likeness(first(clean({}).drawn)) - 0.02;
+    const double least = likeness(first(clean({}).drawn)) + 0.003;
     for (std::uint16_t i = 0; i < list_.size(); ++i) {
       const Hypothesis& h = list_[i];
       const bool turns = h.turn != Turn();
@@ -686,12 +692,12 @@ class Search {
     }
     std::stable_sort(places.begin(), places.end());
     std::vector<Together> result;
-    for (std::size_t i = 0; i < std::min<std::size_t>(7, places.size()); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, places.size()); ++i) {
       result.push_back({places[i].second});
     }
-    for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, ranked.size()); ++i) {
       const Together& t = ranked[i].together;
-      if (list_[t.front()].touches >= Touches::hits &&
+      if (ranked[i].merit() > 0.1 && list_[t.front()].touches >= Touches::hits &&
           std::find(result.begin(), result.end(), t) == result.end()) {
         result.push_back(t);
       }

@@ -22,9 +22,9 @@ inline Around around_axis(const V3& p) {
 /// For a point on the sphere or near it.
 inline V3 sphere_normal(const V3& p, const Around& around) {
   const F size = sqrt(around.distance * around.distance + p.y * p.y);
-  const M apart = size > splat(0);
-  const F up = select(apart, p.y / size, splat(0));
-  const F out = select(apart, around.distance / size, splat(1));
+  const M nonzero = size > splat(0);
+  const F up = select(nonzero, p.y / size, splat(0));
+  const F out = select(nonzero, around.distance / size, splat(1));
   return {out * around.cosine, up, out * around.sine};
 }
 

@@ -44,7 +44,7 @@ class Builder {
       whole = unite(whole, box);
     }
     group.extent = extent_of(whole);
-    if (group.parts.size() > few_parts) {
+    if (group.parts.size() > most_parts_without_bvh) {
       add_scene(group, boxes);
     }
   }

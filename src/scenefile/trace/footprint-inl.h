@@ -147,8 +147,8 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
   const F squared = p.x * p.x + p.z * p.z;
   const F around = (p.z * step.x - p.x * step.z) / squared / splat(2 * 3.14159265358979323846);
   // Also false for NaN.
-  const M apart = (around >= splat(-1)) & (around <= splat(1));
-  u = select(round, select(apart, around, splat(1)), u);
+  const M off_pole = (around >= splat(-1)) & (around <= splat(1));
+  u = select(round, select(off_pole, around, splat(1)), u);
   const F distance = sqrt(squared);
   const F outward = select(distance > splat(0), (p.x * step.x + p.z * step.z) / distance, splat(0));
   const F up =

@@ -86,7 +86,7 @@ void start_wave(const WaveScene& scene, const CameraSample* samples, int count,
   memory.node_count = count;
   memory.inside_count = 0;
   memory.full = false;
-  memory.hits.apart = false;
+  memory.hits.incoherent = false;
   for (int at = 0; at < count; at += lanes) {
     const F x = load(rays.origin.x + at);
     const F y = load(rays.origin.y + at);
@@ -161,28 +161,28 @@ std::uint32_t surface_number(const WaveHits& hits, std::uint32_t r) {
   }
   const Hit& hit = hits.others[r];
   const glm::dvec3& place = hit.object_from_world.offset;
-  std::uint32_t number = signed_with(hit.source, static_cast<std::uint32_t>(hit.face));
-  number = signed_with(number, hit.shape == Shape::mesh ? hit.triangle : 0);
+  std::uint32_t number = extended_signature(hit.source, static_cast<std::uint32_t>(hit.face));
+  number = extended_signature(number, hit.shape == Shape::mesh ? hit.triangle : 0);
   for (const double x : {place.x, place.y, place.z}) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
-    number = signed_with(number, static_cast<std::uint32_t>(bits ^ (bits >> 32)));
+    number = extended_signature(number, static_cast<std::uint32_t>(bits ^ (bits >> 32)));
   }
   return number;
 }
 
 // Textures that are not filtered over footprints differ in each sample.
-bool uneven(const WaveMaterial& material) {
+bool unfiltered(const WaveMaterial& material) {
   return material.bumped || material.texture != nullptr;
 }
 
-void sign_points(const WaveRays& rays, const WavePoints& points, WaveMemory& memory) {
+void add_signatures(const WaveRays& rays, const WavePoints& points, WaveMemory& memory) {
   for (int k = 0; k < points.count; ++k) {
     const std::uint32_t r = points.ray[k];
     std::uint32_t& signature = memory.nodes[rays.node[r]].signature;
-    signature = signed_with(signature, surface_number(memory.hits, r));
-    signature = signed_with(signature, points.lit[k]);
-    if (uneven(*points.material[k])) {
-      signature = signed_with(signature, rays.key[r].pattern);
+    signature = extended_signature(signature, surface_number(memory.hits, r));
+    signature = extended_signature(signature, points.lit[k]);
+    if (unfiltered(*points.material[k])) {
+      signature = extended_signature(signature, rays.key[r].pattern);
     }
   }
 }
@@ -207,7 +207,7 @@ void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& ne
   }
   keep_colors(rays, memory);
   if (!scene.course) {
-    sign_points(rays, memory.points, memory);
+    add_signatures(rays, memory.points, memory);
   }
   if (mode == Mode::ray) {
     follow_points(scene, memory, rays, next, memory.points, false, counts);
@@ -352,9 +352,9 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
     put_density(tracer, materials.size() - 1, materials.back());
     by_footprint = by_footprint || materials.back().pyramid != nullptr || materials.back().bumped;
   }
-  few_parts = root.size() <= PartTree::fewest_parts &&
-              std::all_of(root.begin(), root.end(),
-                          [](const Part& part) { return part.kind == PartKind::shape; });
+  tests_all_parts = root.size() <= PartTree::fewest_parts &&
+                    std::all_of(root.begin(), root.end(),
+                                [](const Part& part) { return part.kind == PartKind::shape; });
 }
 
 std::vector<const WaveKernel*> wave_kernels() {

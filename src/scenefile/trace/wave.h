@@ -80,9 +80,9 @@ struct WaveScene {
   bool clear_shadows;             ///< some objects let light through
   bool fresnel;                   ///< use Fresnel's equations for glass
   std::vector<WaveMaterial> materials;
-  bool by_footprint = false;  ///< a texture or bump map is filtered over footprints
-  bool few_parts = false;     ///< only shapes, and so few that each is tested
-  const PartTree& tree;       ///< otherwise used if there are only shapes, but not too many
+  bool by_footprint = false;     ///< a texture or bump map is filtered over footprints
+  bool tests_all_parts = false;  ///< only shapes, and so few that each is tested
+  const PartTree& tree;          ///< otherwise used if there are only shapes, but not too many
 };
 
 /// The memory of a wave, to be reused for the same scene: it remembers recent occluders, which does

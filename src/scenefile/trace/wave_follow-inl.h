@@ -128,7 +128,7 @@ inline void arrive(WaveMemory& memory, std::uint32_t ray, const WaveNode& child,
   (mirrored ? memory.links[ray].mirrored : memory.links[ray].refracted) = seen;
   (mirrored ? node.mirrored : node.refracted) = true;
   node.penumbra = node.penumbra || child.penumbra;
-  node.signature = signed_with(node.signature, child.signature + (mirrored ? 1 : 2));
+  node.signature = extended_signature(node.signature, child.signature + (mirrored ? 1 : 2));
   node.bounces = std::max(node.bounces, child.bounces);
 }
 

@@ -261,7 +261,7 @@ inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory
     return;
   }
   const std::vector<RenderLight>& lights = scene.tracer.scene.lights;
-  memory.light.apart = memory.hits.apart;
+  memory.light.incoherent = memory.hits.incoherent;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     memory.light.index = i;
     if (shines_in(scene.tracer, lights[i])) {

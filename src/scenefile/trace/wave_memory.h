@@ -66,7 +66,7 @@ struct WaveRays {
 
 /// The nearest hit of each ray of a generation.
 struct WaveHits {
-  bool apart = false;  ///< this or an earlier generation was incoherent: bundles do not help
+  bool incoherent = false;  ///< this or an earlier generation was incoherent: bundles do not help
   alignas(64) double t[wave_row];     ///< infinity: no hit
   alignas(64) double face[wave_row];  ///< number of a Face
   alignas(64) double part[wave_row];  ///< index in the root group; -1: see `others`
@@ -94,7 +94,7 @@ struct WavePoints {
 };
 
 /// Adds an item to a signature.
-inline std::uint32_t signed_with(std::uint32_t signature, std::uint32_t thing) {
+inline std::uint32_t extended_signature(std::uint32_t signature, std::uint32_t thing) {
   const std::uint32_t mixed = (signature ^ thing) * 0x9e3779b1u;
   return mixed ^ (mixed >> 15);
 }
@@ -122,7 +122,7 @@ struct WaveLightPatterns {
 
 /// The light that arrives at the points from one light.
 struct WaveLight {
-  bool apart = false;       ///< rays to the last light were incoherent: bundles do not help
+  bool incoherent = false;  ///< rays to the last light were incoherent: bundles do not help
   bool at_a_point = false;  ///< all shadow rays end at the same point
   glm::dvec3 from{0};       ///< that point
   WaveVectors to_light;

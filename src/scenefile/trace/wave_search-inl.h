@@ -130,12 +130,12 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
 /// Finds the nearest hit of each ray of a generation.
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
   const std::vector<Part>& parts = scene.root;
-  if (scene.few_parts) {
+  if (scene.tests_all_parts) {
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < rays.count; at += lanes) {
       find_among(parts, static_cast<int>(parts.size()), each_part, rays, at, hits);
     }
-  } else if (scene.tree.empty() || hits.apart) {
+  } else if (scene.tree.empty() || hits.incoherent) {
     find_by_lane(scene, rays, 0, rays.count, hits);
   } else {
     int gave_up = 0;
@@ -150,7 +150,7 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
           ++gave_up;
           find_by_lane(scene, rays, c * lanes, std::min(rays.count, (c + 1) * lanes), hits);
         });
-    hits.apart = 2 * gave_up * lanes > rays.count;
+    hits.incoherent = 2 * gave_up * lanes > rays.count;
   }
 }
 
@@ -287,13 +287,13 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
 
 /// Finds which of the active points are in shadow.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
-  if (scene.few_parts) {
+  if (scene.tests_all_parts) {
     const auto count = static_cast<int>(scene.root.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < points.count; at += lanes) {
       find_blocked_among(scene, count, each_part, points, at, light);
     }
-  } else if (scene.tree.empty() || light.apart) {
+  } else if (scene.tree.empty() || light.incoherent) {
     for (int at = 0; at < points.count; at += lanes) {
       find_blocked_by_lane(scene, points, at, light);
     }
@@ -310,7 +310,7 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
           ++gave_up;
           find_blocked_by_lane(scene, points, c * lanes, light);
         });
-    light.apart = 2 * gave_up * lanes > points.count;
+    light.incoherent = 2 * gave_up * lanes > points.count;
   }
 }
 

@@ -13,7 +13,7 @@ namespace scenefile::app {
 
 namespace {
 
-std::filesystem::path folder_of(const std::string& path) {
+std::filesystem::path folder_path(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored)
       .parent_path();
@@ -28,7 +28,7 @@ class Carrier {
  public:
   Carrier(LoadedScene& scene, const std::string& output, const Options& options)
       : scene_(scene),
-        folder_(folder_of(output)),
+        folder_(folder_path(output)),
         here_(asset_roots_options(scene.path, options)),
         there_(asset_roots_options(output, options)) {}
 
@@ -83,7 +83,7 @@ class Carrier {
 }  // namespace
 
 void carry_files(LoadedScene& scene, const std::string& output, const Options& options) {
-  if (!has_folder(output) || folder_of(scene.path) == folder_of(output)) {
+  if (!has_folder(output) || folder_path(scene.path) == folder_path(output)) {
     return;
   }
   Carrier carrier(scene, output, options);

@@ -109,7 +109,7 @@ void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
   }
 }
 
-ExitCode check_targets(const Options& options) {
+ExitCode check_outputs(const Options& options) {
   for (const std::string& target : {options.heatmap, options.sheet}) {
     if (target.empty()) {
       continue;
@@ -139,7 +139,7 @@ PictureComparison compare(const Texture& a, const Texture& b, const LoadedScene*
 }  // namespace
 
 ExitCode diff_images(const Options& options, Context& context) {
-  if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_outputs(options); status != ExitCode::fine) {
     return status;
   }
   LoadedPicture a = load_picture(options.arguments[0], context);

@@ -123,7 +123,8 @@ std::string no_such_topic(const std::string& topic) {
     known.push_back(name_of(static_cast<Cause>(i)));
   }
   known.push_back("limits");
-  return fmt::format("unknown command or code {}{}", quoted(topic), did_you_mean(topic, known));
+  return fmt::format("unknown command or code {}{}", scenefile::quoted(topic),
+                     did_you_mean(topic, known));
 }
 
 }  // namespace

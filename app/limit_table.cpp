@@ -36,7 +36,7 @@ constexpr LimitRow row(std::string_view name, std::string_view help, std::uint64
 constexpr std::uint64_t any32 = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t any_size = std::uint64_t{1} << 50;
 
-constexpr std::array table{
+constexpr std::array limit_rows{
     row<&Limits::file_bytes>("file-bytes", "a scene or asset file", any_size, true),
     row<&Limits::nesting>("nesting", "nested elements or values", 1u << 20),
     row<&Limits::attributes>("attributes", "attributes of one element", any32),
@@ -73,7 +73,7 @@ unsigned shift_of(char letter) {
 
 std::vector<std::string_view> names() {
   std::vector<std::string_view> result;
-  for (const LimitRow& limit : table) {
+  for (const LimitRow& limit : limit_rows) {
     result.push_back(limit.name);
   }
   return result;
@@ -83,7 +83,7 @@ std::string parse_count(const std::string& text, std::uint64_t max, std::uint64_
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, count);
   if (error != std::errc() || rest != end || count == 0 || count > max) {
-    return fmt::format("{} is not a whole number from 1 to {}", quoted(text), max);
+    return fmt::format("{} is not a whole number from 1 to {}", scenefile::quoted(text), max);
   }
   return {};
 }
@@ -100,7 +100,7 @@ std::string shown(const LimitRow& limit, std::uint64_t value) {
 }  // namespace
 
 std::span<const LimitRow> limit_table() {
-  return table;
+  return limit_rows;
 }
 
 std::string parse_bytes(const std::string& text, std::uint64_t min, std::uint64_t max,
@@ -112,7 +112,7 @@ std::string parse_bytes(const std::string& text, std::uint64_t min, std::uint64_
   if (error != std::errc() || rest != end || number < (min + (1u << shift) - 1) >> shift ||
       number > max >> shift) {
     return fmt::format("{} is not a number of bytes from {} to {}, such as 1500000, 300M or 2G",
-                       quoted(text), min, max);
+                       scenefile::quoted(text), min, max);
   }
   bytes = number << shift;
   return {};
@@ -121,15 +121,15 @@ std::string parse_bytes(const std::string& text, std::uint64_t min, std::uint64_
 std::string set_limit(Limits& limits, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos) {
-    return fmt::format("{} is not NAME=VALUE, such as nesting=2000", quoted(assignment));
+    return fmt::format("{} is not NAME=VALUE, such as nesting=2000", scenefile::quoted(assignment));
   }
   const std::string name = assignment.substr(0, equals);
   const std::string value = assignment.substr(equals + 1);
-  const auto* const limit = std::find_if(table.begin(), table.end(),
+  const auto* const limit = std::find_if(limit_rows.begin(), limit_rows.end(),
                                          [&](const LimitRow& row) { return row.name == name; });
-  if (limit == table.end()) {
-    return fmt::format("unknown limit {}{}; \"scenefile help limits\" lists them", quoted(name),
-                       did_you_mean(name, names()));
+  if (limit == limit_rows.end()) {
+    return fmt::format("unknown limit {}{}; \"scenefile help limits\" lists them",
+                       scenefile::quoted(name), did_you_mean(name, names()));
   }
   std::uint64_t number = 0;
   const std::string wrong = limit->bytes ? parse_bytes(value, 1, limit->most, number)
@@ -151,7 +151,7 @@ std::string limits_text(std::size_t width) {
       "\n\n";
   constexpr std::size_t column = 31;
   const std::size_t indent = width >= 72 ? column : 6;
-  for (const LimitRow& limit : table) {
+  for (const LimitRow& limit : limit_rows) {
     text += fmt::format("  {:<18} {:>9}  ", limit.name, shown(limit, limit.get({})));
     text += wrapped(fmt::format("{}{}", limit.help, limit.bytes ? ", in bytes" : ""), column + 1,
                     indent + 1, width) +

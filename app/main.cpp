@@ -23,7 +23,7 @@ namespace scenefile::app {
 
 namespace {
 
-constexpr std::array table{
+constexpr std::array command_rows{
     Command{"render", for_render, "SCENE -o OUT", "draw a scene with the ray tracer",
             "Draws the scene to a picture. The file is written completely or not at all. The "
             "picture does not depend on the number of threads.",
@@ -215,7 +215,7 @@ ExitCode run(std::span<const char* const> words, Context& context) {
 }  // namespace
 
 std::span<const Command> commands() {
-  return table;
+  return command_rows;
 }
 
 ExitCode worse(ExitCode a, ExitCode b) {

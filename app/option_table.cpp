@@ -394,7 +394,7 @@ std::string set_flag_of(Options& options, const std::string& /*value*/) {
   return {};
 }
 
-constexpr std::array table{
+constexpr std::array option_rows{
     OptionRow{
         "--output", "-o", "OUT",
         "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part, "
@@ -693,7 +693,7 @@ constexpr std::array table{
 }  // namespace
 
 std::span<const OptionRow> option_table() {
-  return table;
+  return option_rows;
 }
 
 std::span<const std::string_view> words_of(const OptionRow& row) {

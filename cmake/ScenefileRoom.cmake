@@ -10,9 +10,24 @@ target_compile_options(scenefile_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
   # Code for any number of lanes combines masks with &; with one lane they are bool.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
+  # Warn of what comes from another source of the same unit, and is none of a source's business.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-shadow;-Wno-subobject-linkage>
   # No fused multiply-add, so that all compilers give the same bytes.
   -ffp-contract=off
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
+
+# Sources that include an "-inl.h" stay out of unity builds: such headers have no include guard, because
+# they are compiled once for each instruction set.
+function(scenefile_keep_apart)
+  foreach(source IN LISTS ARGN)
+    if(source MATCHES "\\.cpp$" AND EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${source}")
+      file(STRINGS "${source}" found REGEX "^#include \".*-inl\\.h\"" LIMIT_COUNT 1)
+      if(found)
+        set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endif()
+  endforeach()
+endfunction()
 
 function(scenefile_room name)
   cmake_parse_arguments(ROOM "PROGRAM_ONLY" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
@@ -26,6 +41,7 @@ function(scenefile_room name)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
     $<BUILD_INTERFACE:scenefile_options>)
+  scenefile_keep_apart(${ROOM_SOURCES})
   scenefile_precompile(${target} room)
   if(ROOM_PROGRAM_ONLY)
     return()

@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string textured =
+const std::string with_image =
     R"(<diffuse r="1" g="0.5" b="0"/><blend v="1"/><texture file="image/map.png" u="1" v="1"/>)";
 
 struct Convert : ::testing::Test {
@@ -112,7 +112,7 @@ TEST_F(Convert, FilesAreFoundFromTheOutputsFolder) {
   make_folder("in");
   make_folder("in/image");
   folder.write("in/image/map.png", "");
-  const std::string xml = folder.write("in/a.xml", scene_with(textured));
+  const std::string xml = folder.write("in/a.xml", scene_with(with_image));
   const ProgramRun beside = run_program({"convert", xml, folder.path("in/b.xml")});
   EXPECT_THAT(beside.err, Not(HasSubstr("map.png")));
   const ProgramRun above = run_program({"convert", xml, folder.path("b.xml")});
@@ -125,7 +125,7 @@ TEST_F(Convert, FilesThatStayBehindAreNamed) {
   make_folder("in/image");
   make_folder("out");
   folder.write("in/image/map.png", "");
-  const std::string xml = folder.write("in/a.xml", scene_with(textured));
+  const std::string xml = folder.write("in/a.xml", scene_with(with_image));
   const std::string out = folder.path("out/a.json");
   const ProgramRun lost = run_program({"convert", xml, out});
   EXPECT_EQ(lost.status, 0);

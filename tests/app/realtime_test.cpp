@@ -39,7 +39,7 @@ struct RealtimeProgram : ::testing::Test {
   TempFolder folder;
 };
 
-void is_misuse(std::vector<std::string> words, const std::string& text) {
+void is_refused(std::vector<std::string> words, const std::string& text) {
   const ProgramRun run = run_program(words);
   EXPECT_EQ(run.status, 2) << run.err;
   EXPECT_THAT(run.err, HasSubstr(text));
@@ -130,29 +130,29 @@ TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
     result.insert(result.end(), more.begin(), more.end());
     return result;
   };
-  is_misuse(words({"--engine", "trace"}), "leave --engine trace out");
-  is_misuse(words({"--features", "shadows"}), "leave --features out");
-  is_misuse(words({"--mode", "ray"}), "leave --mode out");
-  is_misuse(words({"--samples", "4"}), "leave --samples out");
-  is_misuse(words({"--near", "5", "--far", "5"}), "--near must be less than --far");
-  is_misuse(words({"--near", "0"}), "not a depth above 0");
-  is_misuse(words({"--parameters", "5"}), "not two parameters such as 5,5");
-  is_misuse(words({"--parameters", "0,5"}), "from 1 to 1024");
-  is_misuse(words({"--filter", "invret"}), "did you mean invert?");
-  is_misuse(words({"--milestone", "actoin"}), "did you mean action?");
-  is_misuse(words({"--aov", "depth"}), "--aov");
+  is_refused(words({"--engine", "trace"}), "leave --engine trace out");
+  is_refused(words({"--features", "shadows"}), "leave --features out");
+  is_refused(words({"--mode", "ray"}), "leave --mode out");
+  is_refused(words({"--samples", "4"}), "leave --samples out");
+  is_refused(words({"--near", "5", "--far", "5"}), "--near must be less than --far");
+  is_refused(words({"--near", "0"}), "not a depth above 0");
+  is_refused(words({"--parameters", "5"}), "not two parameters such as 5,5");
+  is_refused(words({"--parameters", "0,5"}), "from 1 to 1024");
+  is_refused(words({"--filter", "invret"}), "did you mean invert?");
+  is_refused(words({"--milestone", "actoin"}), "did you mean action?");
+  is_refused(words({"--aov", "depth"}), "--aov");
   for (const std::vector<std::string>& option : {std::vector<std::string>{"--parameters", "5,5"},
                                                  {"--near", "1"},
                                                  {"--far", "9"},
                                                  {"--filter", "none"},
                                                  {"--milestone", "action"}}) {
-    is_misuse({"render", "a.xml", "-o", "b.png", option[0], option[1]},
-              option[0] + " is for --profile realtime");
+    is_refused({"render", "a.xml", "-o", "b.png", option[0], option[1]},
+               option[0] + " is for --profile realtime");
   }
-  is_misuse({"explain", "a.xml", "--pixel", "1,1", "--profile", "realtime"},
-            "--profile realtime is for render, view, check and info");
-  is_misuse({"diff", "a.png", "b.png", "--profile", "realtime"},
-            "--profile realtime is for render, view, check and info");
+  is_refused({"explain", "a.xml", "--pixel", "1,1", "--profile", "realtime"},
+             "--profile realtime is for render, view, check and info");
+  is_refused({"diff", "a.png", "b.png", "--profile", "realtime"},
+             "--profile realtime is for render, view, check and info");
 }
 
 }  // namespace

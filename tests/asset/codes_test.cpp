@@ -13,7 +13,7 @@
 namespace scenefile {
 namespace {
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 struct Case {
   const Code* code;
@@ -51,16 +51,16 @@ std::vector<Case> cases() {
   return {
       {&texture_undecodable, false, png.substr(0, png.size() - 20), png},
       {&texture_limit, false, test::make_png(18, 1, 8, 2, false, {row}), png},
-      {&mesh_unusable, true, triangle + "f 1 2 4\n", triangle + "f 1 2\n"},
+      {&mesh_unusable, true, three_points + "f 1 2 4\n", three_points + "f 1 2\n"},
       {&mesh_not_obj, true, png, "# not much\n"},
       {&mesh_number, true, "v 0 0\n", "v 0 0 0\n"},
-      {&mesh_index, true, triangle + "f 1 2 4\n", triangle + "f 1 2 -3\n"},
-      {&mesh_limit, true, triangle + "f 1 2 3 1 2 3\n", triangle + "f 1 2 3 1 2\n"},
-      {&mesh_short_face, true, triangle + "f 1 2\n", triangle + "l 1 2\n"},
-      {&mesh_degenerate, true, triangle + "f 1 2 2\n", triangle + "f 1 2 3\n"},
+      {&mesh_index, true, three_points + "f 1 2 4\n", three_points + "f 1 2 -3\n"},
+      {&mesh_limit, true, three_points + "f 1 2 3 1 2 3\n", three_points + "f 1 2 3 1 2\n"},
+      {&mesh_short_face, true, three_points + "f 1 2\n", three_points + "l 1 2\n"},
+      {&mesh_degenerate, true, three_points + "f 1 2 2\n", three_points + "f 1 2 3\n"},
       {&mesh_zero_normal, true, "vn 0 0 0\n", "vn 0 0 1e-30\n"},
-      {&mesh_unknown_keyword, true, triangle + "face 1 2 3\n", triangle + "g face 1 2 3\n"},
-      {&mesh_empty, true, triangle, triangle + "f 1 2 3\n"},
+      {&mesh_unknown_keyword, true, three_points + "face 1 2 3\n", three_points + "g face 1 2 3\n"},
+      {&mesh_empty, true, three_points, three_points + "f 1 2 3\n"},
   };
 }
 

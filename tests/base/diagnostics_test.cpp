@@ -1,12 +1,11 @@
 #include "scenefile/base/diagnostics.h"
 
+#include "base/test_codes.h"
+
 #include <gtest/gtest.h>
 
 namespace scenefile {
 namespace {
-
-constexpr Code odd{"test.odd", Severity::warning, "odd", "help"};
-constexpr Code bad{"test.bad", Severity::error, "bad", "help"};
 
 TEST(Diagnostics, CountsBySeverity) {
   Diagnostics d;

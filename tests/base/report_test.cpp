@@ -1,5 +1,7 @@
 #include "scenefile/base/report.h"
 
+#include "base/test_codes.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,9 +10,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr Code odd{"test.odd", Severity::warning, "odd", "help"};
-constexpr Code bad{"test.bad", Severity::error, "bad", "help"};
 
 std::string report(const Diagnostics& d, std::string_view text) {
   return report_text(d, "s.xml", text, {});

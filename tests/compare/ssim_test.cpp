@@ -10,7 +10,7 @@
 namespace scenefile::compare_test {
 namespace {
 
-constexpr double tolerance = 1e-5;
+constexpr double ssim_tolerance = 1e-5;
 
 TEST(Ssim, EqualPicturesAreOne) {
   const Texture a = pattern(40, 30, 3);
@@ -19,10 +19,10 @@ TEST(Ssim, EqualPicturesAreOne) {
 
 TEST(Ssim, PatternsOfAllKinds) {
   const Texture a = pattern(48, 32, 0);
-  EXPECT_NEAR(ssim(a, pattern(48, 32, 1)), 0.920568, tolerance);
-  EXPECT_NEAR(ssim(a, darkened(a, 8)), 0.995739, tolerance);
-  EXPECT_NEAR(ssim(a, mirrored(a)), 0.560461, tolerance);
-  EXPECT_NEAR(ssim(a, blank(48, 32)), 0.000361, tolerance);
+  EXPECT_NEAR(ssim(a, pattern(48, 32, 1)), 0.920568, ssim_tolerance);
+  EXPECT_NEAR(ssim(a, darkened(a, 8)), 0.995739, ssim_tolerance);
+  EXPECT_NEAR(ssim(a, mirrored(a)), 0.560461, ssim_tolerance);
+  EXPECT_NEAR(ssim(a, blank(48, 32)), 0.000361, ssim_tolerance);
 }
 
 TEST(Ssim, IsSymmetric) {

@@ -20,13 +20,13 @@ namespace {
 constexpr double threshold_db = 45;
 constexpr double good_db = 60;
 
-bool passes(const Result& r, const std::vector<Exception>& exceptions) {
+bool passes(const RowResult& r, const std::vector<Exception>& exceptions) {
   const Exception* exception = find_exception(exceptions, r.row.reference);
   return r.error.empty() &&
          r.difference.psnr_db >= (exception != nullptr ? exception->floor_db : threshold_db);
 }
 
-void print_row(const Result& r, const std::vector<Exception>& exceptions) {
+void print_row(const RowResult& r, const std::vector<Exception>& exceptions) {
   const Exception* exception = find_exception(exceptions, r.row.reference);
   const char* verdict = passes(r, exceptions) ? (exception != nullptr ? "known" : "ok") : "MISS";
   if (!r.error.empty()) {
@@ -38,8 +38,8 @@ void print_row(const Result& r, const std::vector<Exception>& exceptions) {
              100 * r.difference.share_over, r.cpu_seconds, r.row.reference);
 }
 
-long count_at(const std::vector<Result>& results, double db) {
-  return std::count_if(results.begin(), results.end(), [&](const Result& r) {
+long count_at(const std::vector<RowResult>& results, double db) {
+  return std::count_if(results.begin(), results.end(), [&](const RowResult& r) {
     return r.error.empty() && r.difference.psnr_db >= db;
   });
 }
@@ -52,7 +52,7 @@ int run(const std::string& corpus, const std::string& folder, const std::string&
     fmt::print(stderr, "{}\n", error);
     return 3;
   }
-  std::vector<Result> results;
+  std::vector<RowResult> results;
   double cpu_seconds = 0;
   for (const Row& row : rows) {
     if (row.reference.find(filter) != std::string::npos) {
@@ -60,11 +60,11 @@ int run(const std::string& corpus, const std::string& folder, const std::string&
       cpu_seconds += results.back().cpu_seconds;
     }
   }
-  std::stable_sort(results.begin(), results.end(), [](const Result& a, const Result& b) {
+  std::stable_sort(results.begin(), results.end(), [](const RowResult& a, const RowResult& b) {
     return (a.error.empty() ? a.difference.psnr_db : -1) <
            (b.error.empty() ? b.difference.psnr_db : -1);
   });
-  for (const Result& r : results) {
+  for (const RowResult& r : results) {
     print_row(r, exceptions);
   }
   if (!folder.empty()) {
@@ -76,7 +76,7 @@ int run(const std::string& corpus, const std::string& folder, const std::string&
   }
   const auto total = static_cast<long>(results.size());
   const long passed = std::count_if(results.begin(), results.end(),
-                                    [&](const Result& r) { return passes(r, exceptions); });
+                                    [&](const RowResult& r) { return passes(r, exceptions); });
   fmt::print("{} of {} at {} dB or better, {} at {} dB or better, {:.1f} CPU seconds\n",
              count_at(results, threshold_db), total, threshold_db, count_at(results, good_db),
              good_db, cpu_seconds);

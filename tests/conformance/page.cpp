@@ -46,12 +46,12 @@ std::string html(std::string_view text) {
 
 }  // namespace
 
-std::string write_page(const std::string& folder, const std::vector<Result>& results,
+std::string write_page(const std::string& folder, const std::vector<RowResult>& results,
                        const std::vector<Exception>& exceptions) {
   std::filesystem::create_directories(folder);
   std::string page(head);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Result& r = results[i];
+    const RowResult& r = results[i];
     const Exception* exception = find_exception(exceptions, r.row.reference);
     const std::string reason = exception != nullptr ? exception->reason : "";
     if (!r.error.empty()) {

@@ -15,8 +15,8 @@ double cpu_seconds() {
 
 }  // namespace
 
-Result run_row(const std::string& corpus, const Row& row) {
-  Result result;
+RowResult run_row(const std::string& corpus, const Row& row) {
+  RowResult result;
   result.row = row;
   result.error = read_picture(corpus + "/" + row.reference, result.theirs);
   if (!result.error.empty()) {

@@ -8,7 +8,7 @@
 namespace scenefile::conformance {
 
 /// A rendered and compared row.
-struct Result {
+struct RowResult {
   Row row;
   std::string error;  ///< an error text if there is no picture
   Texture ours;
@@ -18,6 +18,6 @@ struct Result {
 };
 
 /// Renders a row of the corpus at the size of its reference, with the course profile.
-Result run_row(const std::string& corpus, const Row& row);
+RowResult run_row(const std::string& corpus, const Row& row);
 
 }  // namespace scenefile::conformance

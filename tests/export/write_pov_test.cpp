@@ -13,19 +13,19 @@ using testing::HasSubstr;
 using testing::Not;
 using trace_test::SceneBuilder;
 
-struct Written {
+struct WrittenPov {
   std::string text;
   Diagnostics diagnostics;
 };
 
-Written write(const SceneBuilder& scene, const PovOptions& options = {}) {
-  Written w;
+WrittenPov write(const SceneBuilder& scene, const PovOptions& options = {}) {
+  WrittenPov w;
   const std::vector<std::string> paths(scene.scene.texture_files.size(), "image.png");
   w.text = write_pov(scene.scene, scene.assets.meshes, paths, options, w.diagnostics);
   return w;
 }
 
-bool says(const Written& w, const Code& code) {
+bool says(const WrittenPov& w, const Code& code) {
   for (const Diagnostic& d : w.diagnostics.list()) {
     if (d.code == &code) {
       return true;
@@ -41,7 +41,7 @@ TEST(WritePov, SaysNothingOfWhatItSaysExactly) {
   m.shininess = 10;
   scene.add(Shape::cube, {}, scene.material(m));
   scene.light(LightType::point, {1, 2, 3}, glm::vec3(1));
-  const Written w = write(scene);
+  const WrittenPov w = write(scene);
   EXPECT_TRUE(w.diagnostics.list().empty());
   EXPECT_THAT(w.text, HasSubstr("light_source { <1, 2, 3> rgb <1, 1, 1> }"));
 }

@@ -28,11 +28,11 @@ const std::string good =
     "\tdepthoffield = false\n"
     "\ttexture-filter = true\n";
 
-struct Reading {
+struct ConfigReading {
   Diagnostics diagnostics;
   CourseConfig config;
 
-  explicit Reading(const std::string& text) : config(read_config(text, {}, diagnostics)) {}
+  explicit ConfigReading(const std::string& text) : config(read_config(text, {}, diagnostics)) {}
   bool gives(const Code& code) const {
     for (const Diagnostic& d : diagnostics.list()) {
       if (d.code == &code) {
@@ -50,7 +50,7 @@ std::string replaced(const std::string& from, const std::string& to) {
 }
 
 TEST(Config, IsReadAsTheDriverWritesIt) {
-  const Reading read(good);
+  const ConfigReading read(good);
   EXPECT_TRUE(read.diagnostics.list().empty());
   CourseConfig expected;
   expected.scene = "/scenes/test_unit/unit cone.xml";
@@ -65,7 +65,7 @@ TEST(Config, IsReadAsTheDriverWritesIt) {
 }
 
 TEST(Config, ReadsTheSpellingsOfQSettings) {
-  const Reading read(
+  const ConfigReading read(
       "\xef\xbb\xbf; comment\r\n# comment\r\n  [ IO ] ; comment\r\n"
       "scene=\"a; \\\"b\\\" \"  c \\\\ \\x20ac\\xe9 ; comment\r\n"
       "output = x.png;y\r\n\r\n[Canvas]\rwidth=1\rheight =65536\n"
@@ -82,21 +82,21 @@ TEST(Config, ReadsTheSpellingsOfQSettings) {
 }
 
 TEST(Config, TheLastOfTwoCounts) {
-  const Reading read(replaced("width = 1024", "width = 4\nwidth = 5"));
+  const ConfigReading read(replaced("width = 1024", "width = 4\nwidth = 5"));
   EXPECT_EQ(read.config.width, 5);
 }
 
-struct Case {
+struct ConfigCase {
   const Code* code;
   std::string gives;
   std::string near_miss;
   Location place;
 };
 
-class ConfigCode : public ::testing::TestWithParam<Case> {};
+class ConfigCode : public ::testing::TestWithParam<ConfigCase> {};
 
 TEST_P(ConfigCode, IsGivenAtItsPlace) {
-  const Reading read(GetParam().gives);
+  const ConfigReading read(GetParam().gives);
   ASSERT_TRUE(read.gives(*GetParam().code));
   for (const Diagnostic& d : read.diagnostics.list()) {
     if (d.code == GetParam().code) {
@@ -107,58 +107,58 @@ TEST_P(ConfigCode, IsGivenAtItsPlace) {
 }
 
 TEST_P(ConfigCode, IsNotGivenByANearMiss) {
-  EXPECT_TRUE(Reading(GetParam().near_miss).diagnostics.list().empty());
+  EXPECT_TRUE(ConfigReading(GetParam().near_miss).diagnostics.list().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, ConfigCode,
     ::testing::Values(
-        Case{&config_syntax,
-             replaced("[Canvas]", "[Canvas"),
-             replaced("[Canvas]", "[ Canvas ]"),
-             {5, 1}},
-        Case{&config_syntax,
-             replaced("[Canvas]", "[Canvas] x"),
-             replaced("[Canvas]", "[Canvas];x"),
-             {5, 9}},
-        Case{&config_syntax,
-             replaced("width = 1024", "width 1024\nwidth = 1024"),
-             replaced("width = 1024", "; width 1024\nwidth = 1024"),
-             {6, 2}},
-        Case{&config_syntax, replaced("width = ", "= "), good, {6, 2}},
-        Case{&config_syntax,
-             replaced("width = 1024", "width = \"1024"),
-             replaced("width = 1024", "width = \"1024\""),
-             {6, 10}},
-        Case{&config_backslash,
-             replaced("/out/", "C:\\out\\"),
-             replaced("/out/", "C:\\\\out\\\\"),
-             {3, 13}},
-        Case{
+        ConfigCase{&config_syntax,
+                   replaced("[Canvas]", "[Canvas"),
+                   replaced("[Canvas]", "[ Canvas ]"),
+                   {5, 1}},
+        ConfigCase{&config_syntax,
+                   replaced("[Canvas]", "[Canvas] x"),
+                   replaced("[Canvas]", "[Canvas];x"),
+                   {5, 9}},
+        ConfigCase{&config_syntax,
+                   replaced("width = 1024", "width 1024\nwidth = 1024"),
+                   replaced("width = 1024", "; width 1024\nwidth = 1024"),
+                   {6, 2}},
+        ConfigCase{&config_syntax, replaced("width = ", "= "), good, {6, 2}},
+        ConfigCase{&config_syntax,
+                   replaced("width = 1024", "width = \"1024"),
+                   replaced("width = 1024", "width = \"1024\""),
+                   {6, 10}},
+        ConfigCase{&config_backslash,
+                   replaced("/out/", "C:\\out\\"),
+                   replaced("/out/", "C:\\\\out\\\\"),
+                   {3, 13}},
+        ConfigCase{
             &config_backslash, replaced("/out/", "\\xd800"), replaced("/out/", "\\xd7ff"), {3, 11}},
-        Case{&config_unknown_key, replaced("shadows =", "shadow ="), good, {10, 2}},
-        Case{&config_unknown_key, replaced("[Feature]", "[Features]"), good, {10, 2}},
-        Case{&config_key_case, replaced("[Canvas]", "[canvas]"), good, {6, 2}},
-        Case{
+        ConfigCase{&config_unknown_key, replaced("shadows =", "shadow ="), good, {10, 2}},
+        ConfigCase{&config_unknown_key, replaced("[Feature]", "[Features]"), good, {10, 2}},
+        ConfigCase{&config_key_case, replaced("[Canvas]", "[canvas]"), good, {6, 2}},
+        ConfigCase{
             &config_duplicate_key, good + "shadows = false\n", good + "texture = false\n", {17, 1}},
-        Case{&config_missing_key, replaced("\twidth = 1024\n", ""), good, {0, 0}},
-        Case{&config_value,
-             replaced("width = 1024", "width = 0"),
-             replaced("width = 1024", "width = 1"),
-             {6, 10}},
-        Case{&config_value, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
-        Case{&config_value,
-             replaced("shadows = true", "shadows = yes"),
-             replaced("shadows = true", "shadows = 1"),
-             {10, 12}},
-        Case{&config_value, replaced("/out/test_unit_cone.png", ""), good, {3, 11}},
-        Case{&config_value,
-             good + "[Settings]\nmaximum-recursive-depth = 65\n",
-             good + "[Settings]\nmaximum-recursive-depth = 64\n",
-             {18, 27}}));
+        ConfigCase{&config_missing_key, replaced("\twidth = 1024\n", ""), good, {0, 0}},
+        ConfigCase{&config_value,
+                   replaced("width = 1024", "width = 0"),
+                   replaced("width = 1024", "width = 1"),
+                   {6, 10}},
+        ConfigCase{&config_value, replaced("width = 1024", "width = 10.5"), good, {6, 10}},
+        ConfigCase{&config_value,
+                   replaced("shadows = true", "shadows = yes"),
+                   replaced("shadows = true", "shadows = 1"),
+                   {10, 12}},
+        ConfigCase{&config_value, replaced("/out/test_unit_cone.png", ""), good, {3, 11}},
+        ConfigCase{&config_value,
+                   good + "[Settings]\nmaximum-recursive-depth = 65\n",
+                   good + "[Settings]\nmaximum-recursive-depth = 64\n",
+                   {18, 27}}));
 
 TEST(Config, SaysWhatWasMeant) {
-  const Reading read(replaced("shadows =", "shadow ="));
+  const ConfigReading read(replaced("shadows =", "shadow ="));
   ASSERT_EQ(read.diagnostics.list().size(), 1U);
   EXPECT_THAT(read.diagnostics.list().front().message,
               HasSubstr("unknown key [Feature] shadow has no effect; did you mean [Feature] "

@@ -95,20 +95,20 @@ TEST(EditCamera, AFileWithoutCameraGetsOne) {
                      "    <heightangle v=\"45\"/>\n  </cameradata>"));
 }
 
-const std::string json =
+const std::string camera_json =
     "\xEF\xBB\xBF{ \"name\": \"a\",\n  \"globalData\": {\"ambientCoeff\":1, \"diffuseCoeff\":1,"
     " \"specularCoeff\":1},\n  \"cameraData\": {\"position\": [1.0, 2 ,3], \"up\":[0,1,0],\n"
     "     \"heightAngle\": 4.5e1, \"look\": [0.0, 0, -1]},\n  \"groups\": [\n"
     "    {\"primitives\": [{\"type\":\"sphere\"}]}\n  ]\n}\n";
 
 TEST(EditCamera, Json) {
-  EXPECT_EQ(edit_camera(json, camera_at({1, 2, 3}), {}).bytes, json);
-  EXPECT_EQ(edit_camera(json, camera_at({1, -2.5F, 3}, {0, 0, -1}, 20), {}).bytes,
-            replaced(replaced(json, "2 ,", "-2.5 ,"), "4.5e1", "20"));
+  EXPECT_EQ(edit_camera(camera_json, camera_at({1, 2, 3}), {}).bytes, camera_json);
+  EXPECT_EQ(edit_camera(camera_json, camera_at({1, -2.5F, 3}, {0, 0, -1}, 20), {}).bytes,
+            replaced(replaced(camera_json, "2 ,", "-2.5 ,"), "4.5e1", "20"));
 }
 
 TEST(EditCamera, JsonFocus) {
-  const std::string text = replaced(json, "\"look\": [0.0, 0, -1]", "\"focus\": [1, 2, 0]");
+  const std::string text = replaced(camera_json, "\"look\": [0.0, 0, -1]", "\"focus\": [1, 2, 0]");
   EXPECT_EQ(edit_camera(text, camera_at({1, 2, 5}, {0, 0, -5}), {}).bytes,
             replaced(text, ",3]", ",5]"));
 }
@@ -126,7 +126,7 @@ TEST(EditCamera, RefusesWhatItCannotSay) {
     wide += {c, '\0'};
   }
   EXPECT_THAT(edit_camera(wide, camera, {}).refused, HasSubstr("UTF-16"));
-  const std::string repaired = replaced(json, "4.5e1", "45.");
+  const std::string repaired = replaced(camera_json, "4.5e1", "45.");
   const ReadOptions compat{.compat_course = true, .limits = {}};
   EXPECT_THAT(edit_camera(repaired, camera_at({4, 2, 3}), compat).refused,
               HasSubstr("not valid JSON"));
@@ -145,8 +145,8 @@ RC_GTEST_PROP(EditCamera, ThereAndBack, ()) {
   RC_PRE(glm::length(camera.look) > 0.5F && std::abs(camera.look.x) > 0.1F);
   camera.height_angle_deg = 1 + std::abs(part());
   RC_PRE(camera.height_angle_deg < 170);
-  const std::string text = *rc::gen::element(xml_with(block), json);
-  const Camera before = camera_at(text == json ? glm::vec3{1, 2, 3} : glm::vec3{1, 2, 3.5F});
+  const std::string text = *rc::gen::element(xml_with(block), camera_json);
+  const Camera before = camera_at(text == camera_json ? glm::vec3{1, 2, 3} : glm::vec3{1, 2, 3.5F});
   const CameraEdit there = edit_camera(text, camera, {});
   RC_ASSERT(there.refused.empty());
   Diagnostics found;

@@ -1,4 +1,4 @@
-// Reading JSON into a Scene.
+// JsonReading JSON into a Scene.
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
@@ -17,7 +17,7 @@ constexpr std::string_view head = R"({
 "cameraData": {"position": [0, 0, 5], "up": [0, 1, 0], "look": [0, 0, -1], "heightAngle": 45},
 )";
 
-struct Reading {
+struct JsonReading {
   Scene scene;
   Diagnostics diagnostics;
 
@@ -39,31 +39,31 @@ struct Reading {
   }
 };
 
-Reading read(std::string_view text, const ReadOptions& options = {}) {
-  Reading reading;
+JsonReading read(std::string_view text, const ReadOptions& options = {}) {
+  JsonReading reading;
   reading.scene = read_json(text, options, reading.diagnostics);
   return reading;
 }
 
 // Line numbers of `rest` start at 4.
-Reading read_with_head(std::string_view rest) {
+JsonReading read_with_head(std::string_view rest) {
   return read(std::string(head) + std::string(rest) + "}");
 }
 
-Reading read_group(std::string_view group) {
+JsonReading read_group(std::string_view group) {
   return read_with_head(fmt::format("\"groups\": [\n{}]", group));
 }
 
-Reading read_primitive(std::string_view primitive) {
+JsonReading read_primitive(std::string_view primitive) {
   return read_group(fmt::format("{{\"primitives\": [\n{}]}}", primitive));
 }
 
-Reading read_light(std::string_view light) {
+JsonReading read_light(std::string_view light) {
   return read_group(fmt::format("{{\"lights\": [\n{}]}}", light));
 }
 
 TEST(JsonReader, GlobalsAndCamera) {
-  const Reading r = read(R"({
+  const JsonReading r = read(R"({
     "name": "kitchen",
     "globalData": {"ambientCoeff": 0.1, "diffuseCoeff": 0.2, "specularCoeff": 0.3,
                    "transparentCoeff": 0.4},
@@ -96,7 +96,7 @@ TEST(JsonReader, AbsentTransparentCoefficientStaysAbsent) {
 }
 
 TEST(JsonReader, TransformsHaveAFixedOrder) {
-  const Reading r = read_group(R"({
+  const JsonReading r = read_group(R"({
     "matrix": [[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]],
     "scale": [2, 3, 4],
     "rotate": [0, 1, 0, 90],
@@ -115,7 +115,7 @@ TEST(JsonReader, TransformsHaveAFixedOrder) {
 }
 
 TEST(JsonReader, PrimitivesWithAllKeys) {
-  const Reading r = read_primitive(R"({"type": "mesh", "meshFile": "meshes/a.obj",
+  const JsonReading r = read_primitive(R"({"type": "mesh", "meshFile": "meshes/a.obj",
     "ambient": [0, 0.1, 0.2], "diffuse": [0.3, 0.4, 0.5], "specular": [0.6, 0.7, 0.8],
     "reflective": [0.9, 1, 1.1], "transparent": [1.2, 1.3, 1.4], "shininess": 15, "ior": 1.5,
     "blend": 0.25, "textureFile": "file:a\\b.png", "textureU": 2, "textureV": 3,
@@ -141,13 +141,13 @@ TEST(JsonReader, PrimitivesWithAllKeys) {
 }
 
 TEST(JsonReader, PrimitiveDefaults) {
-  const Reading r = read_primitive(R"({"type": "sphere"})");
+  const JsonReading r = read_primitive(R"({"type": "sphere"})");
   EXPECT_EQ(r.child(0).primitives.at(0).material, Material());
   EXPECT_EQ(r.child(0).primitives.at(0).shape, Shape::sphere);
 }
 
 TEST(JsonReader, LightsStandAtTheOriginOfTheirGroup) {
-  const Reading r = read_group(R"({"translate": [1, 2, 3], "lights": [
+  const JsonReading r = read_group(R"({"translate": [1, 2, 3], "lights": [
     {"type": "point", "name": "lamp", "color": [1, 2, 3], "attenuationCoeff": [0.1, 0.2, 0.3]},
     {"type": "directional", "color": [1, 1, 1], "direction": [1, -1, 0]},
     {"type": "spot", "color": [1, 1, 1], "direction": [0, -1, 0], "penumbra": 5, "angle": 20,
@@ -169,7 +169,8 @@ TEST(JsonReader, LightsStandAtTheOriginOfTheirGroup) {
 }
 
 TEST(JsonReader, LightsWithoutTheirKeys) {
-  const Reading r = read_light(R"({"type": "spot", "color": [1, 1, 1], "direction": [0, -1, 0]})");
+  const JsonReading r =
+      read_light(R"({"type": "spot", "color": [1, 1, 1], "direction": [0, -1, 0]})");
   EXPECT_EQ(r.count(json_light_default), 2u) << r.all_messages();
   EXPECT_FALSE(r.child(0).lights.at(0).angle_deg);
   EXPECT_EQ(
@@ -178,7 +179,7 @@ TEST(JsonReader, LightsWithoutTheirKeys) {
 }
 
 TEST(JsonReader, LightsWithoutATypeArePointLights) {
-  const Reading r = read_light(R"({"color": [1, 0, 1], "attenuationCoeff": [1, 0, 0]})");
+  const JsonReading r = read_light(R"({"color": [1, 0, 1], "attenuationCoeff": [1, 0, 0]})");
   EXPECT_EQ(r.diagnostics.list().size(), 1u);
   EXPECT_EQ(r.count(json_light_default), 1u);
   EXPECT_EQ(r.child(0).lights.at(0).type, LightType::point);
@@ -186,7 +187,7 @@ TEST(JsonReader, LightsWithoutATypeArePointLights) {
 }
 
 TEST(JsonReader, WhatIsNoLightIsLeftOut) {
-  const Reading r = read_light(R"({"translate": [1, 2, 3], "lights": []})");
+  const JsonReading r = read_light(R"({"translate": [1, 2, 3], "lights": []})");
   EXPECT_EQ(r.count(json_no_light), 1u);
   EXPECT_TRUE(r.child(0).lights.empty());
 }
@@ -199,7 +200,7 @@ TEST(JsonReader, KeysWithoutEffectOnLights) {
 }
 
 TEST(JsonReader, GroupsKeepOrderAndNames) {
-  const Reading r = read_group(R"({"name": "a", "groups": [{"name": "b", "primitives": []},
+  const JsonReading r = read_group(R"({"name": "a", "groups": [{"name": "b", "primitives": []},
       {"name": "c", "groups": []}]}, {"name": "d", "lights": []})");
   EXPECT_TRUE(r.diagnostics.list().empty()) << r.all_messages();
   EXPECT_EQ(r.child(0).name, "a");
@@ -210,7 +211,7 @@ TEST(JsonReader, GroupsKeepOrderAndNames) {
 }
 
 TEST(JsonReader, InstancesOfTemplatesDeclaredBefore) {
-  const Reading r = read_with_head(R"("groups": [{"name": "set"}, {"name": "chair"}],
+  const JsonReading r = read_with_head(R"("groups": [{"name": "set"}, {"name": "chair"}],
       "templateGroups": [{"name": "chair", "scale": [2, 2, 2], "primitives": [{"type": "cube"}]},
                          {"name": "set", "groups": [{"name": "chair"}]}])");
   EXPECT_TRUE(r.diagnostics.list().empty()) << r.all_messages();
@@ -225,7 +226,7 @@ TEST(JsonReader, InstancesOfTemplatesDeclaredBefore) {
 }
 
 TEST(JsonReader, OtherKeysOfAnInstanceAreIgnored) {
-  const Reading r = read_with_head(R"("templateGroups": [{"name": "a", "primitives": []}],
+  const JsonReading r = read_with_head(R"("templateGroups": [{"name": "a", "primitives": []}],
       "groups": [{"translate": "anything", "name": "a", "groups": 5}])");
   EXPECT_EQ(r.count(json_instance_keys), 1u);
   EXPECT_EQ(r.diagnostics.list().size(), 1u) << r.all_messages();
@@ -236,21 +237,21 @@ TEST(JsonReader, OtherKeysOfAnInstanceAreIgnored) {
 }
 
 TEST(JsonReader, EmptyGroupNamedLikeALaterTemplateIsMeantAsInstance) {
-  const Reading r = read_with_head(R"("groups": [], "templateGroups": [
+  const JsonReading r = read_with_head(R"("groups": [], "templateGroups": [
       {"name": "a", "groups": [{"name": "b"}, {"name": "a"}]}, {"name": "b", "primitives": []}])");
   EXPECT_EQ(r.below(r.scene.templates[0], 0).instance_of, "b");
   EXPECT_EQ(r.below(r.scene.templates[0], 1).instance_of, "a");
 }
 
 TEST(JsonReader, UnknownTemplateSuggestsANearOne) {
-  const Reading r = read_with_head(R"("templateGroups": [{"name": "chair", "primitives": []}],
+  const JsonReading r = read_with_head(R"("templateGroups": [{"name": "chair", "primitives": []}],
       "groups": [{"name": "chiar"}])");
   EXPECT_NE(r.all_messages().find("did you mean \"chair\"?"), std::string::npos);
   EXPECT_EQ(r.child(0).name, "chiar");
 }
 
 TEST(JsonReader, ExtensionsAreNamedAndSkipped) {
-  const Reading r = read_primitive(
+  const JsonReading r = read_primitive(
       R"({"type": "cube", "velocity": {"deep": [1, {"x": 2}]}}, {"type": "movingCube"})");
   EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
   EXPECT_EQ(r.count(json_unknown_key), 1u);
@@ -260,7 +261,7 @@ TEST(JsonReader, ExtensionsAreNamedAndSkipped) {
 
 TEST(JsonReader, MisspelledTypesAreErrors) {
   for (const char* type : {"Cube", "sphre", "cub", "two words", "a\\nb", ""}) {
-    const Reading r = read_primitive(fmt::format("{{\"type\": \"{}\"}}", type));
+    const JsonReading r = read_primitive(fmt::format("{{\"type\": \"{}\"}}", type));
     EXPECT_TRUE(r.diagnostics.has_errors()) << type;
   }
   EXPECT_NE(read_primitive(R"({"type": "Cube"})").all_messages().find("did you mean \"cube\"?"),
@@ -268,7 +269,7 @@ TEST(JsonReader, MisspelledTypesAreErrors) {
 }
 
 TEST(JsonReader, MisspelledKeysAreSuggested) {
-  const Reading r = read_primitive(R"({"type": "cube", "Diffuse": [1, 0, 0]})");
+  const JsonReading r = read_primitive(R"({"type": "cube", "Diffuse": [1, 0, 0]})");
   EXPECT_NE(r.all_messages().find("6:18 unknown key \"Diffuse\" in a primitive; did you mean "
                                   "\"diffuse\"?"),
             std::string::npos)
@@ -278,14 +279,14 @@ TEST(JsonReader, MisspelledKeysAreSuggested) {
 }
 
 TEST(JsonReader, AKeyBesideItsLikeIsAnExtension) {
-  const Reading r =
+  const JsonReading r =
       read_primitive(R"({"type": "cube", "diffuse2": [1, 1, 1], "diffuse": [1, 0, 0]})");
   EXPECT_EQ(r.count(json_unknown_key), 1u);
   EXPECT_FALSE(r.diagnostics.has_errors());
 }
 
 TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
-  const std::pair<Reading, const char*> cases[] = {
+  const std::pair<JsonReading, const char*> cases[] = {
       {read_primitive(R"({"type": "cube", "color": [1, 0, 0]})"), "did you mean \"diffuse\"?"},
       {read_primitive(R"({"type": "cube", "scale": [1, 2, 1]})"), "transforms belong to the group"},
       {read_primitive(R"({"type": "box"})"), "did you mean \"cube\"?"},
@@ -300,19 +301,20 @@ TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
     EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
     EXPECT_NE(r.all_messages().find(hint), std::string::npos) << r.all_messages();
   }
-  const Reading light =
+  const JsonReading light =
       read_light(R"({"type": "sun", "color": [1, 1, 1], "direction": [0, 1, 0]})");
   EXPECT_NE(light.all_messages().find("did you mean \"directional\"?"), std::string::npos);
   EXPECT_TRUE(light.diagnostics.has_errors());
 }
 
 TEST(JsonReader, NoTranslationOfWhatIsThere) {
-  const Reading r = read_primitive(R"({"type": "cube", "color": [1, 0, 0], "diffuse": [1, 0, 0]})");
+  const JsonReading r =
+      read_primitive(R"({"type": "cube", "color": [1, 0, 0], "diffuse": [1, 0, 0]})");
   EXPECT_EQ(r.all_messages(), "6:18 unknown key \"color\" in a primitive is ignored\n");
 }
 
 TEST(JsonReader, TemplatesMayStandBehindTheGroups) {
-  const Reading r = read_with_head(R"("groups": [{"name": "a"}],
+  const JsonReading r = read_with_head(R"("groups": [{"name": "a"}],
       "templateGroups": [{"name": "a", "primitives": [{"type": "cube"}]}])");
   EXPECT_EQ(r.all_messages(), "");
   EXPECT_EQ(r.child(0).instance_of, "a");
@@ -336,7 +338,7 @@ TEST(JsonReader, WrongTypesNameKeyExpectationAndFinding) {
       {R"({"matrix": {"a": 1}})", "must be 4 rows"},
   };
   for (const auto& [group, message] : cases) {
-    const Reading r = read_group(group);
+    const JsonReading r = read_group(group);
     EXPECT_TRUE(r.diagnostics.has_errors()) << group;
     EXPECT_NE(r.all_messages().find(message), std::string::npos) << r.all_messages();
   }
@@ -352,7 +354,7 @@ TEST(JsonReader, VectorsOfTheFourDimensionalFork) {
 }
 
 TEST(JsonReader, RepeatsOfTheWrongTypeAreOne) {
-  const Reading r =
+  const JsonReading r =
       read_primitive(R"({"type": "cube", "textureFile": "a.png", "textureU": "2", "textureV": 3})");
   EXPECT_FALSE(r.diagnostics.has_errors());
   EXPECT_EQ(r.diagnostics.count(Severity::warning), 1u);
@@ -361,7 +363,7 @@ TEST(JsonReader, RepeatsOfTheWrongTypeAreOne) {
 }
 
 TEST(JsonReader, DuplicateKeysTheLastCounts) {
-  const Reading r = read_group(R"({"scale": [1, 1, 1],
+  const JsonReading r = read_group(R"({"scale": [1, 1, 1],
     "scale": [2, 2, 2]})");
   EXPECT_EQ(r.all_messages(),
             "6:5 \"scale\" occurs twice in a group, first at line 5; the last one "
@@ -370,7 +372,7 @@ TEST(JsonReader, DuplicateKeysTheLastCounts) {
 }
 
 TEST(JsonReader, EscapesInKeysAndStrings) {
-  const Reading r = read_group(R"({"\u006eame": "a\u00e9\n\ud83d\ude00\/", "primitives": []})");
+  const JsonReading r = read_group(R"({"\u006eame": "a\u00e9\n\ud83d\ude00\/", "primitives": []})");
   EXPECT_TRUE(r.diagnostics.list().empty()) << r.all_messages();
   EXPECT_EQ(r.child(0).name, "a\xc3\xa9\n\xf0\x9f\x98\x80/");
 }
@@ -382,7 +384,7 @@ TEST(JsonReader, CompatCourseReadsNumbersWithoutADigit) {
   EXPECT_EQ(read(text).count(json_number), 5u) << "two are alike";
   ReadOptions options;
   options.compat_course = true;
-  const Reading r = read(text, options);
+  const JsonReading r = read(text, options);
   EXPECT_EQ(r.count(json_number), 6u) << r.all_messages();
   EXPECT_EQ(r.diagnostics.count(Severity::warning), 6u);
   EXPECT_NE(r.all_messages().find("4:46 a number with \".5\" is not JSON"), std::string::npos)
@@ -403,7 +405,7 @@ TEST(JsonReader, CompatCourseExcusesNothingElse) {
     EXPECT_TRUE(read(fmt::format("{{\"a\": {}}}", number), options).diagnostics.has_errors())
         << number;
   }
-  const Reading r = read("{\"a\": .5, \"b\": 1.,}", options);
+  const JsonReading r = read("{\"a\": .5, \"b\": 1.,}", options);
   EXPECT_NE(r.all_messages().find("1:18 comma before the closing }"), std::string::npos)
       << r.all_messages();
 }
@@ -424,7 +426,7 @@ TEST(JsonReader, KeysAreBounded) {
   for (int i = 0; i < 300; ++i) {
     keys += fmt::format("\"k{}\": {},", i, i);
   }
-  const Reading r = read_group("{" + keys + "\"primitives\": []}");
+  const JsonReading r = read_group("{" + keys + "\"primitives\": []}");
   EXPECT_EQ(r.count(json_limit), 1u);
   EXPECT_EQ(r.count(json_unknown_key), 100u);
 }
@@ -441,7 +443,7 @@ TEST(JsonReader, DeepGroupsNeedNoStack) {
   for (int i = 0; i < depth; ++i) {
     text += "}]";
   }
-  const Reading r = read(text + "}", options);
+  const JsonReading r = read(text + "}", options);
   EXPECT_FALSE(r.diagnostics.has_errors()) << r.all_messages();
   EXPECT_EQ(r.scene.nodes.size(), static_cast<std::size_t>(depth) + 1);
 }

@@ -16,14 +16,14 @@ Diagnostics diagnostics_of(std::string_view text) {
   return diagnostics;
 }
 
-struct Case {
+struct SyntaxCase {
   std::string_view text;
   const Code& code;
   Location location;
   std::string_view mention;
 };
 
-void expect_finding(const Case& c) {
+void expect_finding(const SyntaxCase& c) {
   const Diagnostics diagnostics = diagnostics_of(c.text);
   ASSERT_FALSE(diagnostics.list().empty()) << c.text;
   const Diagnostic& d = diagnostics.list().front();
@@ -34,7 +34,7 @@ void expect_finding(const Case& c) {
 }
 
 TEST(JsonSyntax, NumbersSayHowToWriteThem) {
-  const Case cases[] = {
+  const SyntaxCase cases[] = {
       {"{\"a\": .6}", json_number, {1, 7}, "write 0.6"},
       {"{\"a\": -.6}", json_number, {1, 7}, "write -0.6"},
       {"{\"a\": 1.}", json_number, {1, 7}, "write 1.0"},
@@ -54,7 +54,7 @@ TEST(JsonSyntax, NumbersSayHowToWriteThem) {
       {"{\"a\": -Infinity}", json_number, {1, 7}, "JSON has no \"-Infinity\""},
       {"{\"a\": 1e400}", json_number_range, {1, 7}, "too large"},
   };
-  for (const Case& c : cases) {
+  for (const SyntaxCase& c : cases) {
     expect_finding(c);
   }
 }
@@ -71,7 +71,7 @@ TEST(JsonSyntax, OnlyNumbersAreProposedAndOnlyShortOnes) {
 }
 
 TEST(JsonSyntax, CommasAndBrackets) {
-  const Case cases[] = {
+  const SyntaxCase cases[] = {
       {"{\"a\": [1, 2,]}", json_trailing_comma, {1, 12}, "before the closing ]"},
       {"{\"a\": 1,\n}", json_trailing_comma, {1, 8}, "before the closing }"},
       {"{\"a\": 1,, \"b\": 2}", json_syntax, {1, 9}, "two commas"},
@@ -90,13 +90,13 @@ TEST(JsonSyntax, CommasAndBrackets) {
       {"{}}", json_after_end, {1, 3}, "follows the end"},
       {"{} {}", json_after_end, {1, 4}, "follows the end"},
   };
-  for (const Case& c : cases) {
+  for (const SyntaxCase& c : cases) {
     expect_finding(c);
   }
 }
 
 TEST(JsonSyntax, WordsAndQuotes) {
-  const Case cases[] = {
+  const SyntaxCase cases[] = {
       {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must be in double quotes"},
       {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
       {"{\"a\": \"b, \"c\": 1}", json_syntax, {1, 12}, "an earlier string lacks its closing one"},
@@ -110,14 +110,14 @@ TEST(JsonSyntax, WordsAndQuotes) {
       {"{\"a\": 1 /* b */}", json_comment, {1, 9}, "no comments"},
       {"{\"a\": 1\n# b\n}", json_comment, {2, 1}, "no comments"},
   };
-  for (const Case& c : cases) {
+  for (const SyntaxCase& c : cases) {
     expect_finding(c);
   }
 }
 
 TEST(JsonSyntax, Strings) {
   using namespace std::string_view_literals;
-  const Case cases[] = {
+  const SyntaxCase cases[] = {
       {"{\"a\": \"b\nc\"}", json_string, {1, 9}, "closing quote is missing"},
       {"{\"a\": \"b\tc\"}", json_string, {1, 9}, "\"\\t\""},
       {"{\"a\": \"\\q\"}", json_string, {1, 8}, "unknown escape \"\\q\""},
@@ -130,13 +130,13 @@ TEST(JsonSyntax, Strings) {
       {"{\"a\": \"x\0y\"}"sv, json_syntax, {1, 9}, "NUL"},
       {"{}\0"sv, json_syntax, {1, 3}, "NUL"},
   };
-  for (const Case& c : cases) {
+  for (const SyntaxCase& c : cases) {
     expect_finding(c);
   }
 }
 
 TEST(JsonSyntax, TheEnd) {
-  const Case cases[] = {
+  const SyntaxCase cases[] = {
       {"{\"a\": [1,\n 2",
        json_truncated,
        {2, 3},
@@ -146,7 +146,7 @@ TEST(JsonSyntax, TheEnd) {
       {"", json_truncated, {1, 1}, "no JSON value"},
       {"-", json_truncated, {1, 2}, "in the middle of a value"},
   };
-  for (const Case& c : cases) {
+  for (const SyntaxCase& c : cases) {
     expect_finding(c);
   }
 }
@@ -194,7 +194,7 @@ TEST(JsonSyntax, LargeFilesAreRefused) {
 }
 
 // A small scene with a value of each kind.
-constexpr std::string_view good = R"({
+constexpr std::string_view good_json = R"({
   "name": "\u00e4 \\ \"", "globalData": {"ambientCoeff": 0.5, "diffuseCoeff": 5e-1,
   "specularCoeff": -0.0}, "cameraData": {"position": [0, 0, 5], "up": [0, 1, 0],
   "focus": [0, 0, 0], "heightAngle": 45},
@@ -203,17 +203,17 @@ constexpr std::string_view good = R"({
   "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "groups": [{"name": "t"}, null, true]}]})";
 
 TEST(JsonSyntax, EveryPrefixEndsWithAnError) {
-  for (std::size_t size = 0; size < good.size(); ++size) {
-    const Diagnostics diagnostics = diagnostics_of(good.substr(0, size));
+  for (std::size_t size = 0; size < good_json.size(); ++size) {
+    const Diagnostics diagnostics = diagnostics_of(good_json.substr(0, size));
     ASSERT_TRUE(diagnostics.has_errors()) << size;
     ASSERT_TRUE(diagnostics.list().front().location.known()) << size;
   }
 }
 
 TEST(JsonSyntax, DamagedBytesNeverCrash) {
-  for (std::size_t at = 0; at < good.size(); ++at) {
+  for (std::size_t at = 0; at < good_json.size(); ++at) {
     for (int byte = 0; byte < 256; ++byte) {
-      std::string text(good);
+      std::string text(good_json);
       text[at] = static_cast<char>(byte);
       const Diagnostics diagnostics = diagnostics_of(text);
       for (const Diagnostic& d : diagnostics.list()) {

@@ -44,6 +44,17 @@ inline std::vector<std::string> findings(const Diagnostics& diagnostics) {
   return result;
 }
 
+inline std::vector<std::string> found(const Reading& reading) {
+  return findings(reading.diagnostics);
+}
+
+/// The findings in a text.
+inline std::vector<std::string> found(std::string_view text, const Limits& limits = {}) {
+  ReadOptions options;
+  options.limits = limits;
+  return findings(read(text, options).diagnostics);
+}
+
 /// Each finding as "4:18 message".
 inline std::vector<std::string> messages(const Diagnostics& diagnostics) {
   std::vector<std::string> result;

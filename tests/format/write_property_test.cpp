@@ -19,7 +19,7 @@
 namespace scenefile::testing {
 namespace {
 
-constexpr SceneFormat formats[] = {SceneFormat::xml, SceneFormat::json};
+constexpr SceneFormat both_formats[] = {SceneFormat::xml, SceneFormat::json};
 
 Scene any_scene(bool moved_area_lights = true) {
   const auto seed = *rc::gen::arbitrary<unsigned>();
@@ -68,14 +68,14 @@ void assert_equal(const Scene& a, const Scene& b) {
 
 RC_GTEST_PROP(WriteLaws, WhatIsWrittenReadsBackAsItsForm, ()) {
   const Scene scene = any_scene();
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     assert_equal(read_silently(written(scene, format)), form_of(scene, format));
   }
 }
 
 RC_GTEST_PROP(WriteLaws, AFormIsItsOwnForm, ()) {
   const Scene scene = any_scene();
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     const Scene form = form_of(scene, format);
     assert_equal(form_of(form, format), form);
   }
@@ -83,7 +83,7 @@ RC_GTEST_PROP(WriteLaws, AFormIsItsOwnForm, ()) {
 
 RC_GTEST_PROP(WriteLaws, WhatAFormatCanSayReadsBackEqual, ()) {
   const Scene scene = any_scene();
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     const Scene sayable = form_of(scene, format);
     assert_equal(read_silently(written(sayable, format)), sayable);
   }
@@ -91,7 +91,7 @@ RC_GTEST_PROP(WriteLaws, WhatAFormatCanSayReadsBackEqual, ()) {
 
 RC_GTEST_PROP(WriteLaws, MeaningIsKept, ()) {
   const Scene scene = any_scene(false);
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     RC_ASSERT(same_meaning(scene, read_silently(written(scene, format))));
   }
 }
@@ -148,7 +148,7 @@ RC_GTEST_PROP(WriteLaws, AreaLightsInEvenGroupsMeanTheSame, ()) {
 
 RC_GTEST_PROP(WriteLaws, MeaningIsKeptThereAndBack, ()) {
   const Scene scene = any_scene(false);
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     const SceneFormat other = format == SceneFormat::xml ? SceneFormat::json : SceneFormat::xml;
     const Scene there = read_silently(written(scene, format));
     RC_ASSERT(same_meaning(scene, read_silently(written(there, other))));
@@ -157,7 +157,7 @@ RC_GTEST_PROP(WriteLaws, MeaningIsKeptThereAndBack, ()) {
 
 RC_GTEST_PROP(WriteLaws, WritingTwiceIsWritingOnce, ()) {
   const Scene scene = any_scene();
-  for (const SceneFormat format : formats) {
+  for (const SceneFormat format : both_formats) {
     const std::string text = written(scene, format);
     RC_ASSERT(written(read_silently(text), format) == text);
   }

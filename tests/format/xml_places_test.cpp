@@ -11,10 +11,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::vector<std::string> found(std::string_view text) {
-  return findings(read(text).diagnostics);
-}
-
 TEST(XmlPlaces, OfAnElement) {
   EXPECT_THAT(found(with_transforms("  <frob/>")), ElementsAre("4:3 warning xml.unknown-element"));
 }

@@ -16,12 +16,6 @@ std::vector<std::string> said(std::string_view text) {
   return messages(read(text).diagnostics);
 }
 
-std::vector<std::string> found(std::string_view text, const Limits& limits = {}) {
-  ReadOptions options;
-  options.limits = limits;
-  return findings(read(text, options).diagnostics);
-}
-
 TEST(XmlSyntax, CrossedTagsNameBoth) {
   EXPECT_THAT(said("<scenefile>\n<object type=\"tree\" name=\"root\">\n</scenefile>"),
               ElementsAre("3:1 </scenefile> cannot close <object>, opened at line 2; </object> is "

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 
 namespace scenefile {
 namespace {
@@ -17,7 +18,7 @@ using glm::dvec3;
 using test::analytic_shapes;
 using test::implicit;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 void holds(const char* law, const std::function<void(Shape, TessellationParameters)>& body) {
   EXPECT_TRUE(rc::check(law, [&] {

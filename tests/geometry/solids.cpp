@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scenefile::test {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double cube_axis(const glm::dvec3& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) - 0.5;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace scenefile {
 namespace {
@@ -15,7 +16,7 @@ using test::analytic_shapes;
 using test::implicit;
 using test::name_of;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr int segment_counts[] = {3, 4, 5, 6, 7, 8, 13, 16, 32, 100};
 
 struct Measure {

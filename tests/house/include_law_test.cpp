@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = SCENEFILE_ROOT;
+const fs::path source_root = SCENEFILE_ROOT;
 
 // The rooms, or single headers, that each room may include.
 const std::map<std::string, std::set<std::string>> may_know = {
@@ -85,7 +85,7 @@ std::vector<Include> includes_below(const fs::path& folder) {
 }
 
 std::vector<Include> all_includes() {
-  return includes_below(root / "src/scenefile");
+  return includes_below(source_root / "src/scenefile");
 }
 
 std::string room_of(const fs::path& file) {
@@ -105,7 +105,7 @@ TEST(IncludeLaw, RoomsKnowOnlyTheRoomsBelowThem) {
     const std::string to = room_of(target);
     EXPECT_TRUE(to == from || known.contains(to) || known.contains(target))
         << i.file << " includes " << i.name;
-    EXPECT_TRUE(fs::exists(root / "src" / i.name)) << i.file << " includes " << i.name;
+    EXPECT_TRUE(fs::exists(source_root / "src" / i.name)) << i.file << " includes " << i.name;
   }
 }
 
@@ -115,7 +115,7 @@ std::set<std::string> installed_headers() {
   const std::regex header_pattern(R"([\w/]+\.h)");
   std::set<std::string> headers;
   for (const auto& [room, known] : may_know) {
-    std::ifstream file(root / "src/scenefile" / room / "CMakeLists.txt");
+    std::ifstream file(source_root / "src/scenefile" / room / "CMakeLists.txt");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     std::smatch list;
     if (text.find("PROGRAM_ONLY") != std::string::npos ||
@@ -196,7 +196,7 @@ TEST(IncludeLaw, HeadersShowNoLibraryButGlm) {
 TEST(IncludeLaw, TheProgramKeepsItsLibrariesInOneFileEach) {
   const std::map<std::string, std::string> homes = {
       {"CLI/", "options.cpp"}, {"rapidjson/", ""}, {"expat.h", ""}, {"png.h", ""}};
-  for (const Include& i : includes_below(root / "app")) {
+  for (const Include& i : includes_below(source_root / "app")) {
     for (const auto& [library, home] : homes) {
       EXPECT_TRUE(!i.name.starts_with(library) || i.file == home) << i.file << ": " << i.name;
     }

@@ -1,4 +1,5 @@
 #include "builders.h"
+#include "expect_near.h"
 #include "scenefile/scene/prepare.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 
 using namespace scenefile;
+using scenefile::test::expect_near;
 
 namespace {
 
@@ -13,10 +15,6 @@ RenderCamera ready(const std::optional<Camera>& camera) {
   Scene scene;
   scene.camera = camera;
   return prepare(scene, Limits{}).scene.camera;
-}
-
-void expect_near(glm::dvec3 a, glm::dvec3 b) {
-  EXPECT_LT(glm::length(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
 void expect_frame(const RenderCamera& c) {

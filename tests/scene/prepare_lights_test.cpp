@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 using namespace scenefile;
 using namespace scenefile::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 std::vector<RenderLight> lights_of(const Scene& scene, std::uint32_t limit = 1024) {
   Limits limits;

@@ -1,6 +1,7 @@
 #include "scenefile/scene/transforms.h"
 
 #include "builders.h"
+#include "expect_near.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +14,6 @@ namespace {
 
 glm::dvec3 image(const std::vector<Transform>& transforms, glm::dvec3 point) {
   return composed(DAffine(), transforms).point(point);
-}
-
-void expect_near(glm::dvec3 a, glm::dvec3 b) {
-  EXPECT_LT(glm::length(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-constexpr double tolerance = 1e-6;
+constexpr double light_tolerance = 1e-6;
 
 // The top of the unit cube at y = 0, seen from directly above.
 SceneBuilder floor_scene(const RenderMaterial& material) {
@@ -34,8 +34,8 @@ TEST(Lighting, DiffuseLightFollowsLambertsCosine) {
     SceneBuilder b = floor_scene(white());
     b.light(LightType::directional, slanted(angle), {0.5, 0.25, 0.125});
     const double cosine = std::cos(glm::radians(angle));
-    EXPECT_NEAR(b.seen().x, 0.5 * cosine, tolerance) << angle;
-    EXPECT_NEAR(b.seen().y, 0.25 * cosine, tolerance) << angle;
+    EXPECT_NEAR(b.seen().x, 0.5 * cosine, light_tolerance) << angle;
+    EXPECT_NEAR(b.seen().y, 0.25 * cosine, light_tolerance) << angle;
   }
 }
 
@@ -51,38 +51,38 @@ TEST(Lighting, CoefficientsMultiplyTheirTerms) {
   b.scene.global.specular = 0.125f;
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(1));
   const glm::dvec3 c = b.seen();
-  EXPECT_NEAR(c.x, 0.25, tolerance);
-  EXPECT_NEAR(c.y, 0.125, tolerance);
-  EXPECT_NEAR(c.z, 0.0625, tolerance);
+  EXPECT_NEAR(c.x, 0.25, light_tolerance);
+  EXPECT_NEAR(c.y, 0.125, light_tolerance);
+  EXPECT_NEAR(c.z, 0.0625, light_tolerance);
 }
 
 TEST(Lighting, AmbientLightNeedsNoLight) {
   RenderMaterial m;
   m.ambient = glm::vec3(0.25);
-  EXPECT_NEAR(floor_scene(m).seen().x, 0.25, tolerance);
+  EXPECT_NEAR(floor_scene(m).seen().x, 0.25, light_tolerance);
 }
 
 TEST(Lighting, PointLightsFallOffWithTheSquare) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::point, {0, 2, 0}, glm::vec3(1)).attenuation = {0, 0, 1};
-  EXPECT_NEAR(b.seen().x, 1.0 / 4, tolerance);
+  EXPECT_NEAR(b.seen().x, 1.0 / 4, light_tolerance);
   b.scene.lights[0].position.y = 2.5;
-  EXPECT_NEAR(b.seen().x, 1 / 6.25, tolerance);
+  EXPECT_NEAR(b.seen().x, 1 / 6.25, light_tolerance);
 }
 
 TEST(Lighting, AttenuationHasThreeTermsAndNeverBrightens) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::point, {0, 2, 0}, glm::vec3(1)).attenuation = {1, 0.5, 0.25};
-  EXPECT_NEAR(b.seen().x, 1.0 / 3, tolerance);
+  EXPECT_NEAR(b.seen().x, 1.0 / 3, light_tolerance);
   b.scene.lights[0].attenuation = {0.25, 0, 0};
   b.scene.lights[0].color = glm::vec3(0.5);
-  EXPECT_NEAR(b.seen().x, 0.5, tolerance);
+  EXPECT_NEAR(b.seen().x, 0.5, light_tolerance);
 }
 
 TEST(Lighting, DirectionalLightsDoNotFallOff) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5)).attenuation = {100, 100, 100};
-  EXPECT_NEAR(b.seen().x, 0.5, tolerance);
+  EXPECT_NEAR(b.seen().x, 0.5, light_tolerance);
 }
 
 TEST(Lighting, HighlightIsTheCosineToTheMirrorDirectionToThePowerOfShininess) {
@@ -94,7 +94,7 @@ TEST(Lighting, HighlightIsTheCosineToTheMirrorDirectionToThePowerOfShininess) {
     SceneBuilder b = floor_scene(m);
     b.light(LightType::directional, slanted(20), glm::vec3(1));
     const double expected = std::pow(std::cos(glm::radians(20.0)), shininess);
-    EXPECT_NEAR(b.seen().x, expected, tolerance) << shininess;
+    EXPECT_NEAR(b.seen().x, expected, light_tolerance) << shininess;
   }
 }
 
@@ -118,7 +118,7 @@ TEST(Lighting, MoreThanEightLightsCount) {
   for (int i = 0; i < 12; ++i) {
     b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.0625));
   }
-  EXPECT_NEAR(b.seen().x, 0.75, tolerance);
+  EXPECT_NEAR(b.seen().x, 0.75, light_tolerance);
 }
 
 SceneBuilder spot_scene(double degrees) {
@@ -131,18 +131,18 @@ SceneBuilder spot_scene(double degrees) {
 }
 
 TEST(Lighting, SpotsFadeAsASmoothstepOfTheAngle) {
-  EXPECT_NEAR(spot_scene(0).seen().x, 1, tolerance);
-  EXPECT_NEAR(spot_scene(9.9).seen().x, 1, tolerance);
-  EXPECT_NEAR(spot_scene(15).seen().x, 1 - (3.0 / 16 - 2.0 / 64), tolerance);
-  EXPECT_NEAR(spot_scene(20).seen().x, 0.5, tolerance);
-  EXPECT_NEAR(spot_scene(25).seen().x, 1 - (3 * 9.0 / 16 - 2 * 27.0 / 64), tolerance);
+  EXPECT_NEAR(spot_scene(0).seen().x, 1, light_tolerance);
+  EXPECT_NEAR(spot_scene(9.9).seen().x, 1, light_tolerance);
+  EXPECT_NEAR(spot_scene(15).seen().x, 1 - (3.0 / 16 - 2.0 / 64), light_tolerance);
+  EXPECT_NEAR(spot_scene(20).seen().x, 0.5, light_tolerance);
+  EXPECT_NEAR(spot_scene(25).seen().x, 1 - (3 * 9.0 / 16 - 2 * 27.0 / 64), light_tolerance);
   EXPECT_EQ(spot_scene(30.1).seen().x, 0);
 }
 
 TEST(Lighting, SpotWithoutPenumbraHasASharpEdge) {
   SceneBuilder b = spot_scene(19.9);
   b.scene.lights[0].inner_angle = b.scene.lights[0].outer_angle = glm::radians(20.0f);
-  EXPECT_NEAR(b.seen().x, 1, tolerance);
+  EXPECT_NEAR(b.seen().x, 1, light_tolerance);
   b.scene.lights[0].direction = slanted(20.1);
   EXPECT_EQ(b.seen().x, 0);
 }
@@ -195,11 +195,11 @@ TEST(Lighting, TextureReplacesTheDiffuseColorByItsBlend) {
   b.light(LightType::directional, slanted(60), glm::vec3(1));
   for (const Profile profile : {Profile::course, Profile::fine}) {
     // The diffuse coefficient does not apply to the texture.
-    EXPECT_NEAR(b.seen(profile).x, 0.5 * (0.75 * 0.5 + 0.25 * 0.2), tolerance);
+    EXPECT_NEAR(b.seen(profile).x, 0.5 * (0.75 * 0.5 + 0.25 * 0.2), light_tolerance);
   }
   RenderOptions off = default_options(Profile::course);
   off.features.texture = false;
-  EXPECT_NEAR(b.seen(off).x, 0.25, tolerance);
+  EXPECT_NEAR(b.seen(off).x, 0.25, light_tolerance);
 }
 
 TEST(Lighting, MissingTextureShadesWithTheDiffuseColor) {
@@ -209,16 +209,16 @@ TEST(Lighting, MissingTextureShadesWithTheDiffuseColor) {
   SceneBuilder b = floor_scene(m);
   b.texture(0, 0, {});
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));
-  EXPECT_NEAR(b.seen(Profile::course).x, 0.5, tolerance);
-  EXPECT_NEAR(b.seen(Profile::fine).x, 0.5, tolerance);
+  EXPECT_NEAR(b.seen(Profile::course).x, 0.5, light_tolerance);
+  EXPECT_NEAR(b.seen(Profile::fine).x, 0.5, light_tolerance);
 }
 
 TEST(Lighting, CourseIntersectModeKnowsOnlyDirectionalLights) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::point, {0, 2, 0}, glm::vec3(0.25));
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));
-  EXPECT_NEAR(b.seen(Profile::course, Mode::intersect).x, 0.5, tolerance);
-  EXPECT_NEAR(b.seen(Profile::fine, Mode::intersect).x, 0.75, tolerance);
+  EXPECT_NEAR(b.seen(Profile::course, Mode::intersect).x, 0.5, light_tolerance);
+  EXPECT_NEAR(b.seen(Profile::fine, Mode::intersect).x, 0.75, light_tolerance);
 }
 
 TEST(Lighting, IntersectModeHasNoShadowsReflectionsOrTextures) {
@@ -231,8 +231,8 @@ TEST(Lighting, IntersectModeHasNoShadowsReflectionsOrTextures) {
   b.add(Shape::cube, translate({0, 6, 0}), b.glowing({0, 1, 0}));
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));
   for (const Profile profile : {Profile::course, Profile::fine}) {
-    EXPECT_NEAR(b.seen(profile, Mode::intersect).x, 0.5, tolerance);
-    EXPECT_NEAR(b.seen(profile, Mode::intersect).y, 0.5, tolerance);
+    EXPECT_NEAR(b.seen(profile, Mode::intersect).x, 0.5, light_tolerance);
+    EXPECT_NEAR(b.seen(profile, Mode::intersect).y, 0.5, light_tolerance);
   }
 }
 
@@ -254,8 +254,8 @@ TEST(Lighting, MeshesAreFlatInTheCourseAndSmoothInFine) {
   b.scene.groups[0].primitives.push_back(p);
   b.look({0, 3, 0}, {0, 0, 0});
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));
-  EXPECT_NEAR(b.seen(Profile::course).x, 0.5, tolerance);
-  EXPECT_NEAR(b.seen(Profile::fine).x, 0.4, tolerance);
+  EXPECT_NEAR(b.seen(Profile::course).x, 0.5, light_tolerance);
+  EXPECT_NEAR(b.seen(Profile::fine).x, 0.4, light_tolerance);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace scenefile::trace_test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // In [0, 1].
 double random_share() {

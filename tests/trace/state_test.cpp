@@ -11,7 +11,7 @@ namespace scenefile::trace_test {
 namespace {
 
 // Edges, a mirror, a penumbra and a lens.
-SceneBuilder uneven_scene() {
+SceneBuilder many_spheres() {
   SceneBuilder b;
   RenderMaterial mirror;
   mirror.diffuse = {0.6f, 0.5f, 0.4f};
@@ -70,7 +70,7 @@ void expect_same(const Resolved& drawn, const RenderResult& expected) {
 }
 
 TEST(State, PassesMakeThePicture) {
-  const SceneBuilder b = uneven_scene();
+  const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   for (const RenderOptions& options : all_kinds()) {
     PictureState state = make_state(b.scene, options);
@@ -80,7 +80,7 @@ TEST(State, PassesMakeThePicture) {
 }
 
 TEST(State, PartsMergeToTheSameBytes) {
-  const SceneBuilder b = uneven_scene();
+  const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   for (const RenderOptions& options : all_kinds()) {
     const RenderResult expected = render(b.scene, b.assets, options);
@@ -102,7 +102,7 @@ TEST(State, PartsMergeToTheSameBytes) {
 }
 
 TEST(State, PartsOfOtherPicturesAreRefused) {
-  const SceneBuilder b = uneven_scene();
+  const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   const RenderOptions course = all_kinds()[0];
   RenderOptions fine = all_kinds()[6];
@@ -121,7 +121,7 @@ TEST(State, PartsOfOtherPicturesAreRefused) {
 }
 
 TEST(State, ShortCallsGoOnWhereTheyWere) {
-  const SceneBuilder b = uneven_scene();
+  const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   for (const RenderOptions& options : all_kinds()) {
     PictureState state = make_state(b.scene, options);
@@ -137,7 +137,7 @@ TEST(State, ShortCallsGoOnWhereTheyWere) {
 }
 
 TEST(State, OneStructureServesOtherCamerasLightsMaterialsAndOptions) {
-  SceneBuilder b = uneven_scene();
+  SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   for (int i = 0; i < 3; ++i) {
     b.look({float(i) - 1, 1, 1}, {0, 0, -4});
@@ -152,7 +152,7 @@ TEST(State, OneStructureServesOtherCamerasLightsMaterialsAndOptions) {
 }
 
 TEST(State, AStructureThatCannotBeBuiltSaysSo) {
-  const SceneBuilder b = uneven_scene();
+  const SceneBuilder b = many_spheres();
   EXPECT_EQ(TraceScene(b.scene, b.assets).status(), RenderStatus::complete);
   EXPECT_GE(TraceScene(b.scene, b.assets).build_seconds(), 0);
 }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace view_test;
 
-constexpr double step = 1.0 / 255;
+constexpr double byte = 1.0 / 255;
 
 class Realtime : public Drawn {
  protected:
@@ -190,11 +190,11 @@ TEST_F(Realtime, FiltersOfOneColor) {
     return middle(drawn(builder, realtime));
   };
   const float gray = 0.299f * 0.8f + 0.587f * 0.4f + 0.114f * 0.2f;
-  EXPECT_LT(glm::length(filtered(Filter::none) - color), 0.5 * step);
-  EXPECT_LT(glm::length(filtered(Filter::invert) - (1.0f - color)), 0.5 * step);
-  EXPECT_LT(glm::length(filtered(Filter::grayscale) - glm::vec3(gray)), 2 * step);
-  EXPECT_LT(glm::length(filtered(Filter::blur) - color), 0.5 * step);
-  EXPECT_LT(glm::length(filtered(Filter::sharpen) - color), 0.5 * step);
+  EXPECT_LT(glm::length(filtered(Filter::none) - color), 0.5 * byte);
+  EXPECT_LT(glm::length(filtered(Filter::invert) - (1.0f - color)), 0.5 * byte);
+  EXPECT_LT(glm::length(filtered(Filter::grayscale) - glm::vec3(gray)), 2 * byte);
+  EXPECT_LT(glm::length(filtered(Filter::blur) - color), 0.5 * byte);
+  EXPECT_LT(glm::length(filtered(Filter::sharpen) - color), 0.5 * byte);
 }
 
 TEST_F(Realtime, ActionShowsTheSceneAtTheLowerLeft) {
@@ -252,14 +252,14 @@ TEST_F(Realtime, KernelsAreABoxOfFiveAndASharpenOfThree) {
   realtime.filter = Filter::blur;
   const Texture blurred = drawn(builder, realtime);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_NEAR(blurred.texel(13 + i, 16)[0] / 255.0, std::clamp((5 - i) / 5.0, 0.0, 1.0), step)
+    EXPECT_NEAR(blurred.texel(13 + i, 16)[0] / 255.0, std::clamp((5 - i) / 5.0, 0.0, 1.0), byte)
         << i;
   }
   builder.scene.materials[0].ambient = glm::vec3(0.4f);
   realtime.filter = Filter::sharpen;
   const Texture sharp = drawn(builder, realtime);
-  EXPECT_NEAR(sharp.texel(14, 16)[0] / 255.0, 0.4, step);
-  EXPECT_NEAR(sharp.texel(15, 16)[0] / 255.0, 0.4 + 0.4 / 3, step);
+  EXPECT_NEAR(sharp.texel(14, 16)[0] / 255.0, 0.4, byte);
+  EXPECT_NEAR(sharp.texel(15, 16)[0] / 255.0, 0.4 + 0.4 / 3, byte);
   EXPECT_EQ(sharp.texel(16, 16)[0], 0);
 }
 

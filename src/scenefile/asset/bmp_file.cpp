@@ -17,7 +17,7 @@ constexpr std::size_t file_header_bytes = 14;
 constexpr std::uint32_t core_header = 12;  // from OS/2: 16-bit sizes, 3-byte colors
 enum Compression : std::uint32_t { none = 0, masks = 3, masks_and_alpha = 6 };
 
-struct Header {
+struct BmpHeader {
   std::uint32_t pixels_at, header_bytes;
   std::uint64_t width, height;
   bool from_top;
@@ -28,12 +28,12 @@ struct Header {
   std::uint64_t row_bytes() const { return (width * bits + 31) / 32 * 4; }
 };
 
-bool recognizes(std::string_view bytes) {
+bool recognizes_bmp(std::string_view bytes) {
   return bytes.size() >= file_header_bytes + core_header && bytes.substr(0, 2) == "BM";
 }
 
 // Sizes are signed; a negative height means that rows are stored top-down.
-void read_sizes(ByteReader& in, Header& h) {
+void read_sizes(ByteReader& in, BmpHeader& h) {
   if (h.header_bytes == core_header) {
     h.width = in.u16();
     h.height = in.u16();
@@ -46,9 +46,9 @@ void read_sizes(ByteReader& in, Header& h) {
   h.height = static_cast<std::uint64_t>(height < 0 ? -height : height);
 }
 
-Header header_of(std::string_view bytes) {
+BmpHeader bmp_header(std::string_view bytes) {
   ByteReader in(bytes, 10);
-  Header h{};
+  BmpHeader h{};
   h.pixels_at = in.u32();
   h.header_bytes = in.u32();
   read_sizes(in, h);
@@ -73,7 +73,7 @@ Header header_of(std::string_view bytes) {
   return h;
 }
 
-std::string unusable(const Header& h) {
+std::string unusable(const BmpHeader& h) {
   if (h.header_bytes != core_header && (h.header_bytes < 40 || h.header_bytes > 256)) {
     return fmt::format("unknown header of {} bytes", h.header_bytes);
   }
@@ -98,8 +98,8 @@ std::string unusable(const Header& h) {
   return {};
 }
 
-bool read_header(std::string_view bytes, ImageHeader& header, std::string& error) {
-  const Header h = header_of(bytes);
+bool read_bmp_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+  const BmpHeader h = bmp_header(bytes);
   error = unusable(h);
   header.width = h.width;
   header.height = h.height;
@@ -110,7 +110,7 @@ bool read_header(std::string_view bytes, ImageHeader& header, std::string& error
 
 using Color = std::array<std::uint8_t, 3>;
 
-std::vector<Color> read_palette(std::string_view bytes, const Header& h) {
+std::vector<Color> read_palette(std::string_view bytes, const BmpHeader& h) {
   ByteReader in(bytes, file_header_bytes + h.header_bytes);
   std::vector<Color> palette;
   for (std::uint32_t i = 0; h.indexed() && i < h.colors; ++i) {
@@ -139,7 +139,7 @@ std::uint32_t index_at(const std::uint8_t* row, std::size_t x, std::uint32_t bit
   return row[bit / 8] >> (8 - bits - bit % 8) & ((1u << bits) - 1);
 }
 
-Color masked_color(const std::uint8_t* row, std::size_t x, const Header& h) {
+Color masked_color(const std::uint8_t* row, std::size_t x, const BmpHeader& h) {
   const std::size_t size = h.bits / 8;
   std::uint32_t pixel = 0;
   for (std::size_t i = 0; i < size; ++i) {
@@ -149,8 +149,8 @@ Color masked_color(const std::uint8_t* row, std::size_t x, const Header& h) {
           masked_value(pixel, h.mask[2])};
 }
 
-bool decode(std::string_view bytes, Texture& texture, std::string& error) {
-  const Header h = header_of(bytes);
+bool decode_bmp(std::string_view bytes, Texture& texture, std::string& error) {
+  const BmpHeader h = bmp_header(bytes);
   const std::vector<Color> palette = read_palette(bytes, h);
   texture.rgb.resize(3 * h.width * h.height);
   for (std::uint64_t y = 0; y < h.height; ++y) {
@@ -176,6 +176,6 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
 
 }  // namespace
 
-const Codec bmp_codec{"BMP", recognizes, read_header, decode};
+const Codec bmp_codec{"BMP", recognizes_bmp, read_bmp_header, decode_bmp};
 
 }  // namespace scenefile

@@ -20,7 +20,7 @@ constexpr std::size_t longest_name = 255;
 constexpr char zip_of_16_rows = 3;
 constexpr int rows_of_a_block = 16;
 // OpenEXR's own default; higher levels take twice the time to save one percent of the size.
-constexpr int level = 4;
+constexpr int deflate_level = 4;
 
 struct Channel {
   std::string name;
@@ -51,10 +51,6 @@ void append(std::string& bytes, Integer value) {
   for (std::size_t shift = 0; shift < 8 * sizeof value; shift += 8) {
     bytes.push_back(static_cast<char>(value >> shift & 255));
   }
-}
-
-void append_float(std::string& bytes, float value) {
-  append(bytes, std::bit_cast<std::uint32_t>(value));
 }
 
 void append_attribute(std::string& bytes, std::string_view name, std::string_view type,
@@ -91,7 +87,7 @@ std::string header_of(int width, int height, const std::vector<Channel>& channel
     return channel.name.size() > short_name;
   });
   std::string one;
-  append_float(one, 1);
+  append(one, std::bit_cast<std::uint32_t>(1.0F));
   std::string bytes;
   append(bytes, magic);
   append(bytes, version | (has_long ? long_names : 0));
@@ -116,7 +112,7 @@ void append_row(std::string& bytes, const Channel& channel, const ImageLayer& la
     if (channel.whole) {
       append(bytes, static_cast<std::uint32_t>(value));
     } else {
-      append_float(bytes, value);
+      append(bytes, std::bit_cast<std::uint32_t>(value));
     }
   }
 }
@@ -139,7 +135,7 @@ std::string made_compressible(std::string_view raw) {
 
 // Data that would not become shorter is stored uncompressed; readers recognize that by its length.
 std::string packed_block(std::string raw) {
-  const std::string packed = deflated(made_compressible(raw), level);
+  const std::string packed = deflated(made_compressible(raw), deflate_level);
   return packed.size() < raw.size() ? packed : raw;
 }
 

@@ -22,11 +22,11 @@ struct Frame {
   bool interlaced;
 };
 
-bool recognizes(std::string_view bytes) {
+bool recognizes_gif(std::string_view bytes) {
   return bytes.substr(0, 6) == "GIF87a" || bytes.substr(0, 6) == "GIF89a";
 }
 
-bool read_header(std::string_view bytes, ImageHeader& header, std::string&) {
+bool read_gif_header(std::string_view bytes, ImageHeader& header, std::string&) {
   ByteReader in(bytes, 6);
   header.width = in.u16();
   header.height = in.u16();
@@ -241,7 +241,7 @@ void fill_background(Texture& texture, const Palette& palette, std::uint32_t ind
   }
 }
 
-bool decode(std::string_view bytes, Texture& texture, std::string& error) {
+bool decode_gif(std::string_view bytes, Texture& texture, std::string& error) {
   ByteReader in(bytes, 10);
   const std::uint32_t flags = in.u8();
   const std::uint32_t background = in.u8();
@@ -269,6 +269,6 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
 
 }  // namespace
 
-const Codec gif_codec{"GIF", recognizes, read_header, decode};
+const Codec gif_codec{"GIF", recognizes_gif, read_gif_header, decode_gif};
 
 }  // namespace scenefile

@@ -143,18 +143,18 @@ void finish(Decoder& decoder, std::string& error) {
   error = decoder.message;
 }
 
-bool recognizes(std::string_view bytes) {
+bool recognizes_jpeg(std::string_view bytes) {
   return bytes.substr(0, 3) == "\xff\xd8\xff";
 }
 
-bool read_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+bool read_jpeg_header(std::string_view bytes, ImageHeader& header, std::string& error) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
   const bool fine = read_sizes(*decoder, bytes, header);
   finish(*decoder, error);
   return fine;
 }
 
-bool decode(std::string_view bytes, Texture& texture, std::string& error) {
+bool decode_jpeg(std::string_view bytes, Texture& texture, std::string& error) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
   std::vector<std::uint8_t> cmyk(std::size_t{4} * static_cast<std::size_t>(texture.width));
   const bool fine = read_image(*decoder, bytes, texture, cmyk);
@@ -164,6 +164,6 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
 
 }  // namespace
 
-const Codec jpeg_codec{"JPEG", recognizes, read_header, decode};
+const Codec jpeg_codec{"JPEG", recognizes_jpeg, read_jpeg_header, decode_jpeg};
 
 }  // namespace scenefile

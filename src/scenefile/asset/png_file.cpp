@@ -79,7 +79,7 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-bool recognizes(std::string_view bytes) {
+bool recognizes_png(std::string_view bytes) {
   return bytes.substr(0, signature.size()) == signature;
 }
 
@@ -87,7 +87,7 @@ bool is_indexed(std::string_view bytes) {
   return bytes[25] == PNG_COLOR_TYPE_PALETTE;
 }
 
-bool read_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+bool read_png_header(std::string_view bytes, ImageHeader& header, std::string& error) {
   if (bytes.size() < 33) {
     error = ends_early;
     return false;
@@ -119,7 +119,7 @@ void skip_ancillary_chunks(png_structp png) {
 }
 
 // The rows from the library are RGB, or palette indices, whose range it does not check.
-struct Pixels {
+struct PngPixels {
   std::vector<std::uint8_t> bytes;
   bool indexed = false;
   png_colorp palette = nullptr;
@@ -161,7 +161,7 @@ void read_rows(png_structp png, int passes, std::size_t row, int height,
   }
 }
 
-bool read_image(png_structp png, png_infop info, const Texture& texture, Pixels& pixels) {
+bool read_image(png_structp png, png_infop info, const Texture& texture, PngPixels& pixels) {
   if (setjmp(png_jmpbuf(png)) != 0) {
     return false;
   }
@@ -179,7 +179,7 @@ bool read_image(png_structp png, png_infop info, const Texture& texture, Pixels&
   return true;
 }
 
-bool look_up_colors(const Pixels& pixels, std::vector<std::uint8_t>& rgb, std::string& error) {
+bool look_up_colors(const PngPixels& pixels, std::vector<std::uint8_t>& rgb, std::string& error) {
   for (const std::uint8_t index : pixels.bytes) {
     if (index >= pixels.colors) {
       error = "a pixel has a color beyond the end of the palette";
@@ -191,10 +191,10 @@ bool look_up_colors(const Pixels& pixels, std::vector<std::uint8_t>& rgb, std::s
   return true;
 }
 
-bool decode(std::string_view bytes, Texture& texture, std::string& error) {
+bool decode_png(std::string_view bytes, Texture& texture, std::string& error) {
   Message message;
   Source source{bytes.data(), bytes.size()};
-  Pixels pixels;
+  PngPixels pixels;
   pixels.indexed = is_indexed(bytes);
   if (pixels.indexed) {
     pixels.bytes.reserve(texture.rgb.capacity() / 3);
@@ -227,6 +227,6 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
 
 }  // namespace
 
-const Codec png_codec{"PNG", recognizes, read_header, decode};
+const Codec png_codec{"PNG", recognizes_png, read_png_header, decode_png};
 
 }  // namespace scenefile

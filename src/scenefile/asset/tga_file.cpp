@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t header_bytes = 18;
 
-struct Header {
+struct TgaHeader {
   std::uint32_t id_bytes, has_palette, type;
   std::uint32_t palette_first, palette_length, palette_bits;
   std::uint32_t width, height, bits, descriptor;
@@ -26,9 +26,9 @@ struct Header {
   bool from_right() const { return (descriptor & 0x10) != 0; }
 };
 
-Header header_of(std::string_view bytes) {
+TgaHeader tga_header(std::string_view bytes) {
   ByteReader in(bytes);
-  Header h{};
+  TgaHeader h{};
   h.id_bytes = in.u8();
   h.has_palette = in.u8();
   h.type = in.u8();
@@ -48,11 +48,11 @@ bool is_color_depth(std::uint32_t bits) {
 }
 
 // TGA has no signature, so every field must be plausible.
-bool recognizes(std::string_view bytes) {
+bool recognizes_tga(std::string_view bytes) {
   if (bytes.size() < header_bytes) {
     return false;
   }
-  const Header h = header_of(bytes);
+  const TgaHeader h = tga_header(bytes);
   const bool type =
       h.type == 1 || h.type == 2 || h.type == 3 || h.type == 9 || h.type == 10 || h.type == 11;
   const bool palette = h.has_palette == 0 ? h.palette_length == 0 && !h.indexed()
@@ -61,8 +61,8 @@ bool recognizes(std::string_view bytes) {
   return type && palette && depth && (h.descriptor & 0xc0) == 0;
 }
 
-bool read_header(std::string_view bytes, ImageHeader& header, std::string&) {
-  const Header h = header_of(bytes);
+bool read_tga_header(std::string_view bytes, ImageHeader& header, std::string&) {
+  const TgaHeader h = tga_header(bytes);
   header.width = h.width;
   header.height = h.height;
   const std::uint64_t pixels = header.width * header.height;
@@ -91,9 +91,9 @@ Color read_color(ByteReader& in, std::uint32_t bits) {
   return {red, green, blue};
 }
 
-class Pixels {
+class TgaPixels {
  public:
-  Pixels(std::string_view bytes, const Header& header)
+  TgaPixels(std::string_view bytes, const TgaHeader& header)
       : header_(header), in_(bytes, header_bytes + header.id_bytes) {
     for (std::uint32_t i = 0; i < header.palette_length; ++i) {
       palette_.push_back(read_color(in_, header.palette_bits));
@@ -140,7 +140,7 @@ class Pixels {
     return palette_[index];
   }
 
-  const Header& header_;
+  const TgaHeader& header_;
   ByteReader in_;
   std::vector<Color> palette_;
   Color color_{};
@@ -149,9 +149,9 @@ class Pixels {
   bool bad_index_ = false;
 };
 
-bool decode(std::string_view bytes, Texture& texture, std::string& error) {
-  const Header header = header_of(bytes);
-  Pixels pixels(bytes, header);
+bool decode_tga(std::string_view bytes, Texture& texture, std::string& error) {
+  const TgaHeader header = tga_header(bytes);
+  TgaPixels pixels(bytes, header);
   texture.rgb.resize(std::size_t{3} * header.width * header.height);
   for (std::uint32_t row = 0; row < header.height; ++row) {
     const std::size_t y = header.from_top() ? row : header.height - 1 - row;
@@ -179,6 +179,6 @@ bool decode(std::string_view bytes, Texture& texture, std::string& error) {
 
 }  // namespace
 
-const Codec tga_codec{"TGA", recognizes, read_header, decode};
+const Codec tga_codec{"TGA", recognizes_tga, read_tga_header, decode_tga};
 
 }  // namespace scenefile

@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view digits =
+constexpr std::string_view base64_digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 }  // namespace
@@ -22,7 +22,7 @@ std::string base64(std::string_view bytes) {
     const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
     for (std::size_t k = 0; k < 4; ++k) {
       const bool padding = i + k > bytes.size();
-      result += padding ? '=' : digits[group >> (18 - 6 * k) & 63];
+      result += padding ? '=' : base64_digits[group >> (18 - 6 * k) & 63];
     }
   }
   return result;
@@ -40,7 +40,7 @@ std::optional<std::string> base64_decoded(std::string_view text) {
   std::uint32_t group = 0;
   int bits = 0;
   for (const char c : text) {
-    const std::size_t digit = digits.find(c);
+    const std::size_t digit = base64_digits.find(c);
     if (digit == std::string_view::npos) {
       return std::nullopt;
     }

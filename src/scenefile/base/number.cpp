@@ -1,5 +1,7 @@
 #include "scenefile/base/number.h"
 
+#include "scenefile/base/ascii.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,12 +17,6 @@
 namespace scenefile {
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r\n";
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 std::size_t skip_digits(std::string_view text, std::size_t at) {
   while (at < text.size() && is_digit(text[at])) {

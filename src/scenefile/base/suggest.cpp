@@ -1,5 +1,8 @@
 #include "scenefile/base/suggest.h"
 
+#include "scenefile/base/ascii.h"
+#include "scenefile/base/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,13 +12,9 @@ namespace scenefile {
 namespace {
 
 // Longer words are never misspellings of the format's names.
-constexpr std::size_t max_length = 40;
+constexpr std::size_t longest_word = 40;
 // "camera" for "cameradata"; shorter prefixes are ambiguous.
 constexpr std::size_t shortest_start = 5;
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 bool starts_with_ignoring_case(std::string_view name, std::string_view start) {
   return start.size() <= name.size() &&
@@ -23,14 +22,9 @@ bool starts_with_ignoring_case(std::string_view name, std::string_view start) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-bool equal_ignoring_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
-}
-
 // Optimal string alignment distance, ignoring case.
 std::size_t edits(std::string_view a, std::string_view b) {
-  std::array<std::array<std::size_t, max_length + 1>, max_length + 1> d;
+  std::array<std::array<std::size_t, longest_word + 1>, longest_word + 1> d;
   for (std::size_t i = 0; i <= a.size(); ++i) {
     d[i][0] = i;
   }
@@ -53,7 +47,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> known) {
-  if (word.size() > max_length) {
+  if (word.size() > longest_word) {
     return {};
   }
   std::string_view best;
@@ -62,7 +56,7 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
     if (equal_ignoring_case(word, name)) {
       return name;
     }
-    if (name.size() > max_length || word.size() < 2) {
+    if (name.size() > longest_word || word.size() < 2) {
       continue;
     }
     const bool cut_short = word.size() >= shortest_start && starts_with_ignoring_case(name, word);

@@ -1,3 +1,4 @@
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
@@ -13,12 +14,7 @@ namespace scenefile {
 namespace {
 
 // Longer texts are not mistyped numbers.
-constexpr std::size_t max_length = 40;
-constexpr std::string_view blanks = " \t\r\n";
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+constexpr std::size_t longest_number = 40;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -139,7 +135,7 @@ std::optional<double> value_before_unit(std::string_view text) {
 }  // namespace
 
 std::string nearest_number(std::string_view text) {
-  if (text.size() > max_length) {
+  if (text.size() > longest_number) {
     return {};
   }
   std::string plain(trimmed(in_ascii(text), " \t\r\n\"'`"));

@@ -1,5 +1,7 @@
 #include "scenefile/base/text.h"
 
+#include "scenefile/base/ascii.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +10,6 @@
 namespace scenefile {
 
 namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 std::size_t sequence_length(unsigned char lead) {
   if (lead < 0x80) {

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // Exponents and knees of the paper's sections 4.1.4, 4.2.2 and 4.3.
 constexpr double color_exponent = 0.7;

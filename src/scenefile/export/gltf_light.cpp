@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // Candela for a color of 1. Lights in glTF always have inverse-square falloff.
 double candela(const RenderLight& light, const Bounds& box) {

@@ -169,7 +169,7 @@ JsonIndex member(const JsonTape& tape, JsonIndex object, std::string_view name) 
   return found;
 }
 
-std::optional<NumberSlot> json_number(const JsonTape& tape, JsonIndex value) {
+std::optional<NumberSlot> number_slot(const JsonTape& tape, JsonIndex value) {
   if (value == 0 || !tape.is_number(value)) {
     return std::nullopt;
   }
@@ -182,7 +182,7 @@ std::optional<VectorSlots> json_vector(const JsonTape& tape, JsonIndex value) {
   }
   VectorSlots slots;
   for (JsonIndex i = 0; i < 3; ++i) {
-    const std::optional<NumberSlot> slot = json_number(tape, value + 1 + i);
+    const std::optional<NumberSlot> slot = number_slot(tape, value + 1 + i);
     if (!slot) {
       return std::nullopt;
     }
@@ -216,7 +216,7 @@ CameraSlots json_camera_slots(std::string_view text) {
   slots.look = json_vector(tape, member(tape, camera, look_row.json));
   slots.focus = json_vector(tape, member(tape, camera, focus_name));
   slots.up = json_vector(tape, member(tape, camera, up_row.json));
-  slots.height_angle = json_number(tape, member(tape, camera, angle_row.json));
+  slots.height_angle = number_slot(tape, member(tape, camera, angle_row.json));
   return slots;
 }
 

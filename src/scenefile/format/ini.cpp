@@ -9,14 +9,14 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
+constexpr std::string_view ini_blanks = " \t\v\f";
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
+  const std::size_t first = text.find_first_not_of(ini_blanks);
   if (first == std::string_view::npos) {
     return {};
   }
-  return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  return text.substr(first, text.find_last_not_of(ini_blanks) + 1 - first);
 }
 
 int hex_digit(char c) {
@@ -102,7 +102,7 @@ bool read_value(const Line& line, std::size_t offset, std::string& value,
       kept = value.size();
     } else {
       value += c;
-      kept = quoted_part || blanks.find(c) == std::string_view::npos ? value.size() : kept;
+      kept = quoted_part || ini_blanks.find(c) == std::string_view::npos ? value.size() : kept;
     }
   }
   value.resize(kept);
@@ -140,7 +140,7 @@ void read_entry(const Line& line, std::size_t start, const std::string& section,
                                    quoted(trimmed(line.text.substr(start)))));
     return;
   }
-  const std::size_t first = line.text.find_first_not_of(blanks, equals + 1);
+  const std::size_t first = line.text.find_first_not_of(ini_blanks, equals + 1);
   const std::size_t value_at = first == std::string_view::npos ? line.text.size() : first;
   IniEntry entry{section,
                  std::string(trimmed(line.text.substr(start, equals - start))),
@@ -167,7 +167,7 @@ std::vector<IniEntry> read_ini(std::string_view text, Diagnostics& diagnostics) 
     ++line.number;
     const bool two = text.substr(end).starts_with("\r\n");
     text.remove_prefix(std::min(text.size(), end + (two ? 2 : 1)));
-    const std::size_t start = line.text.find_first_not_of(blanks);
+    const std::size_t start = line.text.find_first_not_of(ini_blanks);
     if (start == std::string_view::npos || line.text[start] == ';' || line.text[start] == '#') {
       continue;
     }

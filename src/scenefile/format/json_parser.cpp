@@ -95,7 +95,7 @@ namespace scenefile {
 
 namespace {
 
-using Reader = rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, OnVector>;
+using StrictReader = rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, OnVector>;
 
 struct StringCatcher : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, StringCatcher> {
   std::string value;
@@ -109,7 +109,7 @@ struct StringCatcher : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, StringCat
 std::string decoded(std::string_view quoted) {
   rapidjson::MemoryStream stream(quoted.data(), quoted.size());
   StringCatcher catcher;
-  Reader().Parse<rapidjson::kParseDefaultFlags>(stream, catcher);
+  StrictReader().Parse<rapidjson::kParseDefaultFlags>(stream, catcher);
   return std::move(catcher.value);
 }
 
@@ -255,7 +255,7 @@ JsonError parse_json(std::string_view text, std::uint32_t max_depth, JsonTape& t
   tape.items.reserve(text.size() / bytes_of_an_item + 16);
   TextStream stream(text);
   TapeWriter writer(tape, stream, max_depth);
-  const rapidjson::ParseResult result = Reader().Parse<flags>(stream, writer);
+  const rapidjson::ParseResult result = StrictReader().Parse<flags>(stream, writer);
   JsonError error;
   error.offset = result.Offset();
   error.fault = writer.fault();

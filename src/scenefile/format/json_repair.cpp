@@ -1,5 +1,6 @@
 #include "scenefile/format/json_repair.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/text_places.h"
@@ -11,10 +12,6 @@
 namespace scenefile {
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 class Repair {
  public:

@@ -1,5 +1,6 @@
 #include "scenefile/format/json_syntax.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
@@ -18,15 +19,9 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-
-bool is_word(char c) {
+bool is_bare_word(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          c == '.' || c == '+' || c == '-';
-}
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
 }
 
 // How to overwrite a fault so that reading can continue after it.
@@ -115,17 +110,17 @@ class Explainer {
   std::string_view word_around() const {
     std::size_t first = std::min(at_, text_.size());
     std::size_t last = first;
-    while (first > 0 && is_word(text_[first - 1])) {
+    while (first > 0 && is_bare_word(text_[first - 1])) {
       --first;
     }
-    while (last < text_.size() && is_word(text_[last])) {
+    while (last < text_.size() && is_bare_word(text_[last])) {
       ++last;
     }
     return text_.substr(first, last - first);
   }
 
   std::string found_text() const {
-    const bool inside = at_ < text_.size() && is_word(text_[at_]);
+    const bool inside = at_ < text_.size() && is_bare_word(text_[at_]);
     const std::string_view word = inside ? word_around() : std::string_view();
     return word.empty() ? quoted(text_.substr(at_, first_code_point(text_.substr(at_)).bytes))
                         : quoted(word);
@@ -403,7 +398,7 @@ class Explainer {
     if (found() == '{' && error_.fault == JsonFault::key) {
       return "an object inside an object needs a key; a list of objects is written in [ ]";
     }
-    if (behind_quote && is_word(found()) && error_.fault == JsonFault::object_comma) {
+    if (behind_quote && is_bare_word(found()) && error_.fault == JsonFault::object_comma) {
       return fmt::format("{} right after a quotation mark: an earlier string lacks its closing one",
                          found_text());
     }

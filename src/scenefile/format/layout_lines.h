@@ -19,11 +19,11 @@ inline std::string_view line_end_of(std::string_view text) {
 }
 
 /// The number of line ends in the white space between two tokens.
-inline std::size_t count_line_ends(std::string_view blanks) {
+inline std::size_t count_line_ends(std::string_view between) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < blanks.size(); ++i) {
-    const bool half = blanks[i] == '\r' && i + 1 < blanks.size() && blanks[i + 1] == '\n';
-    count += (blanks[i] == '\n' || blanks[i] == '\r') && !half;
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    const bool half = between[i] == '\r' && i + 1 < between.size() && between[i + 1] == '\n';
+    count += (between[i] == '\n' || between[i] == '\r') && !half;
   }
   return count;
 }

@@ -23,9 +23,9 @@ constexpr std::array scalars{std::pair("heightAngle", &Camera::height_angle_deg)
                              std::pair("aperture", &Camera::aperture),
                              std::pair("focalLength", &Camera::focal_length)};
 
-class Reader {
+class CameraReader {
  public:
-  Reader(std::string_view text, const Camera& camera, const Limits& limits)
+  CameraReader(std::string_view text, const Camera& camera, const Limits& limits)
       : text_(text), limits_(limits), camera_(camera) {}
 
   Result<CameraPath> read() {
@@ -193,7 +193,7 @@ class Reader {
 }  // namespace
 
 Result<CameraPath> read_cameras(std::string_view text, const Camera& camera, const Limits& limits) {
-  return Reader(text, camera, limits).read();
+  return CameraReader(text, camera, limits).read();
 }
 
 std::string write_cameras(const CameraPath& path) {

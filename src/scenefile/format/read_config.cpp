@@ -68,7 +68,7 @@ std::string name_of(const IniEntry& entry) {
              : entry.section + "/" + entry.key;
 }
 
-struct Reader {
+struct ConfigReader {
   CourseConfig& config;
   const Limits& limits;
   Diagnostics& diagnostics;
@@ -136,7 +136,7 @@ void report_unknown(const IniEntry& entry, const std::string& name, Diagnostics&
 
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics) {
   CourseConfig config;
-  const Reader reader{config, limits, diagnostics};
+  const ConfigReader reader{config, limits, diagnostics};
   std::array<bool, keys.size()> given{};
   for (const IniEntry& entry : read_ini(text, diagnostics)) {
     const std::string name = name_of(entry);

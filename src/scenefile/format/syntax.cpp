@@ -1,5 +1,6 @@
 #include "scenefile/format/syntax.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 
@@ -12,11 +13,9 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-
 using namespace std::string_view_literals;
 
-struct Signature {
+struct FileSignature {
   std::string_view start;  // lowercase
   std::string_view what;
 };
@@ -32,30 +31,31 @@ constexpr std::string_view configuration =
     "under [IO]";
 constexpr std::string_view picture = "a picture, not a scene";
 
-constexpr Signature signatures[] = {{"version https://git-lfs"sv,
-                                     "a Git LFS pointer, which is a placeholder for the scene; "
-                                     "fetch the scene itself with \"git lfs pull\""},
-                                    {"<!doctype html"sv, html},
-                                    {"<html"sv, html},
-                                    {"\x1f\x8b"sv, "compressed with gzip; unpack it first"},
-                                    {"pk\x03\x04"sv, "a ZIP archive; unpack it first"},
-                                    {"bzh"sv, "compressed with bzip2; unpack it first"},
-                                    {"\xfd"
-                                     "7zxz"sv,
-                                     "compressed with xz; unpack it first"},
-                                    {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
-                                    {"rar!"sv, "a RAR archive; unpack it first"},
-                                    {"\x89png"sv, picture},
-                                    {"\xff\xd8\xff"sv, picture},
-                                    {"gif8"sv, picture},
-                                    {"%pdf"sv, "a PDF document, not a scene"},
-                                    {"mtllib "sv, mesh},
-                                    {"usemtl "sv, mesh},
-                                    {"newmtl "sv, "a material library of an OBJ mesh, not a scene"},
-                                    {"[io]"sv, configuration},
-                                    {"[canvas]"sv, configuration},
-                                    {"[feature]"sv, configuration},
-                                    {"[settings]"sv, configuration}};
+constexpr FileSignature signatures[] = {
+    {"version https://git-lfs"sv,
+     "a Git LFS pointer, which is a placeholder for the scene; "
+     "fetch the scene itself with \"git lfs pull\""},
+    {"<!doctype html"sv, html},
+    {"<html"sv, html},
+    {"\x1f\x8b"sv, "compressed with gzip; unpack it first"},
+    {"pk\x03\x04"sv, "a ZIP archive; unpack it first"},
+    {"bzh"sv, "compressed with bzip2; unpack it first"},
+    {"\xfd"
+     "7zxz"sv,
+     "compressed with xz; unpack it first"},
+    {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
+    {"rar!"sv, "a RAR archive; unpack it first"},
+    {"\x89png"sv, picture},
+    {"\xff\xd8\xff"sv, picture},
+    {"gif8"sv, picture},
+    {"%pdf"sv, "a PDF document, not a scene"},
+    {"mtllib "sv, mesh},
+    {"usemtl "sv, mesh},
+    {"newmtl "sv, "a material library of an OBJ mesh, not a scene"},
+    {"[io]"sv, configuration},
+    {"[canvas]"sv, configuration},
+    {"[feature]"sv, configuration},
+    {"[settings]"sv, configuration}};
 
 bool is_number_start(char c) {
   return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
@@ -90,7 +90,7 @@ std::string_view first_line(std::string_view text) {
 std::string_view other_file(std::string_view text) {
   constexpr std::size_t longest = 32;
   const std::string start = lower_case(text.substr(0, longest));
-  for (const Signature& signature : signatures) {
+  for (const FileSignature& signature : signatures) {
     if (start.starts_with(signature.start)) {
       return signature.what;
     }

@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_syntax_error.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
@@ -33,8 +34,6 @@ std::string_view name_at(std::string_view text) {
 }
 
 using Cause = std::optional<SyntaxCause>;
-
-constexpr std::string_view blanks = " \t\r\n";
 
 std::uint32_t line_of(std::string_view text, std::size_t at) {
   return TextCursor(text).advance_to(text.data() + at).line;
@@ -260,10 +259,6 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
                      TextCursor(text).advance_to(tag.data()).line, closing ? "" : " or />");
 }
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
 // A hint from the characters before the offset; empty if there is none.
 std::string hint_before(std::string_view text, std::size_t at) {
   const std::string found = quoted(name_at(text.substr(at)), 20);
@@ -291,7 +286,7 @@ std::string hint_before(std::string_view text, std::size_t at) {
     return "a quotation mark that does not open a value; a value is written name=\"value\"";
   }
   std::size_t sign = at;
-  while (sign > 0 && is_blank(text[sign - 1])) {
+  while (sign > 0 && blanks.find(text[sign - 1]) != blanks.npos) {
     --sign;
   }
   return sign > 0 && text[sign - 1] == '=' ? fmt::format("{} must be in quotation marks", found)
@@ -369,7 +364,7 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
 }
 
 // Whether Expat accepts the character in the name of an entity.
-bool is_word(char c) {
+bool is_entity_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '-' || c == '_' || c == ':' || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -378,7 +373,7 @@ bool is_word(char c) {
 std::size_t bare_ampersand(std::string_view text, std::size_t at) {
   constexpr std::size_t longest_name = 40;
   std::size_t start = at;
-  while (start > 0 && at - start < longest_name && is_word(text[start - 1])) {
+  while (start > 0 && at - start < longest_name && is_entity_character(text[start - 1])) {
     --start;
   }
   return start > 0 && text[start - 1] == '&' ? start - 1 : at;

@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_tokens.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/format/xml_tag.h"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 namespace scenefile {
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r\n";
 
 // One past the next `what`, or the end of the text.
 std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {

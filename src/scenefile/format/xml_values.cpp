@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_values.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/number.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
@@ -339,7 +340,6 @@ std::optional<ValueKind> kind_of_element(std::string_view element) {
 }
 
 std::string as_attributes(std::string_view element, std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
   const std::string word(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
   std::vector<std::string> numbers = numbers_in(text, true);

@@ -1,8 +1,11 @@
 #include "scenefile/geometry/realtime_mesh.h"
 
+#include "scenefile/geometry/build_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace scenefile {
 
@@ -11,17 +14,12 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
-struct Vertex {
+struct GridVertex {
   std::uint32_t position;
   std::uint32_t normal;
 };
-
-std::uint32_t add_position(Mesh& mesh, const dvec3& p) {
-  mesh.positions.emplace_back(p);
-  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
-}
 
 std::uint32_t add_normal(Mesh& mesh, const dvec3& n) {
   mesh.normals.emplace_back(n);
@@ -29,17 +27,17 @@ std::uint32_t add_normal(Mesh& mesh, const dvec3& n) {
 }
 
 // Skips degenerate triangles, as in quads with two equal corners.
-void add_triangle(Mesh& mesh, const Vertex& a, const Vertex& b, const Vertex& c) {
+void add_grid_triangle(Mesh& mesh, const GridVertex& a, const GridVertex& b, const GridVertex& c) {
   if (a.position != b.position && b.position != c.position && c.position != a.position) {
     mesh.triangles.push_back({a.position, b.position, c.position});
     mesh.triangle_normals.push_back({a.normal, b.normal, c.normal});
   }
 }
 
-void add_quad(Mesh& mesh, const Vertex& upper_left, const Vertex& lower_left,
-              const Vertex& lower_right, const Vertex& upper_right) {
-  add_triangle(mesh, upper_left, lower_left, lower_right);
-  add_triangle(mesh, upper_left, lower_right, upper_right);
+void add_grid_quad(Mesh& mesh, const GridVertex& upper_left, const GridVertex& lower_left,
+                   const GridVertex& lower_right, const GridVertex& upper_right) {
+  add_grid_triangle(mesh, upper_left, lower_left, lower_right);
+  add_grid_triangle(mesh, upper_left, lower_right, upper_right);
 }
 
 // The outward direction at a fraction of a turn from the x axis toward -z.
@@ -48,18 +46,18 @@ dvec2 outward(double turn) {
 }
 
 // The vertices at one height of a round shape, one for each wedge.
-using Ring = std::vector<Vertex>;
+using GridRing = std::vector<GridVertex>;
 
 // Seen from outside, wedges proceed to the right.
-void add_band(Mesh& mesh, const Ring& upper, const Ring& lower) {
+void add_grid_band(Mesh& mesh, const GridRing& upper, const GridRing& lower) {
   for (std::size_t j = 0; j < upper.size(); ++j) {
     const std::size_t next = (j + 1) % upper.size();
-    add_quad(mesh, upper[j], lower[j], lower[next], upper[next]);
+    add_grid_quad(mesh, upper[j], lower[j], lower[next], upper[next]);
   }
 }
 
-Ring with_normal(Ring ring, std::uint32_t normal) {
-  for (Vertex& vertex : ring) {
+GridRing with_normal(GridRing ring, std::uint32_t normal) {
+  for (GridVertex& vertex : ring) {
     vertex.normal = normal;
   }
   return ring;
@@ -75,20 +73,20 @@ std::vector<std::uint32_t> add_circle(Mesh& mesh, double radius, double y, int w
 }
 
 // A disk of rings about the y axis, from its rim to its center; `normal_y` is 1 or -1.
-void add_cap(Mesh& mesh, const Ring& rim, double y, int rings, double normal_y) {
+void add_cap(Mesh& mesh, const GridRing& rim, double y, int rings, double normal_y) {
   const std::uint32_t normal = add_normal(mesh, {0, normal_y, 0});
   const auto wedges = static_cast<int>(rim.size());
-  Ring outer = with_normal(rim, normal);
+  GridRing outer = with_normal(rim, normal);
   for (int i = rings - 1; i >= 0; --i) {
-    Ring inner;
+    GridRing inner;
     if (i == 0) {
-      inner.assign(rim.size(), Vertex{add_position(mesh, {0, y, 0}), normal});
+      inner.assign(rim.size(), GridVertex{add_position(mesh, {0, y, 0}), normal});
     } else {
       for (const std::uint32_t p : add_circle(mesh, 0.5 * i / rings, y, wedges)) {
         inner.push_back({p, normal});
       }
     }
-    add_band(mesh, normal_y > 0 ? inner : outer, normal_y > 0 ? outer : inner);
+    add_grid_band(mesh, normal_y > 0 ? inner : outer, normal_y > 0 ? outer : inner);
     outer = std::move(inner);
   }
 }
@@ -112,12 +110,12 @@ Mesh make_cube(int tiles) {
         if (fresh) {
           found->second = add_position(mesh, grid / (2.0 * tiles));
         }
-        return Vertex{found->second, normal};
+        return GridVertex{found->second, normal};
       };
       for (int row = 0; row < tiles; ++row) {
         for (int column = 0; column < tiles; ++column) {
-          add_quad(mesh, vertex(row, column), vertex(row + 1, column), vertex(row + 1, column + 1),
-                   vertex(row, column + 1));
+          add_grid_quad(mesh, vertex(row, column), vertex(row + 1, column),
+                        vertex(row + 1, column + 1), vertex(row, column + 1));
         }
       }
     }
@@ -128,21 +126,21 @@ Mesh make_cube(int tiles) {
 Mesh make_sphere(int rings, int wedges) {
   Mesh mesh;
   const auto pole = [&](double y) {
-    return Ring(std::size_t(wedges),
-                {add_position(mesh, {0, 0.5 * y, 0}), add_normal(mesh, {0, y, 0})});
+    return GridRing(std::size_t(wedges),
+                    {add_position(mesh, {0, 0.5 * y, 0}), add_normal(mesh, {0, y, 0})});
   };
-  Ring upper = pole(1);
+  GridRing upper = pole(1);
   for (int i = 1; i < rings; ++i) {
     const double phi = pi * i / rings;
-    Ring lower;
+    GridRing lower;
     for (const std::uint32_t p :
          add_circle(mesh, 0.5 * std::sin(phi), 0.5 * std::cos(phi), wedges)) {
       lower.push_back({p, add_normal(mesh, glm::normalize(dvec3(mesh.positions[p])))});
     }
-    add_band(mesh, upper, lower);
+    add_grid_band(mesh, upper, lower);
     upper = std::move(lower);
   }
-  add_band(mesh, upper, pole(-1));
+  add_grid_band(mesh, upper, pole(-1));
   return mesh;
 }
 
@@ -154,18 +152,18 @@ Mesh make_cylinder(int stacks, int wedges) {
     normals.push_back(add_normal(mesh, {out.x, 0, out.y}));
   }
   const auto ring = [&](int stack) {
-    Ring result;
+    GridRing result;
     const auto positions = add_circle(mesh, 0.5, 0.5 - double(stack) / stacks, wedges);
     for (std::size_t j = 0; j < positions.size(); ++j) {
       result.push_back({positions[j], normals[j]});
     }
     return result;
   };
-  Ring upper = ring(0);
+  GridRing upper = ring(0);
   add_cap(mesh, upper, 0.5, stacks, 1);
   for (int i = 1; i <= stacks; ++i) {
-    Ring lower = ring(i);
-    add_band(mesh, upper, lower);
+    GridRing lower = ring(i);
+    add_grid_band(mesh, upper, lower);
     upper = std::move(lower);
   }
   add_cap(mesh, upper, -0.5, stacks, -1);
@@ -180,19 +178,19 @@ Mesh make_cone(int stacks, int wedges) {
   };
   const std::uint32_t tip = add_position(mesh, {0, 0.5, 0});
   std::vector<std::uint32_t> normals;
-  Ring upper;
+  GridRing upper;
   for (int j = 0; j < wedges; ++j) {
     upper.push_back({tip, side_normal(j + 0.5)});
     normals.push_back(side_normal(j));
   }
   for (int i = 1; i <= stacks; ++i) {
-    Ring lower;
+    GridRing lower;
     const double down = double(i) / stacks;
     const auto positions = add_circle(mesh, 0.5 * down, 0.5 - down, wedges);
     for (std::size_t j = 0; j < positions.size(); ++j) {
       lower.push_back({positions[j], normals[j]});
     }
-    add_band(mesh, upper, lower);
+    add_grid_band(mesh, upper, lower);
     upper = std::move(lower);
   }
   add_cap(mesh, upper, -0.5, stacks, -1);

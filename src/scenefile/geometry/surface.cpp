@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
@@ -13,7 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 using one::Around;
 

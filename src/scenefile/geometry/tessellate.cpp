@@ -1,7 +1,10 @@
 #include "scenefile/geometry/tessellate.h"
 
+#include "scenefile/geometry/build_mesh.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
@@ -10,18 +13,13 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 struct Vertex {
   std::uint32_t position;
   std::uint32_t normal;
   std::uint32_t uv;
 };
-
-std::uint32_t add_position(Mesh& mesh, const dvec3& p) {
-  mesh.positions.emplace_back(p);
-  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
-}
 
 Vertex add_vertex(Mesh& mesh, std::uint32_t position, const dvec3& normal, const dvec2& uv) {
   mesh.normals.emplace_back(normal);

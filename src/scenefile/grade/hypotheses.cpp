@@ -1,6 +1,7 @@
 #include "scenefile/grade/hypotheses.h"
 
 #include "scenefile/base/limits.h"
+#include "scenefile/grade/model.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/scene/transforms.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace scenefile {
@@ -18,11 +20,7 @@ namespace {
 using glm::dvec3;
 using Hypotheses = std::vector<Hypothesis>;
 
-constexpr double pi = 3.14159265358979323846;
-
-dvec3 clamped(const dvec3& c) {
-  return glm::clamp(c, dvec3(0), dvec3(1));
-}
+using std::numbers::pi;
 
 double srgb_code(double v) {
   return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;

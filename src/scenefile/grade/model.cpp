@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace scenefile {
 
@@ -12,16 +13,11 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr std::uint32_t area_side = 3;
 
 double clamped(double x) {
   return std::clamp(x, 0.0, 1.0);
-}
-
-dvec3 clamped(const dvec3& c) {
-  return glm::clamp(c, dvec3(0), dvec3(1));
 }
 
 dvec3 unit(const dvec3& v) {

@@ -10,11 +10,19 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace scenefile {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A color with its parts limited to the range 0 to 1.
+inline glm::dvec3 clamped(const glm::dvec3& color) {
+  return glm::clamp(color, glm::dvec3(0), glm::dvec3(1));
+}
 
 /// A shape in the world.
 struct ModelPart {

@@ -12,7 +12,6 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t leaf_size = 4;
 
 struct TreeBuilder {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -25,7 +26,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 // Upper bounds for the text of an OBJ file, per vertex with all attributes and per triangle.
 constexpr std::uint64_t bytes_of_vertex = 100;
 constexpr std::uint64_t bytes_of_triangle = 100;

@@ -24,7 +24,7 @@ namespace scenefile {
 namespace {
 
 // An upper bound for the text of an OBJ file, per triangle with all attributes.
-constexpr std::uint64_t bytes_of_triangle = 400;
+constexpr std::uint64_t obj_bytes_of_triangle = 400;
 
 using Corners = std::array<std::uint32_t, 3>;
 
@@ -54,7 +54,7 @@ class ObjSceneReader {
       diagnostics_.report(import_not_a_model, {}, "the OBJ file has no triangles");
       return {};
     }
-    if (mesh_.triangles.size() * bytes_of_triangle > options_.limits.mesh_bytes) {
+    if (mesh_.triangles.size() * obj_bytes_of_triangle > options_.limits.mesh_bytes) {
       diagnostics_.report(
           import_limit, {},
           fmt::format("{} triangles, divided by material, exceed the limit for all meshes",

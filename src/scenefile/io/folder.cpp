@@ -1,5 +1,6 @@
 #include "scenefile/io/folder.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/descriptor.h"
 
@@ -16,10 +17,6 @@ namespace scenefile {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Removes the digits at the start of `text`; returns them without leading zeros.
 std::string_view take_digits(std::string_view& text) {

@@ -3,12 +3,13 @@
 #include "scenefile/base/shape_traits.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // The half-space whose boundary contains the point.
 HalfSpace through(const glm::dvec3& point, const glm::dvec3& outward) {

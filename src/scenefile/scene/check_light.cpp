@@ -12,8 +12,8 @@ namespace scenefile {
 namespace {
 
 // Bright lights with attenuation are common (colors up to 200 in files by students of the course).
-constexpr float huge_color = 1e4f;
-constexpr float byte_habit = 16;
+constexpr float huge_fading_color = 1e4f;
+constexpr float huge_steady_color = 16;
 
 bool fades(const Light& light) {
   return light_uses(light.type, Field::attenuation) &&
@@ -29,7 +29,7 @@ void check_color(const Light& light, const Subject& subject, Reporter& reporter)
         light_color_negative, subject, Field::color,
         fmt::format("color {} of the {} is negative", vector_text(light.color), subject.what));
   }
-  if (largest(light.color) > (fades(light) ? huge_color : byte_habit)) {
+  if (largest(light.color) > (fades(light) ? huge_fading_color : huge_steady_color)) {
     reporter.report(
         light_color_huge, subject, Field::color,
         fmt::format("color {} of the {} is far above 1{}", vector_text(light.color), subject.what,

@@ -41,7 +41,7 @@ std::vector<NodeId> parents_first(const Scene& scene) {
 }
 
 // Whether the nodes are equal except for their children.
-bool alike(const Node& a, const Node& b) {
+bool same_values(const Node& a, const Node& b) {
   return hash_of(values_of(a)) == hash_of(values_of(b)) && a.lights == b.lights &&
          a.primitives == b.primitives;
 }
@@ -156,7 +156,7 @@ class Comparison {
     const Node& a = a_.scene.nodes[in_a];
     const Node& b = b_.scene.nodes[in_b];
     // Most nodes on a path are equal, and building a path takes time proportional to its depth.
-    if (!alike(a, b)) {
+    if (!same_values(a, b)) {
       const std::string where = a_.path(in_a) + ": ";
       list_.compare_values(where, values_of(a), values_of(b), a.location, b.location);
       list_.compare_items(where, a.lights, b.lights);

@@ -98,9 +98,9 @@ Values material_of(const Drawn& drawn) {
   return drawn.primitive != nullptr ? values_of(*drawn.primitive) : Values{};
 }
 
-class Side {
+class DrawnSide {
  public:
-  explicit Side(const Scene& scene) : scene_(scene), parent_(scene.nodes.size(), 0) {
+  explicit DrawnSide(const Scene& scene) : scene_(scene), parent_(scene.nodes.size(), 0) {
     for (const NodeId head : scene.templates) {
       if (head < scene.nodes.size()) {
         templates_.emplace(scene.nodes[head].name, head);
@@ -196,9 +196,9 @@ class Side {
   std::vector<std::string> used_;
 };
 
-class Comparison {
+class DrawnComparison {
  public:
-  Comparison(const Scene& a, const Scene& b, std::size_t most) : a_(a), b_(b), list_(most) {}
+  DrawnComparison(const Scene& a, const Scene& b, std::size_t most) : a_(a), b_(b), list_(most) {}
 
   std::vector<SceneDifference> run() {
     const Scene& a = a_.scene();
@@ -226,7 +226,7 @@ class Comparison {
   void compare_trees(const std::string& name, std::optional<NodeId> head_a,
                      std::optional<NodeId> head_b) {
     compare_objects(escaped(name, 200) + ": ", a_.objects(head_a), b_.objects(head_b));
-    for (Side* const side : {&a_, &b_}) {
+    for (DrawnSide* const side : {&a_, &b_}) {
       for (std::string& used : side->take_used()) {
         if (seen_.insert(used).second) {
           pending_.push_back(std::move(used));
@@ -262,7 +262,7 @@ class Comparison {
     list_.compare_values(where, material_of(a), material_of(b), a.location, b.location);
   }
 
-  static std::string description(const Side& side, const Drawn& drawn) {
+  static std::string description(const DrawnSide& side, const Drawn& drawn) {
     Values values = side.transforms_of(drawn);
     const Values material = material_of(drawn);
     values.insert(values.end(), material.begin(), material.end());
@@ -286,8 +286,8 @@ class Comparison {
     return numbered(labels);
   }
 
-  Side a_;
-  Side b_;
+  DrawnSide a_;
+  DrawnSide b_;
   DifferenceList list_;
   std::vector<std::string> pending_;
   std::unordered_set<std::string> seen_;
@@ -296,7 +296,7 @@ class Comparison {
 }  // namespace
 
 std::vector<SceneDifference> diff_drawn(const Scene& a, const Scene& b, std::size_t most) {
-  return Comparison(a, b, most).run();
+  return DrawnComparison(a, b, most).run();
 }
 
 }  // namespace scenefile

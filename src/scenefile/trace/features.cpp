@@ -17,7 +17,7 @@ constexpr std::size_t feature_count = [] {
   return count;
 }();
 
-constexpr std::array<std::string_view, feature_count> words = [] {
+constexpr std::array<std::string_view, feature_count> feature_names = [] {
   std::array<std::string_view, feature_count> result;
   std::size_t next = 0;
   visit_options(no_matter, [&](const OptionField& field, bool) { result[next++] = field.name; });
@@ -33,7 +33,7 @@ Features with_all(bool on) {
 }  // namespace
 
 std::span<const std::string_view> feature_words() {
-  return words;
+  return feature_names;
 }
 
 bool* find_feature(Features& features, std::string_view word) {

@@ -14,11 +14,11 @@ std::pair<int, int> pixels_of_tiles(int first, int last, int from, int to) {
   return {std::min(from + first * tile_side, to), std::min(from + last * tile_side, to)};
 }
 
+}  // namespace
+
 bool empty(const PixelRegion& region) {
   return region.width() <= 0 || region.height() <= 0;
 }
-
-}  // namespace
 
 // Repeatedly halves the region along its longer side.
 PixelRegion part_of(const PixelRegion& region, std::uint32_t index, std::uint32_t count) {

@@ -7,6 +7,9 @@
 
 namespace scenefile {
 
+/// Whether the region has no pixels.
+bool empty(const PixelRegion& region);
+
 /// The maximum number of parts.
 inline constexpr std::uint32_t most_parts = 1000000;
 

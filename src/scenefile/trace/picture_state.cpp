@@ -45,10 +45,6 @@ PixelRegion grown(const PixelRegion& region, int by) {
   return {region.x0 - by, region.y0 - by, region.x1 + by, region.y1 + by};
 }
 
-bool empty(const PixelRegion& region) {
-  return region.width() <= 0 || region.height() <= 0;
-}
-
 std::size_t pixels_of(const PixelRegion& region) {
   return std::size_t(region.width()) * region.height();
 }

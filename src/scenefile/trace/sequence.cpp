@@ -1,12 +1,13 @@
 #include "scenefile/trace/sequence.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace scenefile {
 
@@ -97,13 +98,13 @@ double radius_in_pixels(const Frame& frame, const WorldObject& object) {
 }
 
 int segments_for(double radius_in_pixels) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   const double segments = pi * std::sqrt(5 * radius_in_pixels);
   return static_cast<int>(std::clamp(segments, 3.0, 1024.0));
 }
 
 int wires_for(double radius_in_pixels) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   constexpr double gap = 12;  // pixels between lines
   return static_cast<int>(std::clamp(2 * pi * radius_in_pixels / gap, 6.0, 28.0));
 }

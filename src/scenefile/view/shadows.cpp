@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace scenefile {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // A wider spotlight uses a cube.
 constexpr double widest_view = 2.2;  // radians

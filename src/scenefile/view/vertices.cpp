@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -81,7 +82,7 @@ class MeshIndexer {
 
 // The scale from an inscribed polygon to a polygon with the area of the circle.
 double growth(int segments) {
-  constexpr double pi = 3.14159265358979323846;
+  using std::numbers::pi;
   return std::sqrt(2 * pi / segments / std::sin(2 * pi / segments));
 }
 

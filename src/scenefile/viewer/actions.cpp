@@ -7,7 +7,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr std::array table{
+constexpr std::array action_rows{
     ActionRow{Action::scene_camera, "Home", "Camera", "the scene's own camera"},
     ActionRow{Action::frame, "F", "Camera", "frame what is selected, or everything"},
     ActionRow{Action::side_front, "Ctrl+1", "Camera", "from the front (with Shift: from behind)"},
@@ -63,7 +63,7 @@ constexpr std::array gesture_table{
 }  // namespace
 
 std::span<const ActionRow> actions() {
-  return table;
+  return action_rows;
 }
 
 std::span<const GestureRow> gestures() {
@@ -71,7 +71,7 @@ std::span<const GestureRow> gestures() {
 }
 
 const ActionRow& row_of(Action action) {
-  return *std::find_if(table.begin(), table.end(),
+  return *std::find_if(action_rows.begin(), action_rows.end(),
                        [&](const ActionRow& row) { return row.action == action; });
 }
 
@@ -108,9 +108,9 @@ bool is_assignment_key(const KeyPress& key) {
 
 const ActionRow* action_of(const KeyPress& key) {
   const auto find = [](const std::string& text) {
-    const auto found = std::find_if(table.begin(), table.end(),
+    const auto found = std::find_if(action_rows.begin(), action_rows.end(),
                                     [&](const ActionRow& row) { return row.key == text; });
-    return found == table.end() ? nullptr : &*found;
+    return found == action_rows.end() ? nullptr : &*found;
   };
   if (const ActionRow* const row = find(key_text(key)); row != nullptr) {
     return row;

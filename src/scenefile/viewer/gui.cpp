@@ -18,10 +18,6 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-ImVec2 vec(const glm::dvec2& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
 // A panel at a fixed position; the caller calls ImGui::End().
 void begin_panel(const char* name, const Box& box, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos(vec(box.at));
@@ -90,6 +86,10 @@ void build_status_line(const Session& session, const GuiFrame& frame, Box& room)
 }
 
 }  // namespace
+
+ImVec2 vec(const glm::dvec2& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y)};
+}
 
 void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window) {
   Box room{{0, 0}, window};

@@ -5,7 +5,12 @@
 
 #include <string>
 
+struct ImVec2;
+
 namespace scenefile::viewer {
+
+/// A place or a size as Dear ImGui takes it.
+ImVec2 vec(const glm::dvec2& v);
 
 /// Input of the panels in addition to the session.
 struct GuiFrame {

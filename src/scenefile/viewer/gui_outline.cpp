@@ -266,7 +266,7 @@ void value_line(const char* name, const std::string& value) {
   ImGui::TextUnformatted(value.c_str());
 }
 
-void color_line(const char* name, const glm::vec3& color) {
+void color_row(const char* name, const glm::vec3& color) {
   if (color == glm::vec3(0)) {
     return;
   }
@@ -295,11 +295,11 @@ const RenderPrimitive* find_primitive(const RenderScene& scene, std::uint32_t so
 
 void build_material(const RenderScene& scene, const RenderPrimitive& primitive) {
   const RenderMaterial& m = scene.materials[primitive.material];
-  color_line("ambient", m.ambient);
-  color_line("diffuse", m.diffuse);
-  color_line("specular", m.specular);
-  color_line("reflective", m.reflective);
-  color_line("transparent", m.transparent);
+  color_row("ambient", m.ambient);
+  color_row("diffuse", m.diffuse);
+  color_row("specular", m.specular);
+  color_row("reflective", m.reflective);
+  color_row("transparent", m.transparent);
   if (m.specular != glm::vec3(0)) {
     value_line("shininess", fmt::format("{:.4g}", m.shininess));
   }
@@ -312,7 +312,7 @@ void build_material(const RenderScene& scene, const RenderPrimitive& primitive) 
 }
 
 void build_light(const RenderLight& light) {
-  color_line("color", light.color);
+  color_row("color", light.color);
   const auto vector = [](const glm::vec3& v) {
     return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z);
   };

@@ -17,10 +17,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-ImVec2 vec(const glm::dvec2& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y)};
-}
-
 ImTextureID texture(unsigned name) {
   return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name));
 }

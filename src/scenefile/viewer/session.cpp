@@ -14,7 +14,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr double watch_interval = 0.25;
 constexpr double rest = 0.25;  // the camera must rest this long before ray tracing starts
 constexpr double notice_seconds = 4;
 

@@ -29,6 +29,8 @@
 
 namespace scenefile::viewer {
 
+inline constexpr double watch_interval = 0.25;  ///< seconds between looks at the watched files
+
 /// Set by the program before the window opens.
 struct SessionSetup {
   LoadScene load;

@@ -18,7 +18,6 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr double watch_interval = 0.25;
 constexpr std::uint32_t rows_open_at_first = 40;
 
 // Runs on another thread.

@@ -16,7 +16,7 @@ namespace scenefile::viewer {
 namespace {
 
 /// A setting as a number; booleans are 0 and 1.
-struct Row {
+struct SettingRow {
   std::string_view name;
   double least;
   double most;
@@ -25,7 +25,7 @@ struct Row {
 };
 
 template <auto member>
-constexpr Row row(std::string_view name, double least, double most) {
+constexpr SettingRow row(std::string_view name, double least, double most) {
   return {name, least, most, [](const Settings& s) { return static_cast<double>(s.*member); },
           [](Settings& s, double value) {
             using Member = std::remove_reference_t<decltype(s.*member)>;
@@ -37,7 +37,7 @@ constexpr Row row(std::string_view name, double least, double most) {
           }};
 }
 
-constexpr std::array table{
+constexpr std::array setting_rows{
     row<&Settings::window_width>("window_width", 320, 16384),
     row<&Settings::window_height>("window_height", 240, 16384),
     row<&Settings::panel_width>("panel_width", 120, 2000),
@@ -69,9 +69,9 @@ bool parse_line(std::string_view line, Settings& settings) {
     return false;
   }
   const std::string_view name = trimmed(line.substr(0, equals));
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const Row& r) { return r.name == name; });
-  if (found == table.end()) {
+  const auto found = std::find_if(setting_rows.begin(), setting_rows.end(),
+                                  [&](const SettingRow& r) { return r.name == name; });
+  if (found == setting_rows.end()) {
     return !name.empty();
   }
   const ParsedNumber number = parse_number(line.substr(equals + 1));
@@ -86,7 +86,7 @@ bool parse_line(std::string_view line, Settings& settings) {
 
 std::string settings_text(const Settings& settings) {
   std::string text = "# scenefile view\n";
-  for (const Row& r : table) {
+  for (const SettingRow& r : setting_rows) {
     text += fmt::format("{} = {}\n", r.name, number_text(static_cast<float>(r.get(settings))));
   }
   return text;

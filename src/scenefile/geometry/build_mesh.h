@@ -1,0 +1,14 @@
+#pragma once
+// What both ways to make meshes of shapes share. Internal to the room.
+
+#include "scenefile/geometry/mesh.h"
+
+namespace scenefile {
+
+/// The index of the new position.
+inline std::uint32_t add_position(Mesh& mesh, const glm::dvec3& position) {
+  mesh.positions.emplace_back(position);
+  return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+}  // namespace scenefile

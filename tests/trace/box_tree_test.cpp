@@ -62,7 +62,7 @@ RC_GTEST_PROP(BoxTree, OffersEveryBoxThatTheRayMeets, ()) {
   Random random(*rc::gen::arbitrary<unsigned>());
   const std::vector<FloatBox> boxes = random_boxes(random);
   const BoxTree tree(boxes);
-  for (std::uint32_t i = 0; i < boxes.size(); i += 1 + random() % 64) {
+  for (std::uint32_t i = 0; i < boxes.size(); i += 1 + static_cast<std::uint32_t>(random() % 64)) {
     // Through a point of the box, at t = distance.
     const double distance = i % 3 == 0 ? 1e6 : between(random, 0, 10);
     Ray ray;

@@ -41,7 +41,8 @@ class Remarks {
 
  private:
   void add(RemarkKind kind, std::string text, std::uint32_t light = no_index) {
-    list_.push_back({kind, index_, light, std::move(text)});
+    Remark& remark = list_.emplace_back();
+    remark = {kind, index_, light, std::move(text)};
   }
 
   const RenderMaterial& material(const SurfaceRecord& s) const {

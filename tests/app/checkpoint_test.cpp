@@ -125,7 +125,7 @@ TEST_F(CheckpointTest, WhatIsNotOfThisRenderIsRefused) {
 
   folder_.write("ck", good);
   folder_.write("s.xml", std::string(slow_scene) + "\n");
-  EXPECT_THAT(run(long_render()).err, HasSubstr("of another scene, or the scene was changed"));
+  EXPECT_THAT(run(long_render()).err, HasSubstr("from another scene, or the scene was changed"));
   EXPECT_EQ(folder_.read("ck"), good);
 }
 

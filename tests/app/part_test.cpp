@@ -109,7 +109,7 @@ TEST_F(PartTest, WhatIsAnotherPictureIsRefused) {
     EXPECT_THAT(refused.err, HasSubstr(why));
     EXPECT_EQ(folder.read("parts/2.part"), bytes);
   };
-  expect_refused(part(2, 3, {"--samples", "3"}), "of other options; remove the file");
+  expect_refused(part(2, 3, {"--samples", "3"}), "with other options; remove the file");
   expect_refused(part(2, 4), "it is part 2 of 3, not 2 of 4");
   folder.write("scene.xml", std::string(good_scene) + "\n");
   expect_refused(part(2, 3), "another scene, or the scene was changed");

@@ -167,6 +167,9 @@ TEST(SamplePlan, BeginsInTheMiddleUnlessMoreIsAsked) {
   RenderOptions options;
   EXPECT_TRUE(sample_plan(options, false).two_passes());
   EXPECT_FALSE(sample_plan(options, true).middles) << "a lens";
+  EXPECT_LT(sample_plan(options, true).first, sample_plan(options, true).most);
+  EXPECT_EQ(sample_plan(options, true, true).first, sample_plan(options, true, true).most)
+      << "a lens that blurs strongly";
   options.samples = 1;
   EXPECT_TRUE(sample_plan(options, false).middles);
   EXPECT_FALSE(sample_plan(options, false).two_passes());

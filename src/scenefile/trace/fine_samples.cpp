@@ -21,15 +21,17 @@ constexpr double variance_of_penumbra = 1.0 / 16;
 
 // A pixel with this variance justifies the maximum number of samples, but at least usual_samples:
 // with a smaller maximum, pixels take fewer samples, but the same pixels are refined.
-constexpr double worst_variance = 1.0 / 32;
+constexpr double worst_variance = 1.0 / 45;
 constexpr std::uint32_t usual_samples = 16;
 
 // The variance within a pixel relative to the contrast with its neighbors: 1/12 for a linear
 // gradient.
 constexpr double variance_of_contrast = 1.0 / 12;
 
-// The variance estimated from the contrast counts as much as this many samples.
-constexpr double weight_of_contrast = 1;
+// The variance estimated from the contrast counts as much as this many samples: many, because a
+// pixel whose own samples decide when to stop is biased. Where most of it is dark, those that miss
+// what is bright agree, and stop.
+constexpr double weight_of_contrast = 64;
 
 // Marks are square roots of contrasts, in these units.
 constexpr double mark_unit = 1.0 / 255;
@@ -40,6 +42,10 @@ constexpr std::uint32_t share_for_exactness = 32;
 
 // The first round, for pictures in which every pixel starts with pattern samples.
 constexpr std::uint32_t first_samples = 4;
+
+// Where a lens blurs the background by more pixels than this (the radius), four samples that agree
+// tell too little.
+constexpr double strong_blur = 8;
 
 // Behind a lens, a pixel has enough samples if the standard error of its mean is below this.
 constexpr double settled_error = 1.0 / 256;
@@ -94,7 +100,15 @@ bool is_soft(const RenderScene& scene, const RenderOptions& options) {
   return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
 }
 
-SamplePlan sample_plan(const RenderOptions& options, bool soft) {
+bool blurs_strongly(const RenderScene& scene, const RenderOptions& options) {
+  if (!has_lens(scene, options)) {
+    return false;
+  }
+  const double pixel = CameraRays(scene.camera, options.width, options.height).pixel_spread();
+  return scene.camera.aperture > strong_blur * pixel * scene.camera.focal_length;
+}
+
+SamplePlan sample_plan(const RenderOptions& options, bool soft, bool blurred) {
   SamplePlan plan;
   plan.most = static_cast<std::uint32_t>(std::max(1, options.samples));
   plan.first = static_cast<std::uint32_t>(std::max(1, options.min_samples));
@@ -102,7 +116,7 @@ SamplePlan sample_plan(const RenderOptions& options, bool soft) {
     plan.first = std::max(plan.first, plan.most / share_for_exactness);
   }
   if (soft) {
-    plan.first = std::max(plan.first, first_samples);
+    plan.first = std::max(plan.first, blurred ? plan.most : first_samples);
   }
   plan.first = std::min(plan.first, plan.most);
   plan.middles = plan.first == 1 && !soft;
@@ -114,7 +128,8 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
       camera_(camera),
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))),
-      plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options))),
+      plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options),
+                        blurs_strongly(tracer.scene, tracer.options))),
       least_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
 // A sample that covers a quarter of the pixel, as in the first round of four.

@@ -39,6 +39,9 @@ bool has_lens(const RenderScene& scene, const RenderOptions& options);
 /// Whether lenses or area lights leave noise.
 bool is_soft(const RenderScene& scene, const RenderOptions& options);
 
+/// Whether the camera has a lens that blurs so strongly that a few samples tell nothing.
+bool blurs_strongly(const RenderScene& scene, const RenderOptions& options);
+
 /// How the samples of a picture are shared out among its pixels.
 struct SamplePlan {
   bool middles = true;      ///< start with one sample at the center of each pixel
@@ -49,10 +52,11 @@ struct SamplePlan {
   bool two_passes() const { return middles && most > 1; }
 };
 
-/// `soft`: see is_soft(). With lenses and area lights, one sample cannot predict the variance, so
-/// each pixel starts with several. The same applies if so many samples are allowed that the picture
-/// should be exact.
-SamplePlan sample_plan(const RenderOptions& options, bool soft);
+/// `soft`: see is_soft(); `blurred`: see blurs_strongly(). With lenses and area lights, one sample
+/// cannot predict the variance, so each pixel starts with several. The same applies if so many
+/// samples are allowed that the picture should be exact. Behind a strong lens, each pixel takes all
+/// samples.
+SamplePlan sample_plan(const RenderOptions& options, bool soft, bool blurred = false);
 
 /// The samples of a picture; each is a function of the pixel, its index and the seed.
 class FineSampler {

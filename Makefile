@@ -188,12 +188,15 @@ slurm-test: ## a real Slurm cluster of two nodes on this machine, one of which i
 	@$(MAKE) $(QUIET) build
 	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 640x480
 
-.PHONY: web web-test
-web: ## the program as WebAssembly in an npm package: out/npm/scenefile-VERSION.tgz
+.PHONY: web web-serve web-test
+web: ## WebAssembly: the page, out/page, and the npm package, out/npm/scenefile-VERSION.tgz
 	@scripts/install-deps core web
 	$(call quietly,bindings/web/build)
-	@tail -1 build/log.txt
-web-test: web ## the same, and its tests; CORPUS=DIR: also that it draws and checks as the native program does
+	@tail -5 build/log.txt
+web-serve: web ## the same, and shows the page at http://localhost:8123 (PORT=N)
+	@node web/serve.js out/page $(or $(PORT),8123)
+web-test: web ## the same, and its tests in a browser; CORPUS=DIR: also that it draws and checks as the native program does
+	@scripts/install-deps browser
 	@bindings/web/test
 	@test -z "$(CORPUS)" || { $(MAKE) $(QUIET) build && scripts/same-answers $(BUILD)/scenefile \
 	  "node build/wasm/package/bin/scenefile.js" "$(CORPUS)" && scripts/same-answers --check \

@@ -16,6 +16,9 @@ target_compile_options(scenefile_options INTERFACE
   -ffp-contract=off
   $<$<BOOL:${SCENEFILE_WERROR}>:-Werror>)
 
+# Rooms whose speed matters more than their size in WebAssembly, which pages download.
+set(SCENEFILE_FAST_ROOMS base geometry compare trace grade)
+
 # Sources that include an "-inl.h" stay out of unity builds: such headers have no include guard, because
 # they are compiled once for each instruction set.
 function(scenefile_keep_apart)
@@ -42,7 +45,12 @@ function(scenefile_room name)
   target_link_libraries(${target} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_PRIVATE}
     $<BUILD_INTERFACE:scenefile_options>)
   scenefile_keep_apart(${ROOM_SOURCES})
-  scenefile_precompile(${target} room)
+  if(EMSCRIPTEN AND NOT name IN_LIST SCENEFILE_FAST_ROOMS)
+    target_compile_options(${target} PRIVATE -Oz)
+    scenefile_precompile(${target} small_room)
+  else()
+    scenefile_precompile(${target} room)
+  endif()
   if(ROOM_PROGRAM_ONLY)
     return()
   endif()

@@ -5,8 +5,9 @@ include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
 list(APPEND CMAKE_FIND_ROOT_PATH "${SCENEFILE_WEB_PREFIX}")
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/find")
 
-# LLVM 14's vectorizers miscompile the search through nested groups with -msimd128; lanes are written by hand.
-set(web_flags "-msimd128 -fno-slp-vectorize -fno-vectorize -fwasm-exceptions -mllvm -wasm-enable-sjlj")
+# LLVM 14 miscompiles the search through nested groups with -msimd128. Only the file that computes in
+# lanes, by hand, is compiled with it (trace/CMakeLists.txt).
+set(web_flags "-fno-slp-vectorize -fno-vectorize -fwasm-exceptions -mllvm -wasm-enable-sjlj")
 set(CMAKE_C_FLAGS_INIT "${web_flags}")
 set(CMAKE_CXX_FLAGS_INIT
   "${web_flags} -include ${CMAKE_CURRENT_LIST_DIR}/missing_in_libcxx13.h")

@@ -1,0 +1,247 @@
+// What the page calls: the rooms behind a few C functions. A worker has one instance, which keeps the
+// scene that it opened last. Files are in memory; the scene and the files that it names are below /files.
+//
+// Functions that answer in JSON or text return its first byte, and page_answer_size() its length; the
+// answer is valid until the next call. Pictures are RGBA, row 0 on top, and valid likewise.
+
+#include "page.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/scene/summary.h"
+#include "scenefile/verbs/codes.h"
+#include "scenefile/verbs/explain.h"
+#include "scenefile/verbs/findings.h"
+#include "scenefile/verbs/render_error.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace scenefile {
+
+Page& page() {
+  static Page instance;
+  return instance;
+}
+
+namespace {
+
+void add_camera(Json& json, const RenderCamera& camera) {
+  json.begin_object("camera");
+  json.add("position", camera.position);
+  json.add("u", camera.u);
+  json.add("v", camera.v);
+  json.add("w", camera.w);
+  json.add("fov_y", camera.fov_y);
+  json.end_object();
+}
+
+void add_files(Json& json, const LoadedScene& scene) {
+  json.begin_array("files");
+  for (const AssetFile& file : locate_files(scene, access_of_page(), Limits{})) {
+    json.begin_object();
+    json.add("name", file.reference.name);
+    json.add("kind", file.kind == AssetKind::texture ? "texture" : "mesh");
+    json.add("found", !file.resolved.path.empty());
+    add_location(json, file.reference.location);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+void add_counts(Json& json, const LoadedScene& scene) {
+  const SceneSummary counts = summarize(scene.written);
+  json.begin_object("counts");
+  std::size_t primitives = 0;
+  for (const std::size_t n : counts.primitives) {
+    primitives += n;
+  }
+  std::size_t lights = 0;
+  for (const std::size_t n : counts.lights) {
+    lights += n;
+  }
+  json.add("primitives", primitives);
+  json.add("drawn", counts.virtual_primitives);
+  json.add("lights", lights);
+  json.end_object();
+}
+
+std::string opened_json(const LoadedScene& scene) {
+  Json json;
+  json.begin_object();
+  json.key("scene");
+  add_scene(json, scene);
+  json.add("usable", scene.usable());
+  if (!scene.unreadable) {
+    add_files(json, scene);
+  }
+  if (scene.usable()) {
+    add_camera(json, scene.ready.scene.camera);
+    add_counts(json, scene);
+  }
+  json.end_object();
+  return json.text();
+}
+
+}  // namespace
+
+extern "C" {
+
+const char* page_answer() {
+  return page().answer.c_str();
+}
+
+std::size_t page_answer_size() {
+  return page().answer.size();
+}
+
+/// The findings about a scene, and which files it names. `depth`: 0 without opening these files, 1
+/// with all of them. Does not change the scene that is kept.
+const char* page_check(const char* path, int depth, int compat_course) {
+  return answered([&] {
+    LoadedScene scene = load_scene_file(
+        path,
+        load_settings(depth == 0 ? LoadDepth::prepared : LoadDepth::with_all_assets,
+                      compat_course != 0),
+        access_of_page());
+    if (depth != 0 && scene.usable()) {
+      check_picture(scene);
+    }
+    return opened_json(scene);
+  });
+}
+
+/// Keeps a scene with all its files, for the functions below; the same answer.
+const char* page_open(const char* path, int compat_course) {
+  page().traced.reset();
+  LoadedScene none;
+  page().scene = std::move(none);  // frees its memory before the next is loaded
+  return answered([&] {
+    LoadedScene& scene = page().scene;
+    scene = load_scene_file(path, load_settings(LoadDepth::with_all_assets, compat_course != 0),
+                            access_of_page());
+    page().written_camera = scene.ready.scene.camera;
+    if (scene.usable()) {
+      check_picture(scene);
+    }
+    return opened_json(scene);
+  });
+}
+
+/// Looks at the kept scene from elsewhere: position, u, v, w, and the full angle fov_y in radians,
+/// as in RenderCamera. Null: as written in the file.
+void page_look(const double* camera) {
+  RenderCamera& now = page().scene.ready.scene.camera;
+  now = page().written_camera;
+  if (camera != nullptr) {
+    const auto vector = [&](int i) {
+      return glm::dvec3(camera[i], camera[i + 1], camera[i + 2]);
+    };
+    now.position = vector(0);
+    now.u = vector(3);
+    now.v = vector(6);
+    now.w = vector(9);
+    now.fov_y = camera[12];
+  }
+}
+
+/// The pixels x0 <= x < x1, y0 <= y < y1 of a picture of the kept scene; null: the answer says why
+/// there are none.
+const std::uint8_t* page_render(int profile, int mode, int features, int width, int height,
+                                int samples, int max_depth, int x0, int y0, int x1, int y1) {
+  Page& p = page();
+  const std::uint8_t* pixels = nullptr;
+  answered([&]() -> std::string {
+    if (!p.scene.usable()) {
+      return error_json("the scene has errors");
+    }
+    RenderOptions options =
+        picture_options(profile, mode, features, width, height, samples, max_depth);
+    options.crop = PixelRegion{x0, y0, x1, y1};
+    if (!p.traced) {
+      p.traced.emplace(p.scene.ready.scene, p.scene.assets, TraceSceneOptions{.threads = 1});
+    }
+    if (const auto error = render_error(p.traced->status())) {
+      return error_json(error->text);
+    }
+    RenderControl control;
+    control.traced = &*p.traced;
+    const RenderResult result =
+        render(p.scene.ready.scene, p.scene.assets, options, std::move(control));
+    if (const auto error = render_error(result.status)) {
+      return error_json(error->text);
+    }
+    pixels = show(quantize(result.image, rounding_of(options.profile)));
+    return "{}";
+  });
+  return pixels;
+}
+
+/// The document of `scenefile explain --json` for a pixel of that picture. `red`, `green`, `blue`:
+/// its value in another program's picture; -1: there is none.
+const char* page_explain(int profile, int mode, int features, int width, int height, int samples,
+                         int max_depth, int x, int y, int red, int green, int blue) {
+  return answered([&] {
+    const LoadedScene& scene = page().scene;
+    if (!scene.usable()) {
+      return error_json("the scene has errors");
+    }
+    const RenderOptions options =
+        picture_options(profile, mode, features, width, height, samples, max_depth);
+    Result<ExplainReport> report = explain_pixel(scene, options, x, y);
+    if (!report) {
+      return error_json(report.error().text);
+    }
+    if (red >= 0) {
+      const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
+      report->yours = compare_with_yours(scene.ready.scene, report->pixel,
+                                         {byte(red), byte(green), byte(blue)});
+    }
+    return explain_json(scene, options, &*report);
+  });
+}
+
+/// The same as text for people.
+const char* page_explain_text(int profile, int mode, int features, int width, int height,
+                              int samples, int max_depth, int x, int y) {
+  return answered([&] {
+    const LoadedScene& scene = page().scene;
+    const Result<ExplainReport> report = explain_pixel(
+        scene, picture_options(profile, mode, features, width, height, samples, max_depth), x, y);
+    return report ? explain_text(scene, *report) : report.error().text;
+  });
+}
+
+/// Decodes a picture file; null: the answer says why not. Otherwise it says the size.
+const std::uint8_t* page_decode(const char* path) {
+  const std::uint8_t* pixels = nullptr;
+  answered([&] {
+    const Result<Texture> picture = load_picture_file(path);
+    if (!picture) {
+      return error_json(picture.error().text);
+    }
+    pixels = show(*picture);
+    return fmt::format("{{\"width\":{},\"height\":{}}}", picture->width, picture->height);
+  });
+  return pixels;
+}
+
+/// What a code means, for people.
+const char* page_help(const char* code) {
+  return answered([&] {
+    const Code* const found = find_code(code);
+    if (found == nullptr) {
+      return error_json("there is no such code");
+    }
+    Json json;
+    json.begin_object();
+    json.add("summary", found->summary);
+    json.add("help", found->help);
+    json.end_object();
+    return json.text();
+  });
+}
+}
+
+}  // namespace scenefile

@@ -1,0 +1,123 @@
+#pragma once
+// What the functions for the page share (page.cpp, page_tools.cpp).
+
+#include "scenefile/asset/image.h"
+#include "scenefile/base/result.h"
+#include "scenefile/io/file.h"
+#include "scenefile/trace/trace_scene.h"
+#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/load_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <iterator>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scenefile {
+
+inline constexpr const char* files_folder = "/files";
+
+struct Page {
+  std::string answer;
+  std::vector<std::uint8_t> pixels;
+  LoadedScene scene;
+  RenderCamera written_camera;
+  std::optional<TraceScene> traced;  ///< of `scene`; built by the first picture
+};
+
+Page& page();
+
+inline const char* give(std::string text) {
+  page().answer = std::move(text);
+  return page().answer.c_str();
+}
+
+inline std::string error_json(const std::string& text) {
+  Json json;
+  json.begin_object();
+  json.add("error", text);
+  json.end_object();
+  return json.text();
+}
+
+// Every call ends with an answer, whatever happens inside.
+template <typename Work>
+const char* answered(const Work& work) {
+  try {
+    return give(work());
+  } catch (const std::bad_alloc&) {
+    page().traced.reset();
+    return give(error_json("there is not enough memory for this"));
+  } catch (const std::exception& error) {
+    return give(error_json(error.what()));
+  }
+}
+
+inline const std::uint8_t* show(const Texture& picture) {
+  std::vector<std::uint8_t>& to = page().pixels;
+  to.resize(std::size_t{4} * picture.width * picture.height);
+  for (std::size_t i = 0, n = to.size() / 4; i < n; ++i) {
+    std::copy_n(&picture.rgb[3 * i], 3, &to[4 * i]);
+    to[4 * i + 3] = 255;
+  }
+  return to.data();
+}
+
+inline Texture texture_of(const std::uint8_t* rgba, int width, int height) {
+  Texture picture{.width = width, .height = height, .rgb = {}};
+  picture.rgb.resize(std::size_t{3} * width * height);
+  for (std::size_t i = 0, n = picture.rgb.size() / 3; i < n; ++i) {
+    std::copy_n(rgba + 4 * i, 3, &picture.rgb[3 * i]);
+  }
+  return picture;
+}
+
+inline AssetAccess access_of_page() {
+  return {.roots = {files_folder}};
+}
+
+inline LoadSettings load_settings(LoadDepth depth, bool compat_course) {
+  LoadSettings settings;
+  settings.depth = depth;
+  settings.compat_course = compat_course;
+  settings.allow_missing = true;
+  return settings;
+}
+
+// The options of the picture that the page shows; `features`: one bit each, in the order of
+// Features, or -1 for the profile's own.
+inline RenderOptions picture_options(int profile, int mode, int features, int width, int height,
+                              int samples, int max_depth) {
+  RenderOptions options = default_options(static_cast<Profile>(profile));
+  options.mode = static_cast<Mode>(mode);
+  if (features >= 0) {
+    Features& on = options.features;
+    bool* const flags[] = {&on.shadows,        &on.reflect,      &on.refract,     &on.texture,
+                           &on.texture_filter, &on.super_sample, &on.depthoffield};
+    for (std::size_t i = 0; i < std::size(flags); ++i) {
+      *flags[i] = ((features >> i) & 1) != 0;
+    }
+  }
+  options.width = width;
+  options.height = height;
+  options.samples = samples > 0 ? samples : options.samples;
+  options.max_depth = max_depth >= 0 ? max_depth : options.max_depth;
+  options.threads = 1;
+  return in_range(options);
+}
+
+/// Writes a file below /out, where JavaScript reads it.
+inline void write_out(const std::string& name, const std::string& bytes) {
+  if (const Result<void> done = write_file("/out/" + name, bytes); !done) {
+    throw std::runtime_error(done.error().text);
+  }
+}
+
+}  // namespace scenefile

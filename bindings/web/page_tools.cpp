@@ -1,0 +1,213 @@
+// What the page rarely needs, in a second module that is loaded when it does: comparing, converting, writing.
+
+#include "page.h"
+
+#include "scenefile/asset/image_file.h"
+#include "scenefile/compare/sheet.h"
+#include "scenefile/export/write_gltf.h"
+#include "scenefile/export/write_obj.h"
+#include "scenefile/export/write_pov.h"
+#include "scenefile/format/edit_camera.h"
+#include "scenefile/format/layout.h"
+#include "scenefile/format/write_scene.h"
+#include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace scenefile {
+
+namespace {
+
+struct Maps {
+  Texture heat;
+  Texture flip;
+};
+
+Maps& maps() {
+  static Maps instance;
+  return instance;
+}
+
+// Drops the reader's notes, which do not matter for conversion; those of the writer follow.
+void drop_notes(Diagnostics& diagnostics) {
+  diagnostics.rewrite([](const Code&, Severity severity) {
+    return severity == Severity::note ? std::nullopt : std::optional(severity);
+  });
+}
+
+// Writes the files of the format `to` to /out; says their names.
+std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
+                                 const RenderOptions& options) {
+  const auto one = [&](std::string name, const std::string& bytes) {
+    write_out(name, bytes);
+    return std::vector<std::string>{std::move(name)};
+  };
+  if (to == "xml" || to == "json") {
+    return one(fmt::format("scene.{}", to),
+               write_scene(scene.written, to == "xml" ? SceneFormat::xml : SceneFormat::json,
+                           Limits{}, scene.diagnostics));
+  }
+  if (to == "pov") {
+    std::vector<std::string> textures;
+    for (const FileReference& file : scene.ready.scene.texture_files) {
+      textures.push_back(file.name);
+    }
+    const Features& on = options.features;
+    return one("scene.pov", write_pov(scene.ready.scene, scene.assets.meshes, textures,
+                                      {.bounces = options.max_depth,
+                                       .transparent = 0.5f,
+                                       .shadows = on.shadows,
+                                       .reflect = on.reflect,
+                                       .refract = on.refract,
+                                       .texture = on.texture,
+                                       .texture_filter = on.texture_filter,
+                                       .lens = on.depthoffield},
+                                      scene.diagnostics));
+  }
+  if (to == "glb" || to == "gltf") {
+    return one(fmt::format("scene.{}", to),
+               write_gltf(scene.written, scene.ready, scene.assets,
+                          {.binary = to == "glb", .transparent = 0.5f}, scene.diagnostics));
+  }
+  ObjScene obj = write_obj(scene.ready.scene, scene.assets, {.transparent = 0.5f}, scene.diagnostics);
+  write_out("scene.obj", obj.obj);
+  write_out("scene.mtl", obj.mtl);
+  std::vector<std::string> names{"scene.obj", "scene.mtl"};
+  for (std::size_t i = 0; i < obj.pictures.size(); ++i) {
+    names.push_back(fmt::format("scene-{}.png", i + 1));
+    write_out(names.back(), obj.pictures[i]);
+  }
+  return names;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Compares a picture with its reference as `scenefile diff --json` does; the kept scene, if it can
+/// be drawn, names mistakes. All profiles are tried where `profile` is -1.
+const char* page_compare(const std::uint8_t* reference, int width, int height,
+                         const std::uint8_t* test, int test_width, int test_height, int profile,
+                         int mode, int features) {
+  return answered([&] {
+    Page& p = page();
+    const Texture a = texture_of(reference, width, height);
+    const Texture b = texture_of(test, test_width, test_height);
+    std::vector<RenderOptions> profiles;
+    for (int i = 0; i < 2; ++i) {
+      if (profile < 0 || profile == i) {
+        profiles.push_back(picture_options(i, mode, features, width, height, 0, -1));
+      }
+    }
+    CompareSettings settings;
+    settings.ways = possible_ways(profiles, features >= 0);
+    const PictureComparison found =
+        compare_pictures(a, b, p.scene.usable() ? &p.scene : nullptr, settings);
+    maps().heat = heat_map(a, b);
+    maps().flip = flip_picture(found.flip_errors, a.width, a.height);
+    Json json;
+    json.begin_object();
+    add_comparison(json, found);
+    json.end_object();
+    return json.text();
+  });
+}
+
+/// The maps of the last comparison: 0 largest difference, 1 FLIP; null: there is none.
+const std::uint8_t* page_map(int which) {
+  const Texture& map = which == 0 ? maps().heat : maps().flip;
+  return map.empty() ? nullptr : show(map);
+}
+
+/// Writes the scene in another format below /out: `to` is xml, json, pov, glb, gltf or obj. Says the
+/// names of the files and what the format cannot say.
+const char* page_convert(const char* path, const char* to, int profile, int features,
+                         int compat_course) {
+  return answered([&] {
+    LoadedScene scene = load_scene_file(
+        path, load_settings(LoadDepth::with_all_assets, compat_course != 0), access_of_page());
+    if (!scene.usable()) {
+      return error_json("the scene has errors");
+    }
+    drop_notes(scene.diagnostics);
+    const std::vector<std::string> names =
+        convert(scene, to, picture_options(profile, 0, features, 1, 1, 0, -1));
+    Json json;
+    json.begin_object();
+    json.begin_array("files");
+    for (const std::string& name : names) {
+      json.value(name);
+    }
+    json.end_array();
+    json.key("scene");
+    add_scene(json, scene);
+    json.end_object();
+    return json.text();
+  });
+}
+
+/// Writes a picture as /out/picture.png.
+const char* page_png(const std::uint8_t* rgba, int width, int height) {
+  return answered([&] {
+    std::string error;
+    const std::string bytes = encode_image(to_float(texture_of(rgba, width, height)),
+                                           ImageFormat::png8, Rounding::nearest, error);
+    if (!error.empty()) {
+      return error_json(error);
+    }
+    write_out("picture.png", bytes);
+    return std::string(R"({"files":["picture.png"]})");
+  });
+}
+
+/// Writes the file, laid out anew, as /out/scene.
+const char* page_format(const char* path) {
+  return answered([&] {
+    const Limits limits;
+    const Result<std::string> text = read_file(path, limits.file_bytes);
+    if (!text) {
+      return error_json(text.error().text);
+    }
+    Diagnostics diagnostics(limits);
+    const std::optional<std::string> laid_out = lay_out(*text, limits, diagnostics);
+    if (!laid_out) {
+      return error_json(diagnostics.list().empty() ? "the file cannot be laid out"
+                                                   : diagnostics.list().front().message);
+    }
+    write_out("scene", *laid_out);
+    return std::string(R"({"files":["scene"]})");
+  });
+}
+
+/// Writes the file with another camera as /out/scene: position, look, up, and the full vertical
+/// angle in degrees.
+const char* page_edit_camera(const char* path, const double* values) {
+  return answered([&] {
+    const Result<std::string> text = read_file(path, Limits{}.file_bytes);
+    if (!text) {
+      return error_json(text.error().text);
+    }
+    const LoadedScene scene =
+        load_scene_file(path, load_settings(LoadDepth::prepared, /*compat_course=*/false));
+    Camera camera = scene.written.camera.value_or(Camera{});
+    const auto vector = [&](int i) {
+      return glm::vec3(glm::dvec3(values[i], values[i + 1], values[i + 2]));
+    };
+    camera.position = vector(0);
+    camera.look = vector(3);
+    camera.up = vector(6);
+    camera.height_angle_deg = static_cast<float>(values[9]);
+    const CameraEdit edit = edit_camera(*text, camera, {});
+    if (!edit.refused.empty()) {
+      return error_json(edit.refused);
+    }
+    write_out("scene", edit.bytes);
+    return std::string(R"({"files":["scene"]})");
+  });
+}
+}
+
+}  // namespace scenefile

@@ -1,0 +1,130 @@
+// Workers with the core. A worker that takes too long, or whose instance ended, is terminated and
+// replaced at the next request; it then gets the files and the scene again.
+
+const loadTimeout = 60_000; // milliseconds until the module has to be there
+
+const compiled = new Map();
+
+// A module, loaded and compiled once for all workers.
+function moduleOf(name) {
+  if (!compiled.has(name)) {
+    const module = load(name);
+    compiled.set(name, module);
+    module.catch(() => compiled.delete(name));
+  }
+  return compiled.get(name);
+}
+
+async function load(name) {
+  const response = await fetch(name);
+  if (!response.ok) {
+    throw new Error('the page was not loaded completely; reload it');
+  }
+  // Some hosts do not know the type application/wasm, which streaming needs.
+  return response.headers.get('content-type') === 'application/wasm'
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** A request that was given up. */
+export class Stopped extends Error {
+  constructor(message, reason) {
+    super(message);
+    this.name = 'Stopped';
+    this.reason = reason; // 'time', 'memory' or 'replaced'
+  }
+}
+
+export class Engine {
+  #module;
+  #worker = null;
+  #ready = null;
+  #waiting = new Map();
+  #next = 1;
+  /** Files and scene that this worker has. */
+  generation = -1;
+  opened = -1;
+
+  /** With scenefile.wasm, or scenefile-tools.wasm, which can also compare and convert. */
+  constructor(module = 'scenefile.wasm') {
+    this.#module = module;
+  }
+
+  async #start() {
+    const worker = new Worker('worker.js');
+    this.#worker = worker;
+    this.generation = -1;
+    this.opened = -1;
+    worker.addEventListener('message', ({ data }) => this.#answer(worker, data));
+    worker.addEventListener('error', (event) => {
+      event.preventDefault();
+      this.stop(new Stopped(event.message || 'a worker failed', 'memory'));
+    });
+    const module = await moduleOf(this.#module);
+    if (worker !== this.#worker) {
+      throw new Stopped('it was stopped', 'replaced');
+    }
+    return this.#post('init', { module }, [], loadTimeout);
+  }
+
+  #post(call, args, transfer, timeout) {
+    return new Promise((resolve, reject) => {
+      const id = this.#next++;
+      const timer = setTimeout(() => {
+        this.stop(new Stopped(`it took longer than ${Math.round(timeout / 1000)} seconds`, 'time'));
+      }, timeout);
+      this.#waiting.set(id, { resolve, reject, timer });
+      this.#worker.postMessage({ id, call, args }, transfer);
+    });
+  }
+
+  #answer(worker, { id, value, error, fatal }) {
+    const request = this.#waiting.get(id);
+    if (worker !== this.#worker || request === undefined) {
+      return;
+    }
+    this.#waiting.delete(id);
+    clearTimeout(request.timer);
+    if (fatal) {
+      const stopped = new Stopped('it needs more memory than a page can have', 'memory');
+      request.reject(stopped);
+      this.stop(stopped);
+    } else if (error !== undefined) {
+      request.reject(new Error(error));
+    } else {
+      request.resolve(value);
+    }
+  }
+
+  /** Ends what is being done; requests fail with `reason`. */
+  stop(reason = new Stopped('it was stopped', 'replaced')) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#ready = null;
+    this.generation = -1;
+    this.opened = -1;
+    for (const { reject, timer } of this.#waiting.values()) {
+      clearTimeout(timer);
+      reject(reason);
+    }
+    this.#waiting.clear();
+  }
+
+  get busy() {
+    return this.#waiting.size > 0;
+  }
+
+  async call(call, args = {}, { timeout = 9_000, transfer = [] } = {}) {
+    this.#ready ??= this.#start();
+    try {
+      await this.#ready;
+    } catch (error) {
+      this.stop(error);
+      throw error;
+    }
+    if (this.#worker === null) {
+      throw new Stopped('it was stopped', 'replaced');
+    }
+    return this.#post(call, args, transfer, timeout);
+  }
+}

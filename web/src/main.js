@@ -1,0 +1,880 @@
+// The page: what is opened, checked, drawn, explained and saved, and when.
+
+import examples from 'scenefile-examples';
+import { afterPause, byId, download, h } from './dom.js';
+import { Editor } from './editor.js';
+import { Engine } from './engine.js';
+import { explanation } from './explain.js';
+import { baseName, fromDrop, fromInput, isPictureName, isSceneName, packed, readAll } from './files.js';
+import { linkOf, sceneOf } from './link.js';
+import { Picture } from './picture.js';
+import * as store from './store.js';
+
+const emptyScene = `<scenefile>
+  <cameradata>
+    <pos x="3" y="3" z="5"/>
+    <focus x="0" y="0" z="0"/>
+    <up x="0" y="1" z="0"/>
+    <heightangle v="30"/>
+  </cameradata>
+
+  <lightdata>
+    <id v="0"/>
+    <color r="1" g="1" b="1"/>
+    <position x="3" y="5" z="4"/>
+  </lightdata>
+
+  <object type="tree" name="root">
+    <transblock>
+      <object type="primitive" name="cube">
+        <diffuse r="0.5" g="0.6" b="0.8"/>
+        <ambient r="0.2" g="0.2" b="0.25"/>
+      </object>
+    </transblock>
+  </object>
+</scenefile>
+`;
+
+const featureNames = ['shadows', 'reflect', 'refract', 'texture', 'texture-filter', 'super-sample', 'depthoffield'];
+const sizes = [[320, 240], [640, 480], [1024, 768], [1280, 720], [1920, 1080]];
+
+const text = new TextDecoder();
+const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8));
+
+// What is open in this tab. `files`: all files beside the scene, by path.
+const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true };
+
+const checker = new Engine();
+
+const editor = new Editor(byId('editor'), {
+  changed: () => {
+    scene.version += 1;
+    scene.unsafe = false;
+    checkSoon();
+    saveSoon();
+  },
+});
+
+const picture = new Picture(byId('canvas'), workers, {
+  progress(done) {
+    byId('stop').hidden = done >= 1;
+    byId('progress').textContent = done >= 1 ? '' : `${Math.floor(100 * done)} %`;
+  },
+  drawn(seconds) {
+    store.end(scene.id);
+    byId('stop').hidden = true;
+    byId('progress').textContent = `drawn in ${seconds.toFixed(2)} s`;
+    byId('canvas').dataset.drawn = String(Number(byId('canvas').dataset.drawn ?? 0) + 1);
+  },
+  failed: stopped,
+  compared: showComparison,
+  moved() {
+    const elsewhere = picture.camera !== null;
+    byId('view-reset').disabled = !elsewhere;
+    byId('view-write').disabled = !elsewhere;
+    byId('cross').hidden = true;
+  },
+});
+
+// Notices stay until something replaces or closes them.
+
+function notice(key, message, { kind = '', actions = [] } = {}) {
+  clearNotice(key);
+  byId('notices').append(
+    h('div', { className: `notice ${kind}`, 'data-key': key, role: kind === 'error' ? 'alert' : 'status' },
+      h('span', {}, message),
+      ...actions.map(([name, act]) => h('button', { type: 'button', onclick: act }, name)),
+      h('button', { type: 'button', 'aria-label': 'Close the message', onclick: () => clearNotice(key) }, '×'),
+    ),
+  );
+}
+
+function clearNotice(key) {
+  byId('notices').querySelector(`[data-key="${key}"]`)?.remove();
+}
+
+// A scene that takes too long or too much is not tried again before it is changed.
+function stopped(error) {
+  store.end(scene.id);
+  byId('stop').hidden = true;
+  byId('progress').textContent = '';
+  if (error.reason === 'time' || error.reason === 'memory') {
+    scene.unsafe = true;
+    saveSoon();
+    notice('stopped', `Stopped: ${error.message}. Change the scene, or try again.`, {
+      kind: 'error',
+      actions: [['Try again', () => run({ anyway: true })]],
+    });
+  } else {
+    notice('stopped', `The picture cannot be drawn: ${error.message}.`, { kind: 'error' });
+  }
+}
+
+function failed(error) {
+  notice('failed', error.message, { kind: 'error' });
+}
+
+// Checks the text, and draws it if it can be drawn.
+
+let checking = false;
+let checkAgain = false;
+
+const checkSoon = afterPause(20, () => run());
+
+const sceneNow = () => ({
+  path: scene.path,
+  text: editor.text,
+  files: scene.files,
+  filesVersion: scene.filesVersion,
+  version: scene.version,
+  course: byId('course-reading').checked,
+});
+
+async function run({ anyway = false } = {}) {
+  if (anyway) {
+    scene.unsafe = false;
+    clearNotice('stopped');
+  }
+  if (checking) {
+    checkAgain = true;
+    return;
+  }
+  checking = true;
+  try {
+    do {
+      checkAgain = false;
+      await checkAndDraw();
+    } while (checkAgain);
+  } finally {
+    checking = false;
+  }
+}
+
+async function checkAndDraw() {
+  const now = sceneNow();
+  if (scene.unsafe) {
+    return;
+  }
+  let checked;
+  try {
+    const begun = performance.now();
+    if (checker.generation !== now.filesVersion) {
+      await checker.call('files', { files: [...now.files] });
+      checker.generation = now.filesVersion;
+    }
+    await checker.call('text', { path: now.path, text: now.text });
+    checked = await checker.call('check', { path: now.path, depth: 0, course: now.course });
+    byId('findings').dataset.milliseconds = String(performance.now() - begun);
+  } catch (error) {
+    stopped(error);
+    return;
+  }
+  if (now.version !== scene.version) {
+    checkAgain = true;
+    return;
+  }
+  clearNotice('stopped');
+  showMissing(checked.files ?? []);
+  if (!checked.usable) {
+    showFindings(checked.scene);
+    byId('verdict').textContent += picture.hasScene ? '; the picture is that of the last version without errors' : '';
+    return;
+  }
+  store.begin(scene.id);
+  picture.open(now).then(
+    (opened) => {
+      if (now.version !== scene.version) {
+        return;
+      }
+      if (opened !== null) {
+        showFindings(opened.scene);
+      }
+      if (opened === null || opened.usable) {
+        picture.draw();
+      } else {
+        store.end(scene.id);
+      }
+    },
+    (error) => error.reason !== 'replaced' && stopped(error),
+  );
+}
+
+function showFindings({ findings, errors, warnings, not_listed: more, error }) {
+  editor.showFindings(findings);
+  const count = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
+  const verdict = byId('verdict');
+  verdict.className = errors > 0 || error ? 'errors' : warnings > 0 ? 'warnings' : '';
+  verdict.textContent = error ?? (errors + warnings === 0 ? 'no errors, no warnings' : `${count(errors, 'error')}, ${count(warnings, 'warning')}`);
+  byId('findings').replaceChildren(
+    ...findings.slice(0, 200).map(findingItem),
+    ...(more > 0 ? [h('li', {}, `and ${more} more`)] : []),
+  );
+}
+
+function findingItem(finding) {
+  const { code, severity, message, line, column, file, notes = [] } = finding;
+  const place = line === undefined ? null : `line ${line}, column ${column}`;
+  const correction = file === undefined && line !== undefined ? editor.correctionOf(finding) : null;
+  const help = h('p', { className: 'help', hidden: true });
+  const explain = async () => {
+    help.textContent = help.hidden && help.textContent === '' ? (await checker.call('help', { code })).help : help.textContent;
+    help.hidden = !help.hidden;
+  };
+  return h(
+    'li',
+    { className: severity },
+    h('span', { className: 'severity' }, `${severity}: `),
+    file === undefined ? null : `${file}: `,
+    message,
+    ' ',
+    place === null || file !== undefined
+      ? place
+      : h('button', { className: 'link', type: 'button', onclick: () => (showTab('text'), editor.selectPlace(line, column)) }, place),
+    ' ',
+    h('button', { className: 'link', type: 'button', onclick: explain, 'aria-label': `What ${code} means` }, 'why?'),
+    correction === null ? null : [' ', h('button', { type: 'button', onclick: correction.apply }, correction.title)],
+    notes.map((note) => h('div', { className: 'help' }, note)),
+    help,
+  );
+}
+
+function showMissing(files) {
+  const missing = files.filter(({ found }) => !found);
+  const box = byId('missing');
+  box.hidden = missing.length === 0;
+  box.replaceChildren(
+    `${missing.length === 1 ? 'A file is' : `${missing.length} files are`} missing:`,
+    h('ul', {}, missing.slice(0, 50).map(({ name, kind }) => h('li', {}, `${name} (${kind})`))),
+    h('button', { type: 'button', onclick: () => byId('file-input').click() }, 'Add files…'), ' ',
+    h('button', { type: 'button', onclick: () => byId('folder-input').click() }, 'Add a folder…'),
+  );
+}
+
+// Opening.
+
+function setDocument({ id = store.newId(), path, content, files = new Map(), options = null, unsafe = false }) {
+  store.end(scene.id);
+  if (scene.id !== '' && scene.id !== id) {
+    store.release(scene.id);
+  }
+  Object.assign(scene, { id, path, files, unsafe, filesVersion: scene.filesVersion + 1, version: scene.version + 1, filesSaved: false });
+  store.setTabDocument(id);
+  store.hold(id);
+  byId('name').value = baseName(path);
+  document.title = `${baseName(path)} – scenefile`;
+  for (const key of ['stopped', 'failed', 'scenes', 'opened']) {
+    clearNotice(key);
+  }
+  closeComparison();
+  byId('explain-result').replaceChildren();
+  byId('cross').hidden = true;
+  picture.camera = null;
+  applyOptions(options);
+  byId('findings').replaceChildren();
+  byId('verdict').textContent = '';
+  editor.open(content);
+  saveSoon();
+  if (unsafe) {
+    notice('stopped', 'This scene did not finish the last time. It is not drawn until you ask for it or change it.', {
+      actions: [['Draw it', () => run({ anyway: true })]],
+    });
+  } else {
+    run();
+  }
+}
+
+async function take(list, forComparison = false) {
+  let files;
+  try {
+    files = await readAll(list);
+  } catch (error) {
+    failed(error);
+    return;
+  }
+  if (files.size === 0) {
+    return;
+  }
+  const scenes = [...files.keys()].filter(isSceneName);
+  const [[firstPath, firstBytes]] = files;
+  const wanted = new Set([...(await namedFiles())].map((name) => baseName(name.replaceAll('\\', '/')).toLowerCase()));
+  if (forComparison || (files.size === 1 && isPictureName(firstPath) && !wanted.has(baseName(firstPath).toLowerCase()))) {
+    compareWith(baseName(firstPath), firstBytes);
+    return;
+  }
+  if (scenes.length === 0) {
+    for (const [path, bytes] of files) {
+      scene.files.set(path, bytes);
+    }
+    scene.filesVersion += 1;
+    scene.version += 1;
+    scene.filesSaved = false;
+    saveSoon();
+    run();
+    return;
+  }
+  openFrom(files, scenes, scenes[0]);
+}
+
+function openFrom(files, scenes, path) {
+  const content = text.decode(files.get(path));
+  const others = new Map(files);
+  others.delete(path);
+  setDocument({ path, content, files: others });
+  if (scenes.length > 1) {
+    notice('scenes', `${scenes.length} scenes were opened; this is ${path}.`, {
+      actions: scenes.filter((other) => other !== path).slice(0, 30).map((other) => [other, () => openFrom(files, scenes, other)]),
+    });
+  }
+}
+
+// The files that the scene names, as far as the checker knows.
+async function namedFiles() {
+  try {
+    const { files = [] } = await checker.call('check', { path: scene.path, depth: 0, course: byId('course-reading').checked });
+    return files.map(({ name }) => name);
+  } catch {
+    return [];
+  }
+}
+
+async function openExample({ path, files }) {
+  try {
+    const contents = new Map(
+      await Promise.all(
+        [path, ...files].map(async (name) => [name, new Uint8Array(await (await fetch(`examples/${name}`)).arrayBuffer())]),
+      ),
+    );
+    openFrom(contents, [path], path);
+  } catch (error) {
+    failed(error);
+  }
+}
+
+// Settings of the picture.
+
+function applyOptions(options) {
+  if (options !== null && typeof options === 'object') {
+    const whole = (value, least, most, otherwise) =>
+      Number.isInteger(value) && value >= least && value <= most ? value : otherwise;
+    picture.options = {
+      ...picture.options,
+      profile: whole(options.profile, 0, 1, 1),
+      mode: whole(options.mode, 0, 2, 0),
+      features: whole(options.features, -1, 127, -1),
+      width: whole(options.width, 1, 4096, 640),
+      height: whole(options.height, 1, 4096, 480),
+    };
+  }
+  showOptions();
+}
+
+function showOptions() {
+  const { profile, mode, features, width, height } = picture.options;
+  byId('profile').value = String(profile);
+  byId('mode').value = String(mode);
+  const all = [...sizes];
+  if (!all.some(([w, hh]) => w === width && hh === height)) {
+    all.push([width, height]);
+  }
+  byId('size').replaceChildren(...all.map(([w, hh]) => h('option', { value: `${w}x${hh}` }, `${w} × ${hh}`)));
+  byId('size').value = `${width}x${height}`;
+  const defaults = profile === 1 ? 0b1111111 : 0b1011111;
+  const on = features < 0 ? defaults : features;
+  byId('features').querySelectorAll('input').forEach((box, i) => (box.checked = ((on >> i) & 1) === 1));
+  byId('pixel-x').max = String(width - 1);
+  byId('pixel-y').max = String(height - 1);
+}
+
+function changeOptions(change) {
+  Object.assign(picture.options, change);
+  showOptions();
+  saveSoon();
+  picture.draw();
+}
+
+byId('features').append(
+  ...featureNames.map((name) => h('label', {}, h('input', { type: 'checkbox', onchange: featuresChanged }), ` ${name}`)),
+);
+function featuresChanged() {
+  const boxes = [...byId('features').querySelectorAll('input')];
+  changeOptions({ features: boxes.reduce((bits, box, i) => bits | (box.checked ? 1 << i : 0), 0) });
+}
+byId('profile').addEventListener('change', () => changeOptions({ profile: Number(byId('profile').value), features: -1 }));
+byId('mode').addEventListener('change', () => changeOptions({ mode: Number(byId('mode').value) }));
+byId('size').addEventListener('change', () => {
+  const [width, height] = byId('size').value.split('x').map(Number);
+  changeOptions({ width, height });
+});
+byId('stop').addEventListener('click', async () => {
+  await picture.stop();
+  store.end(scene.id);
+  byId('progress').textContent = 'stopped';
+});
+byId('course-reading').addEventListener('change', () => {
+  scene.version += 1;
+  run();
+});
+
+// Comparing.
+
+async function compareWith(name, bytes) {
+  try {
+    await picture.compareWith(name, bytes);
+  } catch (error) {
+    failed(new Error(`${name}: ${error.message}`));
+    return;
+  }
+  const { width, height } = picture.mine;
+  byId('compare-panel').open = true;
+  byId('compare-close').hidden = false;
+  byId('compare-how-label').hidden = false;
+  byId('compare-intro').textContent = `${name}, ${width} × ${height}`;
+  showTab('picture');
+  compareHow();
+  changeOptions({ width, height });
+}
+
+function closeComparison() {
+  picture.compareWith('', null);
+  byId('compare-close').hidden = true;
+  byId('compare-how-label').hidden = true;
+  byId('split-label').hidden = true;
+  byId('compare-result').replaceChildren();
+  byId('compare-intro').textContent =
+    'Open a picture that your own program made of this scene: it is drawn here in the same size, and known mistakes are named.';
+}
+
+function compareHow() {
+  picture.show = byId('compare-how').value;
+  byId('split-label').hidden = picture.show !== 'split';
+  picture.paint();
+}
+
+function showComparison({ working, otherSize, answer }) {
+  const box = byId('compare-result');
+  if (working || otherSize) {
+    box.replaceChildren(working ? 'Comparing…' : 'The pictures have different sizes.');
+    return;
+  }
+  const parts = [];
+  if (answer.max_difference === 0) {
+    parts.push(h('p', {}, 'The pictures are equal.'));
+  } else {
+    parts.push(
+      h('p', {}, `PSNR ${answer.psnr_db.toFixed(2)} dB, SSIM ${answer.ssim.toFixed(4)}, FLIP ${answer.flip_mean.toFixed(4)}; largest difference ${answer.max_difference}/255`),
+    );
+    const claims = (title, list = []) =>
+      list.length === 0 ? [] : [h('h2', {}, title), h('ul', { className: 'claims' }, list.map(({ what, evidence }) => h('li', {}, what, evidence ? ` (${evidence})` : '')))];
+    parts.push(
+      ...claims('Your picture differs because', answer.causes),
+      ...claims('It may also be that', answer.rivals),
+      ...claims('This explains a part', answer.partial),
+    );
+    const { worst } = answer;
+    if (worst) {
+      parts.push(
+        h('p', {}, 'They differ most around ',
+          h('button', { className: 'link', type: 'button', onclick: () => explainAt(worst.x, worst.y) }, `column ${worst.x}, row ${worst.y}`),
+          worst.object ? `: ${worst.object}` : ''),
+      );
+    }
+    if (!answer.causes?.length && !answer.partial?.length) {
+      parts.push(h('p', {}, 'No known mistake explains the difference. Click where the pictures differ to see how ours is computed.'));
+    }
+  }
+  box.replaceChildren(...parts);
+}
+
+byId('compare-open').addEventListener('click', () => byId('picture-input').click());
+byId('compare-close').addEventListener('click', closeComparison);
+byId('compare-how').addEventListener('change', compareHow);
+byId('split').addEventListener('input', () => {
+  picture.split = Number(byId('split').value) / 100;
+  picture.paint();
+});
+
+// Looking and explaining.
+
+const canvas = byId('canvas');
+let drag = null;
+
+canvas.addEventListener('pointerdown', (event) => {
+  drag = { x: event.clientX, y: event.clientY, moved: false };
+  canvas.setPointerCapture(event.pointerId);
+});
+canvas.addEventListener('pointermove', (event) => {
+  if (drag === null || picture.view === null) {
+    return;
+  }
+  const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
+  if (!drag.moved && Math.hypot(dx, dy) < 4) {
+    return;
+  }
+  drag = { x: event.clientX, y: event.clientY, moved: true };
+  const { height } = canvas.getBoundingClientRect();
+  if (event.shiftKey || event.buttons === 4) {
+    picture.move(-dx / height, dy / height);
+  } else {
+    picture.orbit((dx / height) * Math.PI, (dy / height) * Math.PI);
+  }
+});
+canvas.addEventListener('pointerup', (event) => {
+  const click = drag !== null && !drag.moved;
+  drag = null;
+  if (click) {
+    const box = canvas.getBoundingClientRect();
+    const at = (position, start, size, pixels) =>
+      Math.max(0, Math.min(pixels - 1, Math.floor(((position - start) / size) * pixels)));
+    explainAt(at(event.clientX, box.left, box.width, canvas.width), at(event.clientY, box.top, box.height, canvas.height));
+  }
+});
+canvas.addEventListener('wheel', (event) => {
+  if (picture.view !== null) {
+    event.preventDefault();
+    picture.closer(Math.exp(Math.max(-50, Math.min(50, event.deltaY)) / 250));
+  }
+}, { passive: false });
+canvas.addEventListener('keydown', (event) => {
+  const step = Math.PI / 36;
+  const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+  const arrow = arrows[event.key];
+  if (picture.view === null || event.ctrlKey || event.metaKey || event.altKey) {
+    return;
+  }
+  if (arrow && event.shiftKey) {
+    picture.move(arrow[0] * 0.03, arrow[1] * 0.03);
+  } else if (arrow) {
+    picture.orbit(-arrow[0] * step, arrow[1] * step);
+  } else if (event.key === '+' || event.key === '=') {
+    picture.closer(0.9);
+  } else if (event.key === '-') {
+    picture.closer(1 / 0.9);
+  } else if (event.key === '0') {
+    picture.resetView();
+  } else if (event.key === 'Enter') {
+    explainAt(Number(byId('pixel-x').value), Number(byId('pixel-y').value));
+  } else {
+    return;
+  }
+  event.preventDefault();
+});
+
+byId('view-reset').addEventListener('click', () => picture.resetView());
+byId('view-write').addEventListener('click', async () => {
+  try {
+    editor.replace(await picture.writeView(sceneNow()));
+  } catch (error) {
+    failed(new Error(`The view cannot be written: ${error.message}`));
+  }
+});
+
+function selectLine(line) {
+  showTab('text');
+  editor.selectLine(line);
+}
+
+async function explainAt(x, y) {
+  if (!picture.hasScene) {
+    return;
+  }
+  byId('pixel-x').value = String(x);
+  byId('pixel-y').value = String(y);
+  const box = canvas.getBoundingClientRect();
+  const stage = byId('stage').getBoundingClientRect();
+  const mark = byId('cross');
+  mark.style.left = `${box.left - stage.left + ((x + 0.5) / canvas.width) * box.width}px`;
+  mark.style.top = `${box.top - stage.top + ((y + 0.5) / canvas.height) * box.height}px`;
+  mark.hidden = false;
+  byId('explain-panel').open = true;
+  try {
+    const found = await picture.explain(x, y);
+    byId('explain-result').replaceChildren(...explanation(found, selectLine));
+    const line = found.document.pixel.rays[0]?.surface?.object.at(-1).line;
+    if (line !== undefined) {
+      editor.selectLine(line);
+    }
+  } catch (error) {
+    byId('explain-result').replaceChildren(`This pixel cannot be explained: ${error.message}.`);
+  }
+}
+
+byId('explain-form').addEventListener('submit', (event) => {
+  event.preventDefault();
+  explainAt(Number(byId('pixel-x').value), Number(byId('pixel-y').value));
+});
+new ResizeObserver(() => (byId('cross').hidden = true)).observe(canvas);
+
+// Out.
+
+const stem = () => baseName(scene.path).replace(/\.(xml|json)$/i, '');
+const allFiles = () => new Map([...scene.files, [scene.path, editor.text]]);
+
+const saves = {
+  'save-scene': () => download(baseName(scene.path), [editor.text], 'text/plain'),
+  'save-zip': () => download(`${stem()}.zip`, [packed(allFiles())], 'application/zip'),
+  'save-png': async () => {
+    if (picture.pixels === null) {
+      throw new Error('The picture is not complete yet.');
+    }
+    download(`${stem()}.png`, [await picture.png()], 'image/png');
+  },
+};
+for (const [id, save] of Object.entries(saves)) {
+  byId(id).addEventListener('click', async () => {
+    byId('save-menu').open = false;
+    try {
+      await save();
+    } catch (error) {
+      failed(error);
+    }
+  });
+}
+for (const button of document.querySelectorAll('[data-format]')) {
+  button.addEventListener('click', async () => {
+    byId('save-menu').open = false;
+    const to = button.dataset.format;
+    try {
+      const { files, findings } = await picture.convert(sceneNow(), to);
+      const [[, bytes]] = files;
+      if (files.size === 1) {
+        download(`${stem()}.${to}`, [bytes]);
+      } else {
+        download(`${stem()}-${to}.zip`, [packed(files)], 'application/zip');
+      }
+      const lost = findings.filter(({ severity }) => severity !== 'note' || to !== 'xml');
+      clearNotice('converted');
+      if (lost.length > 0) {
+        notice('converted', lost.slice(0, 5).map(({ message }) => message).join('; '));
+      }
+    } catch (error) {
+      failed(new Error(`It cannot be converted: ${error.message}.`));
+    }
+  });
+}
+
+byId('share').addEventListener('click', async () => {
+  const { profile, mode, features, width, height } = picture.options;
+  const link = linkOf({ name: baseName(scene.path), text: editor.text, options: { profile, mode, features, width, height } });
+  const named = [...scene.files].length;
+  history.replaceState(null, '', link);
+  const words = named > 0 ? ' Textures and meshes are not in it; send a zip with them.' : '';
+  try {
+    await navigator.clipboard.writeText(location.href);
+    notice('shared', `The link is copied; it holds the scene (${link.length} characters).${words}`);
+  } catch {
+    notice('shared', `The link is in the address bar now (${link.length} characters).${words}`);
+  }
+});
+
+byId('format').addEventListener('click', async () => {
+  try {
+    editor.replace(await picture.format(sceneNow()));
+  } catch (error) {
+    failed(new Error(`It cannot be laid out: ${error.message}`));
+  }
+});
+byId('undo').addEventListener('click', () => editor.undo());
+byId('redo').addEventListener('click', () => editor.redo());
+
+byId('name').addEventListener('change', () => {
+  const name = byId('name').value.replace(/[\\/]/g, '').trim() || 'scene.xml';
+  scene.path = scene.path.slice(0, scene.path.length - baseName(scene.path).length) + name;
+  byId('name').value = name;
+  scene.version += 1;
+  document.title = `${name} – scenefile`;
+  saveSoon();
+  run();
+});
+
+// Keeping.
+
+const saveSoon = afterPause(400, async () => {
+  const { id, path, unsafe, filesSaved } = scene;
+  const { profile, mode, features, width, height } = picture.options;
+  try {
+    const files = filesSaved ? null : scene.files;
+    scene.filesSaved = true;
+    await store.save({ id, path, text: editor.text, options: { profile, mode, features, width, height }, unsafe }, files);
+    clearNotice('saving');
+    document.body.dataset.saved = String(scene.version);
+  } catch (error) {
+    scene.filesSaved = filesSaved;
+    notice('saving', `The browser does not keep this scene: ${error.message}`);
+  }
+});
+
+async function openKept(id) {
+  const kept = await store.load(id);
+  if (kept === undefined || !(await store.hold(id))) {
+    return false;
+  }
+  setDocument({
+    id,
+    path: kept.path,
+    content: kept.text,
+    files: kept.files,
+    options: kept.options,
+    unsafe: kept.unsafe || store.wasLeft(id),
+  });
+  return true;
+}
+
+// A link beats what was kept.
+function openLink() {
+  let linked;
+  try {
+    linked = sceneOf(location.hash);
+  } catch (error) {
+    failed(new Error(`The link cannot be opened: ${error.message}.`));
+    return false;
+  }
+  if (linked === null) {
+    return false;
+  }
+  setDocument({ path: baseName(linked.name), content: linked.text, options: linked.options ?? null });
+  return true;
+}
+
+async function openFirst() {
+  if (openLink()) {
+    return;
+  }
+  try {
+    const own = store.tabDocument();
+    if (own !== null && (await openKept(own))) {
+      return;
+    }
+    for (const { id } of (await store.list()).slice(0, 3)) {
+      if (await openKept(id)) {
+        return;
+      }
+    }
+  } catch {
+    // nothing is kept here
+  }
+  openExample(examples[0]);
+}
+
+addEventListener('hashchange', openLink);
+addEventListener('pagehide', () => store.end(scene.id));
+
+// Menus, tabs, theme.
+
+for (const menu of document.querySelectorAll('.menu')) {
+  menu.addEventListener('toggle', () => {
+    if (menu.open) {
+      document.querySelectorAll('.menu[open]').forEach((other) => (other.open = other === menu));
+    }
+  });
+  menu.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && menu.open) {
+      menu.open = false;
+      menu.querySelector('summary').focus();
+    }
+  });
+}
+addEventListener('pointerdown', ({ target }) => {
+  document.querySelectorAll('.menu[open]').forEach((menu) => menu.contains(target) || (menu.open = false));
+});
+
+function showTab(name) {
+  document.body.dataset.tab = name;
+  for (const other of ['text', 'picture']) {
+    byId(`tab-${other}`).setAttribute('aria-selected', String(other === name));
+  }
+}
+for (const name of ['text', 'picture']) {
+  byId(`tab-${name}`).addEventListener('click', () => showTab(name));
+}
+
+const themes = ['system', 'light', 'dark'];
+function showTheme(theme) {
+  if (theme === 'system') {
+    delete document.documentElement.dataset.theme;
+  } else {
+    document.documentElement.dataset.theme = theme;
+  }
+  byId('theme').textContent = `Theme: ${theme}`;
+}
+byId('theme').addEventListener('click', () => {
+  const now = document.documentElement.dataset.theme ?? 'system';
+  const next = themes[(themes.indexOf(now) + 1) % themes.length];
+  store.remember('theme', next);
+  showTheme(next);
+});
+
+byId('examples').append(
+  ...examples.map((example) => h('button', { type: 'button', onclick: () => (closeMenus(), openExample(example)) }, example.title)),
+  h('button', { type: 'button', onclick: () => (closeMenus(), setDocument({ path: 'scene.xml', content: emptyScene })) }, 'New scene'),
+);
+function closeMenus() {
+  document.querySelectorAll('.menu[open]').forEach((menu) => (menu.open = false));
+}
+
+byId('open-menu').addEventListener('toggle', async () => {
+  if (byId('open-menu').open) {
+    const kept = await store.list().catch(() => []);
+    byId('recent').replaceChildren(
+      ...kept.filter(({ id }) => id !== scene.id).slice(0, 8).map(({ id, path, time }) =>
+        h('button', {
+          type: 'button',
+          onclick: async () => {
+            closeMenus();
+            if (!(await openKept(id))) {
+              failed(new Error('That scene is open in another tab.'));
+            }
+          },
+        }, `${baseName(path)}, ${new Date(time).toLocaleString()}`),
+      ),
+    );
+  }
+});
+
+const inputs = { 'open-files': 'file-input', 'open-folder': 'folder-input' };
+for (const [button, input] of Object.entries(inputs)) {
+  byId(button).addEventListener('click', () => {
+    closeMenus();
+    byId(input).click();
+  });
+}
+for (const id of ['file-input', 'folder-input', 'picture-input']) {
+  const input = byId(id);
+  input.addEventListener('change', () => {
+    take(fromInput(input), id === 'picture-input');
+    input.value = '';
+  });
+}
+
+let dragging = 0;
+const hasFiles = (event) => event.dataTransfer?.types.includes('Files');
+addEventListener('dragenter', (event) => {
+  if (hasFiles(event)) {
+    dragging += 1;
+    byId('drop').hidden = false;
+  }
+});
+addEventListener('dragleave', () => {
+  dragging = Math.max(0, dragging - 1);
+  byId('drop').hidden = dragging === 0;
+});
+addEventListener('dragover', (event) => hasFiles(event) && event.preventDefault());
+addEventListener('drop', async (event) => {
+  dragging = 0;
+  byId('drop').hidden = true;
+  if (hasFiles(event)) {
+    event.preventDefault();
+    take(await fromDrop(event.dataTransfer));
+  }
+}, { capture: true });
+
+if (new URLSearchParams(location.hash.slice(1)).has('embed')) {
+  document.body.classList.add('embedded');
+}
+showTab('picture');
+showTheme(store.remembered('theme') ?? 'system');
+showOptions();
+openFirst();
+store.tidy().catch(() => {});
+if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {
+  navigator.serviceWorker.register('service-worker.js').catch(() => {});
+}

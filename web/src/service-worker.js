@@ -1,0 +1,37 @@
+// Keeps the whole page, so that it opens without a network after the first visit. `files` and `version`
+// come from the build; a new version replaces the old one as a whole.
+
+import { files, version } from 'scenefile-assets';
+
+const name = `scenefile-${version}`;
+
+addEventListener('install', (event) => {
+  event.waitUntil(
+    caches
+      .open(name)
+      .then((cache) => cache.addAll(files.map((file) => new Request(file, { cache: 'reload' }))))
+      .then(() => self.skipWaiting()),
+  );
+});
+
+addEventListener('activate', (event) => {
+  event.waitUntil(
+    caches
+      .keys()
+      .then((names) => Promise.all(names.filter((old) => old.startsWith('scenefile-') && old !== name).map((old) => caches.delete(old))))
+      .then(() => self.clients.claim()),
+  );
+});
+
+addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET' || new URL(request.url).origin !== location.origin) {
+    return;
+  }
+  event.respondWith(
+    caches
+      .open(name)
+      .then((cache) => cache.match(request, { ignoreSearch: true }))
+      .then((kept) => kept ?? fetch(request)),
+  );
+});

@@ -1,0 +1,106 @@
+// Documents kept by the browser. Each tab has a document of its own, held by a lock, so that two tabs
+// never write the same one.
+
+const name = 'scenefile';
+const mostRecent = 12;
+
+let database = null;
+
+function result(request) {
+  return new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+}
+
+async function open() {
+  database ??= new Promise((resolve, reject) => {
+    const request = indexedDB.open(name, 1);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore('documents', { keyPath: 'id' });
+      request.result.createObjectStore('files');
+    };
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error);
+  });
+  return database;
+}
+
+async function stores(mode) {
+  const transaction = (await open()).transaction(['documents', 'files'], mode);
+  return { documents: transaction.objectStore('documents'), files: transaction.objectStore('files') };
+}
+
+export const newId = () => crypto.randomUUID();
+
+/** Whether this tab holds the document from now on; false: another does. */
+export function hold(id) {
+  if (navigator.locks === undefined) {
+    return Promise.resolve(true);
+  }
+  return new Promise((resolve) => {
+    navigator.locks
+      .request(`${name}-${id}`, { ifAvailable: true }, (lock) => {
+        resolve(lock !== null);
+        return lock === null ? undefined : new Promise((release) => releases.set(id, release));
+      })
+      .catch(() => resolve(true));
+  });
+}
+const releases = new Map();
+export function release(id) {
+  releases.get(id)?.();
+  releases.delete(id);
+}
+
+/** Those of all tabs, the latest first, without their files. */
+export async function list() {
+  const { documents } = await stores('readonly');
+  return (await result(documents.getAll())).sort((a, b) => b.time - a.time);
+}
+
+export async function load(id) {
+  const { documents, files } = await stores('readonly');
+  const [document, contents] = await Promise.all([result(documents.get(id)), result(files.get(id))]);
+  return document && { ...document, files: new Map(contents ?? []) };
+}
+
+/** `files`: null where they are as they were. */
+export async function save({ id, path, text, options, unsafe }, files) {
+  const to = await stores('readwrite');
+  const wishes = [result(to.documents.put({ id, path, text, options, unsafe, time: Date.now() }))];
+  if (files !== null) {
+    wishes.push(result(to.files.put([...files], id)));
+  }
+  await Promise.all(wishes);
+}
+
+/** Forgets the oldest, but none that a tab holds. */
+export async function tidy() {
+  const old = (await list()).slice(mostRecent);
+  const held = new Set(((await navigator.locks?.query())?.held ?? []).map((lock) => lock.name));
+  const { documents, files } = await stores('readwrite');
+  for (const { id } of old.filter(({ id: some }) => !held.has(`${name}-${some}`))) {
+    documents.delete(id);
+    files.delete(id);
+  }
+}
+
+// Before a scene is drawn it is marked, and unmarked afterwards: a mark that is left shows that the
+// page ended in between.
+const mark = (id) => `scenefile-drawing-${id}`;
+const quietly = (work) => {
+  try {
+    return work();
+  } catch {
+    return null; // storage is switched off
+  }
+};
+export const begin = (id) => quietly(() => localStorage.setItem(mark(id), '1'));
+export const end = (id) => quietly(() => localStorage.removeItem(mark(id)));
+export const wasLeft = (id) => quietly(() => localStorage.getItem(mark(id))) !== null;
+
+export const remember = (key, value) => quietly(() => localStorage.setItem(`scenefile-${key}`, value));
+export const remembered = (key) => quietly(() => localStorage.getItem(`scenefile-${key}`));
+export const tabDocument = () => quietly(() => sessionStorage.getItem('document'));
+export const setTabDocument = (id) => quietly(() => sessionStorage.setItem('document', id));

@@ -1,0 +1,540 @@
+// The page in headless Chromium, one test for each feature: node --test web/test/. PAGE: the folder of
+// the page, default out/page. NATIVE: a native program, to compare pictures with.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import test, { after, afterEach, before, beforeEach } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { strFromU8, unzipSync, zipSync } from 'fflate';
+import { chromium } from 'playwright-core';
+
+import { serverOf } from '../serve.js';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const root = dirname(dirname(here));
+const folder = process.env.PAGE ?? join(root, 'out/page');
+const hello = readFileSync(join(root, 'scenes/hello.xml'), 'utf8');
+const patience = 120_000; // of a busy machine
+
+let server;
+let browser;
+let origin;
+let context;
+let page;
+let problems;
+const scratch = mkdtempSync(join(tmpdir(), 'scenefile-page-'));
+
+before(async () => {
+  server = serverOf(folder);
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  origin = `http://127.0.0.1:${server.address().port}`;
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--no-sandbox', '--disable-gpu'],
+  });
+});
+after(async () => {
+  await browser.close();
+  server.close();
+  rmSync(scratch, { recursive: true });
+});
+
+// What no test may see: requests to elsewhere, violations of the policy, uncaught errors.
+function watch(some) {
+  some.setDefaultTimeout(patience);
+  some.on('request', (request) => {
+    const url = new URL(request.url());
+    if (url.origin !== origin && !['blob:', 'data:'].includes(url.protocol)) {
+      problems.push(`a request to ${url}`);
+    }
+  });
+  some.on('pageerror', (error) => problems.push(`uncaught: ${error.message}`));
+  some.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+}
+
+async function newPage(options = {}) {
+  const some = await (options.in ?? context).newPage();
+  watch(some);
+  return some;
+}
+
+beforeEach(async () => {
+  problems = [];
+  context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true });
+  page = await newPage();
+});
+afterEach(async () => {
+  await context.close();
+  assert.deepEqual(problems, []);
+});
+
+const drawn = (some = page, count = 1) =>
+  some.waitForFunction((n) => Number(document.getElementById('canvas').dataset.drawn ?? 0) >= n, count);
+const drawnCount = () => page.evaluate(() => Number(document.getElementById('canvas').dataset.drawn ?? 0));
+
+async function open(hash = '') {
+  await page.goto(`${origin}/${hash}`);
+  await drawn();
+}
+
+/** Opens files as if they were chosen. `files`: contents by name. */
+async function give(files, input = 'file-input') {
+  await page.setInputFiles(
+    `#${input}`,
+    Object.entries(files).map(([name, content]) => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) })),
+  );
+}
+
+async function giveAndDraw(files) {
+  const before = await drawnCount();
+  await give(files);
+  await drawn(page, before + 1);
+}
+
+const textOf = (some = page) =>
+  some.evaluate(() => document.getElementById('editor').shadowRoot.querySelector('.cm-content').innerText);
+const findings = () => page.locator('#findings li').allInnerTexts();
+const verdict = (pattern) =>
+  page.waitForFunction((source) => new RegExp(source).test(document.getElementById('verdict').textContent), pattern.source);
+
+/** Replaces the text by pasting another. */
+async function type(text) {
+  await page.locator('.cm-content').click();
+  await page.keyboard.press('Control+a');
+  await page.locator('.cm-content').evaluate((element, pasted) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', pasted);
+    element.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+}
+
+async function downloaded(act) {
+  const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+const save = (button) =>
+  downloaded(async () => {
+    await page.click('#save-menu summary');
+    await page.click(button);
+  });
+
+const pixels = (some = page) =>
+  some.evaluate(() => {
+    const canvas = document.getElementById('canvas');
+    return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data];
+  });
+
+test('opens with an example, drawn and without findings', async () => {
+  await open();
+  assert.match(await textOf(), /A ball on a board|smallest scene/);
+  assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
+  assert.ok(new Set(await pixels()).size > 50);
+});
+
+test('the picture is that of the native program', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+  await open();
+  const decode = async (bytes) => {
+    await page.setInputFiles('#picture-input', { name: 'native.png', mimeType: 'image/png', buffer: bytes });
+    await page.waitForSelector('text=The pictures are equal.');
+    await page.click('#compare-close');
+  };
+  for (const profile of ['fine', 'course']) {
+    await page.selectOption('#profile', { label: profile });
+    const file = join(scratch, `${profile}.png`);
+    execFileSync(process.env.NATIVE, ['render', join(root, 'scenes/hello.xml'), '-o', file, '--quiet', '--size', '640x480', '--profile', profile]);
+    await decode(readFileSync(file));
+  }
+});
+
+test('opens every example, and a new scene', async () => {
+  await open();
+  const count = await page.locator('#examples button').count();
+  assert.ok(count >= 4);
+  for (let i = 0; i < count; ++i) {
+    const before = await drawnCount();
+    await page.click('#open-menu summary');
+    await page.locator('#examples button').nth(i).click();
+    await drawn(page, before + 1);
+    assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
+    assert.equal(await page.isVisible('#missing'), false);
+  }
+});
+
+const textured = `<scenefile>
+  <lightdata><id v="0"/><color r="1" g="1" b="1"/><position x="3" y="3" z="5"/></lightdata>
+  <object type="tree" name="root">
+    <transblock>
+      <object type="primitive" name="cube"><diffuse r="1" g="1" b="1"/><texture file="image/wall.png" u="1" v="1"/><blend v="1"/></object>
+    </transblock>
+  </object>
+</scenefile>
+`;
+const bricks = readFileSync(join(root, 'scenes/image/bricks.png'));
+
+test('says which files are missing and takes them later', async () => {
+  await open();
+  await giveAndDraw({ 'textured.xml': textured });
+  assert.match(await page.textContent('#missing'), /image\/wall\.png \(texture\)/);
+  const before = await pixels();
+  await giveAndDraw({ 'wall.png': bricks });
+  assert.equal(await page.isVisible('#missing'), false);
+  assert.notDeepEqual(await pixels(), before);
+});
+
+test('opens a zip with a scene and its textures', async () => {
+  await open();
+  const zip = zipSync({ 'stuff/scene.xml': Buffer.from(textured), 'stuff/image/wall.png': bricks, '__MACOSX/x.xml': Buffer.from('x') });
+  await giveAndDraw({ 'stuff.zip': zip });
+  assert.equal(await page.isVisible('#missing'), false);
+  assert.equal(await page.inputValue('#name'), 'scene.xml');
+});
+
+test('opens a folder', async () => {
+  await open();
+  const before = await drawnCount();
+  await page.setInputFiles('#folder-input', join(root, 'scenes'));
+  await drawn(page, before + 1);
+  assert.match(await page.textContent('#notices'), /2 scenes were opened/);
+});
+
+test('a file can be dropped', async () => {
+  await open();
+  const before = await drawnCount();
+  const transfer = await page.evaluateHandle((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], 'dropped.xml'));
+    return data;
+  }, textured);
+  await page.dispatchEvent('#stage', 'dragenter', { dataTransfer: transfer });
+  assert.ok(await page.isVisible('#drop'));
+  await page.dispatchEvent('#stage', 'drop', { dataTransfer: transfer });
+  await drawn(page, before + 1);
+  assert.equal(await page.inputValue('#name'), 'dropped.xml');
+});
+
+test('a broken edit has findings at their place, and the last good picture stays', async () => {
+  await open();
+  const before = await pixels();
+  await type(hello.replace('<diffuse', '<difuse x="&lt;b&gt;"').replace('</scenefile>', ''));
+  await verdict(/[1-9]\d* error/);
+  assert.match(await page.textContent('#verdict'), /last version without errors/);
+  const [first] = await findings();
+  assert.match(first, /line \d+, column \d+/);
+  assert.deepEqual(await pixels(), before);
+  await page.locator('#findings .link').first().click();
+  assert.ok(await page.locator('.cm-lintRange-error, .cm-lintPoint-error').count() > 0);
+});
+
+test('findings come within 50 ms for 100 KB and 300 ms for 3 MB', async () => {
+  await open();
+  const object = hello.slice(hello.indexOf('    <transblock>'), hello.lastIndexOf('  </object>'));
+  for (const [size, limit] of [[100_000, 50], [3_000_000, 300]]) {
+    const text = hello.replace(object, object.repeat(Math.ceil(size / object.length))).replace('<diffuse', '<difuse');
+    const before = await drawnCount();
+    await give({ 'large.xml': text });
+    await verdict(/[1-9]/);
+    const times = [];
+    for (let i = 0; i < 5; ++i) {
+      await page.evaluate(() => (document.getElementById('findings').dataset.milliseconds = ''));
+      await page.click('#course-reading');
+      await page.waitForFunction(() => document.getElementById('findings').dataset.milliseconds !== '');
+      times.push(Number(await page.getAttribute('#findings', 'data-milliseconds')));
+    }
+    const median = times.sort((a, b) => a - b)[2];
+    console.log(`checked ${text.length} bytes in ${median.toFixed(1)} ms`);
+    if (process.env.TIMES) {
+      assert.ok(median <= limit, `${median} ms`);
+    }
+    assert.ok(before >= 1);
+  }
+});
+
+test('a quick fix corrects a misspelled name, and can be undone', async () => {
+  await open();
+  const wrong = hello.replace('<heightangle', '<hightangle');
+  await type(wrong);
+  await verdict(/[1-9]/);
+  await page.locator('#findings button', { hasText: 'Change hightangle to heightangle' }).click();
+  await verdict(/no errors, no warnings/);
+  assert.match(await textOf(), /<heightangle v="35"/);
+  await page.click('#undo');
+  await page.waitForFunction(() => document.getElementById('editor').shadowRoot.textContent.includes('hightangle'));
+});
+
+test('findings say what they mean', async () => {
+  await open();
+  await type(hello.replace('<heightangle', '<hightangle'));
+  await page.locator('#findings button', { hasText: 'why?' }).first().click();
+  await page.waitForSelector('#findings .help:not([hidden])');
+});
+
+test('completes names and explains words', async () => {
+  await open();
+  await type('<scenefile>');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('<li');
+  await page.waitForSelector('.cm-tooltip-autocomplete');
+  assert.match(await page.locator('.cm-tooltip-autocomplete').innerText(), /lightdata/);
+  await page.waitForTimeout(150);
+  await page.keyboard.press('Enter');
+  assert.match(await textOf(), /<lightdata><\/lightdata>/);
+  await page.locator('.cm-content').getByText('lightdata').first().hover();
+  await page.waitForSelector('.about');
+  assert.match(await page.locator('.about').innerText(), /A light/);
+});
+
+test('orbits by mouse and keys, and writes the view into the text', async () => {
+  await open();
+  const before = await pixels();
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  await drawn(page, 2);
+  assert.notDeepEqual(await pixels(), before);
+  await page.click('#view-reset');
+  await drawn(page, 3);
+  assert.deepEqual(await pixels(), before);
+  await page.focus('#canvas');
+  await page.keyboard.press('ArrowLeft');
+  await drawn(page, 4);
+  await page.click('#view-write');
+  await page.waitForFunction(() => !document.getElementById('editor').shadowRoot.textContent.includes('x="3" y="2.2"'));
+  assert.match(await textOf(), /smallest scene/, 'comments stay');
+  await drawn(page, 5);
+  assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
+});
+
+test('profiles, modes, features and sizes', async () => {
+  await open();
+  const seen = [JSON.stringify(await pixels())];
+  const look = async (act) => {
+    const before = await drawnCount();
+    await act();
+    await drawn(page, before + 1);
+    await page.waitForTimeout(50);
+    seen.push(JSON.stringify(await pixels()));
+  };
+  await look(() => page.selectOption('#profile', { label: 'course' }));
+  await look(() => page.selectOption('#mode', { label: 'normals' }));
+  await look(() => page.selectOption('#mode', { label: 'ray' }));
+  await page.click('#features-menu summary');
+  await look(() => page.locator('#features label', { hasText: 'shadows' }).click());
+  await look(() => page.selectOption('#size', '320x240'));
+  assert.equal(new Set(seen).size, seen.length - 1, 'only the course picture comes twice');
+});
+
+test('explains a pixel and selects its line', async () => {
+  await open();
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  await page.waitForSelector('#explain-result table');
+  const shown = await page.innerText('#explain-result');
+  assert.match(shown, /from root\/\S+ line \d+/);
+  assert.match(shown, /ambient/);
+  assert.match(shown, /point light/);
+  const selected = await page.evaluate(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent);
+  assert.match(selected, /<object type="primitive" name="sphere">/);
+  await page.fill('#pixel-x', '1');
+  await page.fill('#pixel-y', '1');
+  await page.click('#explain-form button');
+  await page.waitForSelector('text=the ray hits no object');
+});
+
+test('compares with a picture, names the mistake, and says what gives a pixel', async () => {
+  await open();
+  await type(hello.replace('<specular r="1" g="1" b="1"/>', '')); // what a student without specular light draws
+  await drawn(page, 2);
+  await page.selectOption('#profile', { label: 'course' });
+  await drawn(page, 3);
+  const { bytes } = await save('#save-png');
+  await type(hello);
+  await drawn(page, 4);
+  await page.setInputFiles('#picture-input', { name: 'mine.png', mimeType: 'image/png', buffer: bytes });
+  await page.waitForSelector('#compare-result ul.claims');
+  assert.match(await page.innerText('#compare-result'), /specular/);
+  assert.match(await page.innerText('#compare-result'), /PSNR \d/);
+  const views = [];
+  for (const how of ['split', 'ours', 'mine', 'difference', 'flip']) {
+    await page.selectOption('#compare-how', how);
+    await page.waitForTimeout(60);
+    views.push(JSON.stringify(await pixels()));
+  }
+  assert.equal(new Set(views).size, 5);
+  await page.locator('#compare-result .link').first().click();
+  await page.waitForSelector('#explain-result table');
+  assert.match(await page.innerText('#explain-result'), /Your picture: .*\d+ \d+ \d+/);
+  assert.match(await page.innerText('#explain-result'), /Yours equals ours .*specular/);
+});
+
+test('saves the scene, a zip, a PNG and every format', async () => {
+  await open();
+  const scene = await save('#save-scene');
+  assert.equal(scene.name, 'hello.xml');
+  assert.equal(scene.bytes.toString(), hello);
+  const zip = unzipSync((await save('#save-zip')).bytes);
+  assert.equal(strFromU8(zip['hello.xml']), hello);
+  assert.equal((await save('#save-png')).bytes.subarray(1, 4).toString(), 'PNG');
+  const starts = { xml: /^<(\?xml|scenefile)/, json: /^\{/, pov: /#version/, glb: /^glTF/, gltf: /^\{/, obj: /^PK/ };
+  for (const [format, start] of Object.entries(starts)) {
+    const { bytes } = await save(`[data-format=${format}]`);
+    assert.match(bytes.subarray(0, 400).toString('latin1'), start);
+  }
+});
+
+test('a link holds the scene and beats what was kept', async () => {
+  await open();
+  const changed = hello.replace('v="35"', 'v="50"');
+  await type(changed);
+  await drawn(page, 2);
+  await page.click('#share');
+  await page.waitForFunction(() => location.hash.startsWith('#s='));
+  const link = page.url();
+  assert.ok(link.length < 4000);
+  const other = await newPage();
+  await other.goto(`${origin}/`);
+  await drawn(other);
+  await other.goto(link);
+  await other.waitForFunction(() => document.getElementById('editor').shadowRoot.textContent.includes('v="50"'));
+  await page.goto(`${origin}/#s=damaged`);
+  await page.reload();
+  await page.waitForSelector('text=the link is damaged');
+});
+
+test('keeps the scene, and two tabs do not overwrite each other', async () => {
+  await open();
+  await type(hello.replace('v="35"', 'v="51"'));
+  await page.waitForTimeout(900);
+  const other = await newPage();
+  await other.goto(`${origin}/`);
+  await drawn(other);
+  assert.doesNotMatch(await textOf(other), /v="51"/);
+  await page.reload();
+  await drawn();
+  assert.match(await textOf(), /v="51"/);
+  await other.close();
+  await page.close();
+  page = await newPage();
+  await open();
+  await page.click('#open-menu summary');
+  await page.waitForSelector('#recent button');
+});
+
+// Slow for good reasons: mirrors in mirrors at the largest depth, at the largest size.
+const endless = hello
+  .replaceAll('<reflective r="0.3" g="0.3" b="0.3"/>', '')
+  .replace(/<object type="tree" name="root">[^]*<\/object>\n<\/scenefile>/, () => {
+    const levels = Array.from(
+      { length: 24 },
+      (_, i) =>
+        `<object type="tree" name="t${i}">${['-0.1', '0.1']
+          .map((x) => `<transblock><translate x="${x}" y="0" z="0"/><object type="${i === 0 ? 'primitive' : 'master'}" name="${i === 0 ? 'sphere' : `t${i - 1}`}">${i === 0 ? '<transparent r="1" g="1" b="1"/><reflective r="1" g="1" b="1"/><ior v="1.1"/>' : ''}</object></transblock>`)
+          .join('')}</object>`,
+    );
+    return `${levels.join('\n')}<object type="tree" name="root"><transblock><object type="master" name="t23"/></transblock></object>\n</scenefile>`;
+  });
+
+test('a scene that takes too long is stopped, said, and not tried again by itself', async () => {
+  await open();
+  await give({ 'endless.xml': endless });
+  await page.waitForSelector('.notice.error', { timeout: 45_000 });
+  assert.match(await page.innerText('#notices'), /Stopped: /);
+  await page.waitForTimeout(900);
+  await page.reload();
+  await page.waitForSelector('text=did not finish the last time');
+  assert.match(await textOf(), /t23/);
+  await type(hello);
+  await drawn();
+});
+
+test('texts of files are never markup', async () => {
+  await open();
+  const evil = '<img src=x onerror="document.title=1">';
+  const text = hello.replace('name="sphere"', `name="sphere"`).replace('<specular', '<texture file="&lt;img src=x onerror=alert(1)&gt;.png"/><specular');
+  await giveAndDraw({ [`${evil.replaceAll('/', '')}.xml`]: text });
+  assert.match(await page.innerText('#missing'), /<img src=x onerror=alert\(1\)>\.png/);
+  assert.equal(await page.locator('img').count(), 0);
+});
+
+test('opens without a network after the first visit', async () => {
+  await open();
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.waitForFunction(async () => (await caches.keys()).length === 1 && (await (await caches.open((await caches.keys())[0])).keys()).length > 10);
+  await page.reload();
+  await drawn();
+  await context.setOffline(true);
+  await page.reload();
+  await drawn();
+  const before = await drawnCount();
+  await page.click('#open-menu summary');
+  await page.locator('#examples button').nth(1).click();
+  await drawn(page, before + 1);
+});
+
+test('the keyboard alone is enough', async () => {
+  await open();
+  const reached = new Set();
+  await page.evaluate(() => document.activeElement.blur());
+  for (let i = 0; i < 60; ++i) {
+    await page.keyboard.press('Tab');
+    const name = await page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim());
+    reached.add(name);
+    if (name === 'editor') {
+      await page.keyboard.press('Escape'); // then Tab leaves the editor
+    }
+  }
+  for (const name of ['name', 'Open', 'Save', 'share', 'theme', 'editor', 'profile', 'mode', 'size', 'canvas', 'Compare', 'Explain a pixel']) {
+    assert.ok(reached.has(name), `${name} is not reached: ${[...reached]}`);
+  }
+  await page.focus('#open-menu summary');
+  await page.keyboard.press('Enter');
+  assert.ok(await page.isVisible('#examples'));
+  await page.keyboard.press('Escape');
+  assert.equal(await page.isVisible('#examples'), false);
+});
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+for (const [width, scheme] of [[1280, 'light'], [800, 'dark'], [360, 'light'], [360, 'dark']]) {
+  test(`axe finds nothing serious at ${width} pixels, ${scheme}, and nothing is cut off`, async () => {
+    await page.setViewportSize({ width, height: 780 });
+    await page.emulateMedia({ colorScheme: scheme });
+    await open();
+    const tabs = width < 720 ? ['text', 'picture'] : [null];
+    for (const tab of tabs) {
+      if (tab !== null) {
+        await page.click(`#tab-${tab}`);
+      }
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it scrolls sideways');
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ['violations'] }));
+      const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
+      assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes.map(({ target }) => String(target))]), []);
+    }
+    if (process.env.SCREENSHOTS) {
+      await page.screenshot({ path: join(process.env.SCREENSHOTS, `${width}-${scheme}.png`) });
+    }
+  });
+}
+
+test('times: the first picture, and one of 640 x 480', async () => {
+  const times = [];
+  for (let i = 0; i < 5; ++i) {
+    const begun = Date.now();
+    await page.goto(`${origin}/?${i}`);
+    await drawn();
+    times.push(Date.now() - begun);
+  }
+  const median = times.sort((a, b) => a - b)[2];
+  console.log(`first picture after ${median} ms`);
+  if (process.env.TIMES) {
+    assert.ok(median <= 1000, `${median} ms`);
+  }
+});

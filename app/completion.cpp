@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/help.h"
 #include "app/option_table.h"
+#include "scenefile/grade/cause_help.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>
@@ -42,8 +43,11 @@ std::vector<const OptionRow*> options_of(const Command& command) {
 
 std::vector<std::string_view> help_topics() {
   std::vector<std::string_view> topics(command_names().begin(), command_names().end());
-  topics.insert(topics.end(), {"codes", "limits"});
+  topics.insert(topics.end(), {"codes", "causes", "limits"});
   topics.insert(topics.end(), code_names().begin(), code_names().end());
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    topics.push_back(name_of(static_cast<Cause>(i)));
+  }
   return topics;
 }
 

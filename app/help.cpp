@@ -228,7 +228,9 @@ std::string code_text(const Code& code) {
 
 ExitCode run_help(const Options& options, Context& /*context*/) {
   if (!options.arguments.empty() && options.arguments.front() == "causes") {
-    return answer(options.markdown ? causes_markdown() : causes_list());
+    return answer(options.json       ? help_json()
+                  : options.markdown ? causes_markdown()
+                                     : causes_list());
   }
   if (options.markdown) {
     return answer(codes_markdown());
@@ -264,7 +266,7 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
     return answer(options.json ? help_json() : codes_text(help_width()));
   }
   if (const std::optional<Cause> cause = find_cause(topic)) {
-    return answer(cause_text(*cause));
+    return answer(options.json ? cause_json(*cause) : cause_text(*cause));
   }
   if (topic == "limits") {
     return answer(options.json ? help_json() : limits_text(help_width()));

@@ -98,6 +98,16 @@ void add_code(Json& json, const Code& code) {
   json.end_object();
 }
 
+void add_cause(Json& json, const CauseHelp& page) {
+  json.begin_object();
+  json.add("name", name_of(page.cause));
+  json.add("title", page.title);
+  json.add("looks", page.looks);
+  json.add("why", page.why);
+  json.add("where", page.where);
+  json.end_object();
+}
+
 void add_command(Json& json, const Command& command) {
   json.begin_object();
   json.add("name", command.name);
@@ -299,6 +309,12 @@ std::string code_json(const Code& code) {
   return json.text();
 }
 
+std::string cause_json(Cause cause) {
+  Json json;
+  add_cause(json, help_of(cause));
+  return json.text();
+}
+
 std::string help_json() {
   Json json;
   begin_document(json, "help");
@@ -310,6 +326,11 @@ std::string help_json() {
   json.begin_array("codes");
   for (const Code* code : all_codes()) {
     add_code(json, *code);
+  }
+  json.end_array();
+  json.begin_array("causes");
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    add_cause(json, help_of(static_cast<Cause>(i)));
   }
   json.end_array();
   json.begin_array("limits");

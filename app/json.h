@@ -6,6 +6,7 @@
 #include "app/realtime.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"
+#include "scenefile/grade/cause_help.h"
 #include "scenefile/scene/summary.h"
 #include "scenefile/verbs/load_file.h"
 
@@ -65,7 +66,8 @@ std::string format_json(const std::vector<FormatReport>& files, bool check);
 
 std::string command_json(const Command& command);
 std::string code_json(const Code& code);
-/// All commands and all codes.
+std::string cause_json(Cause cause);
+/// All commands, codes, causes and limits.
 std::string help_json();
 
 }  // namespace scenefile::app

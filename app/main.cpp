@@ -138,11 +138,13 @@ constexpr std::array command_rows{
             "scenefile view chess.xml --profile course --trace\n"
             "xvfb-run -a scenefile view chess.xml --screenshot window.png",
             run_view, one_or_two},
-    Command{"help", for_help, "[COMMAND|CODE|codes]", "explain a command or the code of a finding",
-            "Explains a command, or the code in brackets after a finding; codes lists all of them.",
+    Command{"help", for_help, "[COMMAND|CODE|CAUSE]", "explain a command, a code or a cause",
+            "Explains a command, the code in brackets after a finding, or a cause that diff or "
+            "grade names. codes, causes and limits list all of them.",
             "scenefile help render\n"
             "scenefile help codes\n"
-            "scenefile help camera.up-parallel-to-look",
+            "scenefile help camera.up-parallel-to-look\n"
+            "scenefile help shadows",
             run_help, at_most_one},
     Command{"version", for_version, "", "print the version",
             "Prints the version, how the program was built, and what it uses to trace rays on this "

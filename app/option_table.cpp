@@ -673,8 +673,10 @@ constexpr std::array option_rows{
               set_flag<&Options::json>},
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
-    OptionRow{"--markdown", "", "", "The page of all codes, docs/diagnostics.md.", for_help,
-              set_flag<&Options::markdown>},
+    OptionRow{"--markdown", "", "",
+              "The page of all codes, docs/diagnostics.md; with causes, that of all causes, "
+              "docs/mistakes.md.",
+              for_help, set_flag<&Options::markdown>},
     OptionRow{"--man", "", "", "The manual page of the program, or of the command, for man(1).",
               for_help, set_flag<&Options::man>},
     OptionRow{"--completion", "", "SHELL",

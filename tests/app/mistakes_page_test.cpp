@@ -32,5 +32,28 @@ TEST(MistakesPage, EveryCauseHasHelp) {
   EXPECT_EQ(run_program({"help", "acnee"}).status, 2);
 }
 
+TEST(MistakesPage, CompletionOffersThem) {
+  const std::string words = run_program({"help", "--completion", "bash"}).out;
+  EXPECT_THAT(words, HasSubstr(" codes causes limits "));
+  std::string names;
+  for (std::size_t i = 0; i < cause_count; ++i) {
+    names += " " + std::string(name_of(static_cast<Cause>(i)));
+  }
+  EXPECT_THAT(words, HasSubstr(names + "'"));
+}
+
+TEST(MistakesPage, IsAlsoJson) {
+  const rapidjson::Document one = parse_json(run_program({"help", "shadows", "--json"}).out);
+  EXPECT_STREQ(one["name"].GetString(), "shadows");
+  EXPECT_EQ(one["title"].GetString(), help_of(Cause::shadows).title);
+  EXPECT_EQ(one["where"].GetString(), help_of(Cause::shadows).where);
+  // "camera" is a family of codes as well.
+  for (const char* topic : {"causes", "camera"}) {
+    const rapidjson::Document all = parse_json(run_program({"help", topic, "--json"}).out);
+    EXPECT_EQ(all["causes"].Size(), cause_count);
+    EXPECT_GT(all["codes"].Size(), 0U);
+  }
+}
+
 }  // namespace
 }  // namespace scenefile

@@ -82,6 +82,7 @@ class Search {
     add_points(reference_, test_, pixels.same, 400, false, false, random, points_);
     interleave(different);
     prepare_clean();
+    first_measured_ = list_.size();
     add_curves();
     if (usable_) {
       add_background();
@@ -492,8 +493,8 @@ class Search {
         found = std::move(more);
       }
     }
-    if (found && (sure(*found) || causes_as_good(*found, alone) < 3)) {
-      claim(*found, alone);
+    if (found && (sure(*found) || (causes_as_good(*found, alone) < 3 && shows_much(*found)))) {
+      claim(with_shift(*found), alone);
       return;
     }
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
@@ -518,6 +519,22 @@ class Search {
       }
     }
     return causes.size();
+  }
+
+  // Whether the mistakes leave something to see. Where they leave only darkness, many others would
+  // do that too.
+  bool shows_much(const Tried& t) const {
+    double bright = 0;
+    double matched = 0;
+    const Colors colors = predicted(t.together, points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Point& p = points_[i];
+      if (p.differs && largest_of(p.test) > 16) {
+        bright += p.weight;
+        matched += largest_of(outside(colors[i], p.low, p.high)) <= exact_within ? p.weight : 0;
+      }
+    }
+    return matched >= 0.5 * bright;
   }
 
   // Leaves nothing to look for.
@@ -585,6 +602,13 @@ class Search {
     return first_good(verified(extended(starts, few_points, 0.4, 0.9), 12, 0.9, 1));
   }
 
+  // A factor that fits what is left proves little beside other mistakes.
+  bool any_measured(const Together& together) const {
+    return together.size() > 1 && std::any_of(together.begin(), together.end(), [&](std::size_t i) {
+             return i >= first_measured_ && list_[i].cause != Cause::background;
+           });
+  }
+
   std::optional<Tried> first_good(const std::vector<Tried>& best) {
     std::size_t left = 6;
     for (const Tried& t : best) {
@@ -592,7 +616,7 @@ class Search {
         break;
       }
       const Tried fewer = without_needless(t);
-      if (good(fewer)) {
+      if (good(fewer) && (sure(fewer) || !any_measured(fewer.together))) {
         return completed(fewer);
       }
     }
@@ -671,8 +695,10 @@ class Search {
     return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
   }
 
-  // Mistakes that move what is seen, such that it follows the test better or fits best.
+  // Mistakes to combine with all others: those that move what is seen, such that it follows the
+  // test better, and those that explain most.
   std::vector<Together> likely_places(const std::vector<Tried>& ranked) const {
+    std::vector<Together> result;
     std::vector<std::pair<double, std::uint16_t>> places;
     const std::size_t count = std::min(screen, points_.size());
     const auto first = [count](const Colors& colors) {
@@ -684,24 +710,31 @@ class Search {
       const bool turns = h.turn != Turn();
       if (turns || (h.touches >= Touches::hits && cache_[i].size() >= count &&
                     h.cause != Cause::half_pixel_shift)) {
-        const double like = likeness(first(turns ? clean(h.turn).drawn : cache_[i]));
-        if (like > least) {
+        if (turns) {
+          result.push_back({i});
+        } else if (const double like = likeness(first(cache_[i])); like > least) {
           places.emplace_back(-like, i);
         }
       }
     }
     std::stable_sort(places.begin(), places.end());
-    std::vector<Together> result;
     for (std::size_t i = 0; i < std::min<std::size_t>(6, places.size()); ++i) {
       result.push_back({places[i].second});
     }
-    for (std::size_t i = 0; i < std::min<std::size_t>(4, ranked.size()); ++i) {
-      const Together& t = ranked[i].together;
-      if (ranked[i].merit() > 0.1 && list_[t.front()].touches >= Touches::hits &&
-          std::find(result.begin(), result.end(), t) == result.end()) {
-        result.push_back(t);
+    const auto add_first = [&](const std::vector<Tried>& list, std::size_t count_of_them) {
+      for (std::size_t i = 0; i < std::min(count_of_them, list.size()); ++i) {
+        const Together& t = list[i].together;
+        if (list[i].merit() > 0.1 && list_[t.front()].touches != Touches::picture &&
+            std::find(result.begin(), result.end(), t) == result.end()) {
+          result.push_back(t);
+        }
       }
-    }
+    };
+    add_first(ranked, 4);
+    std::vector<Tried> by_exact = ranked;
+    std::stable_sort(by_exact.begin(), by_exact.end(),
+                     [](const Tried& x, const Tried& y) { return x.exact > y.exact; });
+    add_first(by_exact, 2);
     return result;
   }
 
@@ -1529,6 +1562,71 @@ class Search {
     return right >= 1;
   }
 
+  // Adds a shift of less than a pixel, where the edges of the picture show it.
+  Tried with_shift(const Tried& found) {
+    if (!usable_ || touched_by(found.together) >= Touches::camera || found.together.size() > 2) {
+      return found;
+    }
+    std::vector<Point> points = points_;
+    std::array<Clean, 4> clean_before = clean_;
+    std::vector<Colors> cache = std::move(cache_);
+    const std::optional<std::uint16_t> shift = shift_at_edges(found.together);
+    points_ = std::move(points);
+    clean_ = std::move(clean_before);
+    cache_ = std::move(cache);
+    if (!shift) {
+      return found;
+    }
+    const Together together = joined(found.together, {*shift});
+    return rated(together, score_of(together, points_.size()), base(points_.size()));
+  }
+
+  std::optional<std::uint16_t> shift_at_edges(const Together& together) {
+    points_.clear();
+    cache_.clear();
+    std::vector<std::uint32_t> edges;
+    for (int y = 1; y + 1 < reference_.height; ++y) {
+      for (int x = 1; x + 1 < reference_.width; ++x) {
+        if (!around(reference_, x, y).calm()) {
+          edges.push_back(static_cast<std::uint32_t>(y * reference_.width + x));
+        }
+      }
+    }
+    std::mt19937 random(7);
+    add_points(reference_, test_, edges, 800, true, true, random, points_);
+    prepare_clean();
+    const std::size_t count = points_.size();
+    const Colors before = predicted(together, count);
+    std::vector<std::uint16_t> shifts;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      if (list_[i].cause == Cause::half_pixel_shift) {
+        shifts.push_back(i);
+      }
+    }
+    std::optional<std::uint16_t> best;
+    double most = 0.5;
+    for (const std::uint16_t i : shifts) {
+      const Colors after = predicted(joined(together, {i}), count);
+      double changed = 0;
+      double gained = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto off = [&](const dvec3& c) {
+          return largest_of(glm::abs(glm::clamp(c, dvec3(0), dvec3(255)) - points_[k].test));
+        };
+        if (largest_of(glm::abs(after[k] - before[k])) > right_within) {
+          changed += 1;
+          gained += off(after[k]) <= exact_within ? 1 : 0;
+          gained -= off(before[k]) <= exact_within ? 1 : 0;
+        }
+      }
+      if (changed >= 2 * few_pixels && gained > most * changed) {
+        most = gained / changed;
+        best = i;
+      }
+    }
+    return best;
+  }
+
   // Shifts by less than a pixel are only visible at edges.
   void search_shifts(const Pixels& pixels) {
     points_.clear();
@@ -1568,6 +1666,7 @@ class Search {
   std::array<Clean, 4> clean_;
   std::vector<Colors> cache_;  // by single mistake, at the first points
   mutable std::atomic<std::uint64_t> rays_ = 0;
+  std::size_t first_measured_ = 0;  // in the list: factors that the pictures themselves tell
   bool usable_ = false;
   bool stopped_ = false;
   CauseReport report_;

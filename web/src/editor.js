@@ -101,7 +101,7 @@ export class Editor {
         highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(),
         syntaxHighlighting(highlighting), look, hover,
         autocompletion({ override: [source] }),
-        EditorView.contentAttributes.of({ 'aria-label': 'Text of the scene' }),
+        EditorView.contentAttributes.of({ 'aria-label': 'Text of the scene', tabindex: '0' }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) {
             this.#chooseLanguage();

@@ -213,7 +213,7 @@ const char* page_explain_text(int profile, int mode, int features, int width, in
   });
 }
 
-/// Decodes a picture file; null: the answer says why not. Otherwise it says the size.
+/// Decodes a picture file; null: the answer says why not. Otherwise the answer contains the size.
 const std::uint8_t* page_decode(const char* path) {
   const std::uint8_t* pixels = nullptr;
   answered([&] {

@@ -71,7 +71,7 @@ export class Editor {
           label,
           type: { element: 'type', attribute: 'property', value: 'constant' }[kind],
           info: about === '' ? undefined : about,
-          // The cursor goes to the first value that is empty.
+          // Moves the cursor to the first empty value.
           apply: (view, completion, from, to) => {
             const empty = insert.indexOf('""');
             const between = insert.indexOf('></');
@@ -111,7 +111,7 @@ export class Editor {
             moved?.(update.state.doc.lineAt(update.state.selection.main.head).number);
           }
         }),
-        // Tab leaves the editor after Escape, as CodeMirror has it.
+        // After Escape, Tab leaves the editor, as usual in CodeMirror.
         keymap.of([
           ...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap,
           ...lintKeymap, indentWithTab,

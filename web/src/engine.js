@@ -20,7 +20,7 @@ async function load(name) {
   if (!response.ok) {
     throw new Error('the page was not loaded completely; reload it');
   }
-  // Some hosts do not know the type application/wasm, which streaming needs.
+  // Some hosts do not send the type application/wasm, which streaming needs.
   return response.headers.get('content-type') === 'application/wasm'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());

@@ -1,4 +1,4 @@
-// A link that holds the scene, behind its #, where no server sees it.
+// A link that contains the scene after its #, which is never sent to a server.
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 

@@ -719,7 +719,7 @@ async function openKept(id) {
   return true;
 }
 
-// A link beats what was kept.
+// A link takes precedence over the stored scene.
 function openLink() {
   let linked;
   try {

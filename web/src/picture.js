@@ -1,5 +1,5 @@
 // The picture: drawn by several workers in strips, a coarse one first; seen from elsewhere by orbiting,
-// with quick previews; and compared with a picture of the reader's own.
+// with quick previews; and compared with the reader's own picture.
 
 import { Engine, Stopped } from './engine.js';
 

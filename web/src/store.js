@@ -1,4 +1,4 @@
-// Documents kept by the browser. Each tab has a document of its own, held by a lock, so that two tabs
+// Documents kept by the browser. Each tab has its own document, held by a lock, so that two tabs
 // never write the same one.
 
 const name = 'scenefile';
@@ -86,8 +86,8 @@ export async function tidy() {
   }
 }
 
-// Before a scene is drawn it is marked, and unmarked afterwards: a mark that is left shows that the
-// page ended in between.
+// A scene is marked before it is drawn, and unmarked afterwards: a remaining mark shows that the
+// page crashed while drawing.
 const mark = (id) => `scenefile-drawing-${id}`;
 const quietly = (work) => {
   try {

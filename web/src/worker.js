@@ -1,6 +1,6 @@
 // A worker: one instance of the core, which does one thing at a time. Messages are
-// { id, call, args }; answers { id, value } or { id, error }, and `fatal` where the instance is of no
-// more use.
+// { id, call, args }; answers are { id, value } or { id, error }, with `fatal` if the instance can no
+// longer be used.
 
 import createScenefile from 'scenefile-page-tools';
 

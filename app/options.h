@@ -2,11 +2,11 @@
 // The command line as data.
 
 #include "app/completion.h"
+#include "scenefile/base/realtime.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/visit_options.h"
 #include "scenefile/verbs/findings.h"
 #include "scenefile/verbs/load_file.h"
-#include "scenefile/base/realtime.h"
 
 #include <array>
 #include <cstdint>
@@ -59,15 +59,15 @@ struct Options {
   RenderOptions render;            ///< complete, with the profile's defaults
   std::string checkpoint;          ///< a file; empty: none
   std::string preview;             ///< a file; empty: none
-  std::optional<PartPlace> part;   ///< to be drawn alone
-  bool missing = false;            ///< of merge: say which parts are not there
+  std::optional<PartPlace> part;   ///< draw only this part
+  bool missing = false;            ///< merge: list the missing parts
 
-  std::optional<int> turntable;     ///< of frames: so many around the scene
-  std::string path;                 ///< of frames: a file of views; empty: none
-  std::optional<FrameRange> range;  ///< of frames; none: all
-  std::optional<double> fps;        ///< of frames: in a second
-  std::string write_scenes;         ///< of frames: where their scenes go; empty: nowhere
-  std::string video;                ///< of frames: a file; empty: none
+  std::optional<int> turntable;     ///< frames: number of frames of a full turn
+  std::string path;                 ///< frames: a file with views; empty: none
+  std::optional<FrameRange> range;  ///< frames: default: all
+  std::optional<double> fps;        ///< frames: per second
+  std::string write_scenes;         ///< frames: pattern for scene files; empty: none
+  std::string video;                ///< frames: an output file; empty: none
 
   LoadSettings load;
   AssetAccess access;
@@ -92,7 +92,7 @@ struct Options {
   std::string junit;
   std::string csv;
   std::string gradescope;
-  std::string pages;     ///< a folder of pages, one for each student
+  std::string pages;     ///< a folder for one page per student
   std::string name_map;  ///< a file that says which picture is which
 
   std::array<int, 2> window{};  ///< size in pixels; 0: as remembered

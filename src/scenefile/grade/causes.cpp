@@ -297,7 +297,7 @@ class Search {
     return touches;
   }
 
-  // Those that change the shapes first: they replace what others change.
+  // Mistakes that change the shapes come first, because they replace what others change.
   Trial trial_of(const Together& together) const {
     Trial trial = right_trial(touched_by(together) == Touches::shapes);
     for (const Touches kind : {Touches::shapes, Touches::shading}) {
@@ -323,7 +323,7 @@ class Search {
     return turn;
   }
 
-  // Colors as those of the mistakes that change the finished picture make them.
+  // Applies the mistakes that change the finished picture to the colors.
   Colors finished(const Together& together, Colors colors) const {
     for (const std::uint16_t i : together) {
       if (list_[i].color) {
@@ -384,7 +384,7 @@ class Search {
     }
   }
 
-  // What the mistakes make of the picture at the first points: the changed drawing, or the
+  // The picture with the mistakes at the first points: the changed drawing, or the
   // reference plus the change, whichever is closer to the test.
   Colors predicted(const Together& together, std::size_t count) const {
     const Turn turn = turn_of(together);
@@ -508,8 +508,8 @@ class Search {
     }
   }
 
-  // The number of causes whose pictures are the same as that of one mistake. Many, where that
-  // picture shows next to nothing.
+  // The number of causes that give the same picture as one mistake. If it is large, the picture
+  // contains almost no evidence.
   std::size_t causes_as_good(const Tried& found, const std::vector<Tried>& others) const {
     std::set<Cause> causes;
     for (const Tried& t : others) {
@@ -537,13 +537,13 @@ class Search {
     return matched >= 0.5 * bright;
   }
 
-  // Leaves nothing to look for.
+  // Whether the claim explains nearly everything, so that the search can stop.
   bool sure(const Tried& t) const { return t.explained >= 0.98 && t.exact >= nearly_all; }
 
-  // Two or three mistakes at once. With spots, these are claimed here.
+  // Combinations of two or three mistakes. Claims combinations with acne itself.
   std::optional<Tried> several(const std::vector<Tried>& ranked, const std::vector<Tried>& alone) {
     const Frame plain = frame({}, screen);
-    std::vector<Frame> moved;  // as another camera or other shapes show the scene
+    std::vector<Frame> moved;  // with another camera, or with other shapes
     for (const Together& made : likely_places(ranked)) {
       if (rays_ < work_for_pairs && step(0.45)) {
         moved.push_back(frame(made, few_points));
@@ -623,7 +623,7 @@ class Search {
     return std::nullopt;
   }
 
-  // The picture with some mistakes, and with each other single mistake besides.
+  // The picture with some mistakes, and with each single mistake in addition.
   struct Frame {
     Together made;
     std::size_t count = 0;
@@ -675,7 +675,7 @@ class Search {
     list.insert(list.end(), more.begin(), more.end());
   }
 
-  // How well one set of colors follows the other: the correlation.
+  // The correlation between the colors and those of the test.
   double likeness(const Colors& colors) const {
     double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
     for (std::size_t i = 0; i < colors.size(); ++i) {
@@ -738,7 +738,7 @@ class Search {
     return result;
   }
 
-  // What is made in the frame with each single mistake besides.
+  // The frame's mistakes combined with each single one in addition.
   std::vector<Tried> besides(const Frame& f) const {
     const Base b = base(f.count);
     std::vector<Tried> result;
@@ -751,8 +751,8 @@ class Search {
     return result;
   }
 
-  // Pairs of mistakes as the sum of what each changes, or the product; `on_picture` is done to
-  // that.
+  // Approximates pairs of mistakes by adding or multiplying their changes; then applies
+  // `on_picture`.
   std::vector<Tried> approximate_pairs(const Frame& f, const Together& on_picture,
                                        const std::vector<std::uint16_t>& members,
                                        std::size_t most) const {
@@ -794,7 +794,7 @@ class Search {
     return result;
   }
 
-  // The best of these as they are drawn, not approximated.
+  // Evaluates the best candidates exactly, by drawing them.
   std::vector<Tried> tried_again(const std::vector<Tried>& list, std::size_t most, double from,
                                  double to) {
     std::vector<Together> sets;
@@ -818,7 +818,7 @@ class Search {
     return result;
   }
 
-  // Each change of the colors of the finished picture with each single mistake.
+  // Combines each change of the finished picture's colors with each single mistake.
   std::vector<Tried> with_picture(const Frame& f) const {
     const std::vector<std::uint16_t> changes = color_changes();
     const std::size_t count = std::min(f.count, few_points);
@@ -850,7 +850,7 @@ class Search {
     return result;
   }
 
-  // The most promising changes of the finished picture with two other mistakes.
+  // Combines the most promising changes of the finished picture with two other mistakes.
   std::vector<Tried> pairs_with_picture(const Frame& f, const std::vector<Tried>& pairs) const {
     std::vector<Tried> result;
     std::map<std::uint16_t, std::vector<std::uint16_t>> members;
@@ -873,7 +873,7 @@ class Search {
     return result;
   }
 
-  // The best pairs with a third mistake each, approximated.
+  // Approximates the best pairs combined with a third mistake.
   std::vector<Tried> approximate_triples(const Frame& f, const std::vector<Tried>& pairs) const {
     std::vector<Together> starts;
     for (const Tried& t : pairs) {
@@ -1017,8 +1017,8 @@ class Search {
     return std::nullopt;
   }
 
-  // Puts points that the mistakes leave wrong before the others, one of four a right one. The
-  // number of these.
+  // Moves points that the mistakes do not explain to the front, with one right point in four.
+  // Returns their number.
   std::size_t look_first_at_rest(const Together& together) {
     const Colors colors = predicted(together, points_.size());
     std::vector<Point> wrong;
@@ -1052,8 +1052,8 @@ class Search {
     return true;
   }
 
-  // Whether one of several is needed: where it changes the picture, the picture is right with it
-  // and wrong without.
+  // Whether one of several mistakes is needed: where it changes the picture, the picture is right
+  // with it and wrong without it.
   bool needed(const Together& together, std::size_t member) const {
     Together fewer = together;
     fewer.erase(fewer.begin() + std::ptrdiff_t(member));
@@ -1207,7 +1207,7 @@ class Search {
                                                                : std::nullopt;
   }
 
-  // The brightness or the gamma that the pictures themselves tell.
+  // The brightness or the gamma, estimated from the pictures.
   void add_curves() {
     std::vector<double> factors;
     std::vector<double> powers;
@@ -1244,7 +1244,7 @@ class Search {
     }
   }
 
-  // Terms and lights that are a factor too bright or too dark; the pictures tell by how much.
+  // Terms and lights that are too bright or too dark by a factor, estimated from the pictures.
   void add_factors() {
     using Change = std::function<void(Trial&, double)>;
     const auto try_factor = [&](Cause cause, const std::string& what, const Change& change) {
@@ -1415,7 +1415,7 @@ class Search {
     return false;
   }
 
-  // Whether the test has the color `full` without some of the lights, as it is shown.
+  // Whether the test's color is `full` without some of the lights, after applying `shown`.
   template <typename Shown>
   static bool lacks_lights(const dvec3& test, const dvec3& full, const std::vector<dvec3>& shares,
                            const Shown& shown) {
@@ -1432,8 +1432,8 @@ class Search {
     return false;
   }
 
-  // Spots, beside other mistakes that are `made`. `least`: the share of the pixels that differ for
-  // which it must account.
+  // Acne, in addition to other mistakes that are `made`. `least`: the share of the differing pixels
+  // that it must explain.
   bool claim_acne(const Together& made, double least) {
     if (!usable_ || !view_->options.features.shadows || view_->options.mode != Mode::ray ||
         turn_of(made) != Turn()) {
@@ -1493,7 +1493,7 @@ class Search {
     const auto share = [](std::size_t part_of, std::size_t whole) {
       return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
     };
-    // The other mistakes must be right where there are no spots.
+    // The other mistakes must explain the pixels without spots.
     if (!made.empty() && (share(looked_at, differing) > 0.75 || share(scattered, looked_at) < 0.4 ||
                           !each_needed(made))) {
       return false;
@@ -1536,7 +1536,7 @@ class Search {
     return true;
   }
 
-  // Whether a neighbor is as it is drawn with the mistakes.
+  // Whether a neighboring pixel has the color drawn with the mistakes.
   template <typename Shown>
   bool drawn_beside(const Point& p, const Model& model, const Trial& trial,
                     const Shown& shown) const {

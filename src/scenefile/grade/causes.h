@@ -60,7 +60,7 @@ struct Claim {
   std::string what;      ///< "the texture is upside down"
   std::string evidence;  ///< how much of the difference it explains, as text
   double explained = 0;  ///< fraction of the difference that the mistake removes, <= 1
-  bool said = false;     ///< of a rival: the claim's text names it
+  bool said = false;     ///< for a rival: it is named in the claim's text
 };
 
 /// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size,

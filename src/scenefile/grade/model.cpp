@@ -1104,7 +1104,7 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::last_weight_only:
       return seen;
     case MirrorMistake::not_chained:
-      // Only the camera's ray weighs what comes back.
+      // Only the camera ray multiplies the result by the weight.
       return depth == 0 ? factor * seen : seen;
     default:
       break;

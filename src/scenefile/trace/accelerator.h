@@ -37,7 +37,7 @@ struct Hit {
 /// Whether two hits are on the same object: the same primitive in the same chain of instances.
 bool same_object(const Hit& a, const Hit& b);
 
-/// The light that each material lets through to what is behind an object of it, as -log2 of the
+/// The light that each material transmits through an object, as -log2 of the
 /// factor in fixed point, so that sums do not depend on their order.
 class Transmission {
  public:

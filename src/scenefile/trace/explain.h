@@ -167,7 +167,7 @@ struct SampleRecord {
 
 /// Why the fine profile took more than the initial samples.
 struct MoreSamples {
-  bool noisy = false;      ///< the first samples of its own do not agree
+  bool noisy = false;      ///< the first pattern samples disagree
   bool penumbra = false;   ///< a sample saw part of an area light
   bool neighbors = false;  ///< a neighboring pixel differs
 };

@@ -25,7 +25,7 @@ inline constexpr double min_weight = 1.0 / 1024;
 struct CameraSample {
   glm::dvec2 point{0};
   glm::dvec2 lens{0};
-  double width = 0;  ///< what the sample stands for, in pixels: textures are filtered over it
+  double width = 0;  ///< of the area that the sample represents, in pixels; for texture filtering
   SampleKey key;
 };
 

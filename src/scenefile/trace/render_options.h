@@ -82,17 +82,17 @@ struct RenderOptions {
   Features features;
   int width = 1024;  ///< pixels, at least 1
   int height = 768;
-  int samples = 16;        ///< fine: most samples a pixel, at least 1
-  int min_samples = 1;     ///< fine: fewest samples a pixel, at most `samples`
-  int max_depth = 16;      ///< reflections and refractions behind a primary ray; at most 64
-  std::uint64_t seed = 0;  ///< fine: another noise pattern
-  bool fresnel = false;    ///< fine: glass mirrors the share that Fresnel's equations say
-  int threads = 0;         ///< 0: one a processor
-  /// Only these pixels, exactly as they are in the whole picture; must not be empty nor reach
-  /// outside. The image and the layers have its size.
+  int samples = 16;        ///< fine: maximum samples per pixel, at least 1
+  int min_samples = 1;     ///< fine: minimum samples per pixel, at most `samples`
+  int max_depth = 16;      ///< reflections and refractions after a camera ray; at most 64
+  std::uint64_t seed = 0;  ///< fine: selects the noise pattern
+  bool fresnel = false;    ///< fine: glass reflects by Fresnel's equations
+  int threads = 0;         ///< 0: one per processor
+  /// Only these pixels, exactly as in the whole picture; a non-empty region inside of it.
+  /// The image and the layers have its size.
   std::optional<PixelRegion> crop;
-  std::vector<Layer> layers;  ///< to be returned beside the picture; lights must exist
-  bool denoise = false;       ///< fine: take noise away (denoise.h)
+  std::vector<Layer> layers;  ///< to return with the picture; lights must exist
+  bool denoise = false;       ///< fine: remove noise (denoise.h)
 };
 
 /// The defaults of a profile: course has no super_sample, and a max_depth of 4.

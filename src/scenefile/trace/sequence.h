@@ -35,8 +35,8 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
   return (x >> 16) | (x << 16);
 }
 
-/// Of a number with reversed bits: randomly permutes the halves, quarters, eighths ... of the range
-/// (Laine and Karras).
+/// For a number with reversed bits: randomly permutes the halves, quarters, eighths ... of the
+/// range (Laine and Karras).
 inline std::uint32_t scrambled_reversed(std::uint32_t x, std::uint32_t seed) {
   x += seed;
   x ^= x * 0x6c50b47cu;

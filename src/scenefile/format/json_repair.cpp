@@ -71,8 +71,8 @@ class Repair {
 }  // namespace
 
 std::size_t RepairedJson::original_offset(std::size_t offset) const {
-  const auto behind = std::lower_bound(inserted.begin(), inserted.end(), offset);
-  return offset - static_cast<std::size_t>(behind - inserted.begin());
+  const auto first_after = std::lower_bound(inserted.begin(), inserted.end(), offset);
+  return offset - static_cast<std::size_t>(first_after - inserted.begin());
 }
 
 RepairedJson repair_json_numbers(std::string_view text, Diagnostics& diagnostics) {

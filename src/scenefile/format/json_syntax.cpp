@@ -265,10 +265,10 @@ class Explainer {
       return error_.fault == JsonFault::number;
     }
     const auto first = static_cast<std::size_t>(word.data() - text_.data());
-    const bool behind = at_ == first + word.size() && word != "-";
+    const bool at_word_end = at_ == first + word.size() && word != "-";
     const bool comma =
         error_.fault == JsonFault::array_comma || error_.fault == JsonFault::object_comma;
-    if (behind || !(error_.fault == JsonFault::value || (comma && at_ != first))) {
+    if (at_word_end || !(error_.fault == JsonFault::value || (comma && at_ != first))) {
       return false;
     }
     const bool digits = std::any_of(word.begin(), word.end(), is_digit);

@@ -131,9 +131,9 @@ Cause opened_as_text(std::string_view text, std::size_t at, std::span<const Open
   if (written == std::string_view::npos || written == 0) {
     return {};
   }
-  const std::size_t behind = text.find_first_not_of(blanks, written + name.size());
+  const std::size_t after_name = text.find_first_not_of(blanks, written + name.size());
   const std::size_t before = text.find_last_not_of(blanks, written - 1);
-  if (text[behind] != '>' || before == std::string_view::npos || text[before] != '>') {
+  if (text[after_name] != '>' || before == std::string_view::npos || text[before] != '>') {
     return {};
   }
   return SyntaxCause{&xml_syntax, written,

@@ -10,7 +10,7 @@ namespace scenefile {
 namespace {
 
 // One past the next `what`, or the end of the text.
-std::size_t behind(std::string_view text, std::string_view what, std::size_t from) {
+std::size_t end_after(std::string_view text, std::string_view what, std::size_t from) {
   const std::size_t at = text.find(what, from);
   return at == std::string_view::npos ? text.size() : at + what.size();
 }
@@ -21,11 +21,11 @@ std::size_t doctype_end(std::string_view text, std::size_t from) {
   while (from < text.size() && (inside || text[from] != '>')) {
     const char c = text[from];
     if (text.substr(from).starts_with("<!--")) {
-      from = behind(text, "-->", from);
+      from = end_after(text, "-->", from);
     } else if (text.substr(from).starts_with("<?")) {
-      from = behind(text, "?>", from);
+      from = end_after(text, "?>", from);
     } else if (c == '"' || c == '\'') {
-      from = behind(text, {&c, 1}, from + 1);
+      from = end_after(text, {&c, 1}, from + 1);
     } else {
       inside = c == '[' || (inside && c != ']');
       ++from;
@@ -116,13 +116,13 @@ class OpenElements {
 std::size_t markup_end(std::string_view text, std::size_t begin) {
   const std::string_view rest = text.substr(begin);
   if (rest.starts_with("<!--")) {
-    return behind(text, "-->", begin + 4);
+    return end_after(text, "-->", begin + 4);
   }
   if (rest.starts_with("<![CDATA[")) {
-    return behind(text, "]]>", begin);
+    return end_after(text, "]]>", begin);
   }
   if (rest.starts_with("<?")) {
-    return behind(text, "?>", begin);
+    return end_after(text, "?>", begin);
   }
   return rest.starts_with("<!") ? doctype_end(text, begin + 2) : begin + tag_size(rest);
 }

@@ -1,14 +1,16 @@
 // The command frames: numbered pictures of one scene from a moving camera. The acceleration
-// structure is built once. Frames that already exist are skipped: a hidden file next to each, named
-// .NAME.key, records what the frame was drawn from.
+// structure is built once. A hidden file next to each frame, named .NAME.key, records what it was
+// drawn from: a frame that exists is skipped, and one of another scene is not replaced.
 
 #include "app/carry_files.h"
 #include "app/checkpoint.h"
 #include "app/command.h"
+#include "app/gl_picture.h"
 #include "app/load.h"
 #include "app/output.h"
 #include "app/pictures.h"
 #include "app/progress.h"
+#include "app/realtime.h"
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/read_cameras.h"
@@ -21,6 +23,7 @@
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/trace/layers.h"
+#include "scenefile/trace/part_file.h"
 #include "scenefile/trace/trace_scene.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/scene_json.h"
@@ -32,7 +35,9 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -124,25 +129,52 @@ std::string key_file(const std::string& picture) {
   return fmt::format("{}/.{}.key", folder_of(picture), file_name_of(picture));
 }
 
+constexpr std::string_view key_start = "scenefile frame 2: ";
+
+// What a frame is drawn from: the first line of its key file. The second is a checksum of the
+// pictures; without it they are not known to be complete.
+std::string key_text(const PartKey& key, const Camera& camera) {
+  return fmt::format("{}{:x} {:x} {:x} {:x}{}\n", key_start, key.program, key.scene, key.assets,
+                     key.options, camera_key(camera));
+}
+
+// Why a frame with this key file is not the wanted one, in words that follow "it is a frame of".
+std::string_view other_frame(const std::string& found, const PartKey& wanted) {
+  PartKey key;
+  std::istringstream words(
+      found.starts_with(key_start) ? found.substr(key_start.size()) : std::string());
+  words >> std::hex >> key.program >> key.scene >> key.assets >> key.options;
+  if (!words) {
+    return "another version of the program";
+  }
+  const std::string_view why = foreign_part(key, wanted);
+  return why.empty() ? "another camera" : why;
+}
+
 class Frames {
  public:
   Frames(const Options& options, LoadedScene& scene, const Motion& motion, Context& context)
-      : options_(options), scene_(scene), motion_(motion), context_(context) {
+      : options_(options),
+        scene_(scene),
+        motion_(motion),
+        context_(context),
+        painter_(options, scene),
+        there_(motion.cameras.size()) {
     const CheckpointKey key = picture_key_of(options, scene);
-    key_ = fmt::format("{:x} {:x} {:x} {:x}", key.program, key.scene, key.assets, key.options);
+    key_ = {key.program, key.scene, key.assets, key.options, 0};
     range_ = options.range.value_or(FrameRange{1, static_cast<int>(motion.cameras.size())});
   }
 
   Outcome run() {
     const DeferredSignals deferred;
-    Outcome outcome;
+    Outcome outcome = check_names();
     for (int number = range_.first; number <= range_.last && outcome.error.empty(); ++number) {
       const auto index = static_cast<std::size_t>(number) - 1;
       if (!options_.write_scenes.empty()) {
         outcome = write_scene_of(index);
       }
       if (outcome.error.empty() && !options_.output.empty()) {
-        outcome = is_there(index) ? skip() : draw(index);
+        outcome = is_there(index) ? skip(index) : draw(index);
       }
       if (outcome.error.empty() && DeferredSignals::pending() != 0) {
         outcome = judge(RenderStatus::cancelled, context_);
@@ -156,7 +188,6 @@ class Frames {
 
   int drawn() const { return drawn_; }
   int skipped() const { return skipped_; }
-  const FrameRange& range() const { return range_; }
 
  private:
   std::string name(std::size_t index) const { return frame_name(options_.output, index + 1); }
@@ -169,13 +200,7 @@ class Frames {
   }
 
   std::string key_of(std::size_t index) const {
-    const Camera& c = motion_.cameras[index];
-    std::string text = key_;
-    for (const float x : {c.position.x, c.position.y, c.position.z, c.look.x, c.look.y, c.look.z,
-                          c.up.x, c.up.y, c.up.z, c.height_angle_deg, c.aperture, c.focal_length}) {
-      text += fmt::format(" {:a}", x);
-    }
-    return text;
+    return key_text(key_, motion_.cameras[index]);
   }
 
   // What the key file contains if these pictures exist; empty if they cannot be read.
@@ -188,7 +213,38 @@ class Frames {
       }
       hash.add(*bytes);
     }
-    return fmt::format("scenefile frame 1\n{}\n{:x}\n", key_of(index), hash.value());
+    return fmt::format("{}{:x}\n", key_of(index), hash.value());
+  }
+
+  std::string kept_record(std::size_t index) const {
+    Result<std::string> kept = read_file(key_file(name(index)), 1 << 16);
+    return kept ? *std::move(kept) : std::string();
+  }
+
+  // Refuses to replace pictures that are not frames of this motion, before anything is drawn.
+  Outcome check_names() const {
+    for (int number = range_.first; number <= range_.last && !options_.output.empty(); ++number) {
+      const auto index = static_cast<std::size_t>(number) - 1;
+      std::optional<std::string> kept;
+      for (const std::string& file : picture_files(options_of(index))) {
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored)) {
+          continue;
+        }
+        if (!kept) {
+          kept = kept_record(index);
+        }
+        if (!kept->starts_with(key_of(index))) {
+          return {ExitCode::findings,
+                  fmt::format("{}: {}; remove the frames or choose another name",
+                              escaped(file, 400),
+                              kept->empty() ? "the file is there, and is not a frame"
+                                            : fmt::format("it is a frame of {}",
+                                                          other_frame(*kept, key_)))};
+        }
+      }
+    }
+    return {};
   }
 
   bool is_there(std::size_t index) const {
@@ -196,22 +252,21 @@ class Frames {
     if (!std::filesystem::exists(name(index), ignored)) {
       return false;
     }
-    const Result<std::string> kept = read_file(key_file(name(index)), 1 << 16);
-    return kept && *kept == record_of(index);
+    const std::string kept = kept_record(index);
+    return !kept.empty() && kept == record_of(index);
   }
 
-  Outcome skip() {
+  Outcome skip(std::size_t index) {
     ++skipped_;
+    there_[index] = true;
     return {};
   }
 
-  Outcome draw(std::size_t index) {
-    context_.phase = "tracing";
-    RenderScene& ready = scene_.ready.scene;
+  Outcome trace(std::size_t index) {
+    const RenderScene& ready = scene_.ready.scene;
     if (!traced_) {
       traced_.emplace(ready, scene_.assets, TraceSceneOptions{.threads = options_.render.threads});
     }
-    ready.camera = ready_camera(motion_.cameras[index]);
     ProgressBar bar(!options_.quiet && !options_.json && wants_progress());
     const double frames = range_.last - range_.first + 1;
     const double before = static_cast<double>(index) + 1 - range_.first;
@@ -221,13 +276,32 @@ class Frames {
     };
     const RenderResult result =
         render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
-    Outcome outcome = judge(result.status, context_);
+    const Outcome outcome = judge(result.status, context_);
+    return outcome.error.empty() ? write_pictures(options_of(index), result, context_) : outcome;
+  }
+
+  Outcome paint(std::size_t index) {
+    Image image;
+    GlReport report;
+    const Outcome outcome = painter_.draw(image, report, context_);
+    return outcome.error.empty() ? write_8bit_picture(options_of(index), image, context_) : outcome;
+  }
+
+  Outcome draw(std::size_t index) {
+    // A run that is killed before the frame is complete leaves a key without a checksum.
+    Outcome outcome;
+    if (!kept_record(index).starts_with(key_of(index))) {
+      outcome = outcome_of(write_file(key_file(name(index)), key_of(index)));
+    }
+    scene_.ready.scene.camera = ready_camera(motion_.cameras[index]);
+    context_.phase = "tracing";
     if (outcome.error.empty()) {
-      outcome = write_pictures(options_of(index), result, context_);
+      outcome = options_.engine == Engine::gl ? paint(index) : trace(index);
     }
     if (outcome.error.empty()) {
       outcome = outcome_of(write_file(key_file(name(index)), record_of(index)));
       ++drawn_;
+      there_[index] = true;
     }
     return outcome;
   }
@@ -255,7 +329,7 @@ class Frames {
   Outcome make_video() {
     context_.phase = "making the video";
     for (std::size_t i = 0; i < motion_.cameras.size(); ++i) {
-      if (!is_there(i)) {
+      if (!there_[i] && !is_there(i)) {
         return {
             ExitCode::findings,
             fmt::format(
@@ -288,9 +362,11 @@ class Frames {
   LoadedScene& scene_;
   const Motion& motion_;
   Context& context_;
-  std::string key_;
+  PartKey key_;
   FrameRange range_;
   std::optional<TraceScene> traced_;
+  GlPainter painter_;
+  std::vector<bool> there_;  // by index: found or drawn
   int drawn_ = 0;
   int skipped_ = 0;
 };
@@ -342,11 +418,22 @@ ExitCode run_frames(const Options& options, Context& context) {
     }
   }
   LoadedScene scene = load_for_tracing(options, context);
-  if (!options.json) {
-    say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
-                      wants_color(Stream::chatter)));
+  const auto say_findings = [&] {
+    if (!options.json) {
+      say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                        wants_color(Stream::chatter)));
+    }
+  };
+  // Drawing with OpenGL adds to the findings.
+  const bool said_before = options.engine == Engine::trace;
+  if (said_before) {
+    say_findings();
   }
   Outcome outcome{status_of(scene), {}};
+  if (const auto realtime = realtime_options(options);
+      realtime && outcome.status == ExitCode::fine) {
+    check_realtime(*realtime, scene);
+  }
   Motion motion;
   if (outcome.status == ExitCode::fine) {
     outcome = make_motion(options, scene, motion);
@@ -360,6 +447,9 @@ ExitCode run_frames(const Options& options, Context& context) {
     outcome = frames.run();
     drawn = frames.drawn();
     skipped = frames.skipped();
+  }
+  if (!said_before) {
+    say_findings();
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (options.json) {

@@ -1,10 +1,11 @@
 #pragma once
-// Draws with OpenGL instead of tracing, without a window.
+// Drawing with OpenGL instead of tracing, without a window.
 
 #include "app/load.h"
 #include "scenefile/asset/image.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace scenefile::app {
@@ -19,8 +20,24 @@ struct GlReport {
   int samples = 0;  ///< per pixel
 };
 
-/// Draws the scene; adds what OpenGL leaves out to its diagnostics.
-Outcome draw_with_gl(const Options& options, LoadedScene& scene, Image& image, GlReport& report,
-                     Context& context);
+/// Draws pictures of a scene. OpenGL starts and the scene is uploaded with the first of them.
+class GlPainter {
+ public:
+  /// Both must outlive this.
+  GlPainter(const Options& options, LoadedScene& scene);
+  ~GlPainter();
+  GlPainter(const GlPainter&) = delete;
+  GlPainter& operator=(const GlPainter&) = delete;
+
+  /// Draws the scene with the camera that it has now. What OpenGL leaves out is added to the
+  /// scene's diagnostics, once.
+  Outcome draw(Image& image, GlReport& report, Context& context);
+
+ private:
+  struct State;
+  const Options& options_;
+  LoadedScene& scene_;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace scenefile::app

@@ -4,8 +4,14 @@
 
 namespace scenefile::app {
 
-Outcome draw_with_gl(const Options& /*options*/, LoadedScene& /*scene*/, Image& /*image*/,
-                     GlReport& /*report*/, Context& /*context*/) {
+struct GlPainter::State {};
+
+GlPainter::GlPainter(const Options& options, LoadedScene& scene)
+    : options_(options), scene_(scene) {}
+
+GlPainter::~GlPainter() = default;
+
+Outcome GlPainter::draw(Image& /*image*/, GlReport& /*report*/, Context& /*context*/) {
   return {ExitCode::environment,
           "--engine gl: this program was built without OpenGL (SCENEFILE_VIEW)"};
 }

@@ -418,7 +418,7 @@ constexpr std::array option_rows{
     OptionRow{"--engine", "", "NAME",
               "trace (default): the ray tracer. gl: OpenGL, fast and without a window, but without "
               "reflections, refraction and depth of field.",
-              for_render, set_engine},
+              for_render | for_frames, set_engine},
     OptionRow{"--profile",
               "",
               "NAME",

@@ -114,7 +114,7 @@ std::string check_realtime_options(const Options& options, unsigned command) {
     return {};
   }
   if ((command & for_realtime) == 0) {
-    return "--profile realtime is for render, view, check and info";
+    return "--profile realtime is for render, frames, view, check and info";
   }
   constexpr std::string_view words =
       "--profile realtime draws the course's assignment with OpenGL: leave {} out";

@@ -213,7 +213,7 @@ ExitCode run_render(const Options& given, Context& context) {
   const bool wanted = outcome.status == ExitCode::fine && !(report.part && report.part->skipped);
   Image drawn;
   if (options.engine == Engine::gl && wanted) {
-    outcome = draw_with_gl(options, scene, drawn, report.gl, context);
+    outcome = GlPainter(options, scene).draw(drawn, report.gl, context);
     if (outcome.status == ExitCode::fine) {
       report.options.samples = report.gl.samples;
     }

@@ -85,8 +85,82 @@ TEST_F(FramesTest, WhatIsThereIsSkipped) {
   std::filesystem::remove(folder.path("f3.png"));
   EXPECT_EQ(counts(), std::pair(2, 1));
   EXPECT_TRUE(folder.read("f2.png") == second);
+  std::filesystem::remove(folder.path(".f1.png.key"));
+  std::filesystem::remove(folder.path("f1.png"));
+  const std::string key = folder.read(".f2.png.key");
+  folder.write(".f2.png.key", key.substr(0, key.find('\n') + 1));  // killed before it was complete
+  EXPECT_EQ(counts(), std::pair(2, 1));
+  EXPECT_EQ(folder.read(".f2.png.key"), key);
+}
+
+TEST_F(FramesTest, NoOtherPictureIsReplaced) {
+  const Words words{"--turntable", "3", "-o", "f%d.png"};
+  ASSERT_EQ(frames(words).status, 0);
+  std::filesystem::remove(folder.path("f1.png"));
+  const std::string second = folder.read("f2.png");
+  const auto refused = [&](const Words& more, const std::string& why) {
+    Words all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    const ProgramRun run = frames(all);
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.err, HasSubstr(why));
+    EXPECT_TRUE(folder.read("f2.png") == second);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("f1.png"))) << "drawn before the refusal";
+  };
+  refused({"--samples", "3"}, "f2.png: it is a frame of other options; remove the frames");
+  const Words four{"--turntable", "4", "-o", "f%d.png"};
+  EXPECT_THAT(frames(four).err, HasSubstr("f2.png: it is a frame of another camera"));
   folder.write("scene.xml", std::string(good_scene) + "\n");
-  EXPECT_EQ(counts(), std::pair(3, 0));
+  refused({}, "f2.png: it is a frame of another scene, or the scene was changed");
+  EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
+  folder.write("mine1.png", "mine");
+  const ProgramRun mine = frames({"--turntable", "3", "-o", "mine%d.png"});
+  EXPECT_EQ(mine.status, 1);
+  EXPECT_THAT(mine.err, HasSubstr("mine1.png: the file is there, and is not a frame"));
+  EXPECT_EQ(folder.read("mine1.png"), "mine");
+}
+
+TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
+  const ProgramRun drawn = frames(
+      {"--turntable", "3", "-o", "f%d.png", "--write-scenes", "s%d.xml", "--engine", "gl"});
+  if (drawn.status == 3) {
+    GTEST_SKIP() << drawn.err;
+  }
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  for (const std::string number : {"1", "2", "3"}) {
+    ASSERT_EQ(run({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24", "--engine",
+                   "gl"})
+                  .status,
+              0);
+    EXPECT_TRUE(folder.read("f" + number + ".png") == folder.read("one.png")) << number;
+  }
+  EXPECT_FALSE(folder.read("f1.png") == folder.read("f2.png"));
+  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("of other options"));
+  const ProgramRun again =
+      frames({"--turntable", "3", "-o", "f%d.png", "--engine", "gl", "--json"});
+  EXPECT_EQ(parse_json(again.out)["skipped"].GetInt(), 3);
+  EXPECT_EQ(frames({"--turntable", "3", "-o", "g%d.png", "--engine", "gl", "--denoise"}).status, 2);
+  EXPECT_EQ(frames({"--turntable", "1", "-o", "r%d.png", "--profile", "realtime"}).status, 0);
+  ASSERT_EQ(run({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
+                .status,
+            0);
+  EXPECT_TRUE(folder.read("r1.png") == folder.read("one.png"));
+}
+
+TEST_F(FramesTest, AVideoNeedsAllFrames) {
+  if (run({"frames", "scene.xml", "--turntable", "3", "-o", "v%d.png", "--video", "v.gif"})
+          .status == 3) {
+    GTEST_SKIP() << "there is no ffmpeg";
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path("v.gif")));
+  const Words first{"--turntable", "3", "-o", "f%d.png", "--video", "f.gif", "--range", "1:1"};
+  const ProgramRun part = frames(first);
+  EXPECT_EQ(part.status, 1);
+  EXPECT_THAT(part.err, HasSubstr("frame 2 of 3 does not exist yet"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("f.gif")));
+  ASSERT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "2:3"}).status, 0);
+  EXPECT_EQ(frames(first).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("f.gif")));
 }
 
 TEST_F(FramesTest, WrongUseIsSaidAtOnce) {

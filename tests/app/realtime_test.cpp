@@ -150,9 +150,9 @@ TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
                option[0] + " is for --profile realtime");
   }
   is_refused({"explain", "a.xml", "--pixel", "1,1", "--profile", "realtime"},
-             "--profile realtime is for render, view, check and info");
+             "--profile realtime is for render, frames, view, check and info");
   is_refused({"diff", "a.png", "b.png", "--profile", "realtime"},
-             "--profile realtime is for render, view, check and info");
+             "--profile realtime is for render, frames, view, check and info");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace scenefile {
@@ -85,6 +87,25 @@ TEST(CameraPath, TurnsAroundAPoint) {
   EXPECT_NEAR(quarter.position.z, 0, 1e-5);
   EXPECT_NEAR(quarter.look.x, -5, 1e-5);
   EXPECT_EQ(quarter.up, camera.up);
+}
+
+TEST(CameraKey, DiffersWithEveryValue) {
+  std::vector<Camera> cameras(9);
+  cameras[1].position.z += 1e-6F;
+  cameras[2].look.x = 3;
+  cameras[3].up.x = 1e-30F;
+  cameras[4].height_angle_deg = 46;
+  cameras[5].aperture = 1;
+  cameras[6].focal_length = 1;
+  cameras[7].position = {5, 5, -5};
+  cameras[8].look = {-1, -1, 1};
+  cameras[0].location.line = 7;  // says nothing about the picture
+  std::set<std::string> keys;
+  for (const Camera& camera : cameras) {
+    keys.insert(camera_key(camera));
+  }
+  EXPECT_EQ(keys.size(), cameras.size());
+  EXPECT_EQ(camera_key(cameras[0]), camera_key(Camera{}));
 }
 
 }  // namespace

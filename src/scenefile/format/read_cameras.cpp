@@ -4,12 +4,13 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/text_places.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
 #include <functional>
-#include <utility>
+#include <variant>
 
 namespace scenefile {
 
@@ -19,9 +20,33 @@ constexpr std::size_t most_views = 100000;
 constexpr double most_seconds = 1e6;
 constexpr double most_fps = 1000;
 
-constexpr std::array scalars{std::pair("heightAngle", &Camera::height_angle_deg),
-                             std::pair("aperture", &Camera::aperture),
-                             std::pair("focalLength", &Camera::focal_length)};
+constexpr std::string_view look_name = row_of(camera_rows, Field::look).json;
+constexpr std::string_view focus_name = "focus";
+
+// The words of a view, for a message.
+std::string view_words() {
+  std::vector<std::string_view> words{"time"};
+  for (const ValueRow<Camera>& row : camera_rows) {
+    if (!row.json.empty()) {
+      words.push_back(row.json);
+    }
+  }
+  const std::string_view last = words.back();
+  words.pop_back();
+  return fmt::format("{} and {}", fmt::join(words, ", "), last);
+}
+
+// The value as JSON; empty for a row without one.
+std::string value_text(const Camera& camera, const ValueRow<Camera>& row) {
+  if (const auto* const number = std::get_if<float Camera::*>(&row.member)) {
+    return fmt::format("{}", camera.**number);
+  }
+  if (const auto* const vector = std::get_if<glm::vec3 Camera::*>(&row.member)) {
+    const glm::vec3& v = camera.**vector;
+    return fmt::format("[{}, {}, {}]", v.x, v.y, v.z);
+  }
+  return {};
+}
 
 class CameraReader {
  public:
@@ -134,33 +159,29 @@ class CameraReader {
     bool has_look = false;
     bool has_focus = false;
     const bool good = for_each_member(item, [&](const std::string& key, JsonIndex k, JsonIndex v) {
-      for (const auto& [name, member] : scalars) {
-        if (key == name) {
-          double x = 0;
-          const bool read = number(v, 0, 1e30, x);
-          view.camera.*member = static_cast<float>(x);
-          return read;
-        }
-      }
       if (key == "time") {
         return number(v, 0, most_seconds, view.time);
       }
-      if (key == "position") {
-        return vector(v, view.camera.position);
-      }
-      if (key == "up") {
-        return vector(v, view.camera.up);
-      }
-      if (key == "look") {
-        has_look = true;
-        return vector(v, view.camera.look);
-      }
-      if (key == "focus") {
+      if (key == focus_name) {
         has_focus = true;
         return vector(v, view.focus.emplace());
       }
-      return unknown(k, key,
-                     "time, position, look, focus, up, heightAngle, aperture and focalLength");
+      has_look = has_look || key == look_name;
+      for (const ValueRow<Camera>& row : camera_rows) {
+        if (key != row.json) {
+          continue;
+        }
+        if (const auto* const member = std::get_if<float Camera::*>(&row.member)) {
+          double x = 0;
+          const bool read = number(v, 0, 1e30, x);
+          view.camera.**member = static_cast<float>(x);
+          return read;
+        }
+        if (const auto* const member = std::get_if<glm::vec3 Camera::*>(&row.member)) {
+          return vector(v, view.camera.**member);
+        }
+      }
+      return unknown(k, key, view_words());
     });
     if (!good) {
       return false;
@@ -197,20 +218,23 @@ Result<CameraPath> read_cameras(std::string_view text, const Camera& camera, con
 }
 
 std::string write_cameras(const CameraPath& path) {
-  const auto vector = [](const glm::vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
   std::string text = "{\n";
   if (path.fps) {
     text += fmt::format("  \"fps\": {},\n", *path.fps);
   }
   text += "  \"views\": [\n";
   for (const CameraView& view : path.views) {
-    const Camera& camera = view.camera;
-    text += fmt::format(
-        "    {{\"time\": {}, \"position\": {}, \"{}\": {}, \"up\": {}, \"heightAngle\": {}, "
-        "\"aperture\": {}, \"focalLength\": {}}}{}\n",
-        view.time, vector(camera.position), view.focus ? "focus" : "look",
-        vector(view.focus ? *view.focus : camera.look), vector(camera.up), camera.height_angle_deg,
-        camera.aperture, camera.focal_length, &view == &path.views.back() ? "" : ",");
+    text += fmt::format("    {{\"time\": {}", view.time);
+    for (const ValueRow<Camera>& row : camera_rows) {
+      Camera camera = view.camera;
+      camera.look = view.focus.value_or(camera.look);
+      const std::string value = value_text(camera, row);
+      if (!value.empty()) {
+        text += fmt::format(", \"{}\": {}",
+                            row.json == look_name && view.focus ? focus_name : row.json, value);
+      }
+    }
+    text += &view == &path.views.back() ? "}\n" : "},\n";
   }
   return text + "  ]\n}\n";
 }

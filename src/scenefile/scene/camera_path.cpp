@@ -1,10 +1,14 @@
 #include "scenefile/scene/camera_path.h"
 
+#include "scenefile/scene/vocabulary.h"
+
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <variant>
 
 namespace scenefile {
 
@@ -130,6 +134,19 @@ Camera camera_around(const Camera& camera, const glm::dvec3& center, double turn
   turned.position = center + turn * (glm::dvec3(camera.position) - center);
   turned.look = turn * glm::dvec3(camera.look);
   return turned;
+}
+
+std::string camera_key(const Camera& camera) {
+  std::string key;
+  for (const ValueRow<Camera>& row : camera_rows) {
+    if (const auto* const number = std::get_if<float Camera::*>(&row.member)) {
+      key += fmt::format(" {:a}", camera.**number);
+    } else if (const auto* const vector = std::get_if<glm::vec3 Camera::*>(&row.member)) {
+      const glm::vec3& v = camera.**vector;
+      key += fmt::format(" {:a} {:a} {:a}", v.x, v.y, v.z);
+    }
+  }
+  return key;
 }
 
 }  // namespace scenefile

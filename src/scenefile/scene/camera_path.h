@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 namespace scenefile {
 
@@ -27,5 +28,9 @@ Camera camera_at(std::span<const CameraView> views, double time);
 /// The camera rotated by `turns` full turns about the axis through `center` parallel to its up
 /// vector, to the right as seen from the camera if positive. Unchanged for 0.
 Camera camera_around(const Camera& camera, const glm::dvec3& center, double turns);
+
+/// The values of the camera as text, which is the same for two cameras only if all values are: for
+/// keys, not for people.
+std::string camera_key(const Camera& camera);
 
 }  // namespace scenefile

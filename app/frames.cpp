@@ -138,17 +138,17 @@ std::string key_text(const PartKey& key, const Camera& camera) {
                      key.options, camera_key(camera));
 }
 
-// Why a frame with this key file is not the wanted one, in words that follow "it is a frame of".
+// Why a frame with this key file is not the wanted one, in words that follow "it was drawn".
 std::string_view other_frame(const std::string& found, const PartKey& wanted) {
   PartKey key;
-  std::istringstream words(
-      found.starts_with(key_start) ? found.substr(key_start.size()) : std::string());
+  std::istringstream words(found.starts_with(key_start) ? found.substr(key_start.size())
+                                                        : std::string());
   words >> std::hex >> key.program >> key.scene >> key.assets >> key.options;
   if (!words) {
-    return "another version of the program";
+    return "by another version of the program";
   }
   const std::string_view why = foreign_part(key, wanted);
-  return why.empty() ? "another camera" : why;
+  return why.empty() ? "with another camera" : why;
 }
 
 class Frames {
@@ -199,9 +199,7 @@ class Frames {
     return options;
   }
 
-  std::string key_of(std::size_t index) const {
-    return key_text(key_, motion_.cameras[index]);
-  }
+  std::string key_of(std::size_t index) const { return key_text(key_, motion_.cameras[index]); }
 
   // What the key file contains if these pictures exist; empty if they cannot be read.
   std::string record_of(std::size_t index) const {
@@ -235,12 +233,12 @@ class Frames {
           kept = kept_record(index);
         }
         if (!kept->starts_with(key_of(index))) {
-          return {ExitCode::findings,
-                  fmt::format("{}: {}; remove the frames or choose another name",
-                              escaped(file, 400),
-                              kept->empty() ? "the file is there, and is not a frame"
-                                            : fmt::format("it is a frame of {}",
-                                                          other_frame(*kept, key_)))};
+          return {
+              ExitCode::findings,
+              fmt::format("{}: {}; remove the frames or choose another name", escaped(file, 400),
+                          kept->empty()
+                              ? "the file exists, and is not a frame"
+                              : fmt::format("the frame was drawn {}", other_frame(*kept, key_)))};
         }
       }
     }
@@ -474,9 +472,10 @@ ExitCode run_frames(const Options& options, Context& context) {
   }
   if (outcome.status == ExitCode::fine && !options.quiet) {
     say_afterwards([&] {
-      return fmt::format("{}: {} frames drawn, {} skipped, of {}; {:.2f} s\n",
+      return fmt::format("{}: {} of {} frame{} drawn, {} skipped; {:.2f} s\n",
                          escaped(options.output.empty() ? options.write_scenes : options.output),
-                         drawn, skipped, motion.cameras.size(), seconds);
+                         drawn, motion.cameras.size(), motion.cameras.size() == 1 ? "" : "s",
+                         skipped, seconds);
     });
   }
   return outcome.status;

@@ -71,8 +71,12 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
             "ray tracer draws them all",
             stats.shadowless, ready.lights.size(), stats.shadowless == 1 ? "throws" : "throw"));
   }
-  report = {state_->device->renderer(), stats.draw_calls, stats.shadow_maps,
-            stats.objects,              stats.triangles,  stats.samples};
+  report = {state_->device->renderer(),
+            stats.draw_calls,
+            stats.shadow_maps,
+            stats.objects,
+            stats.triangles,
+            stats.samples};
   return {error.empty() ? ExitCode::fine : ExitCode::environment, error};
 }
 

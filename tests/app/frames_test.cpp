@@ -107,43 +107,44 @@ TEST_F(FramesTest, NoOtherPictureIsReplaced) {
     EXPECT_TRUE(folder.read("f2.png") == second);
     EXPECT_FALSE(std::filesystem::exists(folder.path("f1.png"))) << "drawn before the refusal";
   };
-  refused({"--samples", "3"}, "f2.png: it is a frame of other options; remove the frames");
+  refused({"--samples", "3"}, "f2.png: the frame was drawn with other options; remove the frames");
   const Words four{"--turntable", "4", "-o", "f%d.png"};
-  EXPECT_THAT(frames(four).err, HasSubstr("f2.png: it is a frame of another camera"));
+  EXPECT_THAT(frames(four).err, HasSubstr("f2.png: the frame was drawn with another camera"));
   folder.write("scene.xml", std::string(good_scene) + "\n");
-  refused({}, "f2.png: it is a frame of another scene, or the scene was changed");
+  refused({}, "f2.png: the frame was drawn from another scene, or the scene was changed");
   EXPECT_EQ(frames({"--turntable", "3", "-o", "f%d.png", "--range", "1:1"}).status, 0);
   folder.write("mine1.png", "mine");
   const ProgramRun mine = frames({"--turntable", "3", "-o", "mine%d.png"});
   EXPECT_EQ(mine.status, 1);
-  EXPECT_THAT(mine.err, HasSubstr("mine1.png: the file is there, and is not a frame"));
+  EXPECT_THAT(mine.err, HasSubstr("mine1.png: the file exists, and is not a frame"));
   EXPECT_EQ(folder.read("mine1.png"), "mine");
 }
 
 TEST_F(FramesTest, OpenGlDrawsTheRendersOfTheirScenes) {
-  const ProgramRun drawn = frames(
-      {"--turntable", "3", "-o", "f%d.png", "--write-scenes", "s%d.xml", "--engine", "gl"});
+  const ProgramRun drawn =
+      frames({"--turntable", "3", "-o", "f%d.png", "--write-scenes", "s%d.xml", "--engine", "gl"});
   if (drawn.status == 3) {
     GTEST_SKIP() << drawn.err;
   }
   ASSERT_EQ(drawn.status, 0) << drawn.err;
   for (const std::string number : {"1", "2", "3"}) {
-    ASSERT_EQ(run({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24", "--engine",
-                   "gl"})
-                  .status,
-              0);
+    ASSERT_EQ(
+        run({"render", "s" + number + ".xml", "-o", "one.png", "--size", "32x24", "--engine", "gl"})
+            .status,
+        0);
     EXPECT_TRUE(folder.read("f" + number + ".png") == folder.read("one.png")) << number;
   }
   EXPECT_FALSE(folder.read("f1.png") == folder.read("f2.png"));
-  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("of other options"));
+  EXPECT_THAT(frames({"--turntable", "3", "-o", "f%d.png"}).err, HasSubstr("with other options"));
   const ProgramRun again =
       frames({"--turntable", "3", "-o", "f%d.png", "--engine", "gl", "--json"});
   EXPECT_EQ(parse_json(again.out)["skipped"].GetInt(), 3);
   EXPECT_EQ(frames({"--turntable", "3", "-o", "g%d.png", "--engine", "gl", "--denoise"}).status, 2);
   EXPECT_EQ(frames({"--turntable", "1", "-o", "r%d.png", "--profile", "realtime"}).status, 0);
-  ASSERT_EQ(run({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
-                .status,
-            0);
+  ASSERT_EQ(
+      run({"render", "scene.xml", "-o", "one.png", "--size", "32x24", "--profile", "realtime"})
+          .status,
+      0);
   EXPECT_TRUE(folder.read("r1.png") == folder.read("one.png"));
 }
 

@@ -174,7 +174,7 @@ class CameraReader {
         if (const auto* const member = std::get_if<float Camera::*>(&row.member)) {
           double x = 0;
           const bool read = number(v, 0, 1e30, x);
-          view.camera.**member = static_cast<float>(x);
+          view.camera.** member = static_cast<float>(x);
           return read;
         }
         if (const auto* const member = std::get_if<glm::vec3 Camera::*>(&row.member)) {

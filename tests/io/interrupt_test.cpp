@@ -9,10 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace scenefile {
 
@@ -64,31 +68,58 @@ TEST(HandleSignals, HearsOfTheLimitOfCpuTimeBeforeItKills) {
       ::testing::ExitedWithCode(4), "no more CPU time");
 }
 
-TEST(HandleSignals, RemovesTheTemporaryOfAWrite) {
+using ThreeFiles = std::array<Temporary, 3>;  // EXPECT_EXIT takes no commas
+
+// A temporary file that exists.
+void begin(Temporary& temporary, const TempFolder& folder) {
+  temporary.choose(folder.path());
+  std::ofstream(temporary.path()) << "half";
+}
+
+TEST(HandleSignals, RemovesTheTemporariesOfWrites) {
   const TempFolder folder;
-  const std::string file = folder.write("half");
+  folder.write("other");
   EXPECT_EXIT(
       {
         handle_signals();
-        guard_temporary(file);
+        ThreeFiles halves;
+        for (Temporary& half : halves) {
+          begin(half, folder);
+        }
         std::raise(SIGTERM);
       },
       ::testing::ExitedWithCode(143), "");
-  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(folder.list(), std::vector<std::string>{"other"});
 }
 
 TEST(HandleSignals, LeavesAFinishedFile) {
   const TempFolder folder;
-  const std::string file = folder.write("whole");
   EXPECT_EXIT(
       {
         handle_signals();
-        guard_temporary(file);
-        release_temporary();
+        ThreeFiles halves;
+        begin(halves[0], folder);
+        begin(halves[1], folder);
+        begin(halves[2], folder);
+        halves[1].keep();
         std::raise(SIGTERM);
       },
       ::testing::ExitedWithCode(143), "");
-  EXPECT_TRUE(std::filesystem::exists(file));
+  EXPECT_EQ(folder.list().size(), 1U);
+}
+
+TEST(Temporary, IsRemovedUnlessKept) {
+  const TempFolder folder;
+  for (int i = 0; i < 200; ++i) {  // more than a signal finds at a time
+    Temporary half;
+    begin(half, folder);
+  }
+  EXPECT_TRUE(folder.list().empty());
+  std::array<Temporary, 100> many;
+  for (Temporary& half : many) {
+    begin(half, folder);
+  }
+  EXPECT_EQ(folder.list().size(), 100U);
 }
 
 TEST(HandleSignals, KeepsIgnoredSignalsIgnored) {
@@ -104,17 +135,17 @@ TEST(HandleSignals, KeepsIgnoredSignalsIgnored) {
 
 TEST(EndAfter, EndsWithTheMessageAndRemovesTheTemporary) {
   const TempFolder folder;
-  const std::string file = folder.write("half");
   EXPECT_EXIT(
       {
         handle_signals();
-        guard_temporary(file);
+        Temporary half;
+        begin(half, folder);
         end_after(0.01, "too slow");
         while (true) {
         }
       },
       ::testing::ExitedWithCode(4), "^too slow\n$");
-  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_TRUE(folder.list().empty());
 }
 
 TEST(DeferredSignals, TheFirstWaitsAndTheSecondEnds) {

@@ -29,7 +29,7 @@ std::array<char, 256> timeout_message;
 static_assert(std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void end_process(int status) {
-  remove_guarded_temporary();
+  remove_temporaries();
   ::_exit(status);
 }
 

@@ -142,58 +142,28 @@ void sync_folder(const std::string& folder) {
   }
 }
 
-// Removes the temporary file unless the write succeeded, also after exceptions.
-class TemporaryGuard {
- public:
-  explicit TemporaryGuard(const std::string& path) : path_(path) { guard_temporary(path); }
-  ~TemporaryGuard() {
-    if (!kept_) {
-      ::unlink(path_.c_str());
-    }
-    release_temporary();
-  }
-  TemporaryGuard(const TemporaryGuard&) = delete;
-  TemporaryGuard& operator=(const TemporaryGuard&) = delete;
-
-  void keep() { kept_ = true; }
-
- private:
-  const std::string& path_;
-  bool kept_ = false;
-};
-
 Result<void> replace(const std::string& path, const Target& target, const std::string& bytes) {
   // Otherwise a signal between the rename and the end of the program would report a completed write
   // as failed.
   const DeferredSignals deferred;
-  const std::string temporary = temporary_name(target.folder);
-  TemporaryGuard guard(temporary);
-  int error = write_temporary(temporary, target, bytes);
-  if (error == 0 && std::rename(temporary.c_str(), target.path.c_str()) != 0) {
+  Temporary temporary;
+  temporary.choose(target.folder);
+  int error = write_temporary(temporary.path(), target, bytes);
+  if (error == 0 && std::rename(temporary.path().c_str(), target.path.c_str()) != 0) {
     error = errno;
   }
   if (error != 0) {
     return write_error(path, error);
   }
-  guard.keep();
+  temporary.keep();
   sync_folder(target.folder);
   return {};
 }
 
-// A file that is written but not yet renamed. Removed if that does not happen.
+// A file that is written but not yet renamed.
 struct Pending {
   Target target;
-  std::string temporary;
-  bool renamed = false;
-
-  Pending() = default;
-  Pending(const Pending&) = delete;
-  Pending& operator=(const Pending&) = delete;
-  ~Pending() {
-    if (!temporary.empty() && !renamed) {
-      ::unlink(temporary.c_str());
-    }
-  }
+  Temporary temporary;
 };
 
 }  // namespace
@@ -251,13 +221,14 @@ Result<void> write_files(std::span<const OutputFile> files) {
     if (const Result<void> checked = check_folder(file.path, next.target); !checked) {
       return checked;
     }
-    next.temporary = temporary_name(next.target.folder);
-    if (const int error = write_temporary(next.temporary, next.target, *file.bytes); error != 0) {
+    next.temporary.choose(next.target.folder);
+    if (const int error = write_temporary(next.temporary.path(), next.target, *file.bytes);
+        error != 0) {
       return write_error(file.path, error);
     }
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (std::rename(pending[i].temporary.c_str(), pending[i].target.path.c_str()) != 0) {
+    if (std::rename(pending[i].temporary.path().c_str(), pending[i].target.path.c_str()) != 0) {
       const int error = errno;
       for (std::size_t k = 0; k < i; ++k) {
         if (!pending[k].target.exists) {
@@ -266,7 +237,7 @@ Result<void> write_files(std::span<const OutputFile> files) {
       }
       return write_error(files[i].path, error);
     }
-    pending[i].renamed = true;
+    pending[i].temporary.keep();
   }
   for (const Pending& file : pending) {
     sync_folder(file.target.folder);
@@ -305,12 +276,13 @@ Result<FileWriter> FileWriter::create(const std::string& path) {
   if (const Result<void> writable = check_folder(path, target); !writable) {
     return writable.error();
   }
-  const std::string temporary = temporary_name(target.folder);
-  state->file.reset(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  Temporary& temporary = state->pending.temporary;
+  temporary.choose(target.folder);
+  state->file.reset(
+      ::open(temporary.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!state->file.open()) {
     return system_error(path, "cannot write", errno);
   }
-  state->pending.temporary = temporary;
   return FileWriter(std::move(state));
 }
 
@@ -347,13 +319,14 @@ Result<void> FileWriter::commit() {
   }
   Pending& pending = state_->pending;
   int error = finish(state_->file, pending.target);
-  if (error == 0 && std::rename(pending.temporary.c_str(), pending.target.path.c_str()) != 0) {
+  if (error == 0 &&
+      std::rename(pending.temporary.path().c_str(), pending.target.path.c_str()) != 0) {
     error = errno;
   }
   if (error != 0) {
     return write_error(state_->path, error);
   }
-  pending.renamed = true;
+  pending.temporary.keep();
   sync_folder(pending.target.folder);
   return {};
 }

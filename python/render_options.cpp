@@ -7,6 +7,7 @@
 #include "values.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 #include <array>
@@ -33,11 +34,9 @@ void set_size(RenderOptions& options, const py::handle& value) {
 
 void set_features(RenderOptions& options, const py::handle& value) {
   const std::string list = joined_words(value);
-  if (const std::string_view wrong = parse_features(list, options.features); !wrong.empty()) {
-    throw py::value_error(
-        fmt::format("features: \"{}\" is not one of shadows, reflect, refract, texture, "
-                    "texture-filter, super-sample, depthoffield, all, none",
-                    wrong));
+  if (const std::string_view wrong = parse_features(list, options); !wrong.empty()) {
+    throw py::value_error(fmt::format("features: \"{}\" is not one of {}", wrong,
+                                      fmt::join(feature_list_words(), ", ")));
   }
 }
 

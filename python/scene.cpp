@@ -96,6 +96,16 @@ std::vector<NodeId> all_nodes(const Scene& scene) {
   return result;
 }
 
+// The parts of all nodes, in the order of all_nodes().
+template <typename SomePart, typename List>
+py::tuple parts_of_all(const SharedState& state, List Node::*list) {
+  py::list parts;
+  for (const NodeId id : all_nodes(state->scene)) {
+    parts += parts_of<SomePart>(node_at(state, id), (state->scene.nodes[id].*list).size());
+  }
+  return py::tuple(parts);
+}
+
 void remove_node(const NodePart& part) {
   Scene& scene = part.state->scene;
   if (part.node == scene.root) {
@@ -462,24 +472,11 @@ void bind_scene(py::module_& m) {
                                }
                                return py::tuple(list);
                              })
-      .def_property_readonly("lights",
-                             [](const SharedState& s) {
-                               py::list list;
-                               for (const NodeId id : all_nodes(s->scene)) {
-                                 list += parts_of<LightPart>(node_at(s, id),
-                                                             s->scene.nodes[id].lights.size());
-                               }
-                               return py::tuple(list);
-                             })
-      .def_property_readonly("primitives",
-                             [](const SharedState& s) {
-                               py::list list;
-                               for (const NodeId id : all_nodes(s->scene)) {
-                                 list += parts_of<PrimitivePart>(
-                                     node_at(s, id), s->scene.nodes[id].primitives.size());
-                               }
-                               return py::tuple(list);
-                             })
+      .def_property_readonly(
+          "lights", [](const SharedState& s) { return parts_of_all<LightPart>(s, &Node::lights); })
+      .def_property_readonly(
+          "primitives",
+          [](const SharedState& s) { return parts_of_all<PrimitivePart>(s, &Node::primitives); })
       .def(
           "add_template",
           [](const SharedState& s, std::string name) {

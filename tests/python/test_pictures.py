@@ -19,6 +19,8 @@ import scenefile
     ("--profile", "course", "--features", "shadows,reflect"),
     ("--samples", "4", "--seed", "7", "--crop", "10,5,50,40"),
     ("--mode", "normals"),
+    ("--features", "intersect"),
+    ("--features", "illuminate"),
 ])
 def test_the_bytes_are_the_programs(scenes, tmp_path, program, options):
     theirs, ours = tmp_path / "theirs.png", tmp_path / "ours.png"

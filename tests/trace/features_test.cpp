@@ -42,5 +42,22 @@ TEST(Features, SevenWords) {
   EXPECT_EQ(f, Features{});
 }
 
+TEST(Features, ProjectsOfTheCourse) {
+  RenderOptions options;
+  EXPECT_EQ(parse_features("illuminate", options), "");
+  EXPECT_EQ(options.mode, Mode::ray);
+  Features expected = none;
+  expected.shadows = expected.reflect = expected.texture = true;
+  EXPECT_EQ(options.features, expected);
+  EXPECT_EQ(parse_features("intersect", options), "");
+  EXPECT_EQ(options.mode, Mode::intersect);
+  EXPECT_EQ(options.features, none);
+  EXPECT_EQ(parse_features("shadows,intersect", options), "intersect");
+  for (const std::string_view word : feature_list_words()) {
+    EXPECT_EQ(parse_features(word, options), "") << word;
+  }
+  EXPECT_EQ(feature_list_words().size(), 11u);
+}
+
 }  // namespace
 }  // namespace scenefile

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace scenefile {
 
@@ -24,6 +25,29 @@ constexpr std::array<std::string_view, feature_count> feature_names = [] {
   return result;
 }();
 
+// A project of the course.
+struct Project {
+  std::string_view name;
+  std::string_view features;
+  std::optional<Mode> mode;
+};
+constexpr std::array projects{Project{"intersect", "none", Mode::intersect},
+                              Project{"illuminate", "shadows,reflect,texture", std::nullopt}};
+
+constexpr auto list_words = [] {
+  std::array<std::string_view, feature_count + 2 + projects.size()> result;
+  std::size_t next = 0;
+  for (const std::string_view word : words) {
+    result[next++] = word;
+  }
+  result[next++] = "all";
+  result[next++] = "none";
+  for (const Project& project : projects) {
+    result[next++] = project.name;
+  }
+  return result;
+}();
+
 Features with_all(bool on) {
   Features features;
   visit_options(features, [&](const OptionField&, bool& feature) { feature = on; });
@@ -34,6 +58,10 @@ Features with_all(bool on) {
 
 std::span<const std::string_view> feature_words() {
   return feature_names;
+}
+
+std::span<const std::string_view> feature_list_words() {
+  return list_words;
 }
 
 bool* find_feature(Features& features, std::string_view word) {
@@ -64,6 +92,16 @@ std::string_view parse_features(std::string_view list, Features& features) {
     }
     list.remove_prefix(comma + 1);
   }
+}
+
+std::string_view parse_features(std::string_view list, RenderOptions& options) {
+  for (const Project& project : projects) {
+    if (list == project.name) {
+      options.mode = project.mode.value_or(options.mode);
+      return parse_features(project.features, options.features);
+    }
+  }
+  return parse_features(list, options.features);
 }
 
 }  // namespace scenefile

@@ -16,6 +16,13 @@ std::span<const std::string_view> feature_words();
 /// first unknown name; empty on success, when `features` is complete.
 std::string_view parse_features(std::string_view list, Features& features);
 
+/// The same for a list that may also be a project of the course: `intersect`, which also sets the
+/// mode, or `illuminate`.
+std::string_view parse_features(std::string_view list, RenderOptions& options);
+
+/// All words of such lists: the seven names, and the words that stand alone.
+std::span<const std::string_view> feature_list_words();
+
 /// The field for a name; null if unknown.
 bool* find_feature(Features& features, std::string_view word);
 

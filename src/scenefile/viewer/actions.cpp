@@ -15,6 +15,8 @@ constexpr std::array action_rows{
     ActionRow{Action::side_top, "Ctrl+7", "Camera", "from above (Shift: below)"},
     ActionRow{Action::save_view, "Ctrl+S", "Camera", "save the view into the scene's file"},
     ActionRow{Action::undo_save, "Ctrl+Z", "Camera", "undo the last save of the view"},
+    ActionRow{Action::collect_view, "V", "Camera", "add the view to a path for scenefile frames"},
+    ActionRow{Action::drop_view, "Shift+V", "Camera", "remove the last view of the path"},
     ActionRow{Action::shaded, "1", "Show", "shaded"},
     ActionRow{Action::wireframe, "2", "Show", "wireframe"},
     ActionRow{Action::normals, "3", "Show", "normals"},

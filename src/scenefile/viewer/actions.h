@@ -16,6 +16,8 @@ enum class Action : std::uint8_t {
   side_top,
   save_view,
   undo_save,
+  collect_view,
+  drop_view,
   shaded,
   wireframe,
   normals,

@@ -1,6 +1,8 @@
 // Performs the actions of keys and menus.
 
+#include "scenefile/base/text.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/viewer/collect_views.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/save_view.h"
 #include "scenefile/viewer/session.h"
@@ -55,6 +57,23 @@ void undo_save(Session& session) {
   session.home = session.saved_over->home;
   session.saved_over.reset();
   say(session, fmt::format("undone: {} has its old camera", scene_name(session)));
+}
+
+// Adds the view to the path of the scene's views, or removes the last one.
+void change_views(Session& session, Action action) {
+  const std::string path = views_file(session.path);
+  const Limits& limits = session.setup.read.limits;
+  const CollectedViews views =
+      action == Action::collect_view
+          ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
+          : drop_view(path, limits);
+  if (!views.refused.empty()) {
+    say(session, fmt::format("the path of views is not changed: {}", views.refused), true);
+  } else if (action == Action::collect_view) {
+    say(session, fmt::format("view {} is added to {}", views.count, escaped(path)));
+  } else {
+    say(session, fmt::format("view {} is removed from {}", views.count + 1, escaped(path)));
+  }
 }
 
 void go_to_neighbor(Session& session, int steps) {
@@ -168,6 +187,10 @@ void perform_on_scene(Session& session, Action action, const KeyPress& key) {
       break;
     case Action::undo_save:
       undo_save(session);
+      break;
+    case Action::collect_view:
+    case Action::drop_view:
+      change_views(session, action);
       break;
     case Action::next_light:
       next_light(session);

@@ -1,0 +1,71 @@
+#include "scenefile/viewer/collect_views.h"
+
+#include "scenefile/format/read_cameras.h"
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace scenefile::viewer {
+
+namespace {
+
+// The path in the file; without views if there is no file.
+Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored) && !ignored) {
+    return CameraPath{};
+  }
+  const Result<std::string> text = read_file(path, limits.file_bytes);
+  if (!text) {
+    return text.error();
+  }
+  Result<CameraPath> views = read_cameras(*text, Camera{}, limits);
+  return views ? std::move(views)
+               : Error{fmt::format("{}:{}", file_name_of(path), views.error().text)};
+}
+
+CollectedViews write_views(const std::string& path, const CameraPath& views) {
+  const Result<void> written = write_file(path, write_cameras(views));
+  return {views.views.size(), written ? std::string() : written.error().text};
+}
+
+}  // namespace
+
+std::string views_file(const std::string& scene) {
+  const std::string name = scene == "-" ? "scene" : file_name_of(scene);
+  std::error_code ignored;
+  const std::filesystem::path folder = std::filesystem::current_path(ignored);
+  return (folder / (name.substr(0, name.rfind('.')) + "-views.json")).string();
+}
+
+CollectedViews collect_view(const std::string& path, const Camera& camera, const Limits& limits) {
+  Result<CameraPath> views = read_views(path, limits);
+  if (!views) {
+    return {0, views.error().text};
+  }
+  CameraView view;
+  view.camera = camera;
+  view.time = views->views.empty() ? 0 : views->views.back().time + 1;
+  views->views.push_back(view);
+  return write_views(path, *views);
+}
+
+CollectedViews drop_view(const std::string& path, const Limits& limits) {
+  Result<CameraPath> views = read_views(path, limits);
+  if (!views || views->views.empty()) {
+    return {0, views ? std::string("there are no views") : views.error().text};
+  }
+  views->views.pop_back();
+  if (!views->views.empty()) {
+    return write_views(path, *views);
+  }
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  return {0, error ? error.message() : std::string()};
+}
+
+}  // namespace scenefile::viewer

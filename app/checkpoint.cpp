@@ -23,28 +23,6 @@ std::uint64_t fingerprint(std::string_view bytes) {
   return hash.value();
 }
 
-// The contents of the program, because the version does not change during development.
-std::uint64_t program_fingerprint() {
-  const Result<std::string> bytes = read_file("/proc/self/exe", std::uint64_t{1} << 30);
-  return fingerprint(SCENEFILE_VERSION + (bytes ? *bytes : std::string()));
-}
-
-// Everything on the command line that affects pixels.
-std::uint64_t options_fingerprint(const Options& options) {
-  std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
-                                 options.load.compat_course, options.load.allow_missing);
-  text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
-  if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
-    text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(panel->milestone),
-                        panel->tessellation.parameter1, panel->tessellation.parameter2, panel->near,
-                        panel->far, static_cast<int>(panel->filter));
-  }
-  for (const LimitRow& limit : limit_table()) {
-    text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));
-  }
-  return fingerprint(text);
-}
-
 // An upper bound for the state of such a picture.
 std::uint64_t most_bytes(const Options& options) {
   return std::uint64_t(options.render.width) * std::uint64_t(options.render.height) * 16 +
@@ -73,6 +51,28 @@ Outcome resume(const Options& options, const CheckpointKey& key, std::string& st
 }
 
 }  // namespace
+
+// The contents of the program, because the version does not change during development.
+std::uint64_t program_fingerprint() {
+  const Result<std::string> bytes = read_file("/proc/self/exe", std::uint64_t{1} << 30);
+  return fingerprint(SCENEFILE_VERSION + (bytes ? *bytes : std::string()));
+}
+
+// Everything on the command line that affects pixels.
+std::uint64_t options_fingerprint(const Options& options) {
+  std::string text = fmt::format("{}compat={} missing={}", picture_key(options.render),
+                                 options.load.compat_course, options.load.allow_missing);
+  text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
+  if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
+    text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(panel->milestone),
+                        panel->tessellation.parameter1, panel->tessellation.parameter2, panel->near,
+                        panel->far, static_cast<int>(panel->filter));
+  }
+  for (const LimitRow& limit : limit_table()) {
+    text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));
+  }
+  return fingerprint(text);
+}
 
 CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene) {
   return {program_fingerprint(), fingerprint(scene.text), scene.asset_fingerprint,

@@ -1,58 +1,29 @@
+#include "app/checkpoint.h"
 #include "app/command.h"
+#include "app/grade_results.h"
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
+#include "app/part_files.h"
 #include "app/progress.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/verbs/grade_class.h"
+#include "scenefile/verbs/json_writer.h"
+#include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
+#include <span>
 
 namespace scenefile::app {
 
 namespace {
-
-// Lines may contain file names.
-std::string safe_lines(const std::string& text) {
-  std::string result;
-  for (std::size_t start = 0; start < text.size();) {
-    const std::size_t end = text.find('\n', start);
-    result += escaped(text.substr(start, end - start), 4096) + "\n";
-    start = end == std::string::npos ? text.size() : end + 1;
-  }
-  return result;
-}
-
-ExitCode write_text(const std::string& path, const std::string& text) {
-  if (path.empty()) {
-    return ExitCode::fine;
-  }
-  const Result<void> written = write_file(path, text);
-  if (!written) {
-    say_error(written.error().text);
-  }
-  return written ? ExitCode::fine : ExitCode::environment;
-}
-
-ExitCode check_places(const Options& options) {
-  for (const std::string& target :
-       {options.report, options.junit, options.csv, options.gradescope}) {
-    if (const Result<void> writable = target.empty() ? Result<void>() : check_writable(target);
-        !writable) {
-      say_error(writable.error().text);
-      return ExitCode::environment;
-    }
-  }
-  return ExitCode::fine;
-}
 
 Result<std::vector<NamePair>> load_map(const Options& options) {
   if (options.name_map.empty()) {
@@ -70,76 +41,133 @@ Result<std::vector<NamePair>> load_map(const Options& options) {
   return map;
 }
 
-// The files for each student: a page, and for large classes the pictures next to the report.
-class HandOut {
- public:
-  explicit HandOut(const Options& options) : options_(options) {}
+// What the results of a part depend on, besides the pictures.
+std::uint64_t options_of_grading(const Options& options, std::span<const NamePair> map) {
+  const Thresholds& limits = options.thresholds;
+  const auto number = [](const auto& value) {
+    return value ? fmt::format("{:a}", static_cast<double>(*value)) : std::string("-");
+  };
+  std::string text = fmt::format(
+      "{:x} {} {} {} {} {} {} {} {} {}", options_fingerprint(options),
+      was_given(options, "--profile"), was_given(options, "--features"), options.pixel_threshold,
+      number(limits.min_psnr_db), number(limits.max_mean), number(limits.max_difference),
+      number(limits.max_share), number(limits.min_ssim), number(limits.max_flip));
+  Hash hash;
+  hash.add(text);
+  for (const NamePair& pair : map) {
+    hash.add(pair.handed_in);
+    hash.add(pair.reference);
+  }
+  return hash.value();
+}
 
-  Result<void> operator()(StudentResult& student, std::size_t number, std::size_t all) {
-    if (!options_.pages.empty()) {
-      const Result<void> written =
-          write(options_.pages, page_name(student.name) + ".html", student_html(student, title));
-      if (!written) {
-        return written;
-      }
-    }
-    if (options_.report.empty() || all <= many_pictures) {
-      return {};
-    }
-    const std::filesystem::path report(options_.report);
-    const std::string folder = report.stem().string() + "-pictures";
-    for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-      PictureResult& picture = student.pictures[p];
-      if (picture.png.empty()) {
-        continue;
-      }
-      const std::string name = fmt::format("{}-{}.png", number, p + 1);
-      const Result<void> written =
-          write((report.parent_path() / folder).string(), name, picture.png);
-      if (!written) {
-        return written;
-      }
-      picture.png.clear();
-      picture.png_file = folder + "/" + name;
-    }
+// Why this part is not the wanted one; empty if it is.
+std::string other_part(const GradePartHead& found, const GradePartHead& wanted) {
+  if (const std::string_view why = foreign_grade_part(found.whole.key, wanted.whole.key);
+      !why.empty()) {
+    return fmt::format("the part was graded {}", why);
+  }
+  if (found.index != wanted.index || found.whole.count != wanted.whole.count) {
+    return fmt::format("it is part {} of {}, not {} of {}", found.index + 1, found.whole.count,
+                       wanted.index + 1, wanted.whole.count);
+  }
+  return found.submissions == wanted.submissions ? "" : "the part was graded from other pictures";
+}
+
+// Looks at the file where the part will be. `exists`: it contains the part already.
+Outcome find_part(const Options& options, const GradePartHead& wanted, bool& exists) {
+  exists = false;
+  std::error_code ignored;
+  if (is_standard_output(options.output) ||
+      !std::filesystem::is_regular_file(options.output, ignored) ||
+      std::filesystem::file_size(options.output, ignored) == 0) {
     return {};
   }
-
-  static constexpr std::string_view title = "Ray tracer grades";
-
- private:
-  static Result<void> write(const std::string& folder, const std::string& name,
-                            const std::string& bytes) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-      return Error{
-          fmt::format("cannot create the folder {}: {}", quoted(folder, 400), error.message())};
-    }
-    return write_file((std::filesystem::path(folder) / name).string(), bytes);
+  const Result<GradePart> found = read_grade_part(options.output);
+  if (!found) {
+    return {ExitCode::environment, found.error().text};
   }
-
-  // A unique file name for each student.
-  std::string page_name(const std::string& student) {
-    std::string name;
-    for (const char c : student) {
-      const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                         std::string_view("._-").find(c) != std::string_view::npos;
-      name += plain ? c : '_';
-    }
-    const int before = pages_[name]++;
-    return before == 0 ? name : fmt::format("{}-{}", name, before + 1);
+  std::string why = found->damage;
+  if (why.empty()) {
+    why = other_part(found->head, wanted);
+    exists = why.empty();
+  } else if (kind_of_part(options.output) == PartKind::of_class) {
+    return {};  // damaged: written again
   }
+  return why.empty() ? Outcome()
+                     : Outcome{ExitCode::findings,
+                               fmt::format("{}: {}; remove the file or choose another name",
+                                           escaped(options.output, 400), why)};
+}
 
-  const Options& options_;
-  std::map<std::string, int> pages_;
-};
+std::string part_json(const Options& options, std::size_t students, bool skipped,
+                      const std::string& error) {
+  Json json;
+  begin_document(json, "grade");
+  json.key("part");
+  json.begin_object();
+  json.add("number", options.part->index + 1);
+  json.add("count", options.part->count);
+  json.add("skipped", skipped);
+  json.add("students", students);
+  json.end_object();
+  json.add("output", options.output);
+  if (!error.empty()) {
+    json.add("error", error);
+  }
+  json.end_object();
+  return json.text();
+}
+
+// Grades a part of the students into a file.
+ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const NamePair> map,
+                    const std::function<bool(double)>& go_on, Context& context) {
+  const auto [index, count] = *options.part;
+  const StudentRange range = students_of(index, count, grader.students());
+  GradePartHead head;
+  head.whole.key = {program_fingerprint(), grader.student_names(), grader.references(),
+                    options_of_grading(options, map)};
+  head.whole.count = count;
+  head.whole.students = static_cast<std::uint32_t>(grader.students());
+  head.whole.pictures = grader.pictures();
+  head.index = index;
+  head.submissions = grader.submissions(range);
+  bool exists = false;
+  context.phase = "looking at the part";
+  Outcome outcome = find_part(options, head, exists);
+  if (outcome.status == ExitCode::fine && !exists) {
+    const Result<Gradebook> graded = grader.grade(range, go_on);
+    context.phase = "writing the part";
+    outcome =
+        !graded ? Outcome{exit_code(graded.error().kind), graded.error().text}
+                : outcome_of(write_file(options.output, encode_grade_part(head, graded->students)));
+  }
+  const std::size_t students = range.end - range.begin;
+  if (options.json) {
+    return worse(outcome.status, answer(part_json(options, students, exists, outcome.error)));
+  }
+  if (outcome.status != ExitCode::fine) {
+    say_error(outcome.error);
+  } else if (!options.quiet) {
+    say_afterwards([&] {
+      return fmt::format("{}: part {} of {}{}, {} student{}\n", escaped(options.output), index + 1,
+                         count, exists ? " exists already" : "", students,
+                         students == 1 ? "" : "s");
+    });
+  }
+  return outcome.status;
+}
 
 }  // namespace
 
 ExitCode run_grade(const Options& options, Context& context) {
-  if (const ExitCode status = check_places(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_result_places(options); status != ExitCode::fine) {
     return status;
+  }
+  if (const Result<void> writable = options.part ? check_writable(options.output) : Result<void>();
+      !writable) {
+    say_error(writable.error().text);
+    return ExitCode::environment;
   }
   Result<std::vector<NamePair>> map = load_map(options);
   if (!map) {
@@ -147,13 +175,15 @@ ExitCode run_grade(const Options& options, Context& context) {
     return exit_code(map.error().kind);
   }
   HandOut hand_out(options);
-  const GradeRequest request{.handed_in = options.arguments.front(),
-                             .references = options.references,
-                             .scenes = options.scenes,
-                             .compare = compare_settings(options),
-                             .thumbnails = !options.report.empty() || !options.pages.empty(),
-                             .map = *std::move(map),
-                             .graded = std::ref(hand_out)};
+  const GradeRequest request{
+      .handed_in = options.arguments.front(),
+      .references = options.references,
+      .scenes = options.scenes,
+      .compare = compare_settings(options),
+      // merge may need them.
+      .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
+      .map = *std::move(map),
+      .graded = std::ref(hand_out)};
   const auto load_scene = [&](const std::string& path) {
     return load_scene_of_pictures(path, options, context);
   };
@@ -162,37 +192,23 @@ ExitCode run_grade(const Options& options, Context& context) {
     bar->update(done);
     return true;
   };
-  const Result<Gradebook> graded =
-      grade_class(request, load_scene, go_on, [&](const char* phase) { context.phase = phase; });
+  Result<ClassGrader> grader =
+      ClassGrader::open(request, load_scene, [&](const char* phase) { context.phase = phase; });
+  if (!grader) {
+    bar.reset();
+    say_error(grader.error().text);
+    return exit_code(grader.error().kind);
+  }
+  if (options.part) {
+    return grade_part(options, *grader, request.map, go_on, context);
+  }
+  const Result<Gradebook> graded = grader->grade({0, grader->students()}, go_on);
   bar.reset();
   if (!graded) {
     say_error(graded.error().text);
     return exit_code(graded.error().kind);
   }
-  const Gradebook& book = *graded;
-  if (!options.gradescope.empty() && book.students.size() != 1) {
-    say_error(fmt::format("--gradescope is for one student, and {} holds {}",
-                          quoted(options.arguments.front(), 400), book.students.size()));
-    return ExitCode::usage;
-  }
-  ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
-  // Everything is prepared before files are written, so that nothing can fail afterwards.
-  context.phase = "making the report";
-  const std::string page =
-      options.report.empty() ? std::string() : gradebook_html(book, HandOut::title);
-  const std::string junit = options.junit.empty() ? std::string() : gradebook_junit(book);
-  const std::string csv = options.csv.empty() ? std::string() : gradebook_csv(book);
-  const std::string scope =
-      options.gradescope.empty() ? std::string() : gradescope_json(book.students.front());
-  const std::string text = options.json    ? gradebook_json(book)
-                           : options.quiet ? std::string()
-                                           : safe_lines(gradebook_text(book));
-  context.phase = "writing the report";
-  status = worse(status, write_text(options.report, page));
-  status = worse(status, write_text(options.junit, junit));
-  status = worse(status, write_text(options.csv, csv));
-  status = worse(status, write_text(options.gradescope, scope));
-  return text.empty() ? status : worse(status, answer(text));
+  return write_results(options, *graded, quoted(options.arguments.front(), 400), context);
 }
 
 }  // namespace scenefile::app

@@ -81,10 +81,10 @@ std::string realtime_text(const RealtimeReport& report) {
   for (const SkippedLight& light : report.skipped_lights) {
     ++skipped[static_cast<std::size_t>(light.type)];
   }
-  std::string text =
-      fmt::format("{}: {} lights are used, {:.0f} triangles of shapes with parameters {},{}",
-                  word_of(report.options.milestone), report.lights, report.triangles,
-                  parameters.parameter1, parameters.parameter2);
+  std::string text = fmt::format("{}: {} {} used, {:.0f} triangles of shapes with parameters {},{}",
+                                 word_of(report.options.milestone), report.lights,
+                                 report.lights == 1 ? "light is" : "lights are", report.triangles,
+                                 parameters.parameter1, parameters.parameter2);
   if (!report.skipped_lights.empty()) {
     text += "; skipped lights: " + counts_text(skipped, light_words);
   }

@@ -1,25 +1,21 @@
-// The command merge: assembles a picture from its parts, row by row.
+// merge: parts of a picture, or of a class, put together.
 
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
+#include "app/merge_class.h"
+#include "app/merge_picture.h"
 #include "app/output.h"
 #include "app/part_files.h"
-#include "app/pictures.h"
-#include "scenefile/asset/image_file.h"
-#include "scenefile/asset/image_stream.h"
 #include "scenefile/base/text.h"
-#include "scenefile/io/file.h"
-#include "scenefile/io/file_writer.h"
 #include "scenefile/io/folder.h"
-#include "scenefile/io/interrupt.h"
 #include "scenefile/io/parallel.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,8 +26,11 @@ namespace {
 // The parts on the command line, after reading their headers.
 struct Parts {
   std::vector<std::string> paths;
-  std::vector<PartCandidate> candidates;  // by path
-  PartSet set;
+  bool of_class = false;                  // not of a picture
+  std::vector<PartCandidate> candidates;  // by path; empty for a class
+  std::vector<GradePart> graded;          // by path; empty for a picture; without their students
+  std::vector<PartTag> tags;              // by path
+  SortedParts set;
 };
 
 // The files that the arguments mean; a folder means the parts in it.
@@ -44,7 +43,7 @@ std::vector<std::string> part_paths(const Options& options) {
     }
     for (const std::string& name : files_in(argument, 2 * std::size_t{most_parts})) {
       const std::string path = argument + (argument.ends_with('/') ? "" : "/") + name;
-      if (!name.starts_with('.') && looks_like_part(path)) {
+      if (!name.starts_with('.') && kind_of_part(path) != PartKind::none) {
         paths.push_back(path);
       }
     }
@@ -52,49 +51,89 @@ std::vector<std::string> part_paths(const Options& options) {
   return paths;
 }
 
-Outcome check_parts(const Options& options, Parts& parts, Context& context) {
-  context.phase = "reading the parts";
-  parts.paths = part_paths(options);
-  parts.candidates.resize(parts.paths.size());
-  std::vector<std::string> errors(parts.paths.size());
-  for_each_index(parts.paths.size(), 0, [&](std::size_t i) {
-    Result<PartCandidate> candidate = check_part_file(parts.paths[i]);
-    if (candidate) {
-      parts.candidates[i] = *std::move(candidate);
+// Reads all parts by `read`. The error is that of the first one that cannot be read.
+template <typename Part, typename Read>
+Outcome read_parts(const std::vector<std::string>& paths, const Read& read,
+                   std::vector<Part>& parts) {
+  parts.resize(paths.size());
+  std::vector<std::string> errors(paths.size());
+  for_each_index(paths.size(), 0, [&](std::size_t i) {
+    Result<Part> part = read(paths[i]);
+    if (part) {
+      parts[i] = *std::move(part);
     } else {
-      errors[i] = candidate.error().text;
+      errors[i] = part.error().text;
     }
   });
   const auto unreadable = std::find_if(errors.begin(), errors.end(),
                                        [](const std::string& error) { return !error.empty(); });
-  if (unreadable != errors.end()) {
-    return {ExitCode::environment, *unreadable};
+  return unreadable == errors.end() ? Outcome() : Outcome{ExitCode::environment, *unreadable};
+}
+
+Outcome check_parts(const Options& options, Parts& parts, Context& context) {
+  context.phase = "reading the parts";
+  parts.paths = part_paths(options);
+  std::array<std::size_t, 3> kinds{};
+  for (const std::string& path : parts.paths) {
+    ++kinds[static_cast<std::size_t>(kind_of_part(path))];
   }
-  parts.set = sort_parts(parts.candidates);
-  return {};
+  parts.of_class = kinds[static_cast<std::size_t>(PartKind::of_class)] >
+                   kinds[static_cast<std::size_t>(PartKind::of_picture)];
+  Outcome outcome;
+  if (parts.of_class) {
+    const auto read = [](const std::string& path) {
+      Result<GradePart> part = read_grade_part(path);
+      if (part) {
+        part->students.clear();
+        part->students.shrink_to_fit();
+      }
+      return part;
+    };
+    outcome = read_parts(parts.paths, read, parts.graded);
+    for (const GradePart& part : parts.graded) {
+      parts.tags.push_back(tag_of(part));
+    }
+  } else {
+    outcome = read_parts(parts.paths, check_part_file, parts.candidates);
+    for (const PartCandidate& part : parts.candidates) {
+      parts.tags.push_back(tag_of(part));
+    }
+  }
+  if (outcome.error.empty()) {
+    parts.set = sort_parts(parts.tags);
+  }
+  return outcome;
 }
 
 std::string numbered(const Parts& parts, std::size_t file) {
-  const PartCandidate& part = parts.candidates[file];
-  const std::string number =
-      part.has_head ? fmt::format(" (part {} of {})", part.head.index + 1, part.head.picture.count)
-                    : std::string();
+  const PartTag& part = parts.tags[file];
+  const std::string number = part.whole.empty()
+                                 ? std::string()
+                                 : fmt::format(" (part {} of {})", part.index + 1, part.count);
   return escaped(parts.paths[file], 400) + number;
 }
 
 std::string foreign_text(const Parts& parts, std::size_t file) {
-  const DividedPicture& found = parts.candidates[file].head.picture;
-  const std::string_view why = foreign_part(found.key, parts.set.picture.key);
-  return fmt::format("{}: {}{}", numbered(parts, file), why.empty() ? "" : "drawn ",
-                     !why.empty() ? why
-                     : found.count != parts.set.picture.count
-                         ? "belongs to the same picture, divided into another number of parts"
-                         : "belongs to another picture");
+  const std::size_t usual = parts.set.usual;
+  const std::string_view why = parts.of_class
+                                   ? foreign_grade_part(parts.graded[file].head.whole.key,
+                                                        parts.graded[usual].head.whole.key)
+                                   : foreign_part(parts.candidates[file].head.picture.key,
+                                                  parts.candidates[usual].head.picture.key);
+  const std::string_view whole = parts.of_class ? "class" : "picture";
+  return why.empty()
+             ? fmt::format(
+                   "{}: belongs to {}", numbered(parts, file),
+                   parts.tags[file].count != parts.tags[usual].count
+                       ? fmt::format("the same {}, divided into another number of parts", whole)
+                       : fmt::format("another {}", whole))
+             : fmt::format("{}: {} {}", numbered(parts, file), parts.of_class ? "graded" : "drawn",
+                           why);
 }
 
-// The reasons why the parts do not make a picture, one per line.
+// The reasons why the parts do not make a whole, one per line.
 std::vector<std::string> problems(const Parts& parts) {
-  const PartSet& set = parts.set;
+  const SortedParts& set = parts.set;
   std::vector<std::string> lines;
   if (parts.paths.empty()) {
     lines.emplace_back("no parts found");
@@ -103,10 +142,10 @@ std::vector<std::string> problems(const Parts& parts) {
     lines.push_back(foreign_text(parts, file));
   }
   for (const std::size_t file : set.damaged) {
-    lines.push_back(fmt::format("{}: {}", numbered(parts, file), parts.candidates[file].damage));
+    lines.push_back(fmt::format("{}: {}", numbered(parts, file), parts.tags[file].damage));
   }
   for (const std::size_t file : set.doubled) {
-    const std::size_t first = set.files[parts.candidates[file].head.index];
+    const std::size_t first = set.files[parts.tags[file].index];
     lines.push_back(fmt::format("{}: the same part as {}", numbered(parts, file),
                                 escaped(parts.paths[first], 400)));
   }
@@ -125,186 +164,10 @@ ExitCode print_missing(const Parts& parts) {
   return worse(answer(lines), parts.set.missing.empty() ? ExitCode::fine : ExitCode::findings);
 }
 
-// An output file while it is written.
-class Output {
- public:
-  explicit Output(std::string path) : path_(std::move(path)) {}
-
-  Outcome open() {
-    Result<FileWriter> file = FileWriter::create(path_);
-    if (!file) {
-      return {ExitCode::environment, file.error().text};
-    }
-    file_.emplace(*std::move(file));
-    return {};
-  }
-
-  ByteSink sink() {
-    return {[this](std::string_view bytes) { return keep(file_->append(bytes)); },
-            [this](std::uint64_t at, std::string_view bytes) {
-              return keep(file_->replace(at, bytes));
-            }};
-  }
-
-  bool commit() { return keep(file_->commit()); }
-  const std::string& error() const { return error_; }
-
- private:
-  bool keep(const Result<void>& done) {
-    error_ = error_text(done);
-    return error_.empty();
-  }
-
-  std::string path_;
-  std::optional<FileWriter> file_;
-  std::string error_;
-};
-
-// Writes the files of one picture.
-class Merger {
- public:
-  Merger(const Options& options, const Parts& parts) : options_(options), parts_(parts) {
-    for (const PartCandidate& part : parts.candidates) {
-      heads_.push_back(part.head);
-    }
-    rows_.emplace(parts.set, heads_, parts.paths);
-  }
-
-  Outcome run(ImageFormat format) {
-    const DeferredSignals deferred;
-    for (const std::string& path : files(format)) {
-      outputs_.emplace_back(path);
-      if (Outcome outcome = outputs_.back().open(); !outcome.error.empty()) {
-        return outcome;
-      }
-    }
-    for (std::size_t i = 0; i < outputs_.size(); ++i) {
-      if (!write(format, i)) {
-        return failure(outputs_[i]);
-      }
-    }
-    for (Output& output : outputs_) {
-      if (!output.commit()) {
-        return failure(output);
-      }
-    }
-    return {};
-  }
-
- private:
-  const DividedPicture& picture() const { return parts_.set.picture; }
-  int width() const { return picture().region.width(); }
-  int height() const { return picture().region.height(); }
-
-  std::vector<std::string> files(ImageFormat format) const {
-    std::vector<std::string> paths{options_.output};
-    for (const Layer& layer : picture().layers) {
-      if (format == ImageFormat::png8) {
-        paths.push_back(layer_file(options_.output, layer));
-      }
-    }
-    return paths;
-  }
-
-  // The picture for `index` 0, otherwise a layer.
-  bool write(ImageFormat format, std::size_t index) {
-    const ByteSink sink = outputs_[index].sink();
-    switch (format) {
-      case ImageFormat::png8:
-      case ImageFormat::png16:
-        return index == 0 ? stream_png(width(), height(), 8, picture().rounding, colors(), sink)
-                          : write_layer(index - 1, sink);
-      case ImageFormat::pfm:
-        return stream_pfm(width(), height(), colors(), sink);
-      case ImageFormat::exr:
-        break;
-    }
-    std::vector<ImageLayer> names{{"", {"R", "G", "B"}, false, {}}};
-    for (const Layer& layer : picture().layers) {
-      names.push_back(layer_without_values(layer));
-    }
-    std::string error;  // unused: render rejects what cannot be written
-    return stream_layers(
-        width(), height(), names,
-        [this](int y, int /*end*/) -> std::optional<LayerRows> {
-          const PartRows::Band* const band = band_of(y);
-          return band == nullptr ? std::nullopt
-                                 : std::optional(LayerRows{band->layers, band->first});
-        },
-        sink, error);
-  }
-
-  bool write_layer(std::size_t index, const ByteSink& sink) {
-    const Layer& layer = picture().layers[index];
-    ValueRange range;
-    for (const PartHead& head : heads_) {
-      range = joined(range, head.ranges[index]);
-    }
-    std::vector<float> row(std::size_t{3} * static_cast<std::size_t>(width()));
-    const auto colors_of = [&](int y) -> const float* {
-      const PartRows::Band* const band = band_of(y);
-      if (band == nullptr) {
-        return nullptr;
-      }
-      const ImageLayer& values = band->layers[index + 1];
-      const std::size_t count = values.channels.size() * static_cast<std::size_t>(width());
-      layer_colors(
-          layer, {values.values.data() + count * static_cast<std::size_t>(y - band->first), count},
-          range, picture().max_depth, row.data());
-      return row.data();
-    };
-    return stream_png(width(), height(), 8, Rounding::nearest, colors_of, sink);
-  }
-
-  RowSource colors() {
-    return [this](int y) -> const float* {
-      const PartRows::Band* const band = band_of(y);
-      return band == nullptr ? nullptr
-                             : band->layers[0].values.data() +
-                                   std::size_t{3} * static_cast<std::size_t>(width()) *
-                                       static_cast<std::size_t>(y - band->first);
-    };
-  }
-
-  const PartRows::Band* band_of(int y) {
-    return DeferredSignals::pending() != 0 ? nullptr : rows_->band_of(y);
-  }
-
-  Outcome failure(const Output& output) const {
-    if (DeferredSignals::pending() != 0) {
-      return judge(RenderStatus::cancelled, {});
-    }
-    return {ExitCode::environment, rows_->error().empty() ? output.error() : rows_->error()};
-  }
-
-  const Options& options_;
-  const Parts& parts_;
-  std::vector<PartHead> heads_;
-  std::optional<PartRows> rows_;
-  std::vector<Output> outputs_;
-};
-
-Outcome check_target(const Options& options, const Parts& parts, ImageFormat format) {
-  if (!parts.set.picture.layers.empty() && format == ImageFormat::pfm) {
-    return {ExitCode::usage,
-            "the parts have layers, which PFM cannot hold: end the output in .exr or .png"};
-  }
-  if (!parts.set.picture.layers.empty() && format == ImageFormat::png8 &&
-      options.output.find('.') == std::string::npos) {
-    return {ExitCode::usage, "the parts have layers: the output must end in .exr or .png"};
-  }
-  for (const std::string& path : parts.paths) {
-    if (same_file(options.output, path)) {
-      return {ExitCode::usage, "the output would replace a part"};
-    }
-  }
-  return {};
-}
-
 std::string merge_json(const Options& options, const Parts& parts, const std::string& error) {
   Json json;
   begin_document(json, "merge");
-  const PartSet& set = parts.set;
+  const SortedParts& set = parts.set;
   json.add("parts", set.files.size());
   json.begin_array("missing");
   for (const std::uint32_t index : set.missing) {
@@ -317,8 +180,8 @@ std::string merge_json(const Options& options, const Parts& parts, const std::st
     for (const std::size_t file : files) {
       json.begin_object();
       json.add("file", parts.paths[file]);
-      if (parts.candidates[file].has_head) {
-        json.add("number", parts.candidates[file].head.index + 1);
+      if (!parts.tags[file].whole.empty()) {
+        json.add("number", parts.tags[file].index + 1);
       }
       if (const std::string reason = why(file); !reason.empty()) {
         json.add("error", reason);
@@ -328,13 +191,15 @@ std::string merge_json(const Options& options, const Parts& parts, const std::st
     json.end_array();
   };
   add_files("doubled", set.doubled, [](std::size_t) { return std::string(); });
-  add_files("damaged", set.damaged,
-            [&](std::size_t file) { return parts.candidates[file].damage; });
+  add_files("damaged", set.damaged, [&](std::size_t file) { return parts.tags[file].damage; });
   add_files("foreign", set.foreign, [&](std::size_t file) { return foreign_text(parts, file); });
   if (!options.missing) {
+    const PixelRegion region = parts.of_class || set.usual == no_file
+                                   ? PixelRegion{}
+                                   : parts.candidates[set.usual].head.picture.region;
     json.add("output", options.output);
-    json.add("width", set.picture.region.width());
-    json.add("height", set.picture.region.height());
+    json.add("width", region.width());
+    json.add("height", region.height());
     json.add("written", error.empty());
   }
   if (!error.empty()) {
@@ -342,6 +207,25 @@ std::string merge_json(const Options& options, const Parts& parts, const std::st
   }
   json.end_object();
   return json.text();
+}
+
+// Checks whether the options are those for parts of this kind.
+Outcome check_kind(const Options& options, const Parts& parts) {
+  if (parts.of_class) {
+    return options.output.empty()
+               ? Outcome()
+               : Outcome{ExitCode::usage,
+                         "these are parts of a class: write --report, --csv, --junit, --pages or "
+                         "--gradescope instead of -o"};
+  }
+  for (const std::string_view name : {"--report", "--csv", "--junit", "--pages", "--gradescope"}) {
+    if (was_given(options, name)) {
+      return {ExitCode::usage,
+              fmt::format("{} is for parts of a class, which grade --part writes", name)};
+    }
+  }
+  return options.output.empty() ? Outcome{ExitCode::usage, "merge needs an output: -o OUT.png"}
+                                : Outcome();
 }
 
 }  // namespace
@@ -360,33 +244,29 @@ ExitCode run_merge(const Options& options, Context& context) {
     }
     return print_missing(parts);
   }
-  if (!wrong.empty()) {
+  if (outcome.status == ExitCode::fine && !parts.set.files.empty()) {
+    outcome = check_kind(options, parts);
+  }
+  if (outcome.status == ExitCode::fine && !wrong.empty()) {
     outcome = {ExitCode::findings, wrong.back()};
+    wrong.pop_back();
   }
-  ImageFormat format = ImageFormat::png8;
-  image_format_of(options.output, format);
-  if (outcome.status == ExitCode::fine) {
-    outcome = check_target(options, parts, format);
+  if (outcome.status == ExitCode::fine && parts.of_class) {
+    return merge_class(options, parts.set, parts.paths, context);
   }
   if (outcome.status == ExitCode::fine) {
-    context.phase = "writing the picture";
-    outcome = Merger(options, parts).run(format);
+    outcome = merge_picture(options, parts.candidates, parts.paths, context);
   }
   if (options.json) {
     return worse(outcome.status, answer(merge_json(options, parts, outcome.error)));
   }
-  for (std::size_t i = 0; i + 1 < wrong.size(); ++i) {
-    say_error(wrong[i]);
+  if (outcome.status == ExitCode::findings) {
+    for (const std::string& line : wrong) {
+      say_error(line);
+    }
   }
   if (!outcome.error.empty()) {
     say_error(outcome.error);
-  } else if (!options.quiet) {
-    say_afterwards([&] {
-      const PixelRegion& region = parts.set.picture.region;
-      return fmt::format("{}: {}x{}, {} parts\n",
-                         options.output == "-" ? "<stdout>" : escaped(options.output),
-                         region.width(), region.height(), parts.set.files.size());
-    });
   }
   return outcome.status;
 }

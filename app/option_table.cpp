@@ -182,23 +182,14 @@ std::string set_features(Options& options, const std::string& value) {
   if (std::string wrong = check_list(value, "shadows,reflect"); !wrong.empty()) {
     return wrong;
   }
-  // The features of the course's projects.
-  if (value == "intersect" || value == "illuminate") {
-    options.render.mode = value == "intersect" ? Mode::intersect : options.render.mode;
-    parse_features(value == "intersect" ? "none" : "shadows,reflect,texture",
-                   options.render.features);
-    return {};
-  }
-  const std::string_view unknown = parse_features(value, options.render.features);
+  const std::string_view unknown = parse_features(value, options.render);
   if (unknown.empty()) {
     return {};
   }
-  if (unknown == "all" || unknown == "none") {
-    return fmt::format("{} cannot be combined with other words", unknown);
-  }
-  std::vector<std::string_view> words(feature_words().begin(), feature_words().end());
-  words.insert(words.end(), {"all", "none", "intersect", "illuminate"});
-  return unknown_word("feature", unknown, words);
+  const auto alone = feature_list_words().subspan(feature_words().size());
+  return std::find(alone.begin(), alone.end(), unknown) == alone.end()
+             ? unknown_word("feature", unknown, feature_list_words())
+             : fmt::format("{} cannot be combined with other words", unknown);
 }
 
 std::string set_to(Options& options, const std::string& value) {
@@ -399,7 +390,7 @@ constexpr std::array option_rows{
         "--output", "-o", "OUT",
         "The picture to write: .png, .exr or .pfm; - for a PNG on standard output. With --part, "
         "the file for the part, with any name; for frames, a pattern such as frame%04d.png.",
-        for_render | for_merge | for_frames, set_output},
+        for_render | for_merge | for_frames | for_grade, set_output},
     OptionRow{"--size", "", "WxH", "Size in pixels (default 1024x768).", for_tracing, set_size,
               "width"},
     OptionRow{"--pixel", "", "X,Y",
@@ -514,15 +505,15 @@ constexpr std::array option_rows{
     OptionRow{
         "--report", "", "OUT",
         "Write an HTML report; for large classes, its pictures are in the folder OUT-pictures.",
-        for_grade, set_name<&Options::report>},
+        for_grade | for_merge, set_name<&Options::report>},
     OptionRow{"--pages", "", "DIR", "Write an HTML page for each student into this folder.",
-              for_grade, set_name<&Options::pages>},
-    OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.", for_grade,
-              set_name<&Options::csv>},
+              for_grade | for_merge, set_name<&Options::pages>},
+    OptionRow{"--csv", "", "OUT", "Write the results as CSV, for spreadsheets.",
+              for_grade | for_merge, set_name<&Options::csv>},
     OptionRow{"--gradescope", "", "OUT",
-              "Write the results of one student in Gradescope's format, results.json.", for_grade,
-              set_name<&Options::gradescope>},
-    OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade,
+              "Write the results of one student in Gradescope's format, results.json.",
+              for_grade | for_merge, set_name<&Options::gradescope>},
+    OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade | for_merge,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",
               "Pictures differ below this PSNR. This and the next options apply to pictures; "
@@ -587,9 +578,10 @@ constexpr std::array option_rows{
               "docs/viewer.md lists the steps.",
               for_view, set_name<&Options::script>},
     OptionRow{"--part", "", "I/N",
-              "Draw only part I of N of the picture, where I is 1 to N, and write it to a file for "
-              "merge. If that file already exists and is complete, do nothing.",
-              for_render, set_part},
+              "Draw only part I of N of the picture, where I is 1 to N, or grade only that part of "
+              "the students, and write it to a file for merge. If that file already exists and is "
+              "complete, do nothing.",
+              for_render | for_grade, set_part},
     OptionRow{"--missing", "", "",
               "Write nothing; print the numbers of missing and damaged parts, one per line. The "
               "exit status is 1 if there are any.",

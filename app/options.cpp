@@ -279,7 +279,29 @@ std::string check_merge(const Options& options) {
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";
   }
-  return options.missing ? std::string() : check_output("merge", options.output);
+  // Parts of a class have other outputs than parts of a picture.
+  return options.missing || options.output.empty() ? std::string()
+                                                   : check_output("merge", options.output);
+}
+
+// Checks of grade that need more than one option.
+std::string check_grade(const Options& options) {
+  if (options.references.empty()) {
+    return "grade needs the reference pictures: --references DIR";
+  }
+  if (options.part.has_value() == options.output.empty()) {
+    return options.part.has_value()
+               ? "grade --part needs a file to write: -o FILE"
+               : "-o is for --part; the results go to --report, --csv, --junit or --pages";
+  }
+  for (const std::string_view name : {"--report", "--pages", "--csv", "--junit", "--gradescope"}) {
+    if (options.part.has_value() && was_given(options, name)) {
+      return fmt::format("{} is for the whole class: give it to merge", name);
+    }
+  }
+  return options.part.has_value() && is_standard_output(options.output)
+             ? "the part must be a file, not -"
+             : std::string();
 }
 
 // Checks that need more than one option.
@@ -294,8 +316,10 @@ std::string check_together(const Command& command, Options& options) {
       std::count(options.arguments.begin(), options.arguments.end(), "-") != 0) {
     return "the file and --json cannot both go to standard output";
   }
-  if (command.bit == for_grade && options.references.empty()) {
-    return "grade needs the reference pictures: --references DIR";
+  if (command.bit == for_grade) {
+    if (std::string wrong = check_grade(options); !wrong.empty()) {
+      return wrong;
+    }
   }
   if (command.bit == for_explain) {
     if (std::string wrong = check_pixel(options); !wrong.empty()) {

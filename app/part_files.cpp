@@ -2,6 +2,7 @@
 
 #include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
+#include "scenefile/io/file.h"
 #include "scenefile/io/file_writer.h"
 #include "scenefile/io/interrupt.h"
 
@@ -14,6 +15,7 @@ namespace scenefile::app {
 namespace {
 
 constexpr int rows_of_a_band = 16;
+constexpr std::uint64_t most_bytes_of_class = std::uint64_t{1} << 36;
 constexpr std::size_t bytes_at_once = std::size_t{1} << 20;
 
 // What is wrong with the rows; empty if nothing is.
@@ -90,10 +92,36 @@ Result<void> write_part_file(const std::string& path, const DividedPicture& pict
   return written ? file->commit() : written;
 }
 
-bool looks_like_part(const std::string& path) {
+Result<GradePart> read_grade_part(const std::string& path) {
+  const Result<std::string> bytes = read_file(path, most_bytes_of_class);
+  if (!bytes) {
+    return bytes.error();
+  }
+  GradePart part;
+  part.damage = decode_grade_part(*bytes, part.head, part.students);
+  return part;
+}
+
+PartTag tag_of(const GradePart& part) {
+  PartTag tag;
+  tag.damage = part.damage;
+  if (part.damage.empty()) {
+    GradePartHead common;
+    common.whole = part.head.whole;
+    tag.whole = encode_grade_part(common, {});
+    tag.index = part.head.index;
+    tag.count = part.head.whole.count;
+  }
+  return tag;
+}
+
+PartKind kind_of_part(const std::string& path) {
   const Result<FileReader> file = FileReader::open(path);
   const Result<std::string> start = file ? file->read(0, 64) : Result<std::string>(std::string());
-  return start && is_part_file(*start);
+  return !start                  ? PartKind::none
+         : is_part_file(*start)  ? PartKind::of_picture
+         : is_grade_part(*start) ? PartKind::of_class
+                                 : PartKind::none;
 }
 
 PartRows::PartRows(const PartSet& set, std::span<const PartHead> heads,

@@ -1,10 +1,12 @@
 #pragma once
-// Files that contain parts of pictures.
+// Files that contain parts of pictures and of classes.
 
 #include "scenefile/base/result.h"
+#include "scenefile/grade/grade_part.h"
 #include "scenefile/io/file_reader.h"
 #include "scenefile/trace/part_set.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,8 +22,21 @@ Result<void> write_part_file(const std::string& path, const DividedPicture& pict
                              std::uint32_t index, const Image& image,
                              std::span<const ImageLayer> layers);
 
-/// Whether the file begins like a part.
-bool looks_like_part(const std::string& path);
+/// The results of a part of a class.
+struct GradePart {
+  GradePartHead head;
+  std::vector<StudentResult> students;
+  std::string damage;  ///< an error text for people; empty if the part is intact
+};
+
+/// Reads the file. An error means that it cannot be read; for other defects, see `damage`.
+Result<GradePart> read_grade_part(const std::string& path);
+
+PartTag tag_of(const GradePart& part);
+
+/// What a file starts like.
+enum class PartKind : std::uint8_t { none, of_picture, of_class };
+PartKind kind_of_part(const std::string& path);
 
 /// Reads the rows of a picture from the files of its parts.
 class PartRows {

@@ -142,7 +142,9 @@ Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* p
 
 std::string work_text(const RenderReport& report) {
   if (!report.gl.renderer.empty()) {
-    return fmt::format("{} draw calls for {} objects", report.gl.draw_calls, report.gl.objects);
+    return fmt::format("{} draw call{} for {} object{}", report.gl.draw_calls,
+                       report.gl.draw_calls == 1 ? "" : "s", report.gl.objects,
+                       report.gl.objects == 1 ? "" : "s");
   }
   const std::uint64_t rays =
       report.stats.primary_rays + report.stats.shadow_rays + report.stats.secondary_rays;

@@ -61,7 +61,7 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
   }
   if (!found->has_head) {
     const bool empty = std::filesystem::file_size(options.output, ignored) == 0;
-    return empty || looks_like_part(options.output) ? Outcome() : refused(found->damage);
+    return empty || kind_of_part(options.output) == PartKind::of_picture ? Outcome() : refused(found->damage);
   }
   if (const std::string why = other_part(found->head, picture, options.part->index); !why.empty()) {
     return refused(why);

@@ -44,25 +44,27 @@ struct FramesTest : ::testing::Test {
 TEST_F(FramesTest, AreRendersOfTheirScenes) {
   struct Case {
     Words motion;
+    std::string frame;
     std::string scenes;
     int count;
   };
-  for (const auto& [motion, scenes, count] : {Case{{"--turntable", "5"}, "s%02d.xml", 5},
-                                              Case{{"--path", "views.json"}, "s%02d.json", 6}}) {
-    Words words{"-o", "f%02d.png", "--write-scenes", scenes};
+  for (const auto& [motion, name, scenes, count] :
+       {Case{{"--turntable", "5"}, "f", "s%02d.xml", 5},
+        Case{{"--path", "views.json"}, "g", "s%02d.json", 6}}) {
+    Words words{"-o", name + "%02d.png", "--write-scenes", scenes};
     words.insert(words.end(), motion.begin(), motion.end());
     const ProgramRun drawn = frames(words);
     ASSERT_EQ(drawn.status, 0) << drawn.err;
     std::string before;
     for (int number = 1; number <= count; ++number) {
       const std::string digits = std::string("0").append(std::to_string(number));
-      const std::string frame = folder.read("f" + digits + ".png");
+      const std::string frame = folder.read(name + digits + ".png");
       EXPECT_TRUE(frame == render("s" + digits + scenes.substr(5))) << digits;
       EXPECT_FALSE(frame == before);
       before = frame;
     }
     EXPECT_FALSE(std::filesystem::exists(
-        folder.path(std::string("f0").append(std::to_string(count + 1)) + ".png")));
+        folder.path(name + std::string("0").append(std::to_string(count + 1)) + ".png")));
   }
 }
 

@@ -211,7 +211,7 @@ TEST_F(Grade, AClass) {
             HasSubstr("ben   0 of 1 passed\n    ball: differs: "),
             HasSubstr("cause: the ambient term is added twice"), HasSubstr("ball: unreadable: "),
             HasSubstr("dan   0 of 1 passed\n    ball: missing: "),
-            HasSubstr("4 students: 1 pictures passed, 1 differ, 1 missing, 1 unreadable\n")));
+            HasSubstr("4 students: 1 picture passed, 1 differs, 1 missing, 1 unreadable\n")));
   EXPECT_THAT(folder.read("report.html"), HasSubstr("data:image/png;base64,"));
   EXPECT_THAT(folder.read("junit.xml"), HasSubstr("<testsuites tests=\"4\" failures=\"3\">"));
   const rapidjson::Document document =
@@ -267,7 +267,7 @@ TEST_F(Grade, AMapAndAllKindsOfResults) {
                  "--gradescope", "results.json", "--pages", "pages"});
   EXPECT_EQ(run.status, 0) << run.out << run.err;
   EXPECT_THAT(folder.read("a.csv"), HasSubstr("\"mine\",\"ball\",passed,99.00"));
-  EXPECT_THAT(folder.read("pages/mine.html"), HasSubstr("mine: 1 of 1 pictures passed"));
+  EXPECT_THAT(folder.read("pages/mine.html"), HasSubstr("mine: 1 of 1 picture passed"));
   const rapidjson::Document results = parse_json(folder.read("results.json"));
   EXPECT_EQ(results["score"].GetInt(), 1);
   EXPECT_STREQ(results["tests"][0]["status"].GetString(), "passed");

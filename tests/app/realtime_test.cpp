@@ -111,7 +111,7 @@ TEST_F(RealtimeProgram, EachOptionReachesThePicture) {
 TEST_F(RealtimeProgram, InfoAndCheckKnowTheMilestone) {
   const std::string scene = fixture("realtime.light-skipped");
   const ProgramRun info = run_program({"info", scene, "--profile", "realtime"});
-  EXPECT_THAT(info.out, HasSubstr("lights-camera: 1 lights are used, 40 triangles"));
+  EXPECT_THAT(info.out, HasSubstr("lights-camera: 1 light is used, 40 triangles"));
   EXPECT_THAT(info.out, HasSubstr("skipped lights: 1 (1 point)"));
   const rapidjson::Document json = parse_json(
       run_program({"info", scene, "--json", "--profile", "realtime", "--milestone", "action"}).out);

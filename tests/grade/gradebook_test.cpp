@@ -46,7 +46,7 @@ TEST(Gradebook, Text) {
             "ben & co  0 of 2 passed\n"
             "    ball: missing: there is no such picture\n"
             "    a<b: differs: PSNR is 31.20 dB, less than 40; cause: there are no shadows\n"
-            "2 students: 2 pictures passed, 1 differ, 1 missing, 0 unreadable\n");
+            "2 students: 2 pictures passed, 1 differs, 1 missing, 0 unreadable\n");
 }
 
 TEST(Gradebook, NoNameMakesALine) {

@@ -185,7 +185,9 @@ TEST(PartSet, IsCompleteWithAllParts) {
   const PartSet set = sort_parts(files);
   EXPECT_TRUE(set.complete());
   EXPECT_THAT(set.files, ElementsAre(1, 3, 2, 0));
-  EXPECT_FALSE(sort_parts({}).complete());
+  EXPECT_FALSE(sort_parts(std::span<const PartCandidate>()).complete());
+  const std::vector<PartCandidate> unknown(2);
+  EXPECT_THAT(sort_parts(unknown).damaged, ElementsAre(0, 1));
 }
 
 TEST(PartSet, NumbersArePutTogether) {

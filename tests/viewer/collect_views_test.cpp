@@ -2,7 +2,6 @@
 
 #include "io/temp_folder.h"
 #include "scenefile/format/read_cameras.h"
-#include "viewer/test_scene.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -83,6 +83,11 @@ addEventListener('hashchange', open);
 open();
 )";
 
+// "1 picture", "2 pictures".
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string names_of(const std::vector<Claim>& causes) {
   std::string text;
   for (const Claim& claim : causes) {
@@ -193,8 +198,9 @@ std::string causes_of_class(const Gradebook& book) {
   }
   std::string html = "<h2>Causes</h2>\n<ul>\n";
   for (const CauseCount& count : counts) {
-    html += fmt::format("<li>{}: {} of {} students, {} pictures</li>\n", name_of(count.cause),
-                        count.students, book.students.size(), count.pictures);
+    html +=
+        fmt::format("<li>{}: {} of {}, {}</li>\n", name_of(count.cause), count.students,
+                    counted(book.students.size(), "student"), counted(count.pictures, "picture"));
   }
   return html + "</ul>\n";
 }
@@ -258,10 +264,11 @@ std::string page(std::string_view title, const std::string& sum, const std::stri
 }  // namespace
 
 std::string gradebook_html(const Gradebook& book, std::string_view title) {
-  const std::string sum =
-      fmt::format("{} students · {} pictures passed · {} differ · {} missing · {} unreadable",
-                  book.students.size(), book.count(Verdict::passed), book.count(Verdict::differs),
-                  book.count(Verdict::missing), book.count(Verdict::unreadable));
+  const std::string sum = fmt::format(
+      "{} · {} passed · {} {} · {} missing · {} unreadable",
+      counted(book.students.size(), "student"), counted(book.count(Verdict::passed), "picture"),
+      book.count(Verdict::differs), book.count(Verdict::differs) == 1 ? "differs" : "differ",
+      book.count(Verdict::missing), book.count(Verdict::unreadable));
   std::string html = table(book) + causes_of_class(book);
   bool any = false;
   for (std::size_t s = 0; s < book.students.size(); ++s) {
@@ -290,8 +297,8 @@ std::string student_html(const StudentResult& student, std::string_view title) {
     }
   }
   const std::string sum =
-      fmt::format("{}: {} of {} pictures passed{}", markup(student.name), student.passed(),
-                  student.pictures.size(), causes.empty() ? "" : "; " + causes);
+      fmt::format("{}: {} of {} passed{}", markup(student.name), student.passed(),
+                  counted(student.pictures.size(), "picture"), causes.empty() ? "" : "; " + causes);
   return page(title, sum,
               (failed(student) == 0 ? std::string() : "<h2>What did not pass</h2>\n") +
                   failures(student, 0) + (html.empty() ? "" : "<h2>Passed</h2>\n") + html,

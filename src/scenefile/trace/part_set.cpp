@@ -3,28 +3,26 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <utility>
+#include <string_view>
 
 namespace scenefile {
 
 namespace {
 
-// The first candidate of the picture that most candidates are parts of.
-std::size_t usual_candidate(std::span<const PartCandidate> candidates) {
+// The first file of the whole that most files are parts of.
+std::size_t usual_file(std::span<const PartTag> tags) {
   struct Group {
     std::size_t first = 0;
     std::size_t count = 0;
   };
-  std::map<std::string, Group> groups;  // by what the parts of a picture have in common
+  std::map<std::string_view, Group> groups;
   std::size_t best = no_file;
   std::size_t most = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (!candidates[i].has_head) {
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    if (tags[i].whole.empty()) {
       continue;
     }
-    PartHead common;
-    common.picture = candidates[i].head.picture;
-    Group& group = groups.try_emplace(encode_part_head(common), Group{i, 0}).first->second;
+    Group& group = groups.try_emplace(tags[i].whole, Group{i, 0}).first->second;
     ++group.count;
     if (group.count > most || (group.count == most && group.first < best)) {
       most = group.count;
@@ -36,20 +34,19 @@ std::size_t usual_candidate(std::span<const PartCandidate> candidates) {
 
 }  // namespace
 
-PartSet sort_parts(std::span<const PartCandidate> candidates) {
-  PartSet set;
-  const std::size_t usual = usual_candidate(candidates);
-  if (usual != no_file) {
-    set.picture = candidates[usual].head.picture;
-    set.files.assign(set.picture.count, no_file);
+SortedParts sort_parts(std::span<const PartTag> tags) {
+  SortedParts set;
+  set.usual = usual_file(tags);
+  if (set.usual != no_file) {
+    set.files.assign(tags[set.usual].count, no_file);
   }
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const PartCandidate& candidate = candidates[i];
-    if (candidate.has_head && candidate.head.picture != set.picture) {
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    const PartTag& tag = tags[i];
+    if (!tag.whole.empty() && tag.whole != tags[set.usual].whole) {
       set.foreign.push_back(i);
-    } else if (!candidate.damage.empty()) {
+    } else if (tag.whole.empty() || !tag.damage.empty()) {
       set.damaged.push_back(i);
-    } else if (std::size_t& file = set.files[candidate.head.index]; file == no_file) {
+    } else if (std::size_t& file = set.files[tag.index]; file == no_file) {
       file = i;
     } else {
       set.doubled.push_back(i);
@@ -59,6 +56,32 @@ PartSet sort_parts(std::span<const PartCandidate> candidates) {
     if (set.files[index] == no_file) {
       set.missing.push_back(index);
     }
+  }
+  return set;
+}
+
+PartTag tag_of(const PartCandidate& candidate) {
+  PartTag tag;
+  if (candidate.has_head) {
+    PartHead common;
+    common.picture = candidate.head.picture;
+    tag.whole = encode_part_head(common);
+    tag.index = candidate.head.index;
+    tag.count = candidate.head.picture.count;
+  }
+  tag.damage = candidate.damage;
+  return tag;
+}
+
+PartSet sort_parts(std::span<const PartCandidate> candidates) {
+  std::vector<PartTag> tags;
+  tags.reserve(candidates.size());
+  for (const PartCandidate& candidate : candidates) {
+    tags.push_back(tag_of(candidate));
+  }
+  PartSet set{sort_parts(tags), {}};
+  if (set.usual != no_file) {
+    set.picture = candidates[set.usual].head.picture;
   }
   return set;
 }

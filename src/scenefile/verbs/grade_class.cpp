@@ -1,6 +1,7 @@
 #include "scenefile/verbs/grade_class.h"
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
@@ -23,9 +24,11 @@ namespace {
 // The default threshold: float and double implementations agree to 40 dB or better.
 constexpr double default_min_psnr_db = 40;
 
+// A student, with the path of the picture for each reference; empty if there is none.
 struct StudentFolder {
   std::string name;
   std::string path;
+  std::vector<std::string> pictures;
 };
 
 // The last part of a path.
@@ -41,14 +44,14 @@ std::vector<StudentFolder> student_folders(const std::string& folder) {
   std::vector<StudentFolder> students;
   for (const FolderEntry& entry : entries_of(folder)) {
     if (entry.folder) {
-      students.push_back({entry.name, entry.path});
+      students.push_back({entry.name, entry.path, {}});
     }
   }
   const bool layout =
       std::all_of(students.begin(), students.end(),
                   [](const StudentFolder& student) { return is_layout_folder(student.name); });
   if (layout) {
-    students = {{name_of_folder(folder), folder}};
+    students = {{name_of_folder(folder), folder, {}}};
   }
   return students;
 }
@@ -84,7 +87,7 @@ struct Reference {
   std::string name;
   Texture picture;
   std::optional<LoadedScene> scene;
-  std::vector<DrawnWay> ways;  // how it was drawn, found once for the class
+  std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
 };
 
 // The picture, scaled to the size of the reference if only the size differs.
@@ -98,13 +101,19 @@ std::optional<Texture> fitted(const Texture& picture, const Texture& right) {
   return scaled(picture, right.width, right.height);
 }
 
-class Grader {
+void add_number(Hash& hash, std::uint64_t number) {
+  hash.add({reinterpret_cast<const char*>(&number), sizeof number});
+}
+
+}  // namespace
+
+struct ClassGrader::State {
  public:
-  Grader(const GradeRequest& request, const std::function<void(const char*)>& entering)
+  State(const GradeRequest& request, std::function<void(const char*)> entering)
       : request_(request),
         settings_(request.compare),
         by_causes_(request.compare.thresholds == Thresholds{}),
-        entering_(entering) {
+        entering_(std::move(entering)) {
     if (by_causes_) {
       settings_.thresholds.min_psnr_db = default_min_psnr_db;
       settings_.look = LookForCauses::always;
@@ -127,8 +136,11 @@ class Grader {
       if (scene_of[i] >= 0) {
         reference.scene = load_scene(scenes[static_cast<std::size_t>(scene_of[i])].path);
       }
-      if (reference.scene && reference.scene->usable() && !settings_.ways.empty()) {
-        reference.ways = ways_drawn(reference.picture, *reference.scene, settings_.ways);
+      fingerprint_.add(names[i]);
+      add_number(fingerprint_, file_fingerprint(files_[i].path));
+      if (reference.scene) {
+        fingerprint_.add(reference.scene->text);
+        add_number(fingerprint_, reference.scene->asset_fingerprint);
       }
       references_.push_back(std::move(reference));
     }
@@ -138,42 +150,74 @@ class Grader {
     return {};
   }
 
-  Result<Gradebook> run(const std::function<bool(double)>& go_on) {
+  // Finds the pictures of all students.
+  Result<void> find_pictures() {
+    folders_ = student_folders(request_.handed_in);
+    std::size_t seen = 0;
+    std::size_t matched = 0;
+    for (StudentFolder& folder : folders_) {
+      const std::vector<FoundFile> pictures = files_below(folder.path, is_picture_name);
+      seen += pictures.size();
+      for (const int match : match_pictures(files_, pictures, request_.map)) {
+        matched += match >= 0 ? 1 : 0;
+        folder.pictures.push_back(match < 0 ? std::string()
+                                            : pictures[static_cast<std::size_t>(match)].path);
+      }
+    }
+    thumbnail_width_ = pictures() > many_pictures ? 200 : 320;
+    return matched != 0 ? Result<void>() : Error{nothing_matches(seen)};
+  }
+
+  std::size_t students() const { return folders_.size(); }
+  std::size_t pictures() const { return folders_.size() * references_.size(); }
+  std::uint64_t references() const { return fingerprint_.value(); }
+
+  std::uint64_t student_names() const {
+    Hash hash;
+    for (const StudentFolder& folder : folders_) {
+      hash.add(folder.name);
+    }
+    return hash.value();
+  }
+
+  std::uint64_t submissions(const StudentRange& range) const {
+    Hash hash;
+    for (std::size_t s = range.begin; s < range.end; ++s) {
+      for (const std::string& path : folders_[s].pictures) {
+        // The names of files appear in results.
+        hash.add(path.substr(std::min(path.size(), request_.handed_in.size())));
+        add_number(hash, path.empty() || is_link(path) ? 0 : file_fingerprint(path));
+      }
+    }
+    return hash.value();
+  }
+
+  Result<Gradebook> run(const StudentRange& range, const std::function<bool(double)>& go_on) {
     Gradebook book;
-    const std::vector<StudentFolder> folders = student_folders(request_.handed_in);
-    const std::size_t count = folders.size() * references_.size();
-    thumbnail_width_ = count > many_pictures ? 200 : 320;
-    const auto all = static_cast<double>(count);
+    const auto all = static_cast<double>((range.end - range.begin) * references_.size());
     double done = 0;
     bool stopped = false;
     const auto tell = [&](double part) {
       stopped = stopped || (go_on && !go_on((done + part) / all));
       return !stopped;
     };
-    for (const StudentFolder& folder : folders) {
-      const std::vector<FoundFile> pictures = files_below(folder.path, is_picture_name);
-      const std::vector<int> matches = match_pictures(files_, pictures, request_.map);
-      seen_ += pictures.size();
+    for (std::size_t s = range.begin; s < range.end; ++s) {
       StudentResult& student = book.students.emplace_back();
-      student.name = folder.name;
+      student.name = folders_[s].name;
       for (std::size_t i = 0; i < references_.size(); ++i) {
-        matched_ += matches[i] >= 0 ? 1 : 0;
-        const std::string path =
-            matches[i] < 0 ? std::string() : pictures[static_cast<std::size_t>(matches[i])].path;
-        student.pictures.push_back(grade(references_[i], path, tell));
+        student.pictures.push_back(grade(references_[i], folders_[s].pictures[i], tell));
         ++done;
         if (!tell(0)) {
           return Error{"interrupted", ErrorKind::cancelled};
         }
       }
       if (request_.graded) {
-        if (const Result<void> taken = request_.graded(student, book.students.size(), count);
-            !taken) {
+        if (const Result<void> taken = request_.graded(student, s + 1, pictures()); !taken) {
           return taken.error();
         }
       }
     }
-    return matched_ != 0 ? Result<Gradebook>(std::move(book)) : Error{nothing_matches()};
+    return book;
   }
 
  private:
@@ -184,13 +228,13 @@ class Grader {
   }
 
   // What was expected and what exists, if no picture of the class has a matching name.
-  std::string nothing_matches() const {
+  std::string nothing_matches(std::size_t seen) const {
     return fmt::format(
         "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
         "{}_gen.png and FOLDER_{}.png, and so on, in all folders",
-        seen_, quoted(request_.handed_in, 400), references_.size(),
-        quoted(request_.references, 400), escaped(references_.front().name),
-        escaped(references_.front().name), escaped(references_.front().name));
+        seen, quoted(request_.handed_in, 400), references_.size(), quoted(request_.references, 400),
+        escaped(references_.front().name), escaped(references_.front().name),
+        escaped(references_.front().name));
   }
 
   // A scene may belong to several references: intersect and illuminate.
@@ -203,7 +247,7 @@ class Grader {
   }
 
   // `path` of the picture; empty if there is none.
-  PictureResult grade(const Reference& reference, const std::string& path,
+  PictureResult grade(Reference& reference, const std::string& path,
                       const std::function<bool(double)>& go_on) const {
     PictureResult result;
     result.name = reference.name;
@@ -228,6 +272,10 @@ class Grader {
     enter("comparing the pictures");
     const std::optional<Texture> other_size = fitted(*picture, reference.picture);
     const Texture& shown = other_size ? *other_size : *picture;
+    if (reference.ways.empty() && reference.scene && reference.scene->usable() &&
+        !settings_.ways.empty()) {
+      reference.ways = ways_drawn(reference.picture, *reference.scene, settings_.ways);
+    }
     CompareSettings settings = settings_;
     settings.ways = reference.ways;
     settings.ways_fit = true;
@@ -256,29 +304,68 @@ class Grader {
   const GradeRequest& request_;
   CompareSettings settings_;
   bool by_causes_;  // a picture passes by what is wrong with it, not by a threshold alone
-  const std::function<void(const char*)>& entering_;
+  std::function<void(const char*)> entering_;
   std::vector<FoundFile> files_;  // the references
   std::vector<Reference> references_;
+  Hash fingerprint_;  // of the references
+  std::vector<StudentFolder> folders_;
   int thumbnail_width_ = 320;
-  std::size_t seen_ = 0;     // number of submitted pictures
-  std::size_t matched_ = 0;  // those with the name of a reference
 };
 
-}  // namespace
+ClassGrader::ClassGrader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ClassGrader::ClassGrader(ClassGrader&& other) noexcept = default;
+ClassGrader::~ClassGrader() = default;
 
-Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene& load_scene,
-                              const std::function<bool(double)>& go_on,
-                              const std::function<void(const char* phase)>& entering) {
+Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadShownScene& load_scene,
+                                      const std::function<void(const char* phase)>& entering) {
   for (const std::string& folder : {request.handed_in, request.references, request.scenes}) {
     if (!folder.empty() && !is_folder(folder)) {
       return Error{fmt::format("{} is not a folder that can be read", quoted(folder, 400))};
     }
   }
-  Grader grader(request, entering);
-  if (const Result<void> loaded = grader.load_references(load_scene); !loaded) {
+  auto state = std::make_unique<State>(request, entering);
+  if (const Result<void> loaded = state->load_references(load_scene); !loaded) {
     return loaded.error();
   }
-  return grader.run(go_on);
+  if (const Result<void> found = state->find_pictures(); !found) {
+    return found.error();
+  }
+  return ClassGrader(std::move(state));
+}
+
+std::size_t ClassGrader::students() const {
+  return state_->students();
+}
+
+std::size_t ClassGrader::pictures() const {
+  return state_->pictures();
+}
+
+std::uint64_t ClassGrader::student_names() const {
+  return state_->student_names();
+}
+
+std::uint64_t ClassGrader::references() const {
+  return state_->references();
+}
+
+std::uint64_t ClassGrader::submissions(const StudentRange& range) const {
+  return state_->submissions(range);
+}
+
+Result<Gradebook> ClassGrader::grade(const StudentRange& range,
+                                     const std::function<bool(double done)>& go_on) {
+  return state_->run(range, go_on);
+}
+
+Result<Gradebook> grade_class(const GradeRequest& request, const LoadShownScene& load_scene,
+                              const std::function<bool(double)>& go_on,
+                              const std::function<void(const char* phase)>& entering) {
+  Result<ClassGrader> grader = ClassGrader::open(request, load_scene, entering);
+  if (!grader) {
+    return grader.error();
+  }
+  return grader->grade({0, grader->students()}, go_on);
 }
 
 std::string gradebook_json(const Gradebook& book) {

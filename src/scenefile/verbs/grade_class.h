@@ -2,11 +2,14 @@
 // Grades the pictures that a class submitted: from folders to a gradebook.
 
 #include "scenefile/base/result.h"
+#include "scenefile/grade/grade_part.h"
 #include "scenefile/grade/gradebook.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/grade_files.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace scenefile {
@@ -31,6 +34,37 @@ inline constexpr std::size_t many_pictures = 200;
 
 /// Loads a scene that references show, and reports what is wrong with it.
 using LoadShownScene = std::function<LoadedScene(const std::string& path)>;
+
+/// A class whose references are loaded and whose pictures are found, ready to be graded as a whole
+/// or in parts.
+class ClassGrader {
+ public:
+  /// Fails like grade_class(). `request` must outlive the result.
+  static Result<ClassGrader> open(const GradeRequest& request, const LoadShownScene& load_scene,
+                                  const std::function<void(const char* phase)>& entering = {});
+  ClassGrader(ClassGrader&& other) noexcept;
+  ClassGrader& operator=(ClassGrader&&) = delete;
+  ~ClassGrader();
+
+  std::size_t students() const;
+  /// The number of pictures that are expected of the whole class.
+  std::size_t pictures() const;
+
+  /// Fingerprints (base/hash.h) of what the results depend on, except for the options: the names of
+  /// all students; the references with their scenes and assets; the pictures of some students.
+  std::uint64_t student_names() const;
+  std::uint64_t references() const;
+  std::uint64_t submissions(const StudentRange& range) const;
+
+  /// The results of these students are the same whichever others are graded.
+  Result<Gradebook> grade(const StudentRange& range,
+                          const std::function<bool(double done)>& go_on = {});
+
+ private:
+  struct State;
+  explicit ClassGrader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
 
 /// Grades all students, in the order of their names. Pictures are matched with references by name
 /// (grade_files.h). Fails if a folder or a reference cannot be read, if no picture has the name of

@@ -1,6 +1,7 @@
 #include "scenefile/verbs/load_file.h"
 
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/hash.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/memory.h"
@@ -22,6 +23,13 @@ void locate(AssetRoots& roots, AssetKind kind, const std::vector<FileReference>&
 }
 
 }  // namespace
+
+std::uint64_t file_fingerprint(const std::string& path, const Limits& limits) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  Hash hash;
+  hash.add(bytes ? *bytes : bytes.error().text);
+  return hash.value();
+}
 
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
                                       const Limits& limits) {

@@ -5,6 +5,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/verbs/load_scene.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,9 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
 
 /// The picture in a file. The error names the file.
 Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
+
+/// A fingerprint (base/hash.h) of the bytes of a file, or of why it cannot be read.
+std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});
 
 /// Where the files of a scene at `path` may be: `access`, and the folder in the environment
 /// variable CS123_DATA, which replaces /course/cs123/data of the course's machines.

@@ -1,0 +1,40 @@
+#pragma once
+// What grade writes and prints, and merge for the parts of a class.
+
+#include "app/command.h"
+#include "scenefile/base/result.h"
+#include "scenefile/grade/gradebook.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace scenefile::app {
+
+/// Detects reasons for a failure to write before the work starts.
+ExitCode check_result_places(const Options& options);
+
+/// Writes what there is for each student: a page, and the pictures of a large class next to the
+/// report.
+class HandOut {
+ public:
+  /// `options` must outlive this.
+  explicit HandOut(const Options& options) : options_(options) {}
+
+  /// For GradeRequest::graded: all students of the class, in order.
+  Result<void> operator()(StudentResult& student, std::size_t number, std::size_t all);
+
+ private:
+  std::string page_name(const std::string& student);
+
+  const Options& options_;
+  std::map<std::string, int> pages_;
+};
+
+/// Writes the files of the whole class and prints the results. `holder`: what has the students, in
+/// messages.
+ExitCode write_results(const Options& options, const Gradebook& book, std::string_view holder,
+                       Context& context);
+
+}  // namespace scenefile::app

@@ -1,0 +1,49 @@
+#include "app/merge_class.h"
+
+#include "app/grade_results.h"
+#include "app/load.h"
+#include "app/output.h"
+#include "app/part_files.h"
+
+#include <utility>
+
+namespace scenefile::app {
+
+ExitCode merge_class(const Options& options, const SortedParts& set,
+                     std::span<const std::string> paths, Context& context) {
+  context.phase = "reading the parts";
+  if (const ExitCode status = check_result_places(options); status != ExitCode::fine) {
+    return status;
+  }
+  HandOut hand_out(options);
+  Gradebook book;
+  // One part in memory at a time: those of a large class contain many pictures.
+  for (const std::size_t file : set.files) {
+    Result<GradePart> part = read_grade_part(paths[file]);
+    if (!part) {
+      say_error(part.error().text);
+      return exit_code(part.error().kind);
+    }
+    if (!part->damage.empty()) {
+      say_error(part->damage);
+      return ExitCode::findings;
+    }
+    for (StudentResult& student : part->students) {
+      if (const Result<void> handed =
+              hand_out(student, book.students.size() + 1, part->head.whole.pictures);
+          !handed) {
+        say_error(handed.error().text);
+        return exit_code(handed.error().kind);
+      }
+      for (PictureResult& picture : student.pictures) {
+        if (options.report.empty()) {
+          picture.png = {};
+        }
+      }
+      book.students.push_back(std::move(student));
+    }
+  }
+  return write_results(options, book, "the class", context);
+}
+
+}  // namespace scenefile::app

@@ -1,0 +1,17 @@
+#pragma once
+// merge, for parts of a picture: puts them together while it reads them.
+
+#include "app/load.h"
+#include "scenefile/trace/part_set.h"
+
+#include <span>
+#include <string>
+
+namespace scenefile::app {
+
+/// Writes options.output and the files of the layers. The candidates are complete (sort_parts());
+/// `paths` are theirs.
+Outcome merge_picture(const Options& options, std::span<const PartCandidate> candidates,
+                      std::span<const std::string> paths, Context& context);
+
+}  // namespace scenefile::app

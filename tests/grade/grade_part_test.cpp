@@ -1,0 +1,89 @@
+#include "scenefile/grade/grade_part.h"
+
+#include <gtest/gtest.h>
+
+namespace scenefile {
+namespace {
+
+GradePartHead head() {
+  GradePartHead h;
+  h.whole = {{1, 2, 3, 4}, 4, 9, 18};
+  h.index = 1;
+  h.submissions = 5;
+  return h;
+}
+
+// Every member has a value of its own.
+std::vector<StudentResult> students() {
+  PictureResult passed;
+  passed.name = "ball";
+  passed.measures.size = {3, 4};
+  passed.measures.right_size = {5, 6};
+  passed.measures.difference = {0.1, 0.2, 7, 0.3};
+  passed.measures.ssim = 0.4;
+  passed.measures.flip_mean = 0.5;
+  passed.measures.flip_max = 0.6;
+  PictureResult failed;
+  failed.name = std::string("a\0b", 3);
+  failed.verdict = Verdict::unreadable;
+  failed.measures.same_size = false;
+  failed.reasons = {"", "two"};
+  failed.causes = {{Cause::samples, "what", "evidence", 0.7}};
+  failed.png = "png";
+  failed.png_file = "file";
+  return {{"anna", {passed, failed}}, {"", {}}};
+}
+
+TEST(GradePart, IsReadAsItWasWritten) {
+  const std::string bytes = encode_grade_part(head(), students());
+  GradePartHead found;
+  std::vector<StudentResult> read;
+  ASSERT_EQ(decode_grade_part(bytes, found, read), "");
+  EXPECT_EQ(found, head());
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(encode_grade_part(found, read), bytes);
+  EXPECT_EQ(gradebook_csv({read}), gradebook_csv({students()}));
+  const PictureResult& picture = read[0].pictures[1];
+  EXPECT_EQ(picture.verdict, Verdict::unreadable);
+  EXPECT_EQ(picture.causes.at(0).cause, Cause::samples);
+  EXPECT_EQ(picture.causes.at(0).explained, 0.7);
+  EXPECT_EQ(picture.png_file, "file");
+  EXPECT_EQ(read[0].pictures[0].measures.flip_max, 0.6);
+  EXPECT_TRUE(is_grade_part(bytes));
+}
+
+TEST(GradePart, NoChangedByteGoesUnnoticed) {
+  const std::string bytes = encode_grade_part(head(), students());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    GradePartHead found;
+    std::vector<StudentResult> read;
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ 0x41);
+    EXPECT_NE(decode_grade_part(changed, found, read), "") << i;
+    EXPECT_NE(decode_grade_part(bytes.substr(0, i), found, read), "") << i;
+  }
+  GradePartHead found;
+  std::vector<StudentResult> read;
+  EXPECT_NE(decode_grade_part(bytes + "x", found, read), "");
+  // The number of students must be that of the part.
+  EXPECT_NE(decode_grade_part(encode_grade_part(head(), {}), found, read), "");
+}
+
+TEST(GradePart, EachStudentIsInOnePart) {
+  for (const std::uint32_t count : {1U, 2U, 7U, 10U, 1000U}) {
+    for (const std::size_t all :
+         {std::size_t{0}, std::size_t{1}, std::size_t{9}, std::size_t{999}}) {
+      std::size_t next = 0;
+      for (std::uint32_t index = 0; index < count; ++index) {
+        const StudentRange range = students_of(index, count, all);
+        EXPECT_EQ(range.begin, next);
+        EXPECT_LE(range.end - range.begin, all / count + 1);
+        next = range.end;
+      }
+      EXPECT_EQ(next, all);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace scenefile

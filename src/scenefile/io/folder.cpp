@@ -89,6 +89,18 @@ std::string file_name_of(const std::string& path) {
   return fs::path(path).filename().string();
 }
 
+std::string absolute_path(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path whole = std::filesystem::absolute(path, error);
+  return error ? path : whole.string();
+}
+
+Result<void> remove_file(const std::string& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  return error ? system_error(path, "cannot remove", error.value()) : Result<void>();
+}
+
 std::vector<std::string> files_in(const std::string& folder, std::size_t most) {
   std::vector<std::string> names;
   std::error_code error;

@@ -28,6 +28,12 @@ std::string folder_of(const std::string& path);
 /// The last part of a path.
 std::string file_name_of(const std::string& path);
 
+/// The path from the root, whether or not the file exists.
+std::string absolute_path(const std::string& path);
+
+/// Removes a file; it is not an error if there is none.
+Result<void> remove_file(const std::string& path);
+
 /// Names of the regular files in a folder, following links; at most `most` names, sorted; empty if
 /// the folder cannot be read.
 std::vector<std::string> files_in(const std::string& folder, std::size_t most = 10000);

@@ -6,8 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
+#include <utility>
 
 namespace scenefile::viewer {
 
@@ -15,8 +14,7 @@ namespace {
 
 // The path in the file; without views if there is no file.
 Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored) && !ignored) {
+  if (!stamp_of(path).exists) {
     return CameraPath{};
   }
   const Result<std::string> text = read_file(path, limits.file_bytes);
@@ -37,9 +35,7 @@ CollectedViews write_views(const std::string& path, const CameraPath& views) {
 
 std::string views_file(const std::string& scene) {
   const std::string name = scene == "-" ? "scene" : file_name_of(scene);
-  std::error_code ignored;
-  const std::filesystem::path folder = std::filesystem::current_path(ignored);
-  return (folder / (name.substr(0, name.rfind('.')) + "-views.json")).string();
+  return absolute_path(name.substr(0, name.rfind('.')) + "-views.json");
 }
 
 CollectedViews collect_view(const std::string& path, const Camera& camera, const Limits& limits) {
@@ -63,9 +59,8 @@ CollectedViews drop_view(const std::string& path, const Limits& limits) {
   if (!views->views.empty()) {
     return write_views(path, *views);
   }
-  std::error_code error;
-  std::filesystem::remove(path, error);
-  return {0, error ? error.message() : std::string()};
+  const Result<void> removed = remove_file(path);
+  return {0, removed ? std::string() : removed.error().text};
 }
 
 }  // namespace scenefile::viewer

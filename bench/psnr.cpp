@@ -28,7 +28,7 @@ double difference_of_means(const Texture& a, const Texture& b) {
   for (std::size_t c = 0; c < 3; ++c) {
     double sum = 0;
     for (std::size_t i = c; i < a.rgb.size(); i += 3) {
-      sum += double{a.rgb[i]} - double{b.rgb[i]};
+      sum += int{a.rgb[i]} - int{b.rgb[i]};
     }
     const double mean = 3 * sum / double(a.rgb.size());
     most = std::abs(mean) > std::abs(most) ? mean : most;

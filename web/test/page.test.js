@@ -124,17 +124,24 @@ const save = (button) =>
     await page.click(button);
   });
 
-const pixels = (some = page) =>
+/** A hash of the canvas (FNV-1a), and how many values its pixels have. */
+const canvasOf = (some = page) =>
   some.evaluate(() => {
     const canvas = document.getElementById('canvas');
-    return [...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data];
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let hash = 0x811c9dc5;
+    for (const value of data) {
+      hash = Math.imul(hash ^ value, 0x01000193);
+    }
+    return { hash: `${canvas.width} ${hash}`, values: new Set(data).size };
   });
+const pixels = async (some = page) => (await canvasOf(some)).hash;
 
 test('opens with an example, drawn and without findings', async () => {
   await open();
   assert.match(await textOf(), /A ball on a board|smallest scene/);
   assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
-  assert.ok(new Set(await pixels()).size > 50);
+  assert.ok((await canvasOf()).values > 50);
 });
 
 test('the picture is that of the native program', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
@@ -184,7 +191,7 @@ test('says which files are missing and takes them later', async () => {
   const before = await pixels();
   await giveAndDraw({ 'wall.png': bricks });
   assert.equal(await page.isVisible('#missing'), false);
-  assert.notDeepEqual(await pixels(), before);
+  assert.notEqual(await pixels(), before);
 });
 
 test('opens a zip with a scene and its textures', async () => {
@@ -226,7 +233,7 @@ test('a broken edit has findings at their place, and the last good picture stays
   assert.match(await page.textContent('#verdict'), /last version without errors/);
   const [first] = await findings();
   assert.match(first, /line \d+, column \d+/);
-  assert.deepEqual(await pixels(), before);
+  assert.equal(await pixels(), before);
   await page.locator('#findings .link').first().click();
   assert.ok(await page.locator('.cm-lintRange-error, .cm-lintPoint-error').count() > 0);
 });
@@ -298,10 +305,10 @@ test('orbits by mouse and keys, and writes the view into the text', async () => 
   await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2, { steps: 4 });
   await page.mouse.up();
   await drawn(page, 2);
-  assert.notDeepEqual(await pixels(), before);
+  assert.notEqual(await pixels(), before);
   await page.click('#view-reset');
   await drawn(page, 3);
-  assert.deepEqual(await pixels(), before);
+  assert.equal(await pixels(), before);
   await page.focus('#canvas');
   await page.keyboard.press('ArrowLeft');
   await drawn(page, 4);
@@ -314,13 +321,13 @@ test('orbits by mouse and keys, and writes the view into the text', async () => 
 
 test('profiles, modes, features and sizes', async () => {
   await open();
-  const seen = [JSON.stringify(await pixels())];
+  const seen = [await pixels()];
   const look = async (act) => {
     const before = await drawnCount();
     await act();
     await drawn(page, before + 1);
     await page.waitForTimeout(50);
-    seen.push(JSON.stringify(await pixels()));
+    seen.push(await pixels());
   };
   await look(() => page.selectOption('#profile', { label: 'course' }));
   await look(() => page.selectOption('#mode', { label: 'normals' }));
@@ -365,7 +372,7 @@ test('compares with a picture, names the mistake, and says what gives a pixel', 
   for (const how of ['split', 'ours', 'mine', 'difference', 'flip']) {
     await page.selectOption('#compare-how', how);
     await page.waitForTimeout(60);
-    views.push(JSON.stringify(await pixels()));
+    views.push(await pixels());
   }
   assert.equal(new Set(views).size, 5);
   await page.locator('#compare-result .link').first().click();
@@ -449,7 +456,7 @@ test('a scene that takes too long is stopped, said, and not tried again by itsel
   await page.waitForTimeout(900);
   await page.reload();
   await page.waitForSelector('text=did not finish the last time');
-  assert.match(await textOf(), /t23/);
+  assert.equal(await page.inputValue('#name'), 'endless.xml');
   await type(hello);
   await drawn();
 });
@@ -474,7 +481,7 @@ test('opens without a network after the first visit', async () => {
   await drawn();
   const before = await drawnCount();
   await page.click('#open-menu summary');
-  await page.locator('#examples button').nth(1).click();
+  await page.locator('#examples button').nth(2).click();
   await drawn(page, before + 1);
 });
 

@@ -10,6 +10,14 @@
 
 namespace scenefile::testing_support {
 
+/// Arguments of the program.
+using Words = std::vector<std::string>;
+
+inline Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 struct ProgramRun {
   int status = -1;  ///< exit status, or 1000 + the signal that killed it
   std::string out;

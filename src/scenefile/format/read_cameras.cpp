@@ -21,7 +21,7 @@ constexpr double most_seconds = 1e6;
 constexpr double most_fps = 1000;
 
 constexpr std::string_view look_name = row_of(camera_rows, Field::look).json;
-constexpr std::string_view focus_name = "focus";
+constexpr std::string_view focus_key = "focus";
 
 // The words of a view, for a message.
 std::string view_words() {
@@ -162,7 +162,7 @@ class CameraReader {
       if (key == "time") {
         return number(v, 0, most_seconds, view.time);
       }
-      if (key == focus_name) {
+      if (key == focus_key) {
         has_focus = true;
         return vector(v, view.focus.emplace());
       }
@@ -231,7 +231,7 @@ std::string write_cameras(const CameraPath& path) {
       const std::string value = value_text(camera, row);
       if (!value.empty()) {
         text += fmt::format(", \"{}\": {}",
-                            row.json == look_name && view.focus ? focus_name : row.json, value);
+                            row.json == look_name && view.focus ? focus_key : row.json, value);
       }
     }
     text += &view == &path.views.back() ? "}\n" : "},\n";

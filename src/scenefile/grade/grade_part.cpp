@@ -44,8 +44,8 @@ void visit(T& measures, Archive& archive) {
 
 template <ConstOrNot<Claim> T, typename Archive>
 void visit(T& claim, Archive& archive) {
-  auto& [cause, what, evidence, explained] = claim;
-  archive(cause), archive(what), archive(evidence), archive(explained);
+  auto& [cause, what, evidence, explained, said] = claim;
+  archive(cause), archive(what), archive(evidence), archive(explained), archive(said);
 }
 
 template <ConstOrNot<PictureResult> T, typename Archive>

@@ -37,7 +37,7 @@ constexpr std::array projects{Project{"intersect", "none", Mode::intersect},
 constexpr auto list_words = [] {
   std::array<std::string_view, feature_count + 2 + projects.size()> result;
   std::size_t next = 0;
-  for (const std::string_view word : words) {
+  for (const std::string_view word : feature_names) {
     result[next++] = word;
   }
   result[next++] = "all";

@@ -43,7 +43,7 @@ CollectedViews collect_view(const std::string& path, const Camera& camera, const
   if (!views) {
     return {0, views.error().text};
   }
-  CameraView view;
+  scenefile::CameraView view;
   view.camera = camera;
   view.time = views->views.empty() ? 0 : views->views.back().time + 1;
   views->views.push_back(view);

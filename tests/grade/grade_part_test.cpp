@@ -28,7 +28,7 @@ std::vector<StudentResult> students() {
   failed.verdict = Verdict::unreadable;
   failed.measures.same_size = false;
   failed.reasons = {"", "two"};
-  failed.causes = {{Cause::samples, "what", "evidence", 0.7}};
+  failed.causes = {{Cause::samples, "what", "evidence", 0.7, true}};
   failed.png = "png";
   failed.png_file = "file";
   return {{"anna", {passed, failed}}, {"", {}}};
@@ -47,6 +47,7 @@ TEST(GradePart, IsReadAsItWasWritten) {
   EXPECT_EQ(picture.verdict, Verdict::unreadable);
   EXPECT_EQ(picture.causes.at(0).cause, Cause::samples);
   EXPECT_EQ(picture.causes.at(0).explained, 0.7);
+  EXPECT_TRUE(picture.causes.at(0).said);
   EXPECT_EQ(picture.png_file, "file");
   EXPECT_EQ(read[0].pictures[0].measures.flip_max, 0.6);
   EXPECT_TRUE(is_grade_part(bytes));

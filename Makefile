@@ -99,6 +99,15 @@ mistakes: ## ask diff for the causes of pictures with planted mistakes; CORPUS=D
 	@python3 tests/student/mistakes.py --build $(BUILD) --clean 120
 	@python3 tests/student/mistakes.py --build $(BUILD) --strange
 
+.PHONY: realtime-mistakes
+realtime-mistakes: ## count right and wrong causes of Realtime pictures with planted mistakes
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,scenefile_realtime_mistakes)
+	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes
+	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes --habits
+	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes --strange
+	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes --unknown --per-mistake 1
+
 .PHONY: driver
 driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }

@@ -2,6 +2,7 @@
 
 #include "app/load.h"
 #include "app/output.h"
+#include "app/realtime.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
@@ -42,12 +43,22 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
 }
 
 CompareSettings compare_settings(const Options& options) {
-  std::vector<RenderOptions> profiles{options.render};
-  if (!was_given(options, "--profile")) {
-    profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
+  CompareSettings settings;
+  settings.thresholds = options.thresholds;
+  settings.pixel_threshold = options.pixel_threshold;
+  if (!options.realtime) {
+    std::vector<RenderOptions> profiles{options.render};
+    if (!was_given(options, "--profile")) {
+      profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
+    }
+    settings.ways = possible_ways(profiles, was_given(options, "--features"));
   }
-  return {options.thresholds, options.pixel_threshold,
-          possible_ways(profiles, was_given(options, "--features"))};
+  const bool ray_tracer = was_given(options, "--profile") || was_given(options, "--features") ||
+                          was_given(options, "--mode");
+  if (options.realtime || !ray_tracer) {
+    settings.ways.push_back(realtime_way(options.realtime_panel, realtime_unknowns(options)));
+  }
+  return settings;
 }
 
 bool is_picture_file(const std::string& path) {

@@ -64,6 +64,14 @@ std::optional<RealtimeOptions> realtime_options(const Options& options) {
   return options.realtime_panel;
 }
 
+RealtimeUnknowns realtime_unknowns(const Options& options) {
+  return {.parameters = !was_given(options, "--parameters"),
+          .near = !was_given(options, "--near"),
+          .far = !was_given(options, "--far"),
+          .filter = !was_given(options, "--filter"),
+          .milestone = !was_given(options, "--milestone")};
+}
+
 RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene& scene) {
   RealtimeReport report;
   report.options = options;
@@ -114,7 +122,7 @@ std::string check_realtime_options(const Options& options, unsigned command) {
     return {};
   }
   if ((command & for_realtime) == 0) {
-    return "--profile realtime is for render, frames, view, check and info";
+    return "--profile realtime is for render, frames, view, check, info, diff and grade";
   }
   constexpr std::string_view words =
       "--profile realtime draws the course's assignment with OpenGL: leave {} out";

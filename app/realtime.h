@@ -4,6 +4,7 @@
 #include "app/load.h"
 #include "app/options.h"
 #include "scenefile/base/realtime.h"
+#include "scenefile/grade/realtime_causes.h"
 
 #include <cstdint>
 #include <optional>
@@ -28,6 +29,9 @@ struct RealtimeReport {
 
 /// The assignment's settings from the options; nullopt for other profiles.
 std::optional<RealtimeOptions> realtime_options(const Options& options);
+
+/// The settings that are not given, for diff and grade to find in the reference.
+RealtimeUnknowns realtime_unknowns(const Options& options);
 
 RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene& scene);
 

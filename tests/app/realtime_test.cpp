@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace scenefile {
@@ -150,9 +151,46 @@ TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
                option[0] + " is for --profile realtime");
   }
   is_refused({"explain", "a.xml", "--pixel", "1,1", "--profile", "realtime"},
-             "--profile realtime is for render, frames, view, check and info");
-  is_refused({"diff", "a.png", "b.png", "--profile", "realtime"},
-             "--profile realtime is for render, frames, view, check and info");
+             "--profile realtime is for render, frames, view, check, info, diff and grade");
+  is_refused({"diff", "a.png", "b.png", "--parameters", "5,5"},
+             "--parameters is for --profile realtime");
+}
+
+// Pictures of a scene with round shapes, below folders as students have them.
+struct RealtimePictures : RealtimeProgram {
+  ProgramRun draw(const std::string& to, std::vector<std::string> more) const {
+    std::vector<std::string> words{"render", scene,     "-o",        folder.path(to),
+                                   "--size", "256x192", "--profile", "realtime"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words);
+  }
+  const std::string scene = std::string(SCENEFILE_FIXTURES) + "/../student/scenes/still-life.xml";
+};
+
+TEST_F(RealtimePictures, DiffNamesTheCause) {
+  const ProgramRun drawn = draw("right.png", {"--parameters", "3,6", "--milestone", "action"});
+  if (!has_gl(drawn)) {
+    GTEST_SKIP() << drawn.err;
+  }
+  ASSERT_EQ(draw("wrong.png", {"--parameters", "6,3", "--milestone", "action"}).status, 0);
+  const ProgramRun run =
+      run_program({"diff", folder.path("right.png"), folder.path("wrong.png"), "--scene", scene,
+                   "--profile", "realtime", "--parameters", "3,6", "--milestone", "action"});
+  EXPECT_EQ(run.status, 1) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("[tessellation]"));
+  EXPECT_THAT(run.out, HasSubstr("the two are exchanged"));
+  EXPECT_THAT(run.out, HasSubstr("reference: as drawn with --profile realtime --parameters 3,6 "
+                                 "--milestone action"));
+}
+
+TEST_F(RealtimePictures, GradeSaysWhatIsWrongInTheTableOfSettings) {
+  folder.write("references/references.tsv",
+               "reference\tparameter1\tfilter\naction/still_blur.png\t5\tblurr\n");
+  folder.write("class/readme.txt", "");
+  const ProgramRun run =
+      run_program({"grade", folder.path("class"), "--references", folder.path("references")});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("line 2: unknown filter blurr"));
 }
 
 }  // namespace

@@ -154,6 +154,42 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "A pixel is the mean of its samples; a sample that hits nothing is black, and counts like the "
      "others.",
      "Where the samples of a pixel are added, and what is done when a ray hits nothing."},
+    {Cause::tessellation, "Tessellation (Realtime)",
+     "Outlines have other corners than in the reference, shading bends at other edges, or parts of "
+     "shapes are missing.",
+     "Parameter 1 counts rings, stacks and tiles, parameter 2 the wedges about the y axis. The "
+     "first wedge begins at the x axis; shapes have a radius of 0.5.",
+     "Where the sliders are read, whether shapes are made anew when they move, and the loops that "
+     "make vertices. docs/realtime.md gives the rule for each shape."},
+    {Cause::facets, "Flat facets instead of smooth shading (Realtime)",
+     "Each triangle of a sphere, cone or cylinder has one color, or highlights are blurred and "
+     "bend at edges.",
+     "Vertices have the normal of the exact shape; it is interpolated over the triangle, "
+     "normalized, and used for lighting in each pixel.",
+     "Where vertex normals are made, flat in the shaders, and whether lighting is in the vertex "
+     "or the fragment shader."},
+    {Cause::culling, "Culling and winding (Realtime)",
+     "The inside of shapes is visible where they are cut, or sides and caps are missing.",
+     "Back faces are culled: triangles are counterclockwise, seen from outside.",
+     "glEnable(GL_CULL_FACE), and the order of the corners where triangles are made."},
+    {Cause::clipping, "Near and far planes (Realtime)",
+     "Shapes are cut at another depth than in the reference, or not at all.",
+     "The planes of the settings are depths along the view axis; what is nearer or farther is "
+     "clipped.",
+     "The projection matrix, and whether it is made anew when the sliders move."},
+    {Cause::filter, "Filters (Realtime)",
+     "The picture is not filtered, too bright, shifted, or blurred too little or too much.",
+     "The weights of a kernel add up to 1, samples are one texel of the frame apart and centered "
+     "at the pixel. What they read beyond the border depends on the wrap mode of the texture.",
+     "The fragment shader of the second pass: the size of the kernel, its divisor, the distance of "
+     "samples, and the order of rows and columns."},
+    {Cause::viewport, "Viewport and frame (Realtime)",
+     "The scene is smaller, larger, stretched or shifted; its content is right.",
+     "The viewport must be as large as the framebuffer that is drawn to. The references were "
+     "drawn in a window of 1092 x 818 pixels, which determines their aspect ratio; other windows "
+     "give other pictures.",
+     "glViewport before each pass, the sizes of framebuffer and textures, the device pixel ratio, "
+     "and the aspect ratio of the projection."},
 }};
 
 constexpr bool in_order() {

@@ -1717,7 +1717,9 @@ std::string_view name_of(Cause cause) {
       "attenuation",      "normals",         "shadows",    "acne",       "texture",
       "recursion-depth",  "spot-falloff",    "camera",     "transforms", "shapes",
       "nearest-hit",      "lights",          "reflection", "refraction", "overflow",
-      "background",       "brightness",      "black",      "features",   "samples"};
+      "background",       "brightness",      "black",      "features",   "samples",
+      "tessellation",     "facets",          "culling",    "clipping",   "filter",
+      "viewport"};
   return names[static_cast<std::size_t>(cause)];
 }
 

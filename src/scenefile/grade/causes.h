@@ -47,9 +47,16 @@ enum class Cause : std::uint8_t {
   black,       ///< nothing was drawn
   features,    ///< drawn with other features or in another mode than the reference
   samples,     ///< samples of a pixel put together wrongly
+  // Of the assignment Realtime (realtime_causes.h).
+  tessellation,  ///< other parameters, wedges or quads
+  facets,        ///< flat normals, or lighting per vertex
+  culling,       ///< missing, or triangles wound the wrong way
+  clipping,      ///< near and far planes
+  filter,        ///< missing, wrong kernel, wrong border
+  viewport,      ///< size of the viewport, the frame and the window's aspect ratio
 };
 
-inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::samples) + 1;
+inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::viewport) + 1;
 
 /// The name in JSON output, such as "half-pixel-shift".
 std::string_view name_of(Cause cause);

@@ -12,6 +12,9 @@ namespace scenefile {
 
 namespace {
 
+// Share of pixels; more of them say that the scene or its settings are not those of the reference.
+constexpr double most_unlike_reference = 0.1;
+
 std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
 }
@@ -57,21 +60,28 @@ void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
   }
 }
 
+RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way) {
+  return {&scene.ready.scene, &scene.assets, &scene.written, *way.realtime};
+}
+
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
   return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
 }
 
-// Finds out where to look first. `view`: of the scene, or null.
+// Finds out where to look first. `way`: how the scene is drawn, or null.
 std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture& test,
-                                         const LoadedScene* scene, const SceneView* view) {
+                                         const LoadedScene* scene, const DrawnWay* way) {
   const std::optional<WorstRegion> region = worst_region(reference, test);
   if (!region) {
     return std::nullopt;
   }
   PlaceToLook place{*region, false, {}, {}};
-  if (view != nullptr) {
+  if (way != nullptr) {
+    const glm::ivec2 pixel(region->x, region->y);
+    const glm::ivec2 size(reference.width, reference.height);
     const std::optional<std::uint32_t> source =
-        source_at(*view, {region->x, region->y}, {reference.width, reference.height});
+        way->realtime ? realtime_source_at(realtime_view_of(*scene, *way), pixel, size)
+                      : source_at(view_of(*scene, *way), pixel, size);
     if (source) {
       const WayPoint at = ObjectNames(scene->written, scene->ready.sources).at(*source);
       place.hit = true;
@@ -116,7 +126,16 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   std::vector<DrawnWay> ways = settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()}
                                : settings.ways_fit   ? settings.ways
                                                      : ways_drawn(reference, *scene, settings.ways);
-  SceneView view = view_of(*scene, ways.front());
+  if (ways.front().realtime) {
+    found.realtime = true;
+    found.drawn_with = ways.front().words;
+    found.causes =
+        find_realtime_causes(reference, test, realtime_view_of(*scene, ways.front()), go_on);
+    found.where = place_to_look(reference, test, scene, &ways.front());
+    return;
+  }
+  const DrawnWay* way = &ways.front();
+  const SceneView view = view_of(*scene, *way);
   found.causes = find_causes(reference, test, &view, go_on);
   // The program of the picture may have had other features that the reference does not show.
   for (std::size_t i = 1; i < ways.size() && !explained_by_one(found.causes); ++i) {
@@ -124,11 +143,21 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     CauseReport causes = find_causes(reference, test, &other, go_on, LookFor::single_mistakes);
     if (explained_by_one(causes)) {
       found.causes = std::move(causes);
-      view = other;
+      way = &ways[i];
     }
   }
-  found.drawn_with = view.said;
-  found.where = place_to_look(reference, test, scene, &view);
+  found.drawn_with = way->words;
+  found.where = place_to_look(reference, test, scene, way);
+}
+
+// The share of the reference's pixels that are not as the way draws them.
+double share_unlike(const Texture& reference, const LoadedScene& scene, const DrawnWay& way) {
+  if (way.realtime) {
+    return find_realtime_causes(reference, reference, realtime_view_of(scene, way))
+        .share_scene_unlike;
+  }
+  const SceneView view = view_of(scene, way);
+  return find_causes(reference, reference, &view).share_scene_unlike;
 }
 
 }  // namespace
@@ -144,26 +173,47 @@ std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, boo
   return ways;
 }
 
+DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns) {
+  return {RenderOptions(), realtime_words(panel), panel, unknowns};
+}
+
 std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
                                  const std::vector<DrawnWay>& ways) {
+  std::vector<const DrawnWay*> traced;
   std::vector<SceneView> views;
+  const DrawnWay* realtime = nullptr;
   for (const DrawnWay& way : ways) {
-    views.push_back(view_of(scene, way));
+    if (way.realtime) {
+      realtime = &way;
+    } else {
+      traced.push_back(&way);
+      views.push_back(view_of(scene, way));
+    }
   }
   std::vector<DrawnWay> found;
-  for (const std::size_t i : equally_alike(reference, views)) {
+  for (const std::size_t i :
+       views.empty() ? std::vector<std::size_t>() : equally_alike(reference, views)) {
     // Fewer features than the first has may be visible once there is a mistake.
     const auto same = [&](const DrawnWay& way) {
       const Features& a = way.options.features;
-      const Features& b = ways[i].options.features;
-      return way.options.mode == ways[i].options.mode && a.shadows == b.shadows &&
+      const Features& b = traced[i]->options.features;
+      return way.options.mode == traced[i]->options.mode && a.shadows == b.shadows &&
              a.texture == b.texture;
     };
     if (found.size() < 3 && std::none_of(found.begin(), found.end(), same)) {
-      found.push_back(ways[i]);
+      found.push_back(*traced[i]);
     }
   }
-  return found;
+  if (realtime == nullptr ||
+      (!found.empty() && share_unlike(reference, scene, found.front()) <= most_unlike_reference)) {
+    return found;
+  }
+  const DrawnWay fitted = realtime_way(
+      find_realtime_settings(reference, realtime_view_of(scene, *realtime), realtime->unknowns),
+      {});
+  return found.empty() || share_unlike(reference, scene, fitted) <= most_unlike_reference
+             ? std::vector<DrawnWay>{fitted}
+             : found;
 }
 
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
@@ -198,14 +248,17 @@ std::string causes_text(const PictureComparison& found) {
     text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
   }
-  if (found.scene_used && report.share_scene_unlike <= 0.1 && !found.drawn_with.empty()) {
+  if (found.scene_used && report.share_scene_unlike <= most_unlike_reference &&
+      !found.drawn_with.empty()) {
     text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
   }
-  if (found.scene_used && report.share_scene_unlike > 0.1) {
+  if (found.scene_used && report.share_scene_unlike > most_unlike_reference) {
     text += fmt::format(
         "the scene is not what the reference shows: our picture of it differs in {:.0f} % of the "
-        "pixels; give --profile and --features as the reference was made\n",
-        100 * report.share_scene_unlike);
+        "pixels; give {} as the reference was made\n",
+        100 * report.share_scene_unlike,
+        found.realtime ? "--parameters, --near, --far, --filter and --milestone"
+                       : "--profile and --features");
   } else if (report.claims.empty() && found.measures.same_size) {
     text += report.share_different < 0.001
                 ? "cause: none; they differ only at edges and by rounding\n"
@@ -232,7 +285,8 @@ std::string where_text(const PictureComparison& found, const std::string& scene,
   } else if (found.scene_used) {
     text += "; it shows nothing of the scene";
   }
-  if (scene.empty()) {
+  // explain traces rays.
+  if (scene.empty() || found.realtime) {
     return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
   }
   return text + fmt::format(

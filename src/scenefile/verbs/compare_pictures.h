@@ -5,6 +5,7 @@
 #include "scenefile/compare/measure.h"
 #include "scenefile/compare/worst_region.h"
 #include "scenefile/grade/causes.h"
+#include "scenefile/grade/realtime_causes.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_scene.h"
 
@@ -22,6 +23,9 @@ namespace scenefile {
 struct DrawnWay {
   RenderOptions options;
   std::string words;  ///< as command line options, such as "--profile course"
+  /// Of the assignment Realtime; `options` are then unused.
+  std::optional<RealtimeOptions> realtime = std::nullopt;
+  RealtimeUnknowns unknowns = {};  ///< of `realtime`: settings to find in the reference
 };
 
 enum class LookForCauses : std::uint8_t { where_broken, always };
@@ -37,6 +41,9 @@ struct CompareSettings {
 /// Only `profiles` if the features are known; otherwise also with the sets of features that
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
+
+/// A way of the assignment Realtime.
+DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns);
 
 /// The ways in which our picture of the scene, with all assets, is most similar to the reference:
 /// the likeliest first, then those with other features. `ways` must not be empty.
@@ -56,6 +63,7 @@ struct PictureComparison {
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds; empty: the same
   CauseReport causes;                ///< empty if no causes were looked for
+  bool realtime = false;             ///< whether the reference is of the assignment Realtime
   std::string drawn_with;            ///< DrawnWay::words of the reference; empty: unknown
   bool scene_used = false;           ///< whether the search for causes had a scene
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly

@@ -7,6 +7,7 @@
 #include "scenefile/format/recognize.h"
 #include "scenefile/verbs/grade_files.h"
 #include "scenefile/verbs/load_file.h"
+#include "scenefile/verbs/realtime_table.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
@@ -88,6 +89,7 @@ struct Reference {
   Texture picture;
   std::optional<LoadedScene> scene;
   std::vector<DrawnWay> ways;  // how it was drawn, found with the first picture
+  std::vector<DrawnWay> ways_to_try = {};
 };
 
 // The picture, scaled to the size of the reference if only the size differs.
@@ -124,6 +126,9 @@ struct ClassGrader::State {
     const std::vector<FoundFile> scenes =
         files_below(request_.scenes.empty() ? request_.references : request_.scenes, is_scene_name);
     files_ = files_below(request_.references, is_picture_name);
+    if (const Result<void> read = read_settings(); !read) {
+      return read.error();
+    }
     const std::vector<std::string> names = reference_names(files_);
     const std::vector<int> scene_of = match_scenes(scenes);
     for (std::size_t i = 0; i < files_.size(); ++i) {
@@ -142,6 +147,7 @@ struct ClassGrader::State {
         fingerprint_.add(reference.scene->text);
         add_number(fingerprint_, reference.scene->asset_fingerprint);
       }
+      reference.ways_to_try = ways_of(files_[i]);
       references_.push_back(std::move(reference));
     }
     if (references_.empty()) {
@@ -237,11 +243,40 @@ struct ClassGrader::State {
         escaped(references_.front().name));
   }
 
+  // The settings of references of the assignment Realtime, if a table gives them.
+  Result<void> read_settings() {
+    Result<std::string> text = settings_table(request_.references);
+    if (!text) {
+      return text.error();
+    }
+    std::string wrong;
+    table_ = read_realtime_table(*text, wrong);
+    if (!wrong.empty()) {
+      return Error{
+          fmt::format("{} in {}: {}", realtime_table_name, quoted(request_.references, 400), wrong),
+          ErrorKind::input};
+    }
+    return {};
+  }
+
+  // The ways in which a reference may have been drawn: those of the table replace others.
+  std::vector<DrawnWay> ways_of(const FoundFile& file) const {
+    const RealtimeRow* const row = row_of(table_, file);
+    if (row == nullptr || !std::any_of(settings_.ways.begin(), settings_.ways.end(),
+                                       [](const DrawnWay& way) { return way.realtime; })) {
+      return settings_.ways;
+    }
+    return {realtime_way(row->panel, {})};
+  }
+
   // A scene may belong to several references: intersect and illuminate.
   std::vector<int> match_scenes(const std::vector<FoundFile>& scenes) const {
     std::vector<int> result;
     for (const FoundFile& file : files_) {
-      result.push_back(match_pictures({file}, scenes).front());
+      const RealtimeRow* const row = row_of(table_, file);
+      const int named = row == nullptr ? -1 : file_named(scenes, row->scene);
+      const int matched = named >= 0 ? named : match_pictures({file}, scenes).front();
+      result.push_back(matched >= 0 ? matched : scene_of_variant(file, scenes));
     }
     return result;
   }
@@ -273,8 +308,8 @@ struct ClassGrader::State {
     const std::optional<Texture> other_size = fitted(*picture, reference.picture);
     const Texture& shown = other_size ? *other_size : *picture;
     if (reference.ways.empty() && reference.scene && reference.scene->usable() &&
-        !settings_.ways.empty()) {
-      reference.ways = ways_drawn(reference.picture, *reference.scene, settings_.ways);
+        !reference.ways_to_try.empty()) {
+      reference.ways = ways_drawn(reference.picture, *reference.scene, reference.ways_to_try);
     }
     CompareSettings settings = settings_;
     settings.ways = reference.ways;
@@ -306,6 +341,7 @@ struct ClassGrader::State {
   bool by_causes_;  // a picture passes by what is wrong with it, not by a threshold alone
   std::function<void(const char*)> entering_;
   std::vector<FoundFile> files_;  // the references
+  std::vector<RealtimeRow> table_;
   std::vector<Reference> references_;
   Hash fingerprint_;  // of the references
   std::vector<StudentFolder> folders_;

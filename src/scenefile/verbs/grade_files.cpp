@@ -241,9 +241,9 @@ std::vector<std::string> reference_names(const std::vector<FoundFile>& reference
 }
 
 bool is_layout_folder(std::string_view name) {
-  static constexpr std::array<std::string_view, 12> words{
-      "illuminate", "intersect", "required", "optional", "output",  "outputs",
-      "images",     "image",     "results",  "render",   "renders", "lightscamera"};
+  static constexpr std::array<std::string_view, 14> words{
+      "illuminate", "intersect", "required", "optional", "output",       "outputs", "images",
+      "image",      "results",   "render",   "renders",  "lightscamera", "action",  "realtime"};
   const std::string word = meaning(name);
   return word.empty() || std::find(words.begin(), words.end(), word) != words.end();
 }

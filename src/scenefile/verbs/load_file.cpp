@@ -5,6 +5,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/memory.h"
+#include "scenefile/verbs/realtime_table.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,17 @@ std::uint64_t file_fingerprint(const std::string& path, const Limits& limits) {
   Hash hash;
   hash.add(bytes ? *bytes : bytes.error().text);
   return hash.value();
+}
+
+Result<std::string> settings_table(const std::string& folder) {
+  for (const std::string& place : {folder, folder + "/.."}) {
+    for (const FolderEntry& entry : entries_of(place)) {
+      if (!entry.folder && !entry.link && entry.name == realtime_table_name) {
+        return read_file(entry.path, Limits{}.file_bytes);
+      }
+    }
+  }
+  return std::string();
 }
 
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,

@@ -40,6 +40,10 @@ Result<Texture> load_picture_file(const std::string& path, const Limits& limits 
 /// A fingerprint (base/hash.h) of the bytes of a file, or of why it cannot be read.
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});
 
+/// The text of the table in the folder of references, or in the folder that contains it
+/// (realtime_table.h); empty without one.
+Result<std::string> settings_table(const std::string& folder);
+
 /// Where the files of a scene at `path` may be: `access`, and the folder in the environment
 /// variable CS123_DATA, which replaces /course/cs123/data of the course's machines.
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,

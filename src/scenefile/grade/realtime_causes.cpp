@@ -1,0 +1,622 @@
+#include "scenefile/grade/realtime_causes.h"
+
+#include "scenefile/grade/evidence.h"
+#include "scenefile/grade/realtime_hypotheses.h"
+#include "scenefile/grade/realtime_settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <map>
+#include <random>
+#include <thread>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+using Touches = RealtimeTouches;
+using Together = std::vector<std::uint16_t>;  // several mistakes, as indices into the list
+
+constexpr std::size_t screen = 240;        // points to choose single mistakes by
+constexpr std::size_t few_points = 120;    // ... and several
+constexpr std::size_t most_partners = 40;  // that need another rasterization
+constexpr std::size_t least_strict = 40;   // pixels at edges that differ, to search by those alone
+constexpr double rival_margin = 0.03;
+constexpr double necessary = 0.01;  // what each of several mistakes explains beside the others
+constexpr double promising = 0.02;
+
+std::string percent(double share) {
+  return fmt::format("{:.0f} %", 100 * share);
+}
+
+struct Tried {
+  Together together;
+  Score score;
+  double explained = 0;
+  double exact = 0;
+  double broken = 0;
+  double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
+  bool good() const {
+    return explained >= enough && exact >= enough_exact && broken <= most_broken;
+  }
+};
+
+class Search {
+ public:
+  Search(const Texture& reference, const Texture& test, const RealtimeView& view,
+         const std::function<bool(double)>& go_on)
+      : reference_(reference), test_(test), view_(view), go_on_(go_on), drawn_(view) {}
+
+  CauseReport run() {
+    const Pixels pixels = sorted_pixels(reference_, test_);
+    const double all = static_cast<double>(test_.width) * test_.height;
+    report_.share_different = static_cast<double>(pixels.different.size()) / all;
+    if (!drawn_.usable()) {
+      return report_;
+    }
+    clean_ =
+        find_visible(drawn_.right(), drawn_.shapes(), *view_.assets, test_.width, test_.height);
+    report_.share_scene_unlike = share_unlike();
+    if (report_.share_scene_unlike > most_unlike ||
+        (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) || claim_black()) {
+      return report_;
+    }
+    list_ = realtime_hypotheses(view_, drawn_.right().scene.scene, test_.width, test_.height);
+    add_fitted();
+    if (pixels.different.size() >= few_pixels) {
+      set_points(pixels, false);
+      search();
+    }
+    if (report_.claims.empty() && report_.partial.empty() && pixels.off.size() >= least_strict &&
+        pixels.off.size() > 2 * pixels.different.size()) {
+      set_points(pixels, true);
+      search();
+    }
+    return report_;
+  }
+
+ private:
+  bool step(double done) {
+    stopped_ = stopped_ || (go_on_ && !go_on_(done));
+    return !stopped_;
+  }
+
+  // ---- drawing -----------------------------------------------------------------------------
+
+  RealtimeTrial trial_of(const Together& together) const {
+    RealtimeTrial trial = drawn_.right();
+    if (touches_of(together) == Touches::shapes) {
+      trial.scene.scene = *view_.scene;
+      apply(together, trial, true);
+      drawn_.keep_lights(trial.scene.scene);
+    }
+    apply(together, trial, false);
+    return trial;
+  }
+
+  void apply(const Together& together, RealtimeTrial& trial, bool shapes) const {
+    for (const std::uint16_t i : together) {
+      if (list_[i].draw && (list_[i].touches == Touches::shapes) == shapes) {
+        list_[i].draw(trial);
+      }
+    }
+  }
+
+  Touches touches_of(const Together& together) const {
+    Touches touches = Touches::picture;
+    for (const std::uint16_t i : together) {
+      touches = std::max(touches, list_[i].touches);
+    }
+    return touches;
+  }
+
+  // Those that determine which triangles are visible.
+  Together rasterized(const Together& together) const {
+    Together result;
+    for (const std::uint16_t i : together) {
+      if (list_[i].touches >= Touches::raster) {
+        result.push_back(i);
+      }
+    }
+    return result;
+  }
+
+  std::shared_ptr<const Visibility> visible(const Together& together) const {
+    const Touches touches = touches_of(together);
+    if (touches < Touches::raster) {
+      return clean_;
+    }
+    const RealtimeTrial trial = trial_of(together);
+    const auto shapes =
+        touches == Touches::shapes ? realtime_shapes(trial.scene.scene) : drawn_.shapes();
+    return shapes == nullptr
+               ? nullptr
+               : find_visible(trial, shapes, *view_.assets, test_.width, test_.height);
+  }
+
+  // In 1/255.
+  Colors colors(const Together& together, const std::shared_ptr<const Visibility>& visible,
+                std::size_t count) const {
+    const RealtimeTrial trial = trial_of(together);
+    const RealtimePicture picture(trial, visible, *view_.assets, test_.width, test_.height);
+    Turn turn;
+    for (const std::uint16_t i : together) {
+      turn.across = turn.across != list_[i].turn.across;
+      turn.down = turn.down != list_[i].turn.down;
+    }
+    Colors result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& p = points_[i];
+      dvec3 c = picture.pixel(turn.across ? test_.width - 1 - p.x : p.x,
+                              turn.down ? test_.height - 1 - p.y : p.y);
+      for (const std::uint16_t k : together) {
+        if (list_[k].color) {
+          c = glm::clamp(list_[k].color(c), dvec3(0), dvec3(1));
+        }
+      }
+      result[i] = 255.0 * c;
+    }
+    return result;
+  }
+
+  template <typename F>
+  static void in_parallel(std::size_t count, const F& work_on) {
+    const auto threads =
+        std::min<std::size_t>({8, count, std::max(1u, std::thread::hardware_concurrency())});
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < count; i = next++) {
+        work_on(i);
+      }
+    };
+    std::vector<std::future<void>> helpers;
+    for (std::size_t i = 1; i < threads; ++i) {
+      helpers.push_back(std::async(std::launch::async, work));
+    }
+    work();
+    for (std::future<void>& helper : helpers) {
+      helper.get();
+    }
+  }
+
+  double share_unlike() {
+    std::mt19937 random(2);
+    std::vector<std::uint32_t> pixels(std::size_t(test_.width) * test_.height);
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+      pixels[i] = i;
+    }
+    points_.clear();
+    add_points(test_, reference_, std::move(pixels), 1500, false, false, random, points_);
+    const Colors right = colors({}, clean_, points_.size());
+    std::size_t unlike = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Range range = around(reference_, points_[i].x, points_[i].y);
+      unlike += largest_of(outside(right[i], range.low - 6.0, range.high + 6.0)) > 0 ? 1 : 0;
+    }
+    return static_cast<double>(unlike) /
+           static_cast<double>(std::max<std::size_t>(1, points_.size()));
+  }
+
+  // ---- scoring -----------------------------------------------------------------------------
+
+  // Three points that differ, then one that does not, so that a prefix represents both.
+  void set_points(const Pixels& pixels, bool strict) {
+    std::mt19937 random(1);
+    std::vector<Point> different;
+    std::vector<Point> same;
+    add_points(reference_, test_, strict ? pixels.off : pixels.different, 1200, true, strict,
+               random, different);
+    add_points(reference_, test_, pixels.same, 400, false, strict, random, same);
+    points_.clear();
+    std::size_t s = 0;
+    for (std::size_t d = 0; d < different.size() || s < same.size();) {
+      for (int i = 0; i < 3 && d < different.size(); ++i) {
+        points_.push_back(different[d++]);
+      }
+      if (s < same.size()) {
+        points_.push_back(same[s++]);
+      }
+    }
+    right_ = colors({}, clean_, points_.size());
+  }
+
+  Tried rated(Together together, const Score& s, std::size_t count) const {
+    double differs = 0;
+    double same = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      (points_[i].differs ? differs : same) += points_[i].weight;
+    }
+    const double before = left_before(count);
+    Tried t;
+    t.together = std::move(together);
+    t.score = s;
+    t.explained = before > 0 ? 1 - s.left / before : 0;
+    t.exact = differs > 0 ? s.exact / differs : 0;
+    t.broken = same > 0 ? s.broken / same : 0;
+    return t;
+  }
+
+  double left_before(std::size_t count) const { return score(points_, count, right_).left; }
+
+  // Tries each set; those that show the same triangles share them.
+  std::vector<Tried> try_all(const std::vector<Together>& sets, std::size_t count, double from,
+                             double to) {
+    count = std::min(count, points_.size());
+    std::map<Together, std::vector<std::size_t>> by_raster;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      by_raster[rasterized(sets[i])].push_back(i);
+    }
+    std::vector<std::pair<Together, std::vector<std::size_t>>> groups;
+    for (auto& [raster, members] : by_raster) {
+      // Large groups in pieces, for all threads.
+      for (std::size_t start = 0; start < members.size(); start += 32) {
+        groups.emplace_back(
+            raster, std::vector<std::size_t>(
+                        members.begin() + std::ptrdiff_t(start),
+                        members.begin() + std::ptrdiff_t(std::min(members.size(), start + 32))));
+      }
+    }
+    std::vector<Tried> result(sets.size());
+    constexpr std::size_t chunk = 16;
+    for (std::size_t start = 0; start < groups.size(); start += chunk) {
+      if (!step(from +
+                (to - from) * static_cast<double>(start) / static_cast<double>(groups.size()))) {
+        break;
+      }
+      in_parallel(std::min(chunk, groups.size() - start), [&](std::size_t g) {
+        const auto& [raster, members] = groups[start + g];
+        const std::shared_ptr<const Visibility> shown = visible(raster);
+        for (const std::size_t i : members) {
+          if (shown != nullptr) {
+            result[i] = rated(sets[i], score(points_, count, colors(sets[i], shown, count)), count);
+          }
+        }
+      });
+    }
+    std::erase_if(result, [](const Tried& t) { return t.together.empty(); });
+    return result;
+  }
+
+  static void sort_by_merit(std::vector<Tried>& list) {
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Tried& a, const Tried& b) { return a.merit() > b.merit(); });
+  }
+
+  // ---- searching ---------------------------------------------------------------------------
+
+  void search() {
+    std::vector<Together> sets;
+    for (std::uint16_t i = 0; i < list_.size(); ++i) {
+      sets.push_back({i});
+    }
+    std::vector<Tried> ranked = try_all(sets, screen, 0, 0.5);
+    sort_by_merit(ranked);
+    std::vector<Tried> best = verified(ranked, 16, 0.5, 0.6);
+    if (!best.empty() && best.front().good()) {
+      claim(completed(best.front(), ranked), best);
+      return;
+    }
+    if (stopped_) {
+      return;
+    }
+    const std::vector<Tried> alone = best;
+    std::vector<Together> starts;
+    for (std::size_t i = 0; i < std::min<std::size_t>(8, ranked.size()); ++i) {
+      starts.push_back(ranked[i].together);
+    }
+    std::vector<Tried> pairs = extended(starts, ranked, 0.6, 0.8);
+    best = verified(pairs, 12, 0.8, 0.85);
+    if (!best.empty() && best.front().good()) {
+      claim(completed(without_needless(best.front()), ranked), best);
+      return;
+    }
+    starts.clear();
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, pairs.size()); ++i) {
+      starts.push_back(pairs[i].together);
+    }
+    if (!pairs.empty() && pairs.front().merit() > 0.3) {
+      best = verified(extended(starts, ranked, 0.85, 0.95), 8, 0.95, 1);
+      if (!best.empty() && best.front().good()) {
+        claim(without_needless(best.front()), best);
+        return;
+      }
+    }
+    if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
+        alone.front().broken <= most_broken) {
+      const RealtimeHypothesis& h = list_[alone.front().together.front()];
+      report_.partial.push_back(
+          {h.cause, h.what,
+           fmt::format("made on purpose, it explains {} of the difference; something else is "
+                       "wrong, too",
+                       percent(alone.front().explained)),
+           alone.front().explained});
+    }
+  }
+
+  // The best screened mistakes at all points; among similar ones the more likely first.
+  std::vector<Tried> verified(const std::vector<Tried>& ranked, std::size_t count, double from,
+                              double to) {
+    std::vector<Together> sets;
+    for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i) {
+      if (ranked[i].merit() > 0.05) {
+        sets.push_back(ranked[i].together);
+      }
+    }
+    std::vector<Tried> result = try_all(sets, points_.size(), from, to);
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Tried& a, const Tried& b) { return a.score.raw < b.score.raw; });
+    if (result.empty()) {
+      return result;
+    }
+    const double limit = tie_limit(result.front().score.raw);
+    const auto last = std::find_if(result.begin(), result.end(),
+                                   [&](const Tried& t) { return t.score.raw > limit; });
+    std::stable_sort(result.begin(), last,
+                     [](const Tried& a, const Tried& b) { return a.together < b.together; });
+    std::stable_partition(result.begin(), result.end(), [](const Tried& t) { return t.good(); });
+    return result;
+  }
+
+  // What leaves less is as good as what leaves `raw`.
+  double tie_limit(double raw) const { return 1.1 * raw + 0.0003 * left_before(points_.size()); }
+
+  // Combines each start with single mistakes; of those that need another rasterization, the most
+  // promising.
+  std::vector<Tried> extended(const std::vector<Together>& starts, const std::vector<Tried>& ranked,
+                              double from, double to) {
+    std::vector<Together> sets;
+    for (const Together& start : starts) {
+      std::size_t partners = 0;
+      for (const Tried& t : ranked) {
+        const std::uint16_t other = t.together.front();
+        if (list_[other].touches >= Touches::raster &&
+            (partners >= most_partners || (t.exact < promising && t.explained < promising))) {
+          continue;
+        }
+        if (!fits(start, other)) {
+          continue;
+        }
+        partners += list_[other].touches >= Touches::raster ? 1 : 0;
+        Together together = start;
+        together.push_back(other);
+        std::sort(together.begin(), together.end());
+        sets.push_back(std::move(together));
+      }
+    }
+    std::sort(sets.begin(), sets.end());
+    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+    std::vector<Tried> result = try_all(sets, few_points, from, to);
+    sort_by_merit(result);
+    return result;
+  }
+
+  // Two mistakes of the same kind rarely combine: one replaces the other.
+  bool fits(const Together& start, std::uint16_t other) const {
+    return std::none_of(start.begin(), start.end(), [&](std::uint16_t i) {
+      const Cause a = list_[i].cause;
+      return i == other || (a == list_[other].cause && a != Cause::specular && a != Cause::shapes &&
+                            a != Cause::culling && a != Cause::normals);
+    });
+  }
+
+  // Adds the mistake that explains most of the remaining difference, if any.
+  Tried completed(const Tried& found, const std::vector<Tried>& ranked) {
+    if (stopped_ || found.score.left < 0.02 * left_before(points_.size()) ||
+        found.together.size() > 2) {
+      return found;
+    }
+    const std::vector<Tried> best =
+        verified(extended({found.together}, ranked, 0.85, 0.95), 6, 0.95, 1);
+    if (!best.empty() && best.front().good() && best.front().score.left < 0.4 * found.score.left) {
+      return without_needless(best.front());
+    }
+    return found;
+  }
+
+  Tried without_needless(Tried found) {
+    for (std::size_t i = 0; found.together.size() > 1 && i < found.together.size();) {
+      Together fewer = found.together;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      const std::vector<Tried> tried = try_all({fewer}, points_.size(), 1, 1);
+      if (!tried.empty() && tried.front().good() &&
+          tried.front().explained > found.explained - necessary) {
+        found = tried.front();
+        i = 0;
+      } else {
+        ++i;
+      }
+    }
+    return found;
+  }
+
+  void claim(const Tried& found, const std::vector<Tried>& others) {
+    const double before = left_before(points_.size());
+    const double values = 3.0 * test_.width * test_.height;
+    for (const std::uint16_t i : found.together) {
+      Claim one{list_[i].cause, list_[i].what, {}, found.explained};
+      if (found.together.size() == 1) {
+        one.evidence = fmt::format(
+            "made on purpose, it leaves {:.3f}/255 of a mean difference of {:.3f}/255, and {} of "
+            "the pixels that differed are as here",
+            found.score.left / values, before / values, percent(found.exact));
+      } else {
+        const std::vector<Tried> alone = try_all({{i}}, points_.size(), 1, 1);
+        one.evidence = fmt::format(
+            "together they explain {} of the difference; alone {}", percent(found.explained),
+            percent(alone.empty() ? 0 : std::max(0.0, alone.front().explained)));
+      }
+      report_.claims.push_back(std::move(one));
+    }
+    if (found.together.size() > 1) {
+      return;
+    }
+    std::string same;
+    for (const Tried& t : others) {
+      const RealtimeHypothesis& h = list_[t.together.front()];
+      const bool listed = h.cause == report_.claims.front().cause ||
+                          std::any_of(report_.rivals.begin(), report_.rivals.end(),
+                                      [&](const Claim& c) { return c.cause == h.cause; });
+      if (t.together.size() == 1 && !listed && t.good() && report_.rivals.size() < 3 &&
+          t.score.raw <= found.score.raw + rival_margin * before) {
+        report_.rivals.push_back(
+            {h.cause, h.what,
+             fmt::format("made on purpose, it explains {} of the difference", percent(t.explained)),
+             t.explained});
+        if (t.score.raw <= tie_limit(found.score.raw)) {
+          same += "; or " + h.what;
+          report_.rivals.back().said = true;
+        }
+      }
+    }
+    if (!same.empty()) {
+      report_.claims.back().what += same + ": the pictures are the same";
+    }
+  }
+
+  // ---- causes that the pictures themselves tell ----------------------------------------------
+
+  bool claim_black() {
+    std::size_t dark = 0;
+    std::size_t bright = 0;
+    for (std::size_t i = 0; i < test_.rgb.size(); ++i) {
+      dark += test_.rgb[i] <= 2 ? 1 : 0;
+      bright += reference_.rgb[i] > 8 ? 1 : 0;
+    }
+    const auto all = static_cast<double>(test_.rgb.size());
+    if (static_cast<double>(dark) < 0.9995 * all || static_cast<double>(bright) < 0.005 * all) {
+      return false;
+    }
+    report_.claims.push_back({Cause::black, "the picture is black: nothing is drawn",
+                              "all pixels are black, and the reference shows something", 1});
+    return true;
+  }
+
+  // Settings that fit the test, if they are not those of the reference.
+  void add_fitted() {
+    if (!step(0)) {
+      return;
+    }
+    const RealtimeOptions& right = view_.panel;
+    RealtimeOptions fitted = fitted_depths(test_, drawn_, right);
+    if (fitted.near != right.near || fitted.far != right.far) {
+      std::string what;
+      if (fitted.near != right.near) {
+        what += fmt::format("near is {}, not {}", fitted.near, right.near);
+      }
+      if (fitted.far != right.far) {
+        what +=
+            fmt::format("{}far is {}, not {}", what.empty() ? "" : ", and ", fitted.far, right.far);
+      }
+      list_.push_back({Cause::clipping,
+                       what,
+                       Touches::raster,
+                       [fitted](RealtimeTrial& t) {
+                         t.panel.near = fitted.near;
+                         t.panel.far = fitted.far;
+                       },
+                       {},
+                       {}});
+    }
+    const TessellationParameters parameters = fitted_parameters(test_, drawn_, right);
+    if (!(parameters == right.tessellation)) {
+      list_.push_back(
+          {Cause::tessellation,
+           fmt::format("shapes are drawn with the parameters {}, and the reference "
+                       "has {}",
+                       parameters_text(parameters), parameters_text(right.tessellation)),
+           Touches::raster,
+           [parameters](RealtimeTrial& t) { t.panel.tessellation = parameters; },
+           {},
+           {}});
+    }
+    add_background();
+  }
+
+  // The color that most of the picture's border has.
+  void add_background() {
+    std::map<std::array<std::uint8_t, 3>, std::size_t> colors;
+    std::size_t all = 0;
+    const RealtimeTrial trial = drawn_.right();
+    const RealtimePicture picture(trial, clean_, *view_.assets, test_.width, test_.height);
+    for (int y = 0; y < test_.height; y += 7) {
+      for (int x = 0; x < test_.width; x += 7) {
+        if (picture.triangle_at(x, y) == Visibility::nothing) {
+          const std::uint8_t* t = test_.texel(x, y);
+          ++colors[{t[0], t[1], t[2]}];
+          ++all;
+        }
+      }
+    }
+    if (all == 0) {
+      return;
+    }
+    const auto most =
+        std::max_element(colors.begin(), colors.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto& c = most->first;
+    if (10 * most->second < 7 * all || c == std::array<std::uint8_t, 3>{0, 0, 0}) {
+      return;
+    }
+    list_.push_back({Cause::background,
+                     fmt::format("the background is {} {} {}, not black", c[0], c[1], c[2]),
+                     Touches::shading,
+                     [color = dvec3(c[0], c[1], c[2]) / 255.0](RealtimeTrial& t) {
+                       t.scene.mistakes.background = color;
+                     },
+                     {},
+                     {}});
+  }
+
+  const Texture& reference_;
+  const Texture& test_;
+  const RealtimeView& view_;
+  const std::function<bool(double)>& go_on_;
+  const RealtimeDrawn drawn_;
+  std::shared_ptr<const Visibility> clean_;
+  std::vector<RealtimeHypothesis> list_;
+  std::vector<Point> points_;
+  Colors right_;  // at the points, without mistakes
+  bool stopped_ = false;
+  CauseReport report_;
+};
+
+}  // namespace
+
+CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
+                                 const RealtimeView& view,
+                                 const std::function<bool(double done)>& go_on) {
+  if (reference.width != test.width || reference.height != test.height || reference.empty()) {
+    return {};
+  }
+  CauseReport report = Search(reference, test, view, go_on).run();
+  if (report.claims.empty() && report.partial.empty()) {
+    // What needs no scene, such as a blurred picture.
+    CauseReport plain = find_causes(reference, test, nullptr, {});
+    report.claims = std::move(plain.claims);
+    report.rivals = std::move(plain.rivals);
+  }
+  return report;
+}
+
+std::optional<std::uint32_t> realtime_source_at(const RealtimeView& view, const glm::ivec2& pixel,
+                                                const glm::ivec2& size) {
+  const RealtimeDrawn drawn(view);
+  if (!drawn.usable()) {
+    return std::nullopt;
+  }
+  const auto visible = find_visible(drawn.right(), drawn.shapes(), *view.assets, size.x, size.y);
+  const RealtimePicture picture(drawn.right(), visible, *view.assets, size.x, size.y);
+  const std::uint32_t number = picture.triangle_at(pixel.x, pixel.y);
+  return number == Visibility::nothing
+             ? std::nullopt
+             : std::optional(visible->shapes->parts[visible->triangles[number].part].source);
+}
+
+}  // namespace scenefile

@@ -1,0 +1,49 @@
+#pragma once
+// Finds out why a picture of the assignment Realtime differs from its reference, by the same rule
+// as causes.h: names a mistake only if making it on purpose gives the picture.
+
+#include "scenefile/base/realtime.h"
+#include "scenefile/grade/causes.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace scenefile {
+
+/// The scene of a reference, and the settings that it was drawn with.
+struct RealtimeView {
+  const RenderScene* scene = nullptr;
+  const Assets* assets = nullptr;
+  const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
+  RealtimeOptions panel;
+};
+
+/// The settings that are not given.
+struct RealtimeUnknowns {
+  bool parameters = false;
+  bool near = false;
+  bool far = false;
+  bool filter = false;
+  bool milestone = false;
+  bool any() const { return parameters || near || far || filter || milestone; }
+};
+
+/// The settings whose picture of the scene is most similar to the reference. Those that are given
+/// stay as they are in `view.panel`; where others fit equally well, so do the rest.
+RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeView& view,
+                                       const RealtimeUnknowns& unknowns);
+
+/// The settings as options of the program: "--profile realtime --parameters 5,5".
+std::string realtime_words(const RealtimeOptions& panel);
+
+/// Same as find_causes().
+CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
+                                 const RealtimeView& view,
+                                 const std::function<bool(double done)>& go_on = {});
+
+/// What the scene shows at a pixel of a picture of that size, as source_at() does.
+std::optional<std::uint32_t> realtime_source_at(const RealtimeView& view, const glm::ivec2& pixel,
+                                                const glm::ivec2& size);
+
+}  // namespace scenefile

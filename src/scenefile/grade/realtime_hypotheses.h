@@ -1,0 +1,38 @@
+#pragma once
+// The mistakes to try in pictures of the assignment Realtime. Internal to the room.
+
+#include "scenefile/grade/realtime_causes.h"
+#include "scenefile/grade/realtime_picture.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace scenefile {
+
+/// Which part of drawing a mistake affects; earlier ones are cheaper to test.
+enum class RealtimeTouches : std::uint8_t {
+  picture,  ///< only the finished picture
+  shading,  ///< not which triangles are visible
+  raster,   ///< which triangles are visible, of the same shapes
+  shapes,
+};
+
+struct RealtimeHypothesis {
+  Cause cause = Cause::rounding;
+  std::string what;
+  RealtimeTouches touches = RealtimeTouches::shading;
+  std::function<void(RealtimeTrial&)> draw;
+  Turn turn;
+  std::function<glm::dvec3(const glm::dvec3&)> color;  ///< empty: unchanged
+};
+
+/// The mistakes that can make a difference for this scene; of two that look alike, the more common
+/// one comes first. `lit`: the scene of the view with the lights of its milestone only.
+std::vector<RealtimeHypothesis> realtime_hypotheses(const RealtimeView& view,
+                                                    const RenderScene& lit, int width, int height);
+
+/// "5,3"
+std::string parameters_text(const TessellationParameters& parameters);
+
+}  // namespace scenefile

@@ -1,0 +1,695 @@
+#include "scenefile/grade/realtime_picture.h"
+
+#include "scenefile/geometry/realtime_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double pi = 3.14159265358979323846;
+
+double cross(const dvec2& a, const dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+dvec3 unit(const dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : v;
+}
+
+double to_byte(double value) {
+  return std::round(std::clamp(std::isnan(value) ? 0 : value, 0.0, 1.0) * 255) / 255;
+}
+
+// ---- shapes ----------------------------------------------------------------------------------
+
+// A cap has the normal of the axis.
+bool is_cap(Shape shape, const Mesh& mesh, std::size_t triangle) {
+  if (shape != Shape::cylinder && shape != Shape::cone) {
+    return false;
+  }
+  const auto& corners = mesh.triangle_normals[triangle];
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t n) {
+    return std::abs(std::abs(mesh.normals[n].y) - 1) < 1e-6f;
+  });
+}
+
+// Splits quads, which are two triangles in sequence, along their other diagonal.
+void split_otherwise(Mesh& mesh) {
+  for (std::size_t i = 0; i + 1 < mesh.triangles.size(); ++i) {
+    auto& first = mesh.triangles[i];
+    auto& second = mesh.triangles[i + 1];
+    if (first[0] == second[0] && first[2] == second[1]) {
+      auto& first_normals = mesh.triangle_normals[i];
+      auto& second_normals = mesh.triangle_normals[i + 1];
+      // (a, b, c), (a, c, d) become (a, b, d), (b, c, d).
+      const std::array corner{first[0], first[1], first[2], second[2]};
+      const std::array normal{first_normals[0], first_normals[1], first_normals[2],
+                              second_normals[2]};
+      first = {corner[0], corner[1], corner[3]};
+      second = {corner[1], corner[2], corner[3]};
+      first_normals = {normal[0], normal[1], normal[3]};
+      second_normals = {normal[1], normal[2], normal[3]};
+      ++i;
+    }
+  }
+}
+
+void turn(Mesh& mesh, double angle, bool clockwise) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  const auto moved = [&](const glm::vec3& v) {
+    const double z = clockwise ? -double(v.z) : double(v.z);
+    return glm::vec3(c * v.x + s * z, v.y, -s * v.x + c * z);
+  };
+  std::transform(mesh.positions.begin(), mesh.positions.end(), mesh.positions.begin(), moved);
+  std::transform(mesh.normals.begin(), mesh.normals.end(), mesh.normals.begin(), moved);
+  if (clockwise) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+      std::swap(mesh.triangle_normals[i][1], mesh.triangle_normals[i][2]);
+    }
+  }
+}
+
+glm::vec3 cone_normal(const glm::vec3& right, const glm::vec3& position,
+                      ConeNormalMistake mistake) {
+  const double x = 0.5 * right.x;  // (2 cos, 1, 2 sin) normalized is (x, slope, z) times 4 / sqrt 5
+  const double z = 0.5 * right.z;
+  const double slope = 0.5 * right.y;
+  switch (mistake) {
+    case ConeNormalMistake::level:
+      return unit({x, 0, z});
+    case ConeNormalMistake::like_sphere:
+      return unit(dvec3(position));
+    case ConeNormalMistake::half_slope:
+      return unit({x, slope / 2, z});
+    case ConeNormalMistake::double_slope:
+      return unit({x, 2 * slope, z});
+    case ConeNormalMistake::four_slopes:
+      return unit({x, 4 * slope, z});
+    case ConeNormalMistake::slope_down:
+      return unit({x, -slope, z});
+    case ConeNormalMistake::none:
+      break;
+  }
+  return right;
+}
+
+// Each side normal of a cone, changed for the corner that has it.
+void change_cone(Mesh& mesh, const RealtimeTrial& trial) {
+  const ConeNormalMistake mistake = trial.scene.mistakes.cone_normal;
+  if (mistake == ConeNormalMistake::none && !trial.mesh.tip_up && !trial.mesh.tip_of_first) {
+    return;
+  }
+  const std::vector<glm::vec3> right = mesh.normals;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (is_cap(Shape::cone, mesh, i)) {
+      continue;
+    }
+    const auto before = mesh.triangle_normals[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 position = mesh.positions[mesh.triangles[i][k]];
+      glm::vec3 normal = cone_normal(right[before[k]], position, mistake);
+      if (position.y > 0.4999f && trial.mesh.tip_up) {
+        normal = {0, 1, 0};
+      } else if (position.y > 0.4999f && trial.mesh.tip_of_first) {
+        normal = right[before[(k + 1) % 3]];
+      }
+      mesh.triangle_normals[i][k] = static_cast<std::uint32_t>(mesh.normals.size());
+      mesh.normals.push_back(normal);
+    }
+  }
+}
+
+Mesh student_mesh(Shape shape, const RealtimeTrial& trial) {
+  const TessellationParameters parameters =
+      trial.tessellation[static_cast<std::size_t>(shape)].value_or(trial.panel.tessellation);
+  Mesh mesh = realtime_mesh(shape, parameters);
+  const MeshMistakes& m = trial.mesh;
+  const ModelMistakes& common = trial.scene.mistakes;
+  if (m.other_diagonal) {
+    split_otherwise(mesh);
+  }
+  if (m.quarter_turns != 0 || m.half_wedge || m.clockwise) {
+    const int wedges = std::max(3, parameters.parameter2);
+    if (shape != Shape::cube) {
+      turn(mesh, m.quarter_turns * pi / 2 + (m.half_wedge ? pi / wedges : 0), m.clockwise);
+    }
+  }
+  if (shape == Shape::cone) {
+    change_cone(mesh, trial);
+  }
+  const bool no_cap = (shape == Shape::cylinder && common.no_cylinder_caps) ||
+                      (shape == Shape::cone && common.no_cone_cap);
+  const auto index = static_cast<std::size_t>(shape);
+  const int wedges = std::max(3, parameters.parameter2);
+  const int rows = std::max(shape == Shape::sphere ? 2 : 1, parameters.parameter1);
+  Mesh kept = mesh;
+  kept.triangles.clear();
+  kept.triangle_normals.clear();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const bool cap = is_cap(shape, mesh, i);
+    std::array<std::uint32_t, 3> corners = mesh.triangles[i];
+    std::array<std::uint32_t, 3> normals = mesh.triangle_normals[i];
+    const glm::vec3 center =
+        (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) /
+        3.0f;
+    double angle = std::atan2(-double(center.z), double(center.x)) / (2 * pi);
+    angle -= std::floor(angle);
+    const bool last_wedge = shape != Shape::cube && angle > (wedges - 1.0) / wedges;
+    const bool last_row =
+        shape == Shape::sphere
+            ? std::acos(std::clamp(double(center.y) / glm::length(dvec3(center)), -1.0, 1.0)) >
+                  pi * (rows - 1.0) / rows
+            : shape != Shape::cube && !cap && center.y < -0.5f + 1.0f / float(rows);
+    if ((cap && no_cap) || (m.seam_missing && last_wedge) || (m.last_row_missing && last_row)) {
+      continue;
+    }
+    if (cap ? trial.inside_out.caps[index] : trial.inside_out.sides[index]) {
+      std::swap(corners[1], corners[2]);
+      std::swap(normals[1], normals[2]);
+    }
+    if (cap && common.cap_normals_down) {
+      for (std::uint32_t& n : normals) {
+        kept.normals.push_back(-mesh.normals[n]);
+        n = static_cast<std::uint32_t>(kept.normals.size() - 1);
+      }
+    }
+    kept.triangles.push_back(corners);
+    kept.triangle_normals.push_back(normals);
+  }
+  if (m.radius_one) {
+    for (glm::vec3& p : kept.positions) {
+      p *= 2.0f;
+    }
+  }
+  return kept;
+}
+
+// ---- rasterization ---------------------------------------------------------------------------
+
+// Coordinates along the camera's axes, which need not be perpendicular: right, up, depth.
+struct CameraAxes {
+  dvec3 position;
+  glm::dmat3 inverse;
+  explicit CameraAxes(const RenderCamera& c)
+      : position(c.position), inverse(glm::inverse(glm::dmat3(c.u, c.v, -c.w))) {}
+  dvec3 of(const dvec3& world) const { return inverse * (world - position); }
+};
+
+struct Corner {
+  dvec3 at;  // right, up, depth
+};
+
+struct Polygon {
+  std::array<Corner, 6> corners;
+  std::size_t count = 0;
+};
+
+// Keeps what is farther than `depth` (side 1) or nearer (side -1).
+Polygon clipped(const Polygon& polygon, double depth, double side) {
+  Polygon result;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Corner& a = polygon.corners[i];
+    const Corner& b = polygon.corners[(i + 1) % polygon.count];
+    const double in_a = side * (a.at.z - depth);
+    const double in_b = side * (b.at.z - depth);
+    if (in_a >= 0) {
+      result.corners[result.count++] = a;
+    }
+    if ((in_a >= 0) != (in_b >= 0)) {
+      result.corners[result.count++] = {a.at + in_a / (in_a - in_b) * (b.at - a.at)};
+    }
+  }
+  return result;
+}
+
+class Rasterizer {
+ public:
+  Rasterizer(const RealtimeTrial& trial, const Assets& assets, Visibility& to)
+      : trial_(trial),
+        assets_(assets),
+        to_(to),
+        axes_(trial.scene.scene.camera),
+        tan_y_(std::tan(trial.scene.scene.camera.fov_y / 2)),
+        tan_x_(tan_y_ * to.aspect) {
+    depth_.assign(to.seen.size(), trial.depth == DepthTest::reversed ? -1.0f : 0xffffff);
+  }
+
+  void draw(std::uint32_t part_index) {
+    const ModelPart& part = to_.shapes->parts[part_index];
+    const Mesh& mesh = to_.mesh_of({part_index, 0}, assets_);
+    corners_.clear();
+    for (const glm::vec3& p : mesh.positions) {
+      corners_.push_back({axes_.of(part.world_from_object.point(dvec3(p)))});
+    }
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const auto& t = mesh.triangles[i];
+      Polygon polygon{{corners_[t[0]], corners_[t[1]], corners_[t[2]]}, 3};
+      const double nearest =
+          std::min({polygon.corners[0].at.z, polygon.corners[1].at.z, polygon.corners[2].at.z});
+      const double farthest =
+          std::max({polygon.corners[0].at.z, polygon.corners[1].at.z, polygon.corners[2].at.z});
+      if (nearest < trial_.panel.near) {
+        polygon = clipped(polygon, trial_.panel.near, 1);
+      }
+      if (farthest > trial_.panel.far) {
+        polygon = clipped(polygon, trial_.panel.far, -1);
+      }
+      const auto number = static_cast<std::uint32_t>(to_.triangles.size());
+      bool any = false;
+      for (std::size_t k = 2; k < polygon.count; ++k) {
+        any = fill(polygon.corners[0], polygon.corners[k - 1], polygon.corners[k], number) || any;
+      }
+      if (any) {
+        to_.triangles.push_back({part_index, i});
+      }
+    }
+  }
+
+ private:
+  dvec2 window(const Corner& c) const {
+    const dvec2 place((c.at.x / (c.at.z * tan_x_) + 1) / 2 * to_.viewport_width,
+                      (c.at.y / (c.at.z * tan_y_) + 1) / 2 * to_.viewport_height);
+    return glm::round(place * 256.0) / 256.0;
+  }
+
+  // Whether a center on the edge belongs to the triangle: left edges go down, upper ones left.
+  static bool owns(const dvec2& edge) { return edge.y < 0 || (edge.y == 0 && edge.x < 0); }
+
+  // Whether a pixel shows the triangle.
+  bool fill(const Corner& a, const Corner& b, const Corner& c, std::uint32_t number) {
+    std::array<dvec2, 3> p{window(a), window(b), window(c)};
+    std::array<double, 3> inverse_depth{1 / a.at.z, 1 / b.at.z, 1 / c.at.z};
+    double area = cross(p[1] - p[0], p[2] - p[0]);
+    const bool front = area > 0;
+    if (!std::isfinite(area) || area == 0 ||
+        (front ? trial_.culling == Culling::front : trial_.culling == Culling::back)) {
+      return false;
+    }
+    if (!front) {
+      std::swap(p[1], p[2]);
+      std::swap(inverse_depth[1], inverse_depth[2]);
+      area = -area;
+    }
+    const dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
+    const dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
+    const int right = std::min(to_.width, to_.viewport_width);
+    const int upper = std::min(to_.height, to_.viewport_height);
+    if (!(high.x > 0 && high.y > 0 && low.x < right && low.y < upper)) {
+      return false;
+    }
+    const int x0 = low.x > 0 ? static_cast<int>(low.x) : 0;
+    const int y0 = low.y > 0 ? static_cast<int>(low.y) : 0;
+    const int x1 = high.x < right ? static_cast<int>(high.x) : right - 1;
+    const int y1 = high.y < upper ? static_cast<int>(high.y) : upper - 1;
+    std::array<dvec2, 3> edge;
+    std::array<bool, 3> owned{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      edge[k] = p[(k + 2) % 3] - p[(k + 1) % 3];
+      owned[k] = owns(edge[k]);
+    }
+    const double n = trial_.panel.near;
+    const double f = trial_.panel.far;
+    bool any = false;
+    for (int y = y0; y <= y1; ++y) {
+      const dvec2 start(x0 + 0.5, y + 0.5);
+      std::array<double, 3> weight{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        weight[k] = cross(edge[k], start - p[(k + 1) % 3]);
+      }
+      // The range of columns where all three weights are positive, made one column wider.
+      double first = 0;
+      double last = x1 - x0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double slope = -edge[k].y;
+        if (slope > 0) {
+          first = std::max(first, std::floor(-weight[k] / slope));
+        } else if (slope < 0) {
+          last = std::min(last, std::ceil(-weight[k] / slope));
+        }
+      }
+      if (!(first <= last)) {
+        continue;
+      }
+      for (int x = x0 + static_cast<int>(first); x <= x0 + static_cast<int>(last); ++x) {
+        const double along = x - x0;
+        bool inside = true;
+        double sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double w = weight[k] - along * edge[k].y;
+          inside = inside && (w > 0 || (w == 0 && owned[k]));
+          sum += w * inverse_depth[k];
+        }
+        if (!inside) {
+          continue;
+        }
+        const auto depth =
+            static_cast<float>(std::round((f - f * n * sum / area) / (f - n) * 0xffffff));
+        float& known = depth_[std::size_t(y) * to_.width + x];
+        if (trial_.depth == DepthTest::none ||
+            (trial_.depth == DepthTest::less ? depth < known : depth > known)) {
+          known = depth;
+          to_.seen[std::size_t(y) * to_.width + x] = number;
+          any = true;
+        }
+      }
+    }
+    return any;
+  }
+
+  const RealtimeTrial& trial_;
+  const Assets& assets_;
+  Visibility& to_;
+  CameraAxes axes_;
+  double tan_y_;
+  double tan_x_;
+  std::vector<Corner> corners_;
+  std::vector<float> depth_;  // 24 bits
+};
+
+}  // namespace
+
+FilterSteps steps_of(Filter filter) {
+  FilterSteps steps;
+  switch (filter) {
+    case Filter::none:
+      break;
+    case Filter::invert:
+      steps.colors = glm::dmat3(-1);
+      steps.added = dvec3(1);
+      break;
+    case Filter::grayscale:
+      steps.colors = glm::dmat3(dvec3(0.299), dvec3(0.587), dvec3(0.114));
+      break;
+    case Filter::blur:
+      steps.columns = steps.rows = 5;
+      steps.weights.assign(25, 1 / 25.0);
+      break;
+    case Filter::sharpen:
+      steps.columns = steps.rows = 3;
+      steps.weights.assign(9, -1 / 9.0);
+      steps.weights[4] = 17 / 9.0;
+      break;
+  }
+  return steps;
+}
+
+std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene) {
+  if (!(count_virtual_primitives(scene) <= most_realtime_parts)) {
+    return nullptr;
+  }
+  auto shapes = std::make_shared<RealtimeShapes>();
+  // In the order of the file: a group's primitives, then its instances.
+  std::vector<std::pair<std::uint32_t, DAffine>> open{{scene.root, DAffine()}};
+  while (!open.empty()) {
+    const auto [index, world_from_group] = open.back();
+    open.pop_back();
+    const RenderGroup& group = scene.groups[index];
+    for (const RenderPrimitive& p : group.primitives) {
+      const DAffine world_from_object = world_from_group * DAffine(p.group_from_object);
+      shapes->parts.push_back(
+          {world_from_object, inverse(world_from_object), p.shape, p.mesh, p.material, p.source});
+      shapes->counts[static_cast<std::size_t>(p.shape)] += 1;
+    }
+    for (std::size_t i = group.instances.size(); i-- > 0;) {
+      const RenderInstance& instance = group.instances[i];
+      open.emplace_back(instance.group, world_from_group * DAffine(instance.group_from_instance));
+    }
+  }
+  return shapes;
+}
+
+const Mesh& Visibility::mesh_of(const Triangle& t, const Assets& assets) const {
+  const ModelPart& part = shapes->parts[t.part];
+  return part.shape == Shape::mesh ? assets.meshes[part.mesh]
+                                   : meshes[static_cast<std::size_t>(part.shape)];
+}
+
+std::array<dvec3, 3> Visibility::corners(const Triangle& t, const Assets& assets) const {
+  const Mesh& mesh = mesh_of(t, assets);
+  const ModelPart& part = shapes->parts[t.part];
+  std::array<dvec3, 3> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = part.world_from_object.point(dvec3(mesh.positions[mesh.triangles[t.index][k]]));
+  }
+  return result;
+}
+
+std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
+                                               std::shared_ptr<const RealtimeShapes> shapes,
+                                               const Assets& assets, int width, int height) {
+  auto visible = std::make_shared<Visibility>();
+  Visibility& v = *visible;
+  const RealtimeWindow window = realtime_window(width, height);
+  const dvec2 picture(width, height);
+  const dvec2 framed =
+      trial.panel.milestone == Milestone::action ? dvec2(window.width, window.height) : picture;
+  const dvec2 frame = glm::max(dvec2(1), glm::round(trial.frame.frame.value_or(framed)));
+  const dvec2 viewport = glm::max(dvec2(1), glm::round(trial.frame.viewport.value_or(picture)));
+  v.width = static_cast<int>(frame.x);
+  v.height = static_cast<int>(frame.y);
+  v.viewport_width = static_cast<int>(viewport.x);
+  v.viewport_height = static_cast<int>(viewport.y);
+  v.aspect = trial.frame.aspect.value_or(double(window.width) / window.height);
+  v.seen.assign(std::size_t(v.width) * v.height, Visibility::nothing);
+  v.shapes = std::move(shapes);
+  for (const Shape shape : {Shape::cube, Shape::cone, Shape::cylinder, Shape::sphere}) {
+    if (v.shapes->counts[static_cast<std::size_t>(shape)] > 0) {
+      v.meshes[static_cast<std::size_t>(shape)] = student_mesh(shape, trial);
+    }
+  }
+  Rasterizer rasterizer(trial, assets, v);
+  for (std::uint32_t i = 0; i < v.shapes->parts.size(); ++i) {
+    rasterizer.draw(i);
+  }
+  return visible;
+}
+
+// ---- colors ----------------------------------------------------------------------------------
+
+RealtimePicture::RealtimePicture(const RealtimeTrial& trial,
+                                 std::shared_ptr<const Visibility> visible, const Assets& assets,
+                                 int width, int height)
+    : trial_(trial),
+      visible_(std::move(visible)),
+      assets_(assets),
+      width_(width),
+      height_(height),
+      filter_(trial.filter ? *trial.filter : steps_of(trial.panel.filter)),
+      options_(trial.scene.options) {
+  options_.mode = Mode::ray;
+  options_.features = {false, false, false, false, false, false, false};
+  model_ = std::make_unique<Model>(trial_.scene.scene, no_shapes_, assets_, options_,
+                                   trial_.scene.mistakes);
+}
+
+dvec3 RealtimePicture::weights_at(int x, int y, const std::array<dvec3, 3>& corners,
+                                  dvec3& position) const {
+  const RenderCamera& camera = trial_.scene.scene.camera;
+  const double tan_y = std::tan(camera.fov_y / 2);
+  const double right = ((x + 0.5) / visible_->viewport_width * 2 - 1) * tan_y * visible_->aspect;
+  const double up = ((y + 0.5) / visible_->viewport_height * 2 - 1) * tan_y;
+  const dvec3 direction = right * camera.u + up * camera.v - camera.w;
+  const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double slope = glm::dot(normal, direction);
+  const double t = glm::dot(normal, corners[0] - camera.position) / slope;
+  if (!std::isfinite(t)) {
+    position = (corners[0] + corners[1] + corners[2]) / 3.0;
+    return dvec3(1 / 3.0);
+  }
+  position = camera.position + t * direction;
+  const double all = glm::dot(normal, normal);
+  const double b = glm::dot(glm::cross(corners[2] - position, corners[0] - position), normal) / all;
+  const double c = glm::dot(glm::cross(corners[0] - position, corners[1] - position), normal) / all;
+  return {1 - b - c, b, c};
+}
+
+dvec3 RealtimePicture::normal_of(const ModelPart& part, const Mesh& mesh, std::uint32_t index,
+                                 int corner, dvec3& in_object) const {
+  const auto& triangle = mesh.triangles[index];
+  Interpolation interpolation = trial_.interpolation;
+  if (!trial_.interpolated_shapes[static_cast<std::size_t>(part.shape)]) {
+    interpolation = Interpolation::normals;
+  }
+  if (interpolation == Interpolation::first_corner) {
+    corner = 0;
+  } else if (interpolation == Interpolation::last_corner) {
+    corner = 2;
+  }
+  const std::uint32_t known =
+      mesh.triangle_normals.empty() ? mesh_no_index : mesh.triangle_normals[index][corner];
+  if (known == mesh_no_index || interpolation == Interpolation::flat) {
+    const dvec3 a(mesh.positions[triangle[0]]);
+    in_object = unit(
+        glm::cross(dvec3(mesh.positions[triangle[1]]) - a, dvec3(mesh.positions[triangle[2]]) - a));
+    // Of triangles that are wound the wrong way as well.
+    if (known != mesh_no_index && glm::dot(in_object, dvec3(mesh.normals[known])) < 0) {
+      in_object = -in_object;
+    }
+  } else {
+    in_object = unit(dvec3(mesh.normals[known]));
+  }
+  const glm::dmat3& matrix = part.world_from_object.linear;
+  const glm::dmat3& inverse = part.object_from_world.linear;
+  switch (trial_.scene.mistakes.normals) {
+    case NormalMistake::by_matrix:
+    case NormalMistake::matrix_not_normalized:
+      return matrix * in_object;
+    case NormalMistake::by_inverse:
+      return inverse * in_object;
+    case NormalMistake::by_transpose:
+      return glm::transpose(matrix) * in_object;
+    case NormalMistake::of_object:
+      return in_object;
+    case NormalMistake::translated:
+      return part.world_from_object.point(in_object);
+    case NormalMistake::inverted:
+      return -(glm::transpose(inverse) * in_object);
+    case NormalMistake::none:
+    case NormalMistake::toward_eye:
+    case NormalMistake::not_normalized:
+    case NormalMistake::raw_not_normalized:
+    case NormalMistake::gradient_not_normalized:
+      break;
+  }
+  return glm::transpose(inverse) * in_object;
+}
+
+dvec3 RealtimePicture::frame_color(int x, int y) const {
+  const std::uint32_t number = visible_->seen[std::size_t(y) * visible_->width + x];
+  if (number == Visibility::nothing) {
+    return trial_.scene.mistakes.background;
+  }
+  const Visibility::Triangle& t = visible_->triangles[number];
+  const ModelPart& part = visible_->shapes->parts[t.part];
+  const Mesh& mesh = visible_->mesh_of(t, assets_);
+  const std::array<dvec3, 3> corners = visible_->corners(t, assets_);
+  ShownPoint point;
+  point.material = part.material;
+  const dvec3 weights = weights_at(x, y, corners, point.position);
+  const bool per_vertex = trial_.interpolation == Interpolation::colors;
+  const NormalMistake mistake = trial_.scene.mistakes.normals;
+  const bool normalized = trial_.interpolation != Interpolation::not_normalized &&
+                          mistake != NormalMistake::not_normalized &&
+                          mistake != NormalMistake::raw_not_normalized &&
+                          mistake != NormalMistake::gradient_not_normalized &&
+                          mistake != NormalMistake::matrix_not_normalized;
+  dvec3 color(0);
+  for (int k = 0; k < 3; ++k) {
+    dvec3 in_object;
+    dvec3 normal = normal_of(part, mesh, t.index, k, in_object);
+    if (trial_.interpolation == Interpolation::not_normalized) {
+      normal = unit(normal);
+    }
+    if (per_vertex) {
+      color += weights[k] *
+               glm::clamp(model_->lit({corners[std::size_t(k)], normalized ? unit(normal) : normal,
+                                       in_object, part.material}),
+                          dvec3(0), dvec3(1));
+    } else {
+      point.normal += weights[k] * normal;
+      point.object_normal += weights[k] * in_object;
+    }
+  }
+  if (per_vertex) {
+    return color;
+  }
+  if (normalized) {
+    point.normal = unit(point.normal);
+  }
+  return model_->lit(point);
+}
+
+dvec3 RealtimePicture::texel(int x, int y) const {
+  const int width = visible_->width;
+  const int height = visible_->height;
+  const auto wrapped = [&](int at, int size) {
+    switch (filter_.border) {
+      case FilterBorder::wrap:
+        return (at % size + size) % size;
+      case FilterBorder::clamp:
+        return std::clamp(at, 0, size - 1);
+      case FilterBorder::black:
+        return at < 0 || at >= size ? -1 : at;
+      case FilterBorder::mirror:
+        return std::clamp(at < 0 ? -at - 1 : at >= size ? 2 * size - 1 - at : at, 0, size - 1);
+    }
+    return 0;
+  };
+  x = wrapped(x, width);
+  y = wrapped(y, height);
+  if (x < 0 || y < 0) {
+    return dvec3(0);
+  }
+  const dvec3 color = frame_color(x, y);
+  return {to_byte(color.x), to_byte(color.y), to_byte(color.z)};
+}
+
+// Linear interpolation between the centers of the frame's pixels.
+dvec3 RealtimePicture::sample(const dvec2& place) const {
+  const dvec2 low = glm::floor(place - 0.5);
+  const dvec2 t = place - 0.5 - low;
+  const int x = static_cast<int>(low.x);
+  const int y = static_cast<int>(low.y);
+  dvec3 sum(0);
+  for (int j = 0; j < 2; ++j) {
+    for (int i = 0; i < 2; ++i) {
+      const double weight = (i == 0 ? 1 - t.x : t.x) * (j == 0 ? 1 - t.y : t.y);
+      if (weight > 1e-9) {
+        sum += weight * texel(x + i, y + j);
+      }
+    }
+  }
+  return sum;
+}
+
+// The place in the frame, in pixels from its lower left.
+dvec2 RealtimePicture::place_of(int x, int y) const {
+  return {(x + 0.5) / width_ * visible_->width, (height_ - y - 0.5) / height_ * visible_->height};
+}
+
+dvec3 RealtimePicture::pixel(int x, int y) const {
+  const dvec2 place = place_of(x, y);
+  dvec3 sum(0);
+  for (int j = 0; j < filter_.rows; ++j) {
+    for (int i = 0; i < filter_.columns; ++i) {
+      const dvec2 step(i - filter_.columns / 2, j - filter_.rows / 2);
+      const double weight = filter_.weights[std::size_t(j) * filter_.columns + i];
+      if (weight != 0) {
+        sum += weight * sample(place + filter_.offset + step * filter_.step);
+      }
+    }
+  }
+  if (filter_.background_left && triangle_at(x, y) == Visibility::nothing) {
+    return sum;
+  }
+  return glm::clamp(filter_.colors * sum + filter_.added, dvec3(0), dvec3(1));
+}
+
+std::uint32_t RealtimePicture::triangle_at(int x, int y) const {
+  const dvec2 place = place_of(x, y);
+  return visible_->seen[std::size_t(place.y) * visible_->width + std::size_t(place.x)];
+}
+
+double RealtimePicture::depth_at(int x, int y) const {
+  const dvec2 place = place_of(x, y);
+  const std::uint32_t number = triangle_at(x, y);
+  if (number == Visibility::nothing) {
+    return 0;
+  }
+  dvec3 position;
+  weights_at(static_cast<int>(place.x), static_cast<int>(place.y),
+             visible_->corners(visible_->triangles[number], assets_), position);
+  return CameraAxes(trial_.scene.scene.camera).of(position).z;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,169 @@
+#pragma once
+// A model of a student's program for the assignment Realtime: a small software rasterizer that can
+// make known mistakes. It follows the rules of docs/realtime.md; the lighting is that of model.h.
+// Internal to the room.
+
+#include "scenefile/base/realtime.h"
+#include "scenefile/geometry/mesh.h"
+#include "scenefile/grade/hypotheses.h"
+#include "scenefile/grade/model.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+enum class Culling : std::uint8_t { back, none, front };
+
+enum class DepthTest : std::uint8_t {
+  less,
+  none,      ///< later triangles cover earlier ones
+  reversed,  ///< the farthest wins
+};
+
+enum class Interpolation : std::uint8_t {
+  normals,         ///< lighting per pixel
+  flat,            ///< the normal of the triangle
+  first_corner,    ///< the normal of the triangle's first corner
+  last_corner,     ///< ... of its last corner
+  colors,          ///< lighting per vertex
+  not_normalized,  ///< normals are not normalized per pixel
+};
+
+/// Which triangles are wound the wrong way.
+struct InsideOut {
+  std::array<bool, 5> sides{};  ///< by shape
+  std::array<bool, 5> caps{};
+  friend bool operator==(const InsideOut&, const InsideOut&) = default;
+};
+
+/// How a student's shapes differ from those of the assignment.
+struct MeshMistakes {
+  int quarter_turns = 0;          ///< the first wedge begins at another angle
+  bool half_wedge = false;        ///< ... half a wedge farther
+  bool clockwise = false;         ///< wedges follow each other toward +z
+  bool other_diagonal = false;    ///< quads are split from their upper right to their lower left
+  bool seam_missing = false;      ///< the last wedge is not drawn
+  bool last_row_missing = false;  ///< the lowest row of quads is not drawn
+  bool radius_one = false;        ///< shapes are twice as large
+  bool tip_up = false;            ///< the normal at a cone's tip points up
+  bool tip_of_first = false;      ///< ... is that of the wedge's first edge
+  friend bool operator==(const MeshMistakes&, const MeshMistakes&) = default;
+};
+
+enum class FilterBorder : std::uint8_t { wrap, clamp, black, mirror };
+
+/// Any filter of a finished frame: a kernel, then an affine map of each color.
+struct FilterSteps {
+  int columns = 1;
+  int rows = 1;
+  std::vector<double> weights{1};  ///< row by row from the bottom; columns * rows
+  glm::dvec2 step{1};              ///< distance of samples in texels of the frame
+  glm::dvec2 offset{0};            ///< of all samples, in texels
+  FilterBorder border = FilterBorder::wrap;
+  glm::dmat3 colors{1};
+  glm::dvec3 added{0};
+  bool background_left = false;  ///< not applied where nothing is drawn
+};
+FilterSteps steps_of(Filter filter);
+
+/// How a student's frame differs. Sizes in pixels; nullopt: those of the assignment.
+struct FrameMistakes {
+  std::optional<glm::dvec2> viewport;  ///< what the scene is drawn to, from the lower left
+  std::optional<glm::dvec2> frame;     ///< what covers the picture
+  std::optional<double> aspect;        ///< of the camera
+};
+
+struct RealtimeTrial {
+  Trial scene;  ///< all of its lights are drawn
+  RealtimeOptions panel;
+  std::optional<FilterSteps> filter;  ///< instead of the panel's
+  Culling culling = Culling::back;
+  DepthTest depth = DepthTest::less;
+  Interpolation interpolation = Interpolation::normals;
+  std::array<bool, 5> interpolated_shapes{true, true, true, true, true};  ///< that this concerns
+  InsideOut inside_out;
+  MeshMistakes mesh;
+  std::array<std::optional<TessellationParameters>, 5>
+      tessellation;  ///< by shape; else the panel's
+  FrameMistakes frame;
+};
+
+/// What all pictures of a scene share: its shapes in the world.
+struct RealtimeShapes {
+  std::vector<ModelPart> parts;
+  std::array<double, 5> counts{};  ///< by shape
+};
+
+/// Null if the scene has more shapes than most_realtime_parts.
+std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene);
+inline constexpr double most_realtime_parts = 30000;
+
+/// Which triangle each pixel of a frame shows.
+struct Visibility {
+  static constexpr std::uint32_t nothing = 0xffffffffu;
+  struct Triangle {
+    std::uint32_t part = 0;
+    std::uint32_t index = 0;  ///< in the part's mesh
+  };
+  int width = 0;  ///< of the frame
+  int height = 0;
+  int viewport_width = 0;
+  int viewport_height = 0;
+  double aspect = 1;
+  std::vector<std::uint32_t> seen;  ///< into triangles; row 0 is the lowest
+  std::vector<Triangle> triangles;
+  std::array<Mesh, 5> meshes;
+  std::shared_ptr<const RealtimeShapes> shapes;
+  /// World positions of the corners.
+  std::array<glm::dvec3, 3> corners(const Triangle& t, const Assets& assets) const;
+  const Mesh& mesh_of(const Triangle& t, const Assets& assets) const;
+};
+
+/// The trial's triangles at the frame's pixels.
+std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
+                                               std::shared_ptr<const RealtimeShapes> shapes,
+                                               const Assets& assets, int width, int height);
+
+/// Colors of a picture. Everything that it refers to must outlive it.
+class RealtimePicture {
+ public:
+  RealtimePicture(const RealtimeTrial& trial, std::shared_ptr<const Visibility> visible,
+                  const Assets& assets, int width, int height);
+
+  /// The color of the picture's pixel, row 0 at the top; in [0, 1] unless a filter leaves it, which
+  /// makes bytes of it by clamping.
+  glm::dvec3 pixel(int x, int y) const;
+  /// The triangle that the pixel mostly shows, or nothing.
+  std::uint32_t triangle_at(int x, int y) const;
+  /// Depth along the view of what the triangle shows there.
+  double depth_at(int x, int y) const;
+
+ private:
+  struct Surface;
+  glm::dvec3 frame_color(int x, int y) const;
+  glm::dvec3 texel(int x, int y) const;
+  glm::dvec3 sample(const glm::dvec2& place) const;
+  glm::dvec2 place_of(int x, int y) const;
+  glm::dvec3 weights_at(int x, int y, const std::array<glm::dvec3, 3>& corners,
+                        glm::dvec3& position) const;
+  glm::dvec3 normal_of(const ModelPart& part, const Mesh& mesh, std::uint32_t index, int corner,
+                       glm::dvec3& in_object) const;
+
+  const RealtimeTrial& trial_;
+  std::shared_ptr<const Visibility> visible_;
+  const Assets& assets_;
+  int width_;
+  int height_;
+  FilterSteps filter_;
+  ModelShapes no_shapes_;
+  RenderOptions options_;
+  std::unique_ptr<Model> model_;
+};
+
+}  // namespace scenefile

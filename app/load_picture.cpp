@@ -46,18 +46,15 @@ CompareSettings compare_settings(const Options& options) {
   CompareSettings settings;
   settings.thresholds = options.thresholds;
   settings.pixel_threshold = options.pixel_threshold;
-  if (!options.realtime) {
-    std::vector<RenderOptions> profiles{options.render};
-    if (!was_given(options, "--profile")) {
-      profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
-    }
-    settings.ways = possible_ways(profiles, was_given(options, "--features"));
+  if (options.realtime) {
+    settings.ways = {realtime_way(options.realtime_panel, realtime_unknowns(options))};
+    return settings;
   }
-  const bool ray_tracer = was_given(options, "--profile") || was_given(options, "--features") ||
-                          was_given(options, "--mode");
-  if (options.realtime || !ray_tracer) {
-    settings.ways.push_back(realtime_way(options.realtime_panel, realtime_unknowns(options)));
+  std::vector<RenderOptions> profiles{options.render};
+  if (!was_given(options, "--profile")) {
+    profiles = {render_options(options, Profile::course), render_options(options, Profile::fine)};
   }
+  settings.ways = possible_ways(profiles, was_given(options, "--features"));
   return settings;
 }
 

@@ -4,6 +4,7 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/outputs.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/write_gltf.h"
@@ -28,19 +29,6 @@ std::string_view format_name(ConvertTo format) {
   static constexpr std::array<std::string_view, 6> names{"XML", "JSON", "POV-Ray",
                                                          "GLB", "glTF", "OBJ"};
   return names[static_cast<std::size_t>(format)];
-}
-
-// Detects reasons for failure before the work starts.
-ExitCode check_target(const std::string& input, const std::string& output) {
-  if (same_file(input, output)) {
-    say_error("the output would replace the scene; choose another name");
-    return ExitCode::usage;
-  }
-  if (const Result<void> writable = check_writable(output); !writable) {
-    say_error(writable.error().text);
-    return ExitCode::environment;
-  }
-  return ExitCode::fine;
 }
 
 // Drops notes of the reader, which do not matter for conversion; those of the writer say what it
@@ -193,8 +181,9 @@ std::string findings_of(const LoadedScene& scene, bool quiet) {
 
 ExitCode run_convert(const Options& options, Context& context) {
   ConvertReport report{.output = options.arguments[1], .format = *options.to};
-  if (const ExitCode status = check_target(options.arguments[0], report.output);
-      status != ExitCode::fine) {
+  const std::array<NamedFile, 1> input{{{"scene", options.arguments[0]}}};
+  const std::array<NamedFile, 1> output{{{"output", report.output}}};
+  if (const ExitCode status = check_outputs(input, output); status != ExitCode::fine) {
     return status;
   }
   std::vector<ImportedFile> files;

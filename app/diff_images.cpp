@@ -2,6 +2,7 @@
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
+#include "app/outputs.h"
 #include "app/progress.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
@@ -109,21 +110,13 @@ void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
   }
 }
 
-ExitCode check_outputs(const Options& options) {
-  for (const std::string& target : {options.heatmap, options.sheet}) {
-    if (target.empty()) {
-      continue;
-    }
-    if (same_file(target, options.arguments[0]) || same_file(target, options.arguments[1])) {
-      say_error("the output would replace a picture that is compared");
-      return ExitCode::usage;
-    }
-    if (const Result<void> writable = check_writable(target); !writable) {
-      say_error(writable.error().text);
-      return ExitCode::environment;
-    }
-  }
-  return ExitCode::fine;
+// Detects reasons for failure before the work starts.
+ExitCode check_diff_outputs(const Options& options) {
+  const std::array<NamedFile, 3> inputs{{{"picture A", options.arguments[0]},
+                                         {"picture B", options.arguments[1]},
+                                         {"scene", options.scene}}};
+  const std::array<NamedFile, 2> outputs{{{"heat map", options.heatmap}, {"sheet", options.sheet}}};
+  return check_outputs(inputs, outputs);
 }
 
 PictureComparison compare(const Texture& a, const Texture& b, const LoadedScene* scene,
@@ -139,7 +132,7 @@ PictureComparison compare(const Texture& a, const Texture& b, const LoadedScene*
 }  // namespace
 
 ExitCode diff_images(const Options& options, Context& context) {
-  if (const ExitCode status = check_outputs(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_diff_outputs(options); status != ExitCode::fine) {
     return status;
   }
   LoadedPicture a = load_picture(options.arguments[0], context);

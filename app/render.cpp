@@ -5,6 +5,7 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
+#include "app/outputs.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"
@@ -36,44 +37,19 @@ PixelRegion drawn_region(const RenderOptions& options) {
   return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
 }
 
-struct Target {
-  std::string_view role;
-  std::string path;
-};
-
-std::vector<Target> targets_of(const Options& options) {
-  std::vector<Target> targets;
+// Detects reasons for failure before the work starts.
+ExitCode check_render_outputs(const Options& options) {
+  const std::vector<NamedFile> inputs{{"scene", options.arguments.front()}};
+  std::vector<NamedFile> outputs;
   for (std::string& file : picture_files(options)) {
-    targets.push_back({targets.empty() ? "output" : "layer", std::move(file)});
+    outputs.push_back({outputs.empty() ? "output" : "layer", std::move(file)});
   }
-  if (!options.checkpoint.empty()) {
-    targets.push_back({"checkpoint", options.checkpoint});
-  }
+  outputs.push_back({"checkpoint", options.checkpoint});
   // The preview may have the same path as the output.
   if (!options.preview.empty() && !same_file(options.preview, options.output)) {
-    targets.push_back({"preview", options.preview});
+    outputs.push_back({"preview", options.preview});
   }
-  return targets;
-}
-
-// Detects reasons for failure before the work starts.
-ExitCode check_targets(const Options& options) {
-  std::vector<Target> files{{"scene", options.arguments.front()}};
-  for (Target& target : targets_of(options)) {
-    const auto same = std::find_if(files.begin(), files.end(), [&](const Target& other) {
-      return same_file(target.path, other.path);
-    });
-    if (same != files.end()) {
-      say_error(fmt::format("the {} would replace the {}", target.role, same->role));
-      return ExitCode::usage;
-    }
-    if (const Result<void> writable = check_writable(target.path); !writable) {
-      say_error(writable.error().text);
-      return ExitCode::environment;
-    }
-    files.push_back(std::move(target));
-  }
-  return ExitCode::fine;
+  return check_outputs(inputs, outputs);
 }
 
 // The scene to draw; releases its groups.
@@ -189,7 +165,7 @@ std::string summary_text(const RenderReport& report) {
 ExitCode run_render(const Options& given, Context& context) {
   Options options = given;
   const Clock::time_point start = Clock::now();
-  if (const ExitCode status = check_targets(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_render_outputs(options); status != ExitCode::fine) {
     return status;
   }
   RenderReport report;

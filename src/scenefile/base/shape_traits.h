@@ -4,12 +4,7 @@
 
 #include "scenefile/base/shape.h"
 
-#include <cstddef>
-
 namespace scenefile {
-
-inline constexpr std::size_t shape_count = shape_words.size();
-inline constexpr std::size_t light_type_count = light_words.size();
 
 /// Whether a part of the surface, Face::side (geometry/shapes.h), is curved. Meshes are flat
 /// triangles.
@@ -57,6 +52,18 @@ constexpr bool has_cone(LightType type) {
 }
 constexpr bool has_rectangle(LightType type) {
   return traits_of(type).rectangle;
+}
+/// Whether the course's project Intersect knows lights of the type; its program skips others.
+constexpr bool is_in_intersect(LightType type) {
+  switch (type) {
+    case LightType::directional:
+      return true;
+    case LightType::point:
+    case LightType::spot:
+    case LightType::area:
+      return false;
+  }
+  return false;
 }
 /// Whether the light comes from a single point at a finite distance.
 constexpr bool is_at_a_point(LightType type) {

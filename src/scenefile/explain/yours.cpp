@@ -1,5 +1,7 @@
 #include "scenefile/explain/yours.h"
 
+#include "scenefile/base/shape_traits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -193,7 +195,7 @@ class Comparison {
           }));
     offer("with 1 / d^2 as the attenuation", relit([&](const LightSample& s, const RenderLight& l) {
             const double fading =
-                l.type == LightType::directional ? 1 : std::min(1.0, 1 / (s.distance * s.distance));
+                !has_position(l.type) ? 1 : std::min(1.0, 1 / (s.distance * s.distance));
             return without_fading(s) * fading * (dvec3(s.diffuse) + dvec3(s.specular));
           }));
     offer("without the spots' falloff", relit([&](const LightSample& s, const RenderLight&) {

@@ -1,6 +1,7 @@
 #include "scenefile/trace/fine_samples.h"
 
 #include "scenefile/base/components.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/trace/sequence.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ bool has_lens(const RenderScene& scene, const RenderOptions& options) {
 }
 
 bool is_soft(const RenderScene& scene, const RenderOptions& options) {
-  const auto is_area = [](const RenderLight& light) { return light.type == LightType::area; };
+  const auto is_area = [](const RenderLight& light) { return has_rectangle(light.type); };
   return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
 }
 

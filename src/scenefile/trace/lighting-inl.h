@@ -1,6 +1,7 @@
 // The terms of the lighting equation for any number of lanes (base/one_lane.h). No include guard:
 // included once for each number of lanes.
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/scene/render_scene.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ inline F spot_share(const RenderLight& light, F cosine) {
 /// light.
 inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F v) {
   V3 from = splat3(light.position);
-  if (light.type == LightType::area) {
+  if (has_rectangle(light.type)) {
     from = from + (splat(2) * u - splat(1)) * splat3(light.half_u);
     from = from + (splat(2) * v - splat(1)) * splat3(light.half_v);
   }
@@ -48,17 +49,17 @@ inline Arriving arriving_from(const RenderLight& light, const V3& point, F u, F 
   light_here.to_light = path / light_here.distance;
   M arrives = (light_here.distance > splat(0)) & finite(light_here.distance);
   const F cosine = -dot(light_here.to_light, splat3(light.direction));
-  if (light.type == LightType::area) {
+  if (has_rectangle(light.type)) {
     arrives = arrives & (cosine > splat(0));
   }
   light_here.attenuation = attenuated(light.attenuation, light_here.distance);
-  light_here.spot_factor = light.type == LightType::spot ? spot_share(light, cosine) : splat(1);
+  light_here.spot_factor = has_cone(light.type) ? spot_share(light, cosine) : splat(1);
   light_here.arrives = arrives & (light_here.attenuation * light_here.spot_factor > splat(0));
   return light_here;
 }
 
 inline Arriving arriving(const RenderLight& light, const V3& point, F u, F v) {
-  if (light.type != LightType::directional) {
+  if (has_position(light.type)) {
     return arriving_from(light, point, u, v);
   }
   const M always = !no_lanes();

@@ -1,6 +1,7 @@
 #include "scenefile/trace/lights.h"
 
 #include "scenefile/base/one_lane.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/vector-inl.h"
 #include "scenefile/trace/lighting-inl.h"
 
@@ -26,7 +27,7 @@ bool illuminate(const RenderLight& light, const glm::dvec3& point, const glm::dv
   result.attenuation = arriving.attenuation;
   result.spot_factor = arriving.spot_factor;
   result.color = glm::dvec3(light.color);
-  if (light.type != LightType::directional) {
+  if (has_position(light.type)) {
     result.color *= result.attenuation * result.spot_factor;
   }
   return arriving.arrives;

@@ -1,5 +1,6 @@
 #include "scenefile/trace/shade.h"
 
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/trace/bump.h"
 #include "scenefile/trace/lights.h"
 #include "scenefile/trace/recorder.h"
@@ -124,7 +125,7 @@ struct Reflector {
 
   Color lit_by_light(const RenderLight& light, std::uint32_t index, const SampleKey& key,
                      RayCounts& counts) const {
-    if (light.type == LightType::area) {
+    if (has_rectangle(light.type)) {
       return lit_by_area(light, index, key, counts);
     }
     Illumination arriving;
@@ -141,7 +142,7 @@ struct Reflector {
 
 bool shines_in(const Tracer& tracer, const RenderLight& light) {
   return !(tracer.options.mode == Mode::intersect && tracer.course()) ||
-         light.type == LightType::directional;
+         is_in_intersect(light.type);
 }
 
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,

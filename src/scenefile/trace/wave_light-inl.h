@@ -9,7 +9,7 @@ namespace scenefile::SCENEFILE_LANES {
 template <typename OnLight>
 void find_light(const WaveScene& scene, const RenderLight& light, const OnLight& on_light,
                 const WavePoints& points, WaveLight& out) {
-  out.at_a_point = light.type == LightType::point || light.type == LightType::spot;
+  out.at_a_point = is_at_a_point(light.type);
   out.from = glm::dvec3(light.position);
   for (int at = 0; at < points.count; at += lanes) {
     const V3 normal = load3(points.normal, at);
@@ -104,7 +104,7 @@ struct LightSamples {
         light(scene.tracer.scene.lights[i]),
         index(i),
         grid(scene.course) {
-    if (light.type == LightType::area) {
+    if (has_rectangle(light.type)) {
       const std::uint32_t side = course_light_side;
       count = grid ? side * side : rays.key[points.ray[0]].light_samples;
       if (!grid) {
@@ -128,7 +128,7 @@ struct LightSamples {
   // (u, v) of sample i for a chunk of points.
   std::pair<F, F> at(std::uint32_t i, int chunk) const {
     constexpr std::uint32_t side = course_light_side;
-    if (light.type != LightType::area) {
+    if (!has_rectangle(light.type)) {
       return {splat(0.5), splat(0.5)};
     }
     if (grid) {
@@ -165,7 +165,7 @@ inline void record_light(const LightSamples& samples, const V3* sums, const Reco
                          const WaveRecord& record) {
   const std::size_t kept = record.lights.size();
   const F count = splat(samples.count);
-  const bool area = samples.light.type == LightType::area;
+  const bool area = has_rectangle(samples.light.type);
   alignas(64) double lit[3][lanes];
   alignas(64) double unshadowed[3][lanes];
   alignas(64) double diffused[3][lanes];

@@ -19,6 +19,7 @@ inline V3 object_normal(F shape, F face, const V3& p) {
     return normal;
   }
   const Around around = around_axis(p);
+  static_assert(shape_count == 5, "a new shape needs its normal here and its (u, v) below");
   const auto sides = [&](Shape kind) { return round & (shape == splat(static_cast<int>(kind))); };
   normal = select(sides(Shape::sphere), sphere_normal(p, around), normal);
   normal = select(sides(Shape::cylinder), cylinder_normal(around), normal);

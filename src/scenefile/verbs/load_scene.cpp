@@ -1,6 +1,7 @@
 #include "scenefile/verbs/load_scene.h"
 
 #include "scenefile/base/hash.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/placement/check_view.h"
 #include "scenefile/scene/check.h"
@@ -54,7 +55,7 @@ bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
   return options.profile == Profile::course && options.mode == Mode::intersect &&
          !scene.lights.empty() &&
          std::none_of(scene.lights.begin(), scene.lights.end(),
-                      [](const RenderLight& l) { return l.type == LightType::directional; });
+                      [](const RenderLight& l) { return is_in_intersect(l.type); });
 }
 
 // Whether the picture depends on the default of transparentcoeff.

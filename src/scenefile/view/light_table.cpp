@@ -1,7 +1,7 @@
 #include "scenefile/view/light_table.h"
 
-#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/realtime.h"
+#include "scenefile/base/shape_traits.h"
 
 namespace scenefile {
 
@@ -50,7 +50,7 @@ void add_area(const RenderLight& light, std::uint32_t index, std::vector<Emitter
 
 bool shines(const RenderLight& light, std::uint32_t index, const DrawOptions& options) {
   return (index >= options.lights.size() || options.lights[index]) &&
-         (!options.directional_only || light.type == LightType::directional) &&
+         (!options.directional_only || is_in_intersect(light.type)) &&
          (!options.realtime || has_light(options.realtime->milestone, light.type));
 }
 

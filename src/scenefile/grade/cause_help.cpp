@@ -138,7 +138,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Something scales all colors: samples that are counted but not taken, 256 instead of 255, a "
      "factor on the lights.",
      "Where colors are averaged and become bytes."},
-    {Cause::black, "A black picture", "Nothing is drawn.",
+    {Cause::black, "A black picture", "Nothing is drawn: the picture is black, or has one color.",
      "No ray hits anything, all values are NaN, or the picture is never filled.",
      "Compute the direction of the ray through the center by hand; then the first intersection; "
      "then what is stored. 'scenefile explain' shows all of it for a pixel."},

@@ -1140,19 +1140,36 @@ class Search {
 
   // ---- causes that are not tried like the others -------------------------------------------
 
+  // A picture that is black, or of another single color.
   bool claim_black() {
-    std::size_t dark = 0;
-    std::size_t bright = 0;
-    for (std::size_t i = 0; i < test_.rgb.size(); ++i) {
-      dark += test_.rgb[i] <= 2 ? 1 : 0;
-      bright += reference_.rgb[i] > 8 ? 1 : 0;
+    const auto color = [](const Texture& t, std::size_t pixel) {
+      return std::array<int, 3>{t.rgb[3 * pixel], t.rgb[3 * pixel + 1], t.rgb[3 * pixel + 2]};
+    };
+    const std::size_t pixels = test_.rgb.size() / 3;
+    const std::array<int, 3> only = color(test_, pixels / 2);
+    const auto off = [&](const std::array<int, 3>& c) {
+      return std::max(
+          {std::abs(c[0] - only[0]), std::abs(c[1] - only[1]), std::abs(c[2] - only[2])});
+    };
+    std::size_t same = 0;
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+      same += off(color(test_, i)) <= 2 ? 1 : 0;
+      drawn += off(color(reference_, i)) > 8 ? 1 : 0;
     }
-    const auto all = static_cast<double>(test_.rgb.size());
-    if (static_cast<double>(dark) < 0.9995 * all || static_cast<double>(bright) < 0.005 * all) {
+    const auto all = static_cast<double>(pixels);
+    if (static_cast<double>(same) < 0.9995 * all || static_cast<double>(drawn) < 0.005 * all) {
       return false;
     }
-    report_.claims.push_back({Cause::black, "the picture is black: nothing is drawn",
-                              "all pixels are black, and the reference shows something", 1});
+    const bool black = *std::max_element(only.begin(), only.end()) <= 2;
+    report_.claims.push_back(
+        {Cause::black,
+         black ? "the picture is black: nothing is drawn"
+               : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
+                             only[1], only[2]),
+         black ? "all pixels are black, and the reference shows something"
+               : "all pixels are alike, and the reference shows something",
+         1});
     return true;
   }
 
@@ -1480,7 +1497,11 @@ class Search {
       // Mirrors with self-intersections may show anything.
       if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
         ++dull;
-        lacking += lacks_lights(p.test, full, model.light_shares(ray), shown) ? 1 : 0;
+        // Where little is missing, some set of lights always fits.
+        lacking += largest_of(glm::abs(b - p.test)) > 8 &&
+                           lacks_lights(p.test, full, model.light_shares(ray), shown)
+                       ? 1
+                       : 0;
       } else if (m.transparent == glm::vec3(0) && mirrors < 150) {
         ++mirrors;
         const std::vector<dvec3> seen = model.self_mirrored(ray, 16);
@@ -1650,8 +1671,14 @@ class Search {
     std::vector<Tried> tried = try_all(shifts, points_.size(), 0.95, 1);
     std::stable_sort(tried.begin(), tried.end(),
                      [](const Tried& a, const Tried& b) { return a.score.raw < b.score.raw; });
-    if (!tried.empty() && tried.front().explained >= enough_shift && tried.front().exact >= 0.5) {
-      claim(tried.front(), {});
+    if (tried.empty()) {
+      return;
+    }
+    // Only a shift of less than a pixel leaves so much of the edges unexplained.
+    const Tried& best = tried.front();
+    const bool by_less = list_[best.together.front()].cause == Cause::half_pixel_shift;
+    if (by_less ? best.explained >= enough_shift && best.exact >= 0.5 : good(best)) {
+      claim(best, {});
     }
   }
 

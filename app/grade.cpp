@@ -9,6 +9,7 @@
 #include "scenefile/base/hash.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 #include "scenefile/verbs/grade_class.h"
 #include "scenefile/verbs/json_writer.h"
@@ -20,6 +21,8 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace scenefile::app {
 
@@ -158,10 +161,27 @@ ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const
   return outcome.status;
 }
 
+// All files that are read.
+std::vector<NamedFile> graded_files(const Options& options) {
+  std::vector<NamedFile> files{{"map", options.name_map}};
+  const auto add = [&](std::string_view role, const std::string& folder,
+                       bool (*wanted)(std::string_view)) {
+    for (FoundFile& file : files_below(folder, wanted)) {
+      files.push_back({role, std::move(file.path)});
+    }
+  };
+  add("reference", options.references, is_picture_name);
+  add("scene of a reference", options.scenes.empty() ? options.references : options.scenes,
+      is_scene_name);
+  add("picture of a student", options.arguments.front(), is_picture_name);
+  return files;
+}
+
 }  // namespace
 
 ExitCode run_grade(const Options& options, Context& context) {
-  if (const ExitCode status = check_result_places(options); status != ExitCode::fine) {
+  if (const ExitCode status = check_result_places(options, graded_files(options));
+      status != ExitCode::fine) {
     return status;
   }
   if (const Result<void> writable = options.part ? check_writable(options.output) : Result<void>();

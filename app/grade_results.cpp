@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cctype>
 #include <filesystem>
 
@@ -51,16 +52,12 @@ Result<void> write_into(const std::string& folder, const std::string& name,
 
 }  // namespace
 
-ExitCode check_result_places(const Options& options) {
-  for (const std::string& target :
-       {options.report, options.junit, options.csv, options.gradescope}) {
-    if (const Result<void> writable = target.empty() ? Result<void>() : check_writable(target);
-        !writable) {
-      say_error(writable.error().text);
-      return ExitCode::environment;
-    }
-  }
-  return ExitCode::fine;
+ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs) {
+  const std::array<NamedFile, 4> outputs{{{"report", options.report},
+                                          {"JUnit file", options.junit},
+                                          {"CSV table", options.csv},
+                                          {"Gradescope file", options.gradescope}}};
+  return check_outputs(inputs, outputs);
 }
 
 Result<void> HandOut::operator()(StudentResult& student, std::size_t number, std::size_t all) {

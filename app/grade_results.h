@@ -2,18 +2,21 @@
 // What grade writes and prints, and merge for the parts of a class.
 
 #include "app/command.h"
+#include "app/outputs.h"
 #include "scenefile/base/result.h"
 #include "scenefile/grade/gradebook.h"
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace scenefile::app {
 
-/// Detects reasons for a failure to write before the work starts.
-ExitCode check_result_places(const Options& options);
+/// Detects reasons for a failure to write before the work starts, and results that would replace
+/// one another or one of the `inputs`.
+ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs);
 
 /// Writes what there is for each student: a page, and the pictures of a large class next to the
 /// report.

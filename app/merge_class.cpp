@@ -6,13 +6,18 @@
 #include "app/part_files.h"
 
 #include <utility>
+#include <vector>
 
 namespace scenefile::app {
 
 ExitCode merge_class(const Options& options, const SortedParts& set,
                      std::span<const std::string> paths, Context& context) {
   context.phase = "reading the parts";
-  if (const ExitCode status = check_result_places(options); status != ExitCode::fine) {
+  std::vector<NamedFile> inputs;
+  for (const std::string& path : paths) {
+    inputs.push_back({"part", path});
+  }
+  if (const ExitCode status = check_result_places(options, inputs); status != ExitCode::fine) {
     return status;
   }
   HandOut hand_out(options);

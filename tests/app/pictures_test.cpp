@@ -246,6 +246,14 @@ TEST_F(Grade, OneStudentWhoPasses) {
   const ProgramRun run = in_folder({"grade", "mine", "--references", "references"});
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("mine  1 of 1 passed\n"));
+  const ProgramRun lost =
+      in_folder({"grade", "mine", "--references", "references", "--csv", "references/ball.png"});
+  EXPECT_EQ(lost.status, 2);
+  EXPECT_THAT(lost.err, HasSubstr("the CSV table would replace the reference"));
+  const ProgramRun alike =
+      in_folder({"grade", "mine", "--references", "references", "--csv", "a", "--junit", "./a"});
+  EXPECT_EQ(alike.status, 2);
+  EXPECT_THAT(alike.err, HasSubstr("the CSV table would replace the JUnit file"));
 }
 
 TEST_F(Grade, FoldersAndNamesInUse) {
@@ -284,6 +292,11 @@ TEST_F(Grade, AMapAndAllKindsOfResults) {
       in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(bad.status, 1);
   EXPECT_THAT(bad.err, HasSubstr("line 1: expected the name handed in, a comma"));
+  folder.write("names.csv", "results/my picture.png, bal\n");
+  const ProgramRun unknown =
+      in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("is the reference \"bal\", but \"right\" has no such file"));
 }
 
 TEST_F(Grade, GradescopeIsForOneStudent) {

@@ -153,6 +153,16 @@ struct ClassGrader::State {
     if (references_.empty()) {
       return Error{fmt::format("{} contains no pictures", quoted(request_.references, 400))};
     }
+    for (const NamePair& pair : request_.map) {
+      if (std::none_of(files_.begin(), files_.end(),
+                       [&](const FoundFile& file) { return is_named(file, pair.reference); })) {
+        return Error{
+            fmt::format("the map says that {} is the reference {}, but {} has no such file",
+                        quoted(pair.handed_in, 400), quoted(pair.reference, 400),
+                        quoted(request_.references, 400)),
+            ErrorKind::input};
+      }
+    }
     return {};
   }
 

@@ -140,7 +140,8 @@ std::string trimmed(std::string_view text) {
                                          : std::string(text.substr(start, end - start + 1));
 }
 
-// Whether the path means the file: its whole name, or the end of it from some folder on.
+}  // namespace
+
 bool is_named(const FoundFile& file, const std::string& name) {
   std::string folders;
   for (const std::string& folder : file.folders) {
@@ -151,8 +152,6 @@ bool is_named(const FoundFile& file, const std::string& name) {
   };
   return ends(folders + file.stem) || ends(folders + file.stem + ending_of(file.path));
 }
-
-}  // namespace
 
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
   std::vector<NamePair> map;

@@ -25,6 +25,10 @@ std::vector<FoundFile> files_below(const std::string& folder,
 /// Whether the name ends like that of a picture: .png, .jpg, ...
 bool is_picture_name(std::string_view name);
 
+/// Whether the path means the file: its whole path, or the end of it from some folder on, with or
+/// without its extension.
+bool is_named(const FoundFile& file, const std::string& name);
+
 /// Says which submitted picture shows which reference. Names may include folders and extensions.
 struct NamePair {
   std::string handed_in;

@@ -116,8 +116,9 @@ TEST_F(DiffImages, WritesMaps) {
   EXPECT_EQ(decode_image(folder.read("sheet.png"), limits, budget, error).width, 4 * 64 + 5 * 8);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
-  const ProgramRun scene_lost =
-      in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--sheet", "./ball.xml"});
+  folder.write("scene.png", ball("0.2"));  // the content decides, not the name
+  const ProgramRun scene_lost = in_folder(
+      {"diff", "right.png", "wrong.png", "--scene", "scene.png", "--sheet", "./scene.png"});
   EXPECT_EQ(scene_lost.status, 2);
   EXPECT_THAT(scene_lost.err, HasSubstr("the sheet would replace the scene"));
   const ProgramRun alike = in_folder(

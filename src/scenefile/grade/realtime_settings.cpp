@@ -248,18 +248,20 @@ RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeV
     }
     const Fit fit(reference, drawn);
     RealtimeOptions panel = of_milestone.panel;
-    double error = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < filter_words.size(); ++i) {
-      RealtimeOptions one = of_milestone.panel;
-      one.filter = unknowns.filter ? static_cast<Filter>(i) : view.panel.filter;
-      if (const double e = fit.error(one); e < error) {
-        error = e;
-        panel = one;
+    double error = fit.error(panel);
+    // With the wrong parameters another filter may fit better, so it is asked for in each round.
+    const auto fit_filter = [&] {
+      for (std::size_t i = 0; unknowns.filter && error > fits_well && i < filter_words.size();
+           ++i) {
+        RealtimeOptions one = panel;
+        one.filter = static_cast<Filter>(i);
+        if (const double e = fit.error(one); e < error) {
+          error = e;
+          panel = one;
+        }
       }
-      if (!unknowns.filter || error <= fits_well) {
-        break;
-      }
-    }
+    };
+    fit_filter();
     for (int round = 0; round < 2 && error > fits_well; ++round) {
       const RealtimeOptions before = panel;
       if (unknowns.near || unknowns.far) {
@@ -271,6 +273,7 @@ RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeV
         panel.tessellation = best_parameters(fit, panel);
       }
       error = fit.error(panel);
+      fit_filter();
       if (panel == before) {
         break;
       }

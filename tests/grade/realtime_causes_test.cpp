@@ -1,0 +1,168 @@
+// find_realtime_causes() names the mistakes that a student's program (tests/student/student_gl.h)
+// makes, and nothing else.
+
+#include "scenefile/grade/realtime_causes.h"
+
+#include "scenefile/format/read_scene.h"
+#include "scenefile/scene/prepare.h"
+#include "student/student_gl.h"
+#include "view/software_realtime.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace scenefile {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int width = 256;
+constexpr int height = 192;
+
+constexpr std::string_view text = R"(<scenefile>
+<globaldata><ambientcoeff v="0.4"/><diffusecoeff v="0.6"/><specularcoeff v="0.5"/></globaldata>
+<cameradata><pos x="2" y="2.5" z="6"/><look x="-2" y="-2.3" z="-6"/><up x="0" y="1" z="0"/>
+<heightangle v="32"/></cameradata>
+<lightdata><type v="directional"/><color r="0.7" g="0.7" b="0.7"/>
+<direction x="-0.8" y="-1" z="-0.6"/></lightdata>
+<lightdata><type v="point"/><color r="0.5" g="0.4" b="0.3"/><position x="-3" y="3" z="3"/>
+<function v1="0.6" v2="0.05" v3="0.02"/></lightdata>
+<object type="tree" name="root">
+<transblock><translate x="-1.2" y="0" z="0"/><scale x="1" y="2" z="1"/>
+<object type="primitive" name="sphere"><diffuse r="0.8" g="0.3" b="0.2"/><ambient r="0.3" g="0.1" b="0.1"/>
+<specular r="0.6" g="0.6" b="0.6"/><shininess v="12"/></object></transblock>
+<transblock><translate x="0" y="0.1" z="0.4"/><rotate x="1" y="0" z="0.4" angle="25"/>
+<object type="primitive" name="cylinder"><diffuse r="0.2" g="0.7" b="0.3"/><ambient r="0.1" g="0.2" b="0.1"/>
+<specular r="0.4" g="0.4" b="0.4"/><shininess v="8"/></object></transblock>
+<transblock><translate x="1.3" y="0" z="0"/><scale x="1" y="1.4" z="1.2"/>
+<object type="primitive" name="cone"><diffuse r="0.3" g="0.4" b="0.9"/><ambient r="0.1" g="0.1" b="0.3"/>
+</object></transblock>
+</object></scenefile>)";
+
+struct Fixture {
+  Scene written;
+  Prepared ready;
+  Assets assets;
+
+  Fixture() {
+    Diagnostics diagnostics;
+    written = read_scene(text, {}, diagnostics);
+    EXPECT_FALSE(diagnostics.has_errors());
+    ready = prepare(written, Limits());
+  }
+
+  RealtimeView view(const RealtimeOptions& panel) const {
+    return {&ready.scene, &assets, &written, panel};
+  }
+
+  Texture right(const RealtimeOptions& panel) const {
+    return view_test::software_realtime(ready.scene, panel, width, height).picture;
+  }
+
+  Texture student(const RealtimeOptions& panel, const std::string& mistake) const {
+    student::RealtimeJob job;
+    job.width = width;
+    job.height = height;
+    job.parameter1 = panel.tessellation.parameter1;
+    job.parameter2 = panel.tessellation.parameter2;
+    job.near = panel.near;
+    job.far = panel.far;
+    job.filter = std::string(word_of(panel.filter));
+    job.action = panel.milestone == Milestone::action;
+    if (!mistake.empty()) {
+      job.mistakes.insert(mistake);
+    }
+    return student::draw_realtime(ready.scene, job);
+  }
+
+  // The words of what is named, with commas.
+  std::string named(const RealtimeOptions& panel, const std::string& mistake) const {
+    const CauseReport report =
+        find_realtime_causes(right(panel), student(panel, mistake), view(panel));
+    EXPECT_LT(report.share_scene_unlike, 0.01);
+    std::string words;
+    for (const Claim& claim : report.claims) {
+      words += (words.empty() ? "" : ",") + std::string(name_of(claim.cause));
+    }
+    return words;
+  }
+};
+
+RealtimeOptions panel_of(Milestone milestone, Filter filter = Filter::none) {
+  return {{4, 6}, 0.1, 100, filter, milestone};
+}
+
+TEST(RealtimeCauses, NamesWhatIsWrong) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  for (const auto& [mistake, cause] :
+       {std::pair("parameters-exchanged", "tessellation"),
+        std::pair("parameters-7-9", "tessellation"), std::pair("flat", "facets"),
+        std::pair("gouraud", "facets"), std::pair("normals-by-model", "normals"),
+        std::pair("caps-inside-out", "culling"), std::pair("lights-no-point", "lights"),
+        std::pair("viewport-points", "viewport"), std::pair("specular-blinn", "blinn"),
+        std::pair("picture-upside-down", "vertical-flip")}) {
+    EXPECT_EQ(fixture.named(panel, mistake), cause) << mistake;
+  }
+}
+
+TEST(RealtimeCauses, NamesPlanesAndCulling) {
+  const Fixture fixture;
+  RealtimeOptions panel = panel_of(Milestone::lights_camera);
+  panel.near = 6.2;
+  panel.far = 7.1;
+  EXPECT_EQ(fixture.named(panel, "no-culling"), "culling");
+  EXPECT_EQ(fixture.named(panel, "near-ignored"), "clipping");
+  EXPECT_EQ(fixture.named(panel, "far-ignored"), "clipping");
+}
+
+TEST(RealtimeCauses, NamesFilters) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action, Filter::blur);
+  for (const char* mistake : {"no-filter", "blur-unnormalized", "blur-3", "blur-across"}) {
+    EXPECT_EQ(fixture.named(panel, mistake), "filter") << mistake;
+  }
+}
+
+TEST(RealtimeCauses, NamesNothingOfRightProgramsAndUnheardOfMistakes) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  for (const char* mistake : {"", "habit-subpixel-4", "habit-other-edges", "habit-no-snapping",
+                              "strange-stripes", "strange-bent", "strange-noise"}) {
+    EXPECT_EQ(fixture.named(panel, mistake), "") << mistake;
+  }
+}
+
+TEST(RealtimeCauses, FindsTheSettingsOfAReference) {
+  const Fixture fixture;
+  for (const RealtimeOptions& panel :
+       {panel_of(Milestone::action, Filter::blur), panel_of(Milestone::lights_camera),
+        panel_of(Milestone::action, Filter::invert)}) {
+    const RealtimeOptions found = find_realtime_settings(fixture.right(panel), fixture.view({}),
+                                                         {true, true, true, true, true});
+    EXPECT_EQ(realtime_words(found), realtime_words(panel));
+  }
+}
+
+TEST(RealtimeCauses, SettingsThatAreGivenStay) {
+  const Fixture fixture;
+  const RealtimeOptions panel = panel_of(Milestone::action);
+  RealtimeOptions given = panel;
+  given.tessellation = {9, 9};
+  const RealtimeOptions found =
+      find_realtime_settings(fixture.right(panel), fixture.view(given), {.filter = true});
+  EXPECT_EQ(found.tessellation, given.tessellation);
+  EXPECT_EQ(found.milestone, given.milestone);
+}
+
+TEST(RealtimeCauses, WordsAreOptions) {
+  EXPECT_EQ(realtime_words({{1, 3}, 9.5, 12, Filter::sharpen, Milestone::action}),
+            "--profile realtime --parameters 1,3 --near 9.5 --far 12 --filter sharpen "
+            "--milestone action");
+  EXPECT_EQ(realtime_words({}), "--profile realtime --parameters 5,5");
+}
+
+}  // namespace
+}  // namespace scenefile

@@ -153,9 +153,9 @@ ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const
     say_error(outcome.error);
   } else if (!options.quiet) {
     say_afterwards([&] {
-      return fmt::format("{}: part {} of {}{}, {} student{}\n", escaped(options.output), index + 1,
-                         count, exists ? " exists already" : "", students,
-                         students == 1 ? "" : "s");
+      return fmt::format("{}: part {} of {}{}, {} student{}\n", escaped(options.output),
+                         head.index + 1, head.whole.count, exists ? " exists already" : "",
+                         students, students == 1 ? "" : "s");
     });
   }
   return outcome.status;

@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/hypotheses.h"
+#include "scenefile/grade/in_parallel.h"
 #include "scenefile/grade/model.h"
 
 #include <fmt/format.h>
@@ -10,13 +11,11 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <map>
 #include <optional>
 #include <random>
 #include <set>
-#include <thread>
 
 namespace scenefile {
 
@@ -356,33 +355,14 @@ class Search {
     cache_.clear();
     count = std::min(count, points_.size());
     std::vector<Colors> cache(list_.size());
-    in_parallel(0, list_.size(), [&](std::size_t i) {
+    in_parallel(0, list_.size(), threads(), [&](std::size_t i) {
       const std::optional<Colors> colors = drawn({static_cast<std::uint16_t>(i)}, count, Turn());
       cache[i] = colors ? *colors : Colors();
     });
     cache_ = std::move(cache);
   }
 
-  template <typename F>
-  void in_parallel(std::size_t start, std::size_t end, const F& work_on) const {
-    const int threads = view_ != nullptr && view_->options.threads > 0
-                            ? view_->options.threads
-                            : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    std::atomic<std::size_t> next = start;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < end; i = next++) {
-        work_on(i);
-      }
-    };
-    std::vector<std::future<void>> helpers;
-    for (int i = 1; i < std::min(threads, 8) && end - start > 4; ++i) {
-      helpers.push_back(std::async(std::launch::async, work));
-    }
-    work();
-    for (std::future<void>& helper : helpers) {
-      helper.get();
-    }
-  }
+  int threads() const { return view_ != nullptr ? view_->options.threads : 0; }
 
   // The picture with the mistakes at the first points: the changed drawing, or the
   // reference plus the change, whichever is closer to the test.
@@ -443,7 +423,7 @@ class Search {
         break;
       }
       const std::size_t end = std::min(sets.size(), start + chunk);
-      in_parallel(start, end,
+      in_parallel(start, end, threads(),
                   [&](std::size_t i) { result[i] = rated(sets[i], score_of(sets[i], count), b); });
     }
     return result;
@@ -641,7 +621,7 @@ class Search {
     f.colors = drawn(made, f.count, turn)
                    .value_or(Colors(right.begin(), right.begin() + std::ptrdiff_t(f.count)));
     f.with.resize(list_.size());
-    in_parallel(0, list_.size(), [&](std::size_t i) {
+    in_parallel(0, list_.size(), threads(), [&](std::size_t i) {
       const auto other = static_cast<std::uint16_t>(i);
       if (list_[i].touches != Touches::picture && fits(made, other)) {
         if (std::optional<Colors> colors = drawn(joined(made, {other}), f.count, turn)) {
@@ -759,7 +739,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(members.size());
-    in_parallel(0, members.size(), [&](std::size_t i) {
+    in_parallel(0, members.size(), threads(), [&](std::size_t i) {
       Colors sum(count);
       Colors product(count);
       for (std::size_t j = i + 1; j < members.size(); ++j) {
@@ -824,7 +804,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(changes.size());
-    in_parallel(0, changes.size(), [&](std::size_t p) {
+    in_parallel(0, changes.size(), threads(), [&](std::size_t p) {
       for (const std::uint16_t i : f.members) {
         if (fits({changes[p]}, i)) {
           const Colors colors(f.with[i].begin(), f.with[i].begin() + std::ptrdiff_t(count));
@@ -887,7 +867,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(starts.size());
-    in_parallel(0, starts.size(), [&](std::size_t s) {
+    in_parallel(0, starts.size(), threads(), [&](std::size_t s) {
       const std::optional<Colors> start = drawn(starts[s], count, Turn());
       for (const std::uint16_t i : f.members) {
         if (!start || !fits(starts[s], i) ||

@@ -1,6 +1,7 @@
 #include "scenefile/grade/realtime_causes.h"
 
 #include "scenefile/grade/evidence.h"
+#include "scenefile/grade/in_parallel.h"
 #include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
 
@@ -8,12 +9,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <map>
 #include <random>
-#include <thread>
 #include <utility>
 
 namespace scenefile {
@@ -166,26 +164,6 @@ class Search {
     return result;
   }
 
-  template <typename F>
-  static void in_parallel(std::size_t count, const F& work_on) {
-    const auto threads =
-        std::min<std::size_t>({8, count, std::max(1u, std::thread::hardware_concurrency())});
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < count; i = next++) {
-        work_on(i);
-      }
-    };
-    std::vector<std::future<void>> helpers;
-    for (std::size_t i = 1; i < threads; ++i) {
-      helpers.push_back(std::async(std::launch::async, work));
-    }
-    work();
-    for (std::future<void>& helper : helpers) {
-      helper.get();
-    }
-  }
-
   double share_unlike() {
     std::mt19937 random(2);
     std::vector<std::uint32_t> pixels(std::size_t(test_.width) * test_.height);
@@ -270,7 +248,7 @@ class Search {
                 (to - from) * static_cast<double>(start) / static_cast<double>(groups.size()))) {
         break;
       }
-      in_parallel(std::min(chunk, groups.size() - start), [&](std::size_t g) {
+      in_parallel(0, std::min(chunk, groups.size() - start), 0, [&](std::size_t g) {
         const auto& [raster, members] = groups[start + g];
         const std::shared_ptr<const Visibility> shown = visible(raster);
         for (const std::size_t i : members) {

@@ -37,12 +37,19 @@ TEST(HostileImage, CutAtEveryByte) {
   }
 }
 
+// The checksum of the empty last chunk protects nothing, and libpng 1.6.48 does not compare it.
 TEST(HostileImage, EveryFlippedByteOfAPngIsNoticed) {
   const std::string whole = fixture("rgb.png");
+  const Texture expected = decode(whole).texture;
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string bytes = whole;
     bytes[at] = static_cast<char>(bytes[at] ^ 0x20);
-    EXPECT_NE(decode(bytes).error, "") << at;
+    const Decoded d = decode(bytes);
+    if (at + 4 < whole.size() || !d.error.empty()) {
+      EXPECT_NE(d.error, "") << at;
+    } else {
+      EXPECT_EQ(d.texture.rgb, expected.rgb) << at;
+    }
   }
 }
 

@@ -1,9 +1,10 @@
 #include "scenefile/grade/causes.h"
 
+#include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/hypotheses.h"
-#include "scenefile/grade/in_parallel.h"
 #include "scenefile/grade/model.h"
+#include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
 
@@ -35,10 +36,6 @@ constexpr std::size_t few_points = 100;      // ... and several
 constexpr std::size_t most_edited = 2000;    // more shapes: no combinations that change them
 constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
-std::string percent(double share) {
-  return fmt::format("{:.0f} %", 100 * share);
-}
-
 // Several mistakes at once, as indices into the list.
 using Together = std::vector<std::uint16_t>;
 
@@ -65,7 +62,8 @@ class Search {
     if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
       return report_;
     }
-    if (claim_black()) {
+    if (std::optional<Claim> one_color = claim_of_one_color(reference_, test_)) {
+      report_.claims.push_back(*std::move(one_color));
       return report_;
     }
     list_ = picture_hypotheses();
@@ -355,14 +353,12 @@ class Search {
     cache_.clear();
     count = std::min(count, points_.size());
     std::vector<Colors> cache(list_.size());
-    in_parallel(0, list_.size(), threads(), [&](std::size_t i) {
+    for_each_task(list_.size(), [&](std::size_t i) {
       const std::optional<Colors> colors = drawn({static_cast<std::uint16_t>(i)}, count, Turn());
       cache[i] = colors ? *colors : Colors();
     });
     cache_ = std::move(cache);
   }
-
-  int threads() const { return view_ != nullptr ? view_->options.threads : 0; }
 
   // The picture with the mistakes at the first points: the changed drawing, or the
   // reference plus the change, whichever is closer to the test.
@@ -423,8 +419,10 @@ class Search {
         break;
       }
       const std::size_t end = std::min(sets.size(), start + chunk);
-      in_parallel(start, end, threads(),
-                  [&](std::size_t i) { result[i] = rated(sets[i], score_of(sets[i], count), b); });
+      for_each_task(end - start, [&](std::size_t i) {
+        const Together& set = sets[start + i];
+        result[start + i] = rated(set, score_of(set, count), b);
+      });
     }
     return result;
   }
@@ -480,11 +478,10 @@ class Search {
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
         alone.front().broken <= most_broken) {
       const Hypothesis& h = list_[alone.front().together.front()];
-      report_.partial.push_back({h.cause, h.what,
-                                 fmt::format("simulating this mistake explains {} of the "
-                                             "difference; something else is wrong, too",
-                                             percent(alone.front().explained)),
-                                 alone.front().explained});
+      report_.partial.push_back(
+          {h.cause, h.what,
+           evidence_of_share(alone.front().explained) + "; something else is wrong, too",
+           alone.front().explained});
     }
   }
 
@@ -621,7 +618,7 @@ class Search {
     f.colors = drawn(made, f.count, turn)
                    .value_or(Colors(right.begin(), right.begin() + std::ptrdiff_t(f.count)));
     f.with.resize(list_.size());
-    in_parallel(0, list_.size(), threads(), [&](std::size_t i) {
+    for_each_task(list_.size(), [&](std::size_t i) {
       const auto other = static_cast<std::uint16_t>(i);
       if (list_[i].touches != Touches::picture && fits(made, other)) {
         if (std::optional<Colors> colors = drawn(joined(made, {other}), f.count, turn)) {
@@ -739,7 +736,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(members.size());
-    in_parallel(0, members.size(), threads(), [&](std::size_t i) {
+    for_each_task(members.size(), [&](std::size_t i) {
       Colors sum(count);
       Colors product(count);
       for (std::size_t j = i + 1; j < members.size(); ++j) {
@@ -804,7 +801,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(changes.size());
-    in_parallel(0, changes.size(), threads(), [&](std::size_t p) {
+    for_each_task(changes.size(), [&](std::size_t p) {
       for (const std::uint16_t i : f.members) {
         if (fits({changes[p]}, i)) {
           const Colors colors(f.with[i].begin(), f.with[i].begin() + std::ptrdiff_t(count));
@@ -867,7 +864,7 @@ class Search {
     const std::size_t count = std::min(f.count, few_points);
     const Base b = base(count);
     std::vector<std::vector<Tried>> found(starts.size());
-    in_parallel(0, starts.size(), threads(), [&](std::size_t s) {
+    for_each_task(starts.size(), [&](std::size_t s) {
       const std::optional<Colors> start = drawn(starts[s], count, Turn());
       for (const std::uint16_t i : f.members) {
         if (!start || !fits(starts[s], i) ||
@@ -1076,15 +1073,10 @@ class Search {
     for (const std::uint16_t i : found.together) {
       Claim one{list_[i].cause, list_[i].what, {}, found.explained};
       if (found.together.size() == 1) {
-        one.evidence = fmt::format(
-            "simulating this mistake reduces the mean difference from {1:.3f}/255 to {0:.3f}/255 "
-            "(not counting edges and rounding) and reproduces {2} of the differing pixels",
-            found.score.left / values, b.left / values, percent(found.exact));
+        one.evidence = evidence_of_one(found.score.left / values, b.left / values, found.exact);
       } else {
         const Tried alone = rated({i}, score_of({i}, points_.size()), b);
-        one.evidence =
-            fmt::format("together they explain {} of the difference; by itself {}",
-                        percent(found.explained), percent(std::max(0.0, alone.explained)));
+        one.evidence = evidence_of_several(found.explained, alone.explained);
       }
       report_.claims.push_back(std::move(one));
     }
@@ -1099,11 +1091,7 @@ class Search {
                                       [&](const Claim& c) { return c.cause == h.cause; });
       if (t.together.size() == 1 && !listed && good(t) && report_.rivals.size() < 3 &&
           t.score.raw <= found.score.raw + rival_margin * b.left) {
-        report_.rivals.push_back(
-            {h.cause, h.what,
-             fmt::format("simulating this mistake explains {} of the difference",
-                         percent(t.explained)),
-             t.explained});
+        report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         if (t.score.raw <= tie_limit(found.score.raw, b.left)) {
           report_.rivals.back().said = true;
           same += "; or " + h.what;
@@ -1119,39 +1107,6 @@ class Search {
   static double tie_limit(double raw, double all) { return 1.1 * raw + 0.0003 * all; }
 
   // ---- causes that are not tried like the others -------------------------------------------
-
-  // A picture that is black, or of another single color.
-  bool claim_black() {
-    const auto color = [](const Texture& t, std::size_t pixel) {
-      return std::array<int, 3>{t.rgb[3 * pixel], t.rgb[3 * pixel + 1], t.rgb[3 * pixel + 2]};
-    };
-    const std::size_t pixels = test_.rgb.size() / 3;
-    const std::array<int, 3> only = color(test_, pixels / 2);
-    const auto off = [&](const std::array<int, 3>& c) {
-      return std::max(
-          {std::abs(c[0] - only[0]), std::abs(c[1] - only[1]), std::abs(c[2] - only[2])});
-    };
-    std::size_t same = 0;
-    std::size_t drawn = 0;
-    for (std::size_t i = 0; i < pixels; ++i) {
-      same += off(color(test_, i)) <= 2 ? 1 : 0;
-      drawn += off(color(reference_, i)) > 8 ? 1 : 0;
-    }
-    const auto all = static_cast<double>(pixels);
-    if (static_cast<double>(same) < 0.9995 * all || static_cast<double>(drawn) < 0.005 * all) {
-      return false;
-    }
-    const bool black = *std::max_element(only.begin(), only.end()) <= 2;
-    report_.claims.push_back(
-        {Cause::black,
-         black ? "the picture is black: nothing is drawn"
-               : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
-                             only[1], only[2]),
-         black ? "all pixels are black, and the reference shows something"
-               : "all pixels are alike, and the reference shows something",
-         1});
-    return true;
-  }
 
   // A uniform color where nothing is hit.
   void add_background() {
@@ -1403,9 +1358,7 @@ class Search {
         report_.claims.push_back(
             {Cause::samples,
              fmt::format("the picture is blurred: each pixel is the mean of {}", filter.what),
-             fmt::format("simulating this mistake explains {} of the difference",
-                         percent(1 - s.left / b.left)),
-             1 - s.left / b.left});
+             evidence_of_share(1 - s.left / b.left), 1 - s.left / b.left});
         return true;
       }
     }
@@ -1785,6 +1738,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   if (reference.width != test.width || reference.height != test.height || reference.empty()) {
     return {};
   }
+  const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
   CauseReport report = Search(reference, test, view, go_on, look_for).run();
   if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {

@@ -70,8 +70,8 @@ struct Claim {
   bool said = false;     ///< for a rival: it is named in the claim's text
 };
 
-/// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size,
-/// samples and threads of the options are not used.
+/// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size
+/// and samples of the options are not used.
 struct SceneView {
   const RenderScene* scene = nullptr;
   const Assets* assets = nullptr;

@@ -1,9 +1,10 @@
 #include "scenefile/grade/realtime_causes.h"
 
+#include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
-#include "scenefile/grade/in_parallel.h"
 #include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
+#include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -29,10 +31,6 @@ constexpr std::size_t least_strict = 40;   // pixels at edges that differ, to se
 constexpr double rival_margin = 0.03;
 constexpr double necessary = 0.01;  // what each of several mistakes explains beside the others
 constexpr double promising = 0.02;
-
-std::string percent(double share) {
-  return fmt::format("{:.0f} %", 100 * share);
-}
 
 struct Tried {
   Together together;
@@ -63,7 +61,11 @@ class Search {
         find_visible(drawn_.right(), drawn_.shapes(), *view_.assets, test_.width, test_.height);
     report_.share_scene_unlike = share_unlike();
     if (report_.share_scene_unlike > most_unlike ||
-        (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) || claim_black()) {
+        (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels)) {
+      return report_;
+    }
+    if (std::optional<Claim> one_color = claim_of_one_color(reference_, test_)) {
+      report_.claims.push_back(*std::move(one_color));
       return report_;
     }
     list_ = realtime_hypotheses(view_, drawn_.right().scene.scene, test_.width, test_.height);
@@ -248,7 +250,7 @@ class Search {
                 (to - from) * static_cast<double>(start) / static_cast<double>(groups.size()))) {
         break;
       }
-      in_parallel(0, std::min(chunk, groups.size() - start), 0, [&](std::size_t g) {
+      for_each_task(std::min(chunk, groups.size() - start), [&](std::size_t g) {
         const auto& [raster, members] = groups[start + g];
         const std::shared_ptr<const Visibility> shown = visible(raster);
         for (const std::size_t i : members) {
@@ -311,9 +313,7 @@ class Search {
       const RealtimeHypothesis& h = list_[alone.front().together.front()];
       report_.partial.push_back(
           {h.cause, h.what,
-           fmt::format("made on purpose, it explains {} of the difference; something else is "
-                       "wrong, too",
-                       percent(alone.front().explained)),
+           evidence_of_share(alone.front().explained) + "; something else is wrong, too",
            alone.front().explained});
     }
   }
@@ -420,15 +420,11 @@ class Search {
     for (const std::uint16_t i : found.together) {
       Claim one{list_[i].cause, list_[i].what, {}, found.explained};
       if (found.together.size() == 1) {
-        one.evidence = fmt::format(
-            "made on purpose, it leaves {:.3f}/255 of a mean difference of {:.3f}/255, and {} of "
-            "the pixels that differed are as here",
-            found.score.left / values, before / values, percent(found.exact));
+        one.evidence = evidence_of_one(found.score.left / values, before / values, found.exact);
       } else {
         const std::vector<Tried> alone = try_all({{i}}, points_.size(), 1, 1);
-        one.evidence = fmt::format(
-            "together they explain {} of the difference; alone {}", percent(found.explained),
-            percent(alone.empty() ? 0 : std::max(0.0, alone.front().explained)));
+        one.evidence =
+            evidence_of_several(found.explained, alone.empty() ? 0 : alone.front().explained);
       }
       report_.claims.push_back(std::move(one));
     }
@@ -443,10 +439,7 @@ class Search {
                                       [&](const Claim& c) { return c.cause == h.cause; });
       if (t.together.size() == 1 && !listed && t.good() && report_.rivals.size() < 3 &&
           t.score.raw <= found.score.raw + rival_margin * before) {
-        report_.rivals.push_back(
-            {h.cause, h.what,
-             fmt::format("made on purpose, it explains {} of the difference", percent(t.explained)),
-             t.explained});
+        report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         if (t.score.raw <= tie_limit(found.score.raw)) {
           same += "; or " + h.what;
           report_.rivals.back().said = true;
@@ -459,22 +452,6 @@ class Search {
   }
 
   // ---- causes that the pictures themselves tell ----------------------------------------------
-
-  bool claim_black() {
-    std::size_t dark = 0;
-    std::size_t bright = 0;
-    for (std::size_t i = 0; i < test_.rgb.size(); ++i) {
-      dark += test_.rgb[i] <= 2 ? 1 : 0;
-      bright += reference_.rgb[i] > 8 ? 1 : 0;
-    }
-    const auto all = static_cast<double>(test_.rgb.size());
-    if (static_cast<double>(dark) < 0.9995 * all || static_cast<double>(bright) < 0.005 * all) {
-      return false;
-    }
-    report_.claims.push_back({Cause::black, "the picture is black: nothing is drawn",
-                              "all pixels are black, and the reference shows something", 1});
-    return true;
-  }
 
   // Settings that fit the test, if they are not those of the reference.
   void add_fitted() {

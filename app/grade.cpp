@@ -184,11 +184,6 @@ ExitCode run_grade(const Options& options, Context& context) {
       status != ExitCode::fine) {
     return status;
   }
-  if (const Result<void> writable = options.part ? check_writable(options.output) : Result<void>();
-      !writable) {
-    say_error(writable.error().text);
-    return ExitCode::environment;
-  }
   Result<std::vector<NamePair>> map = load_map(options);
   if (!map) {
     say_error(map.error().text);

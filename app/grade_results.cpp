@@ -53,7 +53,8 @@ Result<void> write_into(const std::string& folder, const std::string& name,
 }  // namespace
 
 ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs) {
-  const std::array<NamedFile, 4> outputs{{{"report", options.report},
+  const std::array<NamedFile, 5> outputs{{{"part", options.output},
+                                          {"report", options.report},
                                           {"JUnit file", options.junit},
                                           {"CSV table", options.csv},
                                           {"Gradescope file", options.gradescope}}};

@@ -64,9 +64,11 @@ std::uint64_t options_fingerprint(const Options& options) {
                                  options.load.compat_course, options.load.allow_missing);
   text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
   if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
-    text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(panel->milestone),
-                        panel->tessellation.parameter1, panel->tessellation.parameter2, panel->near,
-                        panel->far, static_cast<int>(panel->filter));
+    // Names all members, so that a new one does not compile until it is part of the key.
+    const auto& [tessellation, near, far, filter, milestone] = *panel;
+    const auto& [parameter1, parameter2] = tessellation;
+    text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(milestone), parameter1,
+                        parameter2, near, far, static_cast<int>(filter));
   }
   for (const LimitRow& limit : limit_table()) {
     text += fmt::format(" {}={}", limit.name, limit.get(options.load.limits));

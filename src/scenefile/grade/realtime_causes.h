@@ -1,6 +1,6 @@
 #pragma once
 // Finds out why a picture of the assignment Realtime differs from its reference, by the same rule
-// as causes.h: names a mistake only if making it on purpose gives the picture.
+// as causes.h: a mistake is named only if simulating it reproduces the picture.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/grade/causes.h"

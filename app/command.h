@@ -38,7 +38,7 @@ struct ArgumentCount {
 };
 inline constexpr ArgumentCount at_most_one{0, 1};
 inline constexpr ArgumentCount one_or_more{1, ~std::size_t{0}};
-inline constexpr ArgumentCount one_or_two{1, 2};
+inline constexpr ArgumentCount at_most_two{0, 2};
 inline constexpr ArgumentCount two{2, 2};
 /// Reports that memory ran out, without allocating. ExitCode::limit if the limit was explicit.
 ExitCode out_of_memory(const Context& context);

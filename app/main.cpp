@@ -131,16 +131,17 @@ constexpr std::array command_rows{
             "scenefile explain chess.xml --pixel 320,240 --profile course --mine mine.png\n"
             "scenefile explain chess.xml --pixel 320,240 --json",
             run_explain},
-    Command{"view", for_view, "SCENE [REFERENCE]", "look at a scene in a window",
+    Command{"view", for_view, "[SCENE [REFERENCE]]", "look at a scene in a window",
             "Shows the scene, or the scenes of a folder, in a window: move through it, edit the "
-            "file and see the change, select objects, trace rays, compare with a picture. F1 in "
-            "the window lists all keys.",
+            "file and see the change, select objects, trace rays, compare with a picture. Without "
+            "a scene, the window shows recent files and folders. F1 in the window lists all keys.",
+            "scenefile view\n"
             "scenefile view chess.xml\n"
             "scenefile view chess.xml reference.png\n"
             "scenefile view scenes/\n"
             "scenefile view chess.xml --profile course --trace\n"
             "xvfb-run -a scenefile view chess.xml --screenshot window.png",
-            run_view, one_or_two},
+            run_view, at_most_two},
     Command{"help", for_help, "[COMMAND|CODE|CAUSE]", "explain a command, a code or a cause",
             "Explains a command, the code in brackets after a finding, or a cause that diff or "
             "grade names. codes, causes and limits list all of them.",

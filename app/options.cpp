@@ -168,7 +168,8 @@ std::string check_known(const Options& options) {
   for (const auto& [row, value] : options.given) {
     const KnownTo known = row->field.empty() ? row->known : who_knows(row->field);
     if (!knows_option(options.engine, known)) {
-      return fmt::format("{} is for the ray tracer: leave it out, or --engine gl", row->name);
+      return fmt::format("{} is for the ray tracer: leave it out, or {}", row->name,
+                         options.realtime ? "--profile realtime" : "--engine gl");
     }
     if (!knows_option(options.render.profile, known)) {
       return fmt::format("{} is for the profile fine: leave it out, or --profile {}", row->name,

@@ -5,6 +5,7 @@
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/playlist.h"
+#include "scenefile/viewer/recent_files.h"
 #include "scenefile/viewer/window.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,9 @@ viewer::OpenedScene open_for_view(const std::string& path, const Options& option
 
 // What is missing to open the window; empty: nothing.
 std::string missing(const Options& options) {
+  if (options.arguments.empty()) {
+    return {};
+  }
   const std::string& scene = options.arguments.front();
   if (scene != "-" && viewer::scene_at(scene).empty()) {
     return scene + ": there is no scene in this folder";
@@ -91,10 +95,12 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
   window.setup.trace = options.render;
   window.setup.realtime = realtime_options(options);
-  window.scene = options.arguments.front();
+  window.scene = options.arguments.empty() ? "" : options.arguments.front();
   window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";
   if (script.steps.empty()) {
     window.settings = viewer::settings_path(std::getenv("XDG_CONFIG_HOME"), std::getenv("HOME"));
+    window.setup.recent_files =
+        viewer::recent_files_path(std::getenv("XDG_STATE_HOME"), std::getenv("HOME"));
   }
   if (options.window[0] != 0) {
     window.size = {options.window[0], options.window[1]};

@@ -135,6 +135,7 @@ TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
   is_refused(words({"--features", "shadows"}), "leave --features out");
   is_refused(words({"--mode", "ray"}), "leave --mode out");
   is_refused(words({"--samples", "4"}), "leave --samples out");
+  is_refused(words({"--threads", "2"}), "leave it out, or --profile realtime");
   is_refused(words({"--near", "5", "--far", "5"}), "--near must be less than --far");
   is_refused(words({"--near", "0"}), "not a depth above 0");
   is_refused(words({"--parameters", "5"}), "not two parameters such as 5,5");

@@ -36,6 +36,7 @@ constexpr std::array action_rows{
     ActionRow{Action::split, "X", "Picture", "ours next to the reference"},
     ActionRow{Action::difference, "M", "Picture", "where they differ: heat map, FLIP, reference"},
     ActionRow{Action::screenshot, "F12", "Picture", "screenshot of the window"},
+    ActionRow{Action::open, "Ctrl+O", "Scene", "open a scene: recent files, folders"},
     ActionRow{Action::reload, "F5", "Scene", "read the file again"},
     ActionRow{Action::next_scene, "Page Down", "Scene", "the next scene in the folder"},
     ActionRow{Action::previous_scene, "Page Up", "Scene", "the previous scene in the folder"},

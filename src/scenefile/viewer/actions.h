@@ -36,6 +36,7 @@ enum class Action : std::uint8_t {
   split,
   difference,
   reload,
+  open,
   next_scene,
   previous_scene,
   screenshot,

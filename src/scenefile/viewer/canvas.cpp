@@ -39,10 +39,25 @@ void Canvas::update(Session& session) {
                  session.traced_version);
   }
   reference_.show(session.reference, session.reference_version);
+  update_thumbnails(session.thumbnails);
   if (session.comparison) {
     difference_.show(session.comparison->difference, session.comparison_version);
     flip_.show(session.comparison->flip, session.comparison_version);
   }
+}
+
+void Canvas::update_thumbnails(const Thumbnails& thumbnails) {
+  const std::map<std::string, Thumbnail>& all = thumbnails.all();
+  std::erase_if(thumbnails_, [&](const auto& entry) { return !all.contains(entry.first); });
+  for (const auto& [path, thumbnail] : all) {
+    thumbnails_[path].show(thumbnail.picture,
+                           static_cast<std::uint64_t>(thumbnail.stamp.modified_ns));
+  }
+}
+
+unsigned Canvas::thumbnail(const std::string& path) const {
+  const auto found = thumbnails_.find(path);
+  return found == thumbnails_.end() ? 0 : found->second.name();
 }
 
 void Canvas::draw(const Session& session, int framebuffer_height, double scale, int hurry) {

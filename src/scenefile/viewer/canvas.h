@@ -6,6 +6,7 @@
 #include "scenefile/viewer/gl_picture.h"
 #include "scenefile/viewer/session.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,11 +36,15 @@ class Canvas {
   const GlPicture& reference() const { return reference_; }
   const GlPicture& difference() const { return difference_; }
   const GlPicture& flip() const { return flip_; }
+  /// The name of a thumbnail's texture; 0: there is none.
+  unsigned thumbnail(const std::string& path) const;
   const DrawStats& stats() const { return stats_; }
   const std::string& renderer() const { return device_->renderer(); }
 
  private:
   explicit Canvas(std::unique_ptr<GlDevice> device) : device_(std::move(device)) {}
+
+  void update_thumbnails(const Thumbnails& thumbnails);
 
   /// Everything that a picture depends on.
   struct Recipe {
@@ -61,6 +66,7 @@ class Canvas {
   GlPicture reference_;
   GlPicture difference_;
   GlPicture flip_;
+  std::map<std::string, GlPicture> thumbnails_;
   DrawStats stats_;
 };
 

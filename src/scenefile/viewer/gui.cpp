@@ -112,6 +112,9 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
     picture_changed(session);
   }
   build_overlay(session, frame);
+  if (session.start.open) {
+    build_start(session, frame, room);
+  }
   if (session.help) {
     build_help(frame);
   }

@@ -3,6 +3,7 @@
 
 #include "scenefile/viewer/session.h"
 
+#include <functional>
 #include <string>
 
 struct ImVec2;
@@ -25,6 +26,8 @@ struct GuiFrame {
   unsigned reference = 0;
   unsigned difference = 0;
   unsigned flip = 0;
+  /// Of the thumbnail of a file.
+  std::function<unsigned(const std::string& path)> thumbnail;
 };
 
 /// Sets colors, spacing and fonts for this screen density. Returns a note if no good font was
@@ -45,5 +48,7 @@ void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
 void build_realtime_panel(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);
+/// In this part of the window, over the picture.
+void build_start(Session& session, const GuiFrame& frame, const Box& room);
 
 }  // namespace scenefile::viewer

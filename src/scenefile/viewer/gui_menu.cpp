@@ -137,7 +137,7 @@ void build_status(const Session& session, const GuiFrame& frame) {
     const std::string name = escaped(scene_name(session), 80);
     dim_text(session.loading.busy()      ? "reading " + name
              : session.broken != nullptr ? name + " is read again when it changes"
-                                         : "drop a scene into the window");
+                                         : "choose a scene, or drop one into the window");
     return;
   }
   const glm::dvec3& p = session.camera.position;

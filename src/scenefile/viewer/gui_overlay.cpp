@@ -139,6 +139,15 @@ class Projection {
     ImGui::GetBackgroundDrawList()->AddLine(vec(point(a)), vec(point(b)), color, width);
   }
 
+  // Writes beside a point in front of the camera.
+  void write(const glm::dvec3& at, const char* text, ImU32 color) const {
+    if (depth(at) > 0) {
+      const float gap = 0.3F * ImGui::GetFontSize();
+      const ImVec2 p = vec(point(at));
+      ImGui::GetBackgroundDrawList()->AddText({p.x + gap, p.y - ImGui::GetFontSize()}, color, text);
+    }
+  }
+
  private:
   double depth(const glm::dvec3& p) const { return -glm::dot(p - camera_.position, camera_.w); }
   glm::dvec2 point(const glm::dvec3& p) const {
@@ -241,6 +250,18 @@ void paint_camera(const Projection& projection, const RenderCamera& camera, doub
                    width);
 }
 
+void paint_axes(const Projection& projection, double length, double scale) {
+  static constexpr std::array<unsigned, 3> colors{0xe05050, 0x50c050, 0x5080ff};
+  static constexpr std::array<const char*, 3> names{"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    glm::dvec3 end(0);
+    end[axis] = length;
+    projection.paint(glm::dvec3(0), end, rgba(colors[i]), static_cast<float>(2 * scale));
+    projection.write(end, names[i], rgba(colors[i]));
+  }
+}
+
 // World axes, all lights and the scene's camera, if enabled; always the selected light or camera.
 void paint_helpers(const Session& session, const GuiFrame& frame) {
   if (session.shown == nullptr || session.compare > CompareView::split) {
@@ -256,13 +277,7 @@ void paint_helpers(const Session& session, const GuiFrame& frame) {
   const Box& picture = session.picture;
   draw.PushClipRect(vec(picture.at), vec(picture.at + picture.size));
   if (all) {
-    static constexpr std::array<unsigned, 3> colors{0xe05050, 0x50c050, 0x5080ff};
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 end(0);
-      end[axis] = 0.3 * size;
-      projection.paint(glm::dvec3(0), end, rgba(colors[static_cast<std::size_t>(axis)]),
-                       static_cast<float>(2 * frame.scale));
-    }
+    paint_axes(projection, 0.3 * size, frame.scale);
   }
   for (const RenderLight& light : session.shown->opened.ready.scene.lights) {
     const bool chosen =
@@ -337,7 +352,7 @@ void paint_welcome(const Session& session, const GuiFrame& frame) {
   const std::string text = reading ? "reading " + escaped(scene_name(session))
                            : session.broken != nullptr
                                ? scene_name(session) + " cannot be drawn yet"
-                               : "drop a scene here";
+                               : "drop a scene here, or open one with Ctrl+O";
   paint_label(session.picture.at + session.picture.size * 0.5, text, {0.5, 0.5}, frame.scale,
               color_dim);
 }

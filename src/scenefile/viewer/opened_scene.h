@@ -27,8 +27,8 @@ struct OpenedScene {
   bool usable() const { return unreadable.empty() && !diagnostics.has_errors(); }
 };
 
-/// Reads, checks, prepares and loads a scene; called on changing threads, but not concurrently. The
-/// caller sets the limits and what may be opened.
+/// Reads, checks, prepares and loads a scene; called on any thread, also concurrently. The caller
+/// sets the limits and what may be opened.
 using LoadScene = std::function<OpenedScene(const std::string& path)>;
 
 }  // namespace scenefile::viewer

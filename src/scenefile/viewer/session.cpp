@@ -128,7 +128,7 @@ bool tick_notice(Session& session) {
 }
 
 std::string name_of_scene(const std::string& path) {
-  return path == "-" ? "<stdin>" : file_name_of(path);
+  return path.empty() ? "" : path == "-" ? "<stdin>" : file_name_of(path);
 }
 
 }  // namespace
@@ -150,7 +150,8 @@ bool settled(const Session& session) {
                                                  session.traced && session.traced->complete);
   const bool comparing = session.compare != CompareView::off && !session.reference.empty() &&
                          (!session.compare_started || session.comparing.busy());
-  return !session.loading.busy() && !session.load_again && !tracing && !comparing &&
+  const bool thumbnails = session.start.open && session.thumbnails.busy();
+  return !session.loading.busy() && !session.load_again && !tracing && !comparing && !thumbnails &&
          session.held.empty();
 }
 
@@ -165,7 +166,7 @@ double next_tick(const Session& session) {
   if (session.notice) {
     seconds = std::min(seconds, session.notice->until - session.now);
   }
-  if (session.comparing.busy() || session.loading.busy()) {
+  if (session.comparing.busy() || session.loading.busy() || session.thumbnails.busy()) {
     seconds = std::min(seconds, 0.05);
   }
   return std::max(seconds, 0.01);

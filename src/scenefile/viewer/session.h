@@ -18,6 +18,8 @@
 #include "scenefile/viewer/outline.h"
 #include "scenefile/viewer/picker.h"
 #include "scenefile/viewer/settings.h"
+#include "scenefile/viewer/start_panel.h"
+#include "scenefile/viewer/thumbnails.h"
 
 #include <glm/glm.hpp>
 
@@ -38,6 +40,7 @@ struct SessionSetup {
   RenderOptions trace;  ///< for the ray tracer; the window sets size and samples
   std::optional<RealtimeOptions> realtime{};  ///< start with the assignment's picture
   std::function<void()> wake{};               ///< called from other threads when tick() has work
+  std::string recent_files{};                 ///< path of the list; empty: none is kept
 };
 
 /// A drawable scene, with derived data.
@@ -47,6 +50,7 @@ struct SceneOnShow {
   Outline outline;
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
+  std::string not_remembered{};  ///< why the list of recent files was not saved; empty: it was
 };
 
 /// A message that is shown for a short time.
@@ -89,7 +93,7 @@ struct Session {
   double now = 0;
 
   // The scene.
-  std::string path;                           ///< of the scene requested last
+  std::string path;                           ///< of the scene requested last; empty: none
   std::shared_ptr<const SceneOnShow> shown;   ///< the last drawable scene; null before the first
   std::uint64_t version = 0;                  ///< changes with each scene shown
   std::string known_text;                     ///< the contents of its file
@@ -144,6 +148,9 @@ struct Session {
 
   std::optional<SavedOver> saved_over;  ///< what the last saved view replaced
 
+  StartPanel start;
+  Thumbnails thumbnails;
+
   // The window.
   bool help = false;
   bool full_screen = false;
@@ -157,6 +164,12 @@ struct Session {
 
 /// Starts loading the scene, or the first scene of a folder.
 void open_scene(Session& session, const std::string& path);
+/// Shows the panel that opens scenes, at the folder of the scene.
+void open_start_panel(Session& session);
+void close_start_panel(Session& session);
+/// Opens what was chosen in the panel, or typed: a folder is listed, a picture becomes the
+/// reference, anything else is opened as a scene. Says so if there is no such file.
+void choose(Session& session, const std::string& path);
 /// Opens a picture as the reference. Returns false, with a notice, if it is not a picture.
 bool open_reference(Session& session, const std::string& path);
 /// Handles files or folders dropped on the window: pictures become the reference, anything else is

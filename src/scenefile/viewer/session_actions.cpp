@@ -77,7 +77,8 @@ void change_views(Session& session, Action action) {
 }
 
 void go_to_neighbor(Session& session, int steps) {
-  const std::string path = session.path == "-" ? "" : neighbor_of(session.path, steps);
+  const bool no_file = session.path.empty() || session.path == "-";
+  const std::string path = no_file ? "" : neighbor_of(session.path, steps);
   if (path.empty() || path == session.path) {
     say(session, "there is no other scene in this folder");
     return;
@@ -129,7 +130,8 @@ void difference(Session& session) {
 
 // The first unused name: chess-view.png, chess-view-2.png, ...
 std::string free_name(const Session& session) {
-  std::string stem = session.path == "-" ? "scene" : file_name_of(session.path);
+  const bool no_file = session.path.empty() || session.path == "-";
+  std::string stem = no_file ? "scene" : file_name_of(session.path);
   stem = stem.substr(0, stem.rfind('.'));
   for (int i = 1;; ++i) {
     const std::string name = i == 1 ? stem + "-view.png" : fmt::format("{}-view-{}.png", stem, i);
@@ -152,6 +154,8 @@ void set_text_scale(Session& session, double factor) {
 void escape(Session& session) {
   if (session.help) {
     session.help = false;
+  } else if (session.start.open) {
+    close_start_panel(session);
   } else if (session.full_screen) {
     session.full_screen = false;
   } else {
@@ -239,7 +243,16 @@ void perform_on_picture(Session& session, Action action) {
       difference(session);
       break;
     case Action::reload:
-      open_scene(session, session.path);
+      if (!session.path.empty()) {
+        open_scene(session, session.path);
+      }
+      break;
+    case Action::open:
+      if (session.start.open) {
+        close_start_panel(session);
+      } else {
+        open_start_panel(session);
+      }
       break;
     case Action::next_scene:
       go_to_neighbor(session, 1);

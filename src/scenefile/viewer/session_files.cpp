@@ -7,6 +7,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/placement/bounds.h"
 #include "scenefile/viewer/playlist.h"
+#include "scenefile/viewer/recent_files.h"
 #include "scenefile/viewer/session.h"
 
 #include <fmt/format.h>
@@ -40,9 +41,14 @@ void start_loading(Session& session) {
     return;
   }
   session.load_again = false;
+  const std::string recent =
+      session.start.opening && session.path != "-" ? session.setup.recent_files : "";
   session.loading.start(
-      [load_scene = session.setup.load, path = session.path, wake = session.setup.wake] {
+      [load_scene = session.setup.load, path = session.path, recent, wake = session.setup.wake] {
         std::shared_ptr<SceneOnShow> scene = load(load_scene, path);
+        if (scene->opened.usable()) {
+          scene->not_remembered = add_recent_file(recent, absolute_path(path));
+        }
         wake();
         return scene;
       });
@@ -187,12 +193,22 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   picture_changed(session);
 }
 
+void close_opened_panel(Session& session, const std::string& not_remembered) {
+  if (session.start.opening) {
+    close_start_panel(session);
+    if (!not_remembered.empty()) {
+      say(session, "the list of recent files is not saved: " + not_remembered, true);
+    }
+  }
+}
+
 void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   if (scene->opened.path != session.path) {
     return;  // another one was requested in the meantime
   }
   watch_files(session, *scene);
   if (scene->opened.usable()) {
+    close_opened_panel(session, scene->not_remembered);
     show(session, std::move(scene));
   } else {
     session.broken = std::move(scene);
@@ -228,7 +244,7 @@ bool is_picture(const std::string& path) {
 }  // namespace
 
 bool tick_files(Session& session) {
-  bool news = false;
+  bool news = session.start.open && session.thumbnails.tick(session.setup.load, session.setup.wake);
   if (std::optional<std::shared_ptr<SceneOnShow>> loaded = session.loading.take()) {
     accept(session, std::move(*loaded));
     news = true;
@@ -258,7 +274,36 @@ void open_scene(Session& session, const std::string& path) {
     return;
   }
   session.path = scene;
+  session.start.opening = true;
   start_loading(session);
+}
+
+void open_start_panel(Session& session) {
+  session.start.open = true;
+  session.start.recent = load_recent_files(session.setup.recent_files);
+  const bool in_folder = !session.path.empty() && session.path != "-";
+  go_to_folder(session.start, in_folder ? folder_of(session.path) : session.start.folder);
+  session.thumbnails.check_files();
+}
+
+void close_start_panel(Session& session) {
+  session.start.open = false;
+  session.start.opening = false;
+  session.thumbnails.stop();
+}
+
+void choose(Session& session, const std::string& path) {
+  session.notice.reset();  // about an earlier choice
+  if (is_folder(path)) {
+    session.thumbnails.stop();
+    go_to_folder(session.start, path);
+  } else if (!stamp_of(path).exists) {
+    say(session, path + ": there is no such file", true);
+  } else if (!is_scene_name(path) && is_picture(path)) {
+    open_reference(session, path);
+  } else {
+    open_scene(session, path);
+  }
 }
 
 bool open_reference(Session& session, const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
 #include "scenefile/io/memory.h"
 #include "scenefile/viewer/canvas.h"
 #include "scenefile/viewer/gui.h"
@@ -252,7 +253,11 @@ void Window::open_files() {
   if (!options_.reference.empty()) {
     open_reference(session_, options_.reference);
   }
-  open_scene(session_, options_.scene);
+  if (options_.scene.empty()) {
+    open_start_panel(session_);
+  } else {
+    open_scene(session_, options_.scene);
+  }
 }
 
 void Window::install_callbacks() {
@@ -409,7 +414,8 @@ void Window::wait() {
 
 // Only the window changes the title and full screen.
 void Window::follow_session() {
-  glfwSetWindowTitle(window_, fmt::format("{} - scenefile", scene_name(session_)).c_str());
+  const std::string name = scene_name(session_);
+  glfwSetWindowTitle(window_, name.empty() ? "scenefile" : (name + " - scenefile").c_str());
   if (session_.full_screen == full_screen_) {
     return;
   }
@@ -460,6 +466,7 @@ GuiFrame Window::gui_frame() const {
   frame.reference = canvas_->reference().name();
   frame.difference = canvas_->difference().name();
   frame.flip = canvas_->flip().name();
+  frame.thumbnail = [this](const std::string& path) { return canvas_->thumbnail(path); };
   return frame;
 }
 
@@ -549,14 +556,14 @@ WindowResult Window::run() {
       const std::string path = std::exchange(session_.screenshot, {});
       draw_frame(true);
       if (write_screenshot(path)) {
-        say(session_, "written: " + path);
+        say(session_, "written: " + absolute_path(path));
       }
       stir();
     }
   }
   remember_settings();
   WindowResult result;
-  result.shown = session_.shown != nullptr && session_.broken == nullptr;
+  result.shown = session_.path.empty() || (session_.shown != nullptr && session_.broken == nullptr);
   if (!failure_.empty()) {
     result.status = WindowStatus::failed;
     result.error = failure_;

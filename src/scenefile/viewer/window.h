@@ -11,10 +11,10 @@
 namespace scenefile::viewer {
 
 struct WindowOptions {
-  SessionSetup setup;               ///< `wake` is set by the window
-  std::string scene;                ///< a file, a folder, or - for standard input
-  std::string reference;            ///< a picture to compare with; empty: none
-  std::string settings;             ///< path of the settings file; empty: settings are not kept
+  SessionSetup setup;     ///< `wake` is set by the window
+  std::string scene;      ///< a file, a folder, - for standard input; empty: a panel to choose one
+  std::string reference;  ///< a picture to compare with; empty: none
+  std::string settings;   ///< path of the settings file; empty: settings are not kept
   std::optional<glm::ivec2> size;   ///< of the window; default: as remembered
   std::optional<bool> ray_tracing;  ///< at the start; default: as remembered
   Script script;                    ///< runs instead of user input; then the window closes
@@ -30,7 +30,7 @@ enum class WindowStatus : std::uint8_t {
 struct WindowResult {
   WindowStatus status = WindowStatus::closed;
   std::string error;  ///< one line, unless closed
-  bool shown = true;  ///< whether the scene requested last could be drawn
+  bool shown = true;  ///< whether the scene requested last, if any, could be drawn
 };
 
 /// Opens the window and returns after it is closed. Call it from the main thread, and only once at

@@ -1,0 +1,63 @@
+#include "scenefile/viewer/recent_files.h"
+
+#include "scenefile/io/file.h"
+#include "scenefile/io/folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace scenefile::viewer {
+
+std::string recent_files_path(const char* xdg_state_home, const char* home) {
+  const std::string_view state = xdg_state_home != nullptr ? xdg_state_home : "";
+  if (state.starts_with('/')) {
+    return fmt::format("{}/scenefile/recent", state);
+  }
+  const std::string_view folder = home != nullptr ? home : "";
+  return folder.empty() ? std::string() : fmt::format("{}/.local/state/scenefile/recent", folder);
+}
+
+std::vector<std::string> load_recent_files(const std::string& path) {
+  constexpr std::uint64_t most = 1 << 16;
+  if (path.empty() || !stamp_of(path).exists) {
+    return {};
+  }
+  const Result<std::string> text = read_file(path, most);
+  if (!text) {
+    return {};
+  }
+  std::vector<std::string> files;
+  for (std::size_t begin = 0; begin < text->size();) {
+    const std::size_t end = std::min(text->find('\n', begin), text->size());
+    std::string line = text->substr(begin, end - begin);
+    if (!line.starts_with('/') || line.find('\0') != std::string::npos ||
+        files.size() == most_recent_files) {
+      return {};
+    }
+    files.push_back(std::move(line));
+    begin = end + 1;
+  }
+  return files;
+}
+
+std::string add_recent_file(const std::string& path, const std::string& scene) {
+  if (path.empty() || !scene.starts_with('/') || scene.find('\n') != std::string::npos) {
+    return {};
+  }
+  std::vector<std::string> files = load_recent_files(path);
+  files.erase(std::remove(files.begin(), files.end(), scene), files.end());
+  files.insert(files.begin(), scene);
+  files.resize(std::min(files.size(), most_recent_files));
+  std::string text;
+  for (const std::string& file : files) {
+    text += file + '\n';
+  }
+  if (const Result<void> made = make_folder(folder_of(path)); !made) {
+    return made.error().text;
+  }
+  return error_text(write_file(path, text));
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,72 @@
+#include "scenefile/viewer/start_panel.h"
+
+#include "scenefile/format/recognize.h"
+#include "scenefile/io/folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace scenefile::viewer {
+
+namespace {
+
+// By its extension: reading every file of a large folder takes too long.
+bool is_picture_name(std::string_view name) {
+  static constexpr std::array<std::string_view, 3> extensions{".png", ".jpg", ".jpeg"};
+  return std::any_of(extensions.begin(), extensions.end(), [&](std::string_view extension) {
+    return name.size() > extension.size() &&
+           std::equal(extension.rbegin(), extension.rend(), name.rbegin(), [](char a, char b) {
+             return a == std::tolower(static_cast<unsigned char>(b));
+           });
+  });
+}
+
+}  // namespace
+
+bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
+  choices.clear();
+  for (FolderEntry& entry : entries_of(folder)) {
+    if (entry.folder) {
+      choices.push_back({ChoiceKind::folder, std::move(entry.name), std::move(entry.path)});
+    } else if (is_scene_name(entry.name)) {
+      choices.push_back({ChoiceKind::scene, std::move(entry.name), std::move(entry.path)});
+    } else if (is_picture_name(entry.name)) {
+      choices.push_back({ChoiceKind::picture, std::move(entry.name), std::move(entry.path)});
+    }
+  }
+  std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
+    return a.kind != b.kind ? a.kind < b.kind : natural_less(a.name, b.name);
+  });
+  const bool fits = choices.size() <= most_choices;
+  choices.resize(std::min(choices.size(), most_choices));
+  return fits;
+}
+
+void go_to_folder(StartPanel& panel, const std::string& folder) {
+  panel.folder = absolute_path(folder.empty() ? "." : folder);
+  while (panel.folder.size() > 1 && (panel.folder.ends_with('/') || panel.folder.ends_with("/."))) {
+    panel.folder.pop_back();
+  }
+  panel.cut_off = !list_choices(panel.folder, panel.choices);
+}
+
+std::string parent_folder(const std::string& folder) {
+  const std::size_t slash = folder.rfind('/');
+  return slash == std::string::npos || slash == 0 ? "/" : folder.substr(0, slash);
+}
+
+std::string typed_path(const StartPanel& panel, const char* home) {
+  const std::string& text = panel.typed;
+  if (text.starts_with('/')) {
+    return text;
+  }
+  if (text.starts_with("~/") && home != nullptr) {
+    return home + text.substr(1);
+  }
+  return panel.folder + '/' + text;
+}
+
+}  // namespace scenefile::viewer

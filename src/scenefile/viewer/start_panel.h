@@ -1,0 +1,46 @@
+#pragma once
+// The panel that opens scenes: recent files, and a folder. Plain data, without its appearance.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scenefile::viewer {
+
+enum class ChoiceKind : std::uint8_t { folder, scene, picture };
+
+/// A line of the panel.
+struct Choice {
+  ChoiceKind kind = ChoiceKind::scene;
+  std::string name;
+  std::string path;
+};
+
+/// A longer list is cut off.
+inline constexpr std::size_t most_choices = 2000;
+
+struct StartPanel {
+  bool open = false;
+  std::string folder;               ///< absolute
+  std::vector<Choice> choices;      ///< what the folder holds: folders, scenes, pictures
+  bool cut_off = false;             ///< the folder holds more than `most_choices`
+  std::vector<std::string> recent;  ///< absolute paths
+  std::string typed;                ///< the path in the field
+  bool opening = false;             ///< closes when the requested scene can be drawn
+};
+
+/// What a folder holds: folders, scenes and pictures, each in natural order. Names that start with
+/// a dot are left out. Returns whether everything fitted.
+bool list_choices(const std::string& folder, std::vector<Choice>& choices);
+
+/// Lists this folder; an empty path is the working directory.
+void go_to_folder(StartPanel& panel, const std::string& folder);
+
+/// The folder above; the root is above itself.
+std::string parent_folder(const std::string& folder);
+
+/// The path that a typed text means: absolute, or below the panel's folder, or below `home` if it
+/// starts with "~/".
+std::string typed_path(const StartPanel& panel, const char* home);
+
+}  // namespace scenefile::viewer

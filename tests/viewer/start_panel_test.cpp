@@ -1,0 +1,202 @@
+// Opening scenes from the panel of recent files and folders.
+
+#include "scenefile/viewer/start_panel.h"
+
+#include "io/temp_folder.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/viewer/recent_files.h"
+#include "scenefile/viewer/session.h"
+#include "viewer/test_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace scenefile::viewer {
+
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing_support::TempFolder;
+
+std::vector<std::string> names_of(const std::vector<Choice>& choices) {
+  std::vector<std::string> names;
+  for (const Choice& choice : choices) {
+    names.push_back(choice.name);
+  }
+  return names;
+}
+
+struct StartPanelTest : ::testing::Test {
+  StartPanelTest() {
+    session.setup.load = testing::open_file;
+    session.setup.wake = [] {};
+    session.setup.trace = default_options(Profile::fine);
+    session.setup.recent_files = folder.path("state/recent");
+    session.picture = {{0, 0}, {400, 300}};
+    session.pixels = {40, 30};
+  }
+
+  // Draws no frames: thumbnails are wanted as the panel would want them.
+  void settle() {
+    for (int i = 0; i < 1000; ++i) {
+      if (session.start.open) {
+        for (const Choice& choice : session.start.choices) {
+          if (choice.kind == ChoiceKind::scene) {
+            session.thumbnails.find(choice.path);
+          }
+        }
+      }
+      if (i > 20 && settled(session)) {
+        return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      tick(session, time += 0.05);
+    }
+    ADD_FAILURE() << "not settled";
+  }
+
+  TempFolder folder;
+  std::string scene = folder.write("scenes/b.xml", testing::scene_text);
+  Session session;
+  double time = 0;
+};
+
+TEST_F(StartPanelTest, ListsFoldersScenesAndPictures) {
+  folder.write("scenes/a10.xml");
+  folder.write("scenes/a9.JSON");
+  folder.write("scenes/readme.txt");
+  folder.write("scenes/.hidden.xml");
+  folder.write("scenes/picture.PNG");
+  folder.write("scenes/more/x.xml");
+  std::vector<Choice> choices;
+  EXPECT_TRUE(list_choices(folder.path("scenes"), choices));
+  EXPECT_THAT(names_of(choices), ElementsAre("more", "a9.JSON", "a10.xml", "b.xml", "picture.PNG"));
+  EXPECT_EQ(choices.front().kind, ChoiceKind::folder);
+  EXPECT_EQ(choices.back().kind, ChoiceKind::picture);
+  EXPECT_EQ(choices[1].path, folder.path("scenes/a9.JSON"));
+  EXPECT_TRUE(list_choices(folder.path("none"), choices));
+  EXPECT_THAT(choices, IsEmpty());
+}
+
+TEST_F(StartPanelTest, GoesThroughFolders) {
+  open_start_panel(session);
+  choose(session, folder.path("scenes/"));
+  EXPECT_EQ(session.start.folder, folder.path("scenes"));
+  EXPECT_THAT(names_of(session.start.choices), ElementsAre("b.xml"));
+  choose(session, parent_folder(session.start.folder));
+  EXPECT_THAT(names_of(session.start.choices), ElementsAre("scenes"));
+  EXPECT_EQ(parent_folder("/a"), "/");
+  EXPECT_EQ(parent_folder("/"), "/");
+}
+
+TEST_F(StartPanelTest, TypedPaths) {
+  StartPanel panel;
+  panel.folder = "/scenes";
+  panel.typed = "/else/a.xml";
+  EXPECT_EQ(typed_path(panel, "/home/me"), "/else/a.xml");
+  panel.typed = "a.xml";
+  EXPECT_EQ(typed_path(panel, "/home/me"), "/scenes/a.xml");
+  panel.typed = "~/a.xml";
+  EXPECT_EQ(typed_path(panel, "/home/me"), "/home/me/a.xml");
+  EXPECT_EQ(typed_path(panel, nullptr), "/scenes/~/a.xml");
+}
+
+TEST_F(StartPanelTest, AChosenSceneIsShownAndRemembered) {
+  open_start_panel(session);
+  EXPECT_THAT(session.start.recent, IsEmpty());
+  choose(session, scene);
+  settle();
+  ASSERT_NE(session.shown, nullptr);
+  EXPECT_FALSE(session.start.open);
+  perform(session, Action::open);
+  EXPECT_TRUE(session.start.open);
+  EXPECT_THAT(session.start.recent, ElementsAre(scene));
+  perform(session, Action::escape);
+  EXPECT_FALSE(session.start.open);
+}
+
+TEST_F(StartPanelTest, ABadFileGivesItsMessageAndThePanelStays) {
+  const std::string broken = folder.write("scenes/broken.xml", "<scenefile>");
+  open_start_panel(session);
+  choose(session, broken);
+  settle();
+  EXPECT_TRUE(session.start.open);
+  ASSERT_NE(session.broken, nullptr);
+  EXPECT_TRUE(session.broken->opened.diagnostics.has_errors());
+  EXPECT_THAT(load_recent_files(session.setup.recent_files), IsEmpty());
+  choose(session, folder.path("none.xml"));
+  ASSERT_TRUE(session.notice.has_value());
+  EXPECT_TRUE(session.notice->bad);
+  EXPECT_THAT(session.notice->text, HasSubstr("no such file"));
+  choose(session, scene);
+  settle();
+  EXPECT_FALSE(session.start.open);
+  EXPECT_EQ(session.broken, nullptr);
+}
+
+TEST_F(StartPanelTest, AChangeOfTheFileDoesNotCloseIt) {
+  open_scene(session, scene);
+  settle();
+  perform(session, Action::open);
+  const std::uint64_t version = session.version;
+  folder.write("scenes/b.xml", testing::scene_text + "<!-- changed -->");
+  for (int i = 0; i < 1000 && session.version == version; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    tick(session, time += 0.05);
+  }
+  EXPECT_NE(session.version, version);
+  EXPECT_TRUE(session.start.open);
+}
+
+TEST_F(StartPanelTest, APictureBecomesTheReference) {
+  std::string error;
+  const std::string picture =
+      folder.write("p.png", encode_image(Image(8, 6), ImageFormat::png8, Rounding::nearest, error));
+  open_start_panel(session);
+  choose(session, picture);
+  EXPECT_EQ(session.reference.width, 8);
+}
+
+TEST_F(StartPanelTest, Thumbnails) {
+  const std::string broken = folder.write("scenes/broken.xml", "<scenefile>");
+  folder.write("scenes/large.xml", std::string(thumbnail_file_bytes + 1, ' '));
+  open_start_panel(session);
+  choose(session, folder.path("scenes"));
+  EXPECT_EQ(session.thumbnails.find(scene), nullptr);
+  settle();
+  const Thumbnail* const thumbnail = session.thumbnails.find(scene);
+  ASSERT_NE(thumbnail, nullptr);
+  EXPECT_EQ(thumbnail->wrong, "");
+  ASSERT_EQ(thumbnail->picture.width, thumbnail_width);
+  ASSERT_EQ(thumbnail->picture.height, thumbnail_height);
+  // The sphere on the left is red, the cube on the right green.
+  const std::uint8_t* const left = thumbnail->picture.texel(38, 48);
+  const std::uint8_t* const right = thumbnail->picture.texel(90, 48);
+  EXPECT_GT(left[0], 2 * left[1]);
+  EXPECT_GT(right[1], 2 * right[0]);
+  ASSERT_NE(session.thumbnails.find(broken), nullptr);
+  EXPECT_THAT(session.thumbnails.find(broken)->wrong, HasSubstr("errors"));
+  EXPECT_THAT(session.thumbnails.find(folder.path("scenes/large.xml"))->wrong, HasSubstr("large"));
+  folder.write("scenes/broken.xml", testing::scene_text);
+  session.thumbnails.check_files();
+  EXPECT_EQ(session.thumbnails.find(broken), nullptr) << "the file has changed";
+}
+
+TEST_F(StartPanelTest, WorksWithoutAScene) {
+  for (const ActionRow& row : actions()) {
+    if (row.action != Action::quit) {
+      perform(session, row.action);
+    }
+  }
+  EXPECT_EQ(session.shown, nullptr);
+  EXPECT_EQ(scene_name(session), "");
+}
+
+}  // namespace
+
+}  // namespace scenefile::viewer

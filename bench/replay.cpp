@@ -11,8 +11,7 @@
 #include "scenefile/io/asset_roots.h"
 #include "scenefile/io/file.h"
 #include "scenefile/scene/prepare.h"
-#include "scenefile/trace/course_samples.h"
-#include "scenefile/trace/recorder.h"
+#include "scenefile/trace/explain.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +25,6 @@
 namespace {
 
 using namespace scenefile;
-using bench::RayRecord;
 
 constexpr int width = 1024;
 constexpr int height = 768;
@@ -34,68 +32,68 @@ constexpr int tile = 16;
 
 // Rays of one kind, divided into runs of neighbors.
 struct Kind {
-  std::vector<RayRecord> rays;
+  std::vector<bench::RayRecord> rays;
   std::vector<std::size_t> runs{0};  // the end of each
   bool shadow = false;
 };
 
 enum { camera_rays, other_rays, camera_shadows, other_shadows, kinds };
 
-// Records the queries of a tile.
-class RayLog final : public Recorder {
+// The queries of a tile.
+class Tile {
  public:
-  void begin_ray(RayKind kind, int depth, const Ray& ray, double start) override {
-    deep_ = depth > 0 || kind != RayKind::camera;
-    put(deep_ ? other_rays : camera_rays, static_cast<int>(kind) + 4 * depth, ray, start, 1e30);
-    light_ = 0;
-  }
-  void wall(const Ray&, double start, const SurfacePoint& point, const glm::dvec3&,
-            const glm::dvec3& direction, bool) override {
-    put(other_rays, -1, {point.position, direction}, start, 1e30);
-  }
-  void shadow(const Ray& ray, double start, double end, const Color&) override {
-    put(deep_ ? other_shadows : camera_shadows, light_, ray, start, end);
-  }
-  void light(std::uint32_t index, std::uint32_t, const Color&) override {
-    light_ = static_cast<int>(index) + 1;
+  void add(const scenefile::RayRecord& ray) {
+    const bool deep = ray.kind != RayKind::camera;
+    put(deep ? other_rays : camera_rays, static_cast<int>(ray.kind) + 4 * ray.depth, ray.ray,
+        ray.start, 1e30);
+    for (const WallRecord& wall : ray.walls) {
+      put(other_rays, -1, {wall.position, wall.direction}, offset, 1e30);
+    }
+    for (const LightRecord& light : ray.lights) {
+      for (const LightSample& sample : light.samples) {
+        if (sample.shadow_ray) {
+          put(deep ? other_shadows : camera_shadows, static_cast<int>(light.light),
+              {ray.surface->position, sample.to_light}, offset, sample.distance);
+        }
+      }
+    }
   }
 
-  void end_tile(Kind (&all)[kinds]) {
-    for (auto& [key, rays] : tile_) {
+  void end(Kind (&all)[kinds]) {
+    for (auto& [key, rays] : queries_) {
       Kind& kind = all[key.first];
       kind.rays.insert(kind.rays.end(), rays.begin(), rays.end());
       kind.runs.push_back(kind.rays.size());
     }
-    tile_.clear();
+    queries_.clear();
   }
 
  private:
+  static constexpr double offset = 1e-3;  // of the course profile
+
   void put(int kind, int group, const Ray& ray, double start, double end) {
     const glm::vec3 o(ray.origin);
     const glm::vec3 d(ray.direction);
-    tile_[{kind, group}].push_back(
+    queries_[{kind, group}].push_back(
         {o.x, o.y, o.z, static_cast<float>(start), d.x, d.y, d.z, static_cast<float>(end)});
   }
 
-  std::map<std::pair<int, int>, std::vector<RayRecord>> tile_;
-  bool deep_ = false;
-  int light_ = 0;
+  std::map<std::pair<int, int>, std::vector<bench::RayRecord>> queries_;
 };
 
-void record(const Tracer& tracer, Kind (&all)[kinds]) {
-  const CameraRays camera = tracer.camera();
-  RayLog log;
-  RayCounts counts;
-  counts.recorder = &log;
+void record(const Explainer& explainer, Kind (&all)[kinds]) {
+  Tile queries;
   for (int y0 = 0; y0 < height; y0 += tile) {
     for (int x0 = 0; x0 < width; x0 += tile) {
       for (int i = 0; i < tile * tile; ++i) {
         // Blocks of 4 x 4, so that a packet of 16 is as narrow as possible.
         const int x = x0 + i / 16 % 4 * 4 + i % 4;
         const int y = y0 + i / 64 * 4 + i / 4 % 4;
-        course_pixel(tracer, camera, x, y, counts);
+        for (const scenefile::RayRecord& ray : explainer.explain(x, y).rays) {
+          queries.add(ray);
+        }
       }
-      log.end_tile(all);
+      queries.end(all);
     }
   }
 }
@@ -180,10 +178,7 @@ int main(int argc, char** argv) {
   const Assets assets{std::vector<Texture>(scene.texture_files.size()), {}};
   Kind all[kinds];
   all[camera_shadows].shadow = all[other_shadows].shadow = true;
-  {
-    const Tracer tracer(scene, assets, options);
-    record(tracer, all);
-  }
+  record(Explainer(scene, assets, options), all);
   const bench::BareScene bare(objects);
   const int runs = argc > 2 ? std::atoi(argv[2]) : 3;
   std::size_t rays = 0;

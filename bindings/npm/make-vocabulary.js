@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 
 // The schema's own XML: as generated, so a full parser is not needed.
-export function parseXml(text) {
+function parseXml(text) {
   const top = { name: '', attributes: {}, children: [], text: '' };
   const open = [top];
   for (const [, comment, end, name, attributes, empty, words] of text.matchAll(
@@ -31,8 +31,8 @@ export function parseXml(text) {
   return top;
 }
 
-export const unwrapped = (text) => text.replace(/\s+/g, ' ').trim();
-export const documentationOf = (node) =>
+const unwrapped = (text) => text.replace(/\s+/g, ' ').trim();
+const documentationOf = (node) =>
   unwrapped(node.children.find((child) => child.name === 'a:documentation')?.text ?? '');
 
 /** Elements by name: what they are, what may be in them, and their attributes. */

@@ -1,7 +1,7 @@
 // Reflection and refraction.
 
-#include "scenefile/trace/optics.h"
 #include "trace/build_scene.h"
+#include "trace/scalar_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,9 @@
 // Compares ray differentials with the rays of neighboring pixels.
 
-#include "scenefile/trace/footprint.h"
-
 #include "scenefile/trace/edges.h"
 #include "scenefile/trace/fine_samples.h"
-#include "scenefile/trace/optics.h"
 #include "trace/build_scene.h"
+#include "trace/scalar_rays.h"
 
 #include <gtest/gtest.h>
 

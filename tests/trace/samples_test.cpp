@@ -1,5 +1,5 @@
-#include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/sequence.h"
+#include "trace/course_cell.h"
 
 #include <gtest/gtest.h>
 

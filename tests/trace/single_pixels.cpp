@@ -3,7 +3,7 @@
 namespace scenefile {
 
 SingleSampler::SingleSampler(const Tracer& tracer, const CameraRays& camera,
-                             const SurfaceWish& wish, RayCounts& counts)
+                             const SurfaceWish& wish, ScalarCounts& counts)
     : tracer_(tracer), camera_(camera), wish_(wish), counts_(counts) {}
 
 // Calls draw_pixel(pixel, counts) for each pixel.
@@ -23,14 +23,14 @@ std::vector<DrawnPixel> SingleSampler::draw(std::span<const glm::ivec2> places,
 }
 
 std::vector<DrawnPixel> SingleSampler::course(std::span<const glm::ivec2> places) {
-  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
+  return draw(places, [&](DrawnPixel& pixel, ScalarCounts& counts) {
     pixel.color = course_pixel(tracer_, camera_, pixel.at.x, pixel.at.y, counts);
   });
 }
 
 std::vector<DrawnPixel> SingleSampler::take_middles(const FineSampler& sampler,
                                                     std::span<const glm::ivec2> places) {
-  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
+  return draw(places, [&](DrawnPixel& pixel, ScalarCounts& counts) {
     const std::uint64_t penumbras = counts.penumbras;
     const Color color =
         trace_sample(tracer_, camera_, sampler.middle(pixel.at.x, pixel.at.y), counts);
@@ -42,8 +42,9 @@ std::vector<DrawnPixel> SingleSampler::take(const FineSampler& sampler,
                                             std::span<const glm::ivec2> places,
                                             std::span<const std::uint8_t> marks) {
   std::size_t i = 0;
-  return draw(places, [&](DrawnPixel& pixel, RayCounts& counts) {
-    sampler.take(pixel.at.x, pixel.at.y, marks[i++], pixel.samples, counts);
+  return draw(places, [&](DrawnPixel& pixel, ScalarCounts& counts) {
+    take_samples(tracer_, camera_, sampler, pixel.at.x, pixel.at.y, marks[i++], pixel.samples,
+                 counts);
   });
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-// Samples pixels ray by ray: for pictures with deliberate mistakes.
+// Samples pixels ray by ray.
 
-#include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/drawn_pixel.h"
+#include "trace/scalar_tracer.h"
 #include "trace/surface_recorder.h"
 
 namespace scenefile {
@@ -11,7 +11,7 @@ namespace scenefile {
 class SingleSampler {
  public:
   SingleSampler(const Tracer& tracer, const CameraRays& camera, const SurfaceWish& wish,
-                RayCounts& counts);
+                ScalarCounts& counts);
 
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
   std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
@@ -26,7 +26,7 @@ class SingleSampler {
   const Tracer& tracer_;
   const CameraRays& camera_;
   const SurfaceWish& wish_;
-  RayCounts& counts_;
+  ScalarCounts& counts_;
 };
 
 }  // namespace scenefile

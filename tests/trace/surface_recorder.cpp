@@ -8,8 +8,10 @@ void SurfaceRecorder::clear() {
   surfaces_.clear();
 }
 
-void SurfaceRecorder::begin_sample(const glm::dvec2& point, const glm::dvec2& /*lens*/) {
-  surfaces_.samples.emplace_back().point = point;
+void SurfaceRecorder::begin_sample(const glm::dvec2& point, const glm::dvec2& lens) {
+  CameraSample& sample = surfaces_.samples.emplace_back().camera;
+  sample.point = point;
+  sample.lens = lens;
   surfaces_.light_colors.resize(surfaces_.samples.size() * lights_.size(), Color(0));
   nesting_ = 0;
 }
@@ -20,6 +22,7 @@ void SurfaceRecorder::end_sample(const Color& color) {
 
 void SurfaceRecorder::begin_ray(RayKind /*kind*/, int depth, const Ray& /*ray*/, double /*start*/) {
   ++nesting_;
+  ++surfaces_.samples.back().rays;
   surfaces_.samples.back().bounces = std::max(surfaces_.samples.back().bounces, depth);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Records what the camera rays of a pixel hit, for the single-ray tracer.
 
-#include "scenefile/trace/recorder.h"
 #include "scenefile/trace/surface_sample.h"
+#include "trace/recorder.h"
 
 namespace scenefile {
 

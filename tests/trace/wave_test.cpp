@@ -4,7 +4,6 @@
 #include "scenefile/trace/wave.h"
 
 #include "scenefile/trace/fine_samples.h"
-#include "scenefile/trace/integrator.h"
 #include "scenefile/trace/wave_pixels.h"
 #include "trace/build_scene.h"
 #include "trace/single_pixels.h"
@@ -103,7 +102,7 @@ std::vector<CameraSample> samples_of(const Tracer& tracer, const CameraRays& cam
 }
 
 /// The picture traced ray by ray.
-std::vector<WaveSight> alone(const Tracer& tracer, RayCounts& counts) {
+std::vector<WaveSight> alone(const Tracer& tracer, ScalarCounts& counts) {
   const CameraRays camera = tracer.camera();
   std::vector<WaveSight> sights;
   for (const CameraSample& sample : samples_of(tracer, camera)) {
@@ -136,13 +135,19 @@ RenderOptions small(Profile profile) {
   return options;
 }
 
+std::vector<const WaveKernel*> all_kernels() {
+  std::vector<const WaveKernel*> kernels = wave_kernels();
+  kernels.push_back(&one_lane_kernel());
+  return kernels;
+}
+
 void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
   SCOPED_TRACE(options.profile == Profile::fine ? "fine" : "course");
   const Tracer tracer(b.scene, b.assets, options);
   ASSERT_EQ(tracer.status(), RenderStatus::complete);
-  RayCounts expected_counts;
+  ScalarCounts expected_counts;
   const std::vector<WaveSight> expected = alone(tracer, expected_counts);
-  for (const WaveKernel* kernel : wave_kernels()) {
+  for (const WaveKernel* kernel : all_kernels()) {
     RayCounts counts;
     const std::vector<WaveSight> sights = together(tracer, kernel, counts);
     std::size_t different = 0;
@@ -236,7 +241,8 @@ TEST(WaveOptions, Normals) {
 }
 
 void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
-  EXPECT_EQ(a.point, b.point);
+  EXPECT_EQ(a.camera.point, b.camera.point);
+  EXPECT_EQ(a.camera.lens, b.camera.lens);
   EXPECT_EQ(a.color, b.color);
   EXPECT_EQ(a.hit, b.hit);
   EXPECT_EQ(a.normal, b.normal);
@@ -246,6 +252,7 @@ void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
   EXPECT_EQ(a.diffused, b.diffused);
   EXPECT_EQ(a.unshadowed, b.unshadowed);
   EXPECT_EQ(a.bounces, b.bounces);
+  EXPECT_EQ(a.rays, b.rays);
 }
 
 /// Pixels traced in waves, and sample by sample.
@@ -261,7 +268,7 @@ void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, con
     places.emplace_back(i % options.width, i / options.width);
   }
   RayCounts counts;
-  RayCounts expected_counts;
+  ScalarCounts expected_counts;
   WaveSampler waves(scene, pool, wish, counts);
   SingleSampler single(tracer, camera, wish, expected_counts);
   const std::vector<DrawnPixel> pixels = draw(waves, tracer, camera, places);

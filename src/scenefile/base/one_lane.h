@@ -4,7 +4,11 @@
 // and scalar results are equal to the last bit.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace scenefile::one {
 
@@ -56,6 +60,55 @@ inline F max(F a, F b) {
 template <typename Function>
 F each(M m, const Function& f, F x, F y) {
   return m ? f(x, y) : 0.0;
+}
+
+// For arrays of numbers (trace/wave_memory.h).
+
+/// A mask of lanes 0 to count - 1.
+inline M first_lanes(std::size_t count) {
+  return count != 0;
+}
+/// From and to memory that is aligned for it.
+inline F load(const double* from) {
+  return *from;
+}
+inline void store(F x, double* to) {
+  *to = x;
+}
+inline F load_floats(const float* from) {
+  return *from;
+}
+/// Extracts a byte of each number; 0 is the lowest.
+template <int byte>
+F load_byte(const std::int32_t* from) {
+  return *from >> (8 * byte) & 255;
+}
+/// x / 255 for bytes.
+inline F share_of_255(F x) {
+  return x / 255;
+}
+/// One bit per lane.
+inline unsigned bits(M m) {
+  return m ? 1 : 0;
+}
+inline M of_bits(unsigned mask) {
+  return (mask & 1) != 0;
+}
+/// The next larger number for positive numbers; infinity is unchanged.
+inline F next_up(F x) {
+  return x < std::numeric_limits<double>::infinity()
+             ? std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + 1)
+             : x;
+}
+inline double least_lane(F x) {
+  return x;
+}
+inline double greatest_lane(F x) {
+  return x;
+}
+/// In any order.
+inline double sum_of_lanes(F x) {
+  return x;
 }
 
 }  // namespace scenefile::one

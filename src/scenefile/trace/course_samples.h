@@ -9,12 +9,6 @@
 
 namespace scenefile {
 
-/// The color at a point of the picture, clamped to [0, 1].
-template <typename F>
-concept ColorAt = requires(F f, glm::dvec2 p) {
-  { f(p) } -> std::convertible_to<Color>;
-};
-
 namespace course {
 
 inline constexpr double max_difference = 50.0 / 255;  ///< neighbors that differ by more are refined
@@ -40,24 +34,8 @@ inline bool uneven(const std::array<Color, 4>& colors, int index) {
   return differ(colors[i], colors[i ^ 1]) || differ(colors[i], colors[i ^ 2]);
 }
 
-/// The average over a square cell: four samples in its quadrants; those that differ from a
-/// horizontal or vertical neighbor are refined as cells.
-template <ColorAt F>
-Color cell(const F& color_at, const glm::dvec2& corner, double size, int level) {
-  std::array<Color, 4> colors;
-  for (int i = 0; i < 4; ++i) {
-    colors[static_cast<std::size_t>(i)] = color_at(middle_of_quadrant(corner, size, i));
-  }
-  Color sum(0);
-  for (int i = 0; i < 4; ++i) {
-    sum += uneven(colors, i) && level < max_level
-               ? cell(color_at, quadrant(corner, size, i), size / 2, level + 1)
-               : colors[static_cast<std::size_t>(i)];
-  }
-  return sum / 4.0;
-}
-
-/// Which samples of cell() are replaced by finer ones: for each sample, the index of the one whose
+/// Quadrants that differ from a horizontal or vertical neighbor are sampled again as cells. Which
+/// samples are replaced by finer ones: for each sample, the index of the one whose
 /// quadrant contains it; no_index for the first four. `points` are in sampling order.
 std::vector<std::uint32_t> refined_samples(const std::vector<glm::dvec2>& points);
 
@@ -66,8 +44,5 @@ inline constexpr std::array<std::array<double, 2>, 8> lens_points{
     {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
 
 }  // namespace course
-
-/// A pixel of the course profile: a sample at its center, the adaptive cell, or the lens samples.
-Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts);
 
 }  // namespace scenefile

@@ -4,77 +4,38 @@
 #include "scenefile/trace/edges.h"
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/no_denormals.h"
-#include "scenefile/trace/recorder.h"
 #include "scenefile/trace/tiles.h"
-#include "scenefile/trace/wave.h"
+#include "scenefile/trace/wave_pixels.h"
+#include "scenefile/trace/wave_trail.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-// What the center samples of a pixel and its neighbors see. `middle`: the index of the pixel
-// itself.
-struct Neighborhood {
-  std::vector<CameraSample> samples;
-  std::vector<WaveSight> sights;
-  std::size_t middle = 0;
-};
-
-Neighborhood neighborhood(const Tracer& tracer, const CameraRays& camera,
-                          const FineSampler& sampler, int x, int y) {
-  Neighborhood result;
-  for (int y1 = std::max(0, y - 1); y1 <= std::min(tracer.options.height - 1, y + 1); ++y1) {
-    for (int x1 = std::max(0, x - 1); x1 <= std::min(tracer.options.width - 1, x + 1); ++x1) {
-      if (x1 == x && y1 == y) {
-        result.middle = result.samples.size();
-      }
-      result.samples.push_back(sampler.middle(x1, y1));
+// A pixel and its neighbors.
+std::vector<glm::ivec2> neighborhood(const RenderOptions& options, const glm::ivec2& at) {
+  std::vector<glm::ivec2> pixels;
+  for (int y = std::max(0, at.y - 1); y <= std::min(options.height - 1, at.y + 1); ++y) {
+    for (int x = std::max(0, at.x - 1); x <= std::min(options.width - 1, at.x + 1); ++x) {
+      pixels.emplace_back(x, y);
     }
   }
-  result.sights.resize(result.samples.size());
-  const WaveScene scene(tracer, camera);
-  RayCounts counts;
-  trace_wave(scene, result.samples.data(), static_cast<int>(result.samples.size()), *make_wave(),
-             result.sights.data(), counts);
-  return result;
+  return pixels;
 }
 
-float largest_contrast(const Neighborhood& near) {
+float largest_contrast(std::span<const WaveSight> sights, const WaveSight& middle) {
   const auto kept = [](const WaveSight& s) { return kept_signature(s.signature); };
-  const WaveSight& middle = near.sights[near.middle];
   const glm::vec3 color(middle.color);
   float most = 0;
-  for (const WaveSight& sight : near.sights) {
+  for (const WaveSight& sight : sights) {
     const glm::vec3 beside(sight.color);
     most = std::max(most, contrast(&color.x, &beside.x, kept(sight) == kept(middle)));
   }
   return most;
-}
-
-// Takes the samples that render() takes in its passes.
-Color fine_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, RayCounts& counts,
-                 MoreSamples& more) {
-  const FineSampler sampler(tracer, camera);
-  std::uint8_t mark = 0;
-  if (sampler.plan().two_passes()) {
-    const Neighborhood near = neighborhood(tracer, camera, sampler, x, y);
-    const float most = largest_contrast(near);
-    mark = sampler.mark_of(most);
-    more.neighbors = mark != 0;
-  }
-  if (sampler.plan().middles && mark == 0) {
-    return trace_sample(tracer, camera, sampler.middle(x, y), counts);
-  }
-  PixelSamples samples;
-  const std::uint32_t first = sampler.next_count(0);
-  sampler.take(x, y, mark, samples, counts);
-  more.noisy = samples.count > first;
-  more.penumbra = more.noisy && samples.penumbra;
-  return samples.mean();
 }
 
 // Links samples of the adaptive pattern to those that replace them.
@@ -111,22 +72,73 @@ struct Explainer::Impl {
   Impl(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
       : limit(options.threads),
         tracer(TraceScene(scene, assets, {.instance_names = true}), scene, options),
-        camera(tracer.camera()) {}
+        camera(tracer.camera()),
+        waves(tracer, camera),
+        sampler(tracer, camera) {}
 
-  Color trace(int x, int y, PixelRecorder& recorder, MoreSamples& more) const {
+  // As render() draws it.
+  DrawnPixel draw(const glm::ivec2& at, MoreSamples& more) {
+    const SurfaceWish wish{true, {}};
     RayCounts counts;
-    counts.recorder = &recorder;
-    const Color color = tracer.course() ? course_pixel(tracer, camera, x, y, counts)
-                                        : fine_pixel(tracer, camera, x, y, counts, more);
-    if (tracer.course() && !camera.has_lens() && tracer.options.features.super_sample) {
-      link_cell(recorder.samples);
+    WaveSampler drawn(waves, pool, wish, counts);
+    const std::span<const glm::ivec2> only(&at, 1);
+    if (tracer.course()) {
+      return std::move(drawn.course(only).front());
     }
-    return color;
+    std::uint8_t mark = 0;
+    if (sampler.plan().two_passes()) {
+      const std::vector<glm::ivec2> pixels = neighborhood(tracer.options, at);
+      const std::span<const WaveSight> sights = drawn.middles(sampler, pixels);
+      const auto middle = std::find(pixels.begin(), pixels.end(), at) - pixels.begin();
+      mark = sampler.mark_of(largest_contrast(sights, sights[static_cast<std::size_t>(middle)]));
+      more.neighbors = mark != 0;
+    }
+    if (sampler.plan().middles && mark == 0) {
+      return std::move(drawn.take_middles(sampler, only).front());
+    }
+    DrawnPixel pixel = std::move(drawn.take(sampler, only, {&mark, 1}).front());
+    more.noisy = pixel.samples.count > sampler.next_count(0);
+    more.penumbra = more.noisy && pixel.samples.penumbra;
+    return pixel;
+  }
+
+  std::optional<ObjectRef> object_hit(const Ray& ray) const {
+    Hit hit;
+    if (!tracer.accelerator.closest(ray, 0, std::numeric_limits<double>::infinity(), hit)) {
+      return std::nullopt;
+    }
+    return object_at(tracer, ray, 0, hit);
+  }
+
+  std::vector<SampleRecord> records_of(const std::vector<SurfaceSample>& samples) const {
+    std::vector<SampleRecord> records;
+    for (const SurfaceSample& sample : samples) {
+      SampleRecord& record = records.emplace_back();
+      record.point = sample.camera.point;
+      record.lens = sample.camera.lens;
+      record.color = sample.color;
+      record.rays = sample.rays;
+      record.object = object_hit(camera.ray(record.point, record.lens));
+    }
+    if (tracer.course() && !camera.has_lens() && tracer.options.features.super_sample) {
+      link_cell(records);
+    }
+    return records;
+  }
+
+  std::vector<RayRecord> rays_of(const CameraSample& sample) {
+    WavePointer memory = pool.take();
+    std::vector<RayRecord> rays = trace_recorded(waves, sample, *memory);
+    pool.give(std::move(memory));
+    return rays;
   }
 
   ThreadLimit limit;
   Tracer tracer;
   CameraRays camera;
+  WaveScene waves;
+  FineSampler sampler;
+  WavePool pool;
 };
 
 Explainer::Explainer(const RenderScene& scene, const Assets& assets, const RenderOptions& options)
@@ -144,17 +156,13 @@ PixelRecord Explainer::explain(int x, int y, std::optional<std::uint32_t> sample
   pixel.x = x;
   pixel.y = y;
   pixel.options = impl_->tracer.options;
-  PixelRecorder recorder(impl_->tracer, sample);
-  pixel.color = impl_->trace(x, y, recorder, pixel.more);
-  pixel.shown = sample.value_or(0);
-  if (recorder.rays.empty()) {
-    pixel.shown = nearest_to_middle(recorder.samples, x, y);
-    PixelRecorder again(impl_->tracer, pixel.shown);
-    impl_->trace(x, y, again, pixel.more);
-    recorder.rays = std::move(again.rays);
-  }
-  pixel.samples = std::move(recorder.samples);
-  pixel.rays = std::move(recorder.rays);
+  const DrawnPixel drawn = impl_->draw({x, y}, pixel.more);
+  pixel.color = impl_->tracer.course() ? drawn.color : drawn.samples.mean();
+  const std::vector<SurfaceSample>& taken = drawn.surfaces.samples;
+  pixel.samples = impl_->records_of(taken);
+  pixel.shown =
+      sample.value_or(no_index) < taken.size() ? *sample : nearest_to_middle(pixel.samples, x, y);
+  pixel.rays = impl_->rays_of(taken[pixel.shown].camera);
   for (int c = 0; c < 3; ++c) {
     pixel.picture[c] = static_cast<float>(pixel.color[c]);
     pixel.value[c] = quantize(pixel.picture[c], rounding_of(pixel.options.profile));

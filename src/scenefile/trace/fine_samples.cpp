@@ -125,8 +125,7 @@ SamplePlan sample_plan(const RenderOptions& options, bool soft, bool blurred) {
 }
 
 FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
-    : tracer_(tracer),
-      camera_(camera),
+    : camera_(camera),
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))),
       plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options),
@@ -189,17 +188,6 @@ bool FineSampler::enough(const PixelSamples& samples, std::uint8_t mark) const {
     variance = std::max(variance, variance_of_penumbra * glm::dot(mean, mean) / 3);
   }
   return !worth(variance, samples.count, next_count(samples.count));
-}
-
-void FineSampler::take(int x, int y, std::uint8_t mark, PixelSamples& samples,
-                       RayCounts& counts) const {
-  do {
-    for (const std::uint32_t count = next_count(samples.count); samples.count < count;) {
-      const std::uint64_t penumbras = counts.penumbras;
-      const Color color = trace_sample(tracer_, camera_, sample(x, y, samples.count), counts);
-      samples.add(color, counts.penumbras != penumbras);
-    }
-  } while (!enough(samples, mark));
 }
 
 std::uint8_t FineSampler::mark_of(float contrast) const {

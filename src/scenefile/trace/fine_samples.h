@@ -9,7 +9,8 @@
 // m samples therefore gains V (n^-1.5 - m^-1.5) / (m - n) per sample.
 
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/integrator.h"
+#include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/tracer.h"
 
 namespace scenefile {
 
@@ -73,8 +74,6 @@ class FineSampler {
   /// Whether a pixel has enough pattern samples. `mark`: see mark_of(); 0 if there is only one
   /// pass.
   bool enough(const PixelSamples& samples, std::uint8_t mark) const;
-  /// Takes pattern samples of a pixel, round by round, until it has enough.
-  void take(int x, int y, std::uint8_t mark, PixelSamples& samples, RayCounts& counts) const;
   /// The contrast of a pixel with its neighbors, quantized for storage until the second pass; 0 if
   /// the center sample is enough. `contrast`: the largest with any neighbor (edges.h).
   std::uint8_t mark_of(float contrast) const;
@@ -83,7 +82,6 @@ class FineSampler {
   bool worth(double variance, std::uint32_t count, std::uint32_t more) const;
   CameraSample sample_at(int x, int y, std::uint32_t index, const glm::dvec2& in_pixel) const;
 
-  const Tracer& tracer_;
   const CameraRays& camera_;
   std::uint32_t seed_;
   SamplePlan plan_;

@@ -53,17 +53,7 @@ glm::dvec2 uv_step(const SurfacePoint& point, const glm::dvec3& world_step) {
   return {uv.u, uv.v};
 }
 
-// Derivatives of the normal, on the side of the normal `wanted`.
-one::Steps turns_of(const SurfacePoint& point, const PixelSteps& steps, const glm::dvec3& wanted) {
-  return one::on_side(in_lane(normal_turns(point, steps)), splat3(point.geometric), splat3(wanted));
-}
-
 }  // namespace
-
-RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
-                                    const glm::dvec2& lens, double width) {
-  return {{}, steps_of(one::camera_steps(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
-}
 
 PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
                           const SurfacePoint& point) {
@@ -87,22 +77,6 @@ PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps) {
                                             splat3(point.object.normal), splat3(step)));
   };
   return {turn(steps.x), turn(steps.y)};
-}
-
-RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                      const SurfacePoint& point, const PixelSteps& steps,
-                                      const glm::dvec3& normal) {
-  return {steps,
-          steps_of(one::mirrored_steps(splat3(direction), splat3(normal), in_lane(ray.direction),
-                                       turns_of(point, steps, normal)))};
-}
-
-RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                       const SurfacePoint& point, const PixelSteps& steps,
-                                       const glm::dvec3& normal, double eta) {
-  return {steps,
-          steps_of(one::refracted_steps(splat3(direction), splat3(normal), eta,
-                                        in_lane(ray.direction), turns_of(point, steps, normal)))};
 }
 
 }  // namespace scenefile

@@ -20,10 +20,6 @@ struct RayDifferential {
   PixelSteps direction;
 };
 
-/// The differential of a camera ray, as for CameraRays::ray(); a step is `width` pixels.
-RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
-                                    const glm::dvec2& lens, double width);
-
 /// The derivatives of the point where a ray with that unit direction hits the surface.
 PixelSteps arriving_steps(const RayDifferential& ray, const glm::dvec3& direction,
                           const SurfacePoint& point);
@@ -33,16 +29,5 @@ UvFootprint uv_footprint(const SurfacePoint& point, const PixelSteps& steps);
 
 /// The derivatives of the geometric normal for these steps.
 PixelSteps normal_turns(const SurfacePoint& point, const PixelSteps& steps);
-
-/// After a reflection. `steps`: derivatives of the point; `normal`: the one used for the
-/// reflection.
-RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                      const SurfacePoint& point, const PixelSteps& steps,
-                                      const glm::dvec3& normal);
-
-/// After a refraction. `normal` points against the ray; `eta` as for refract_direction().
-RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
-                                       const SurfacePoint& point, const PixelSteps& steps,
-                                       const glm::dvec3& normal, double eta);
 
 }  // namespace scenefile

@@ -148,7 +148,7 @@ std::vector<double> LayerBuffers::weights_of(const std::vector<SurfaceSample>& s
   }
   std::vector<glm::dvec2> points;
   for (const SurfaceSample& sample : samples) {
-    points.push_back(sample.point);
+    points.push_back(sample.camera.point);
   }
   const std::vector<std::uint32_t> links = course::refined_samples(points);
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -2,9 +2,11 @@
 // A ray on its path through reflections and refractions.
 
 #include "scenefile/base/components.h"
+#include "scenefile/trace/accelerator.h"
+#include "scenefile/trace/camera_sample.h"
 #include "scenefile/trace/explain.h"
+#include "scenefile/trace/footprint.h"
 #include "scenefile/trace/sequence.h"
-#include "scenefile/trace/shade.h"
 
 namespace scenefile {
 
@@ -20,14 +22,6 @@ struct Inside {
 
 /// Fine profile: rays that can change the picture by less than this are not followed.
 inline constexpr double min_weight = 1.0 / 1024;
-
-/// A sample position in the picture, in the units of CameraRays::ray().
-struct CameraSample {
-  glm::dvec2 point{0};
-  glm::dvec2 lens{0};
-  double width = 0;  ///< of the area that the sample represents, in pixels; for texture filtering
-  SampleKey key;
-};
 
 struct Path {
   Ray ray;

@@ -1,9 +1,11 @@
 #include "scenefile/trace/preview_picture.h"
 
-#include "scenefile/trace/integrator.h"
 #include "scenefile/trace/tiles.h"
+#include "scenefile/trace/wave_pixels.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace scenefile {
 
@@ -24,15 +26,32 @@ PreviewPicture::PreviewPicture(const Preview& preview, const PictureState& pictu
 
 void PreviewPicture::start(const Tracer& tracer) {
   const CameraRays camera = tracer.camera();
+  const WaveScene scene(tracer, camera);
+  WavePool pool;
   for_each_line((shown_.height + block - 1) / block, [&](int row) {
-    for (int x = 0; x < shown_.width; x += block) {
-      const glm::dvec2 corner(picture_.region.x0 + x, picture_.region.y0 + row * block);
-      RayCounts counts;
-      fill(x, row * block,
-           trace_sample(tracer, camera, {corner + block / 2.0, {}, block, {}}, counts));
+    WavePointer memory = pool.take();
+    for (int x = 0; x < shown_.width; x += block * wave_samples) {
+      start_blocks(scene, x, row * block, *memory);
     }
+    pool.give(std::move(memory));
   });
   show();
+}
+
+// The blocks of a line from x0 on, as many as a wave has samples.
+void PreviewPicture::start_blocks(const WaveScene& scene, int x0, int y0, WaveMemory& memory) {
+  std::array<CameraSample, wave_samples> samples;
+  std::array<WaveSight, wave_samples> sights;
+  const int count = std::min(wave_samples, (shown_.width - x0 + block - 1) / block);
+  for (int i = 0; i < count; ++i) {
+    const glm::dvec2 corner(picture_.region.x0 + x0 + i * block, picture_.region.y0 + y0);
+    samples[static_cast<std::size_t>(i)] = {corner + block / 2.0, {}, block, {}};
+  }
+  RayCounts counts;
+  trace_wave(scene, samples.data(), count, memory, sights.data(), counts);
+  for (int i = 0; i < count; ++i) {
+    fill(x0 + i * block, y0, sights[static_cast<std::size_t>(i)].color);
+  }
 }
 
 void PreviewPicture::show_in_time() {

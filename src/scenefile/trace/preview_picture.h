@@ -2,7 +2,7 @@
 // The picture for Preview.
 
 #include "scenefile/trace/picture_state.h"
-#include "scenefile/trace/tracer.h"
+#include "scenefile/trace/wave.h"
 
 #include <chrono>
 
@@ -24,6 +24,7 @@ class PreviewPicture {
   void show_in_time();
 
  private:
+  void start_blocks(const WaveScene& scene, int x0, int y0, WaveMemory& memory);
   void fill(int x0, int y0, const Color& color);
   void show();
 

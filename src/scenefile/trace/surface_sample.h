@@ -1,6 +1,7 @@
 #pragma once
-// What the camera rays of a pixel hit, for layers and denoising.
+// What the camera rays of a pixel hit, for layers, denoising and explain.h.
 
+#include "scenefile/trace/camera_sample.h"
 #include "scenefile/trace/color.h"
 #include "scenefile/trace/denoise.h"
 
@@ -14,7 +15,7 @@ namespace scenefile {
 
 /// A sample of a pixel: its color, and the surface that its camera ray hit.
 struct SurfaceSample {
-  glm::dvec2 point{0};  ///< of the picture
+  CameraSample camera;
   Color color{0};
   bool hit = false;
   glm::dvec3 normal{0};    ///< for shading, including the bump map
@@ -24,6 +25,7 @@ struct SurfaceSample {
   Color diffused{0};       ///< the part of `lit` that is diffuse light from area lights
   Color unshadowed{0};     ///< `lit` without shadows
   int bounces = 0;         ///< maximum depth of reflections and refractions
+  std::uint32_t rays = 0;  ///< camera, reflected and refracted rays
 };
 
 /// The samples of one pixel, in sampling order.

@@ -1,9 +1,5 @@
 #include "scenefile/trace/tracer.h"
 
-#include "scenefile/base/one_lane.h"
-#include "scenefile/base/vector-inl.h"
-#include "scenefile/trace/optics-inl.h"
-
 namespace scenefile {
 
 namespace {
@@ -61,10 +57,6 @@ CameraRays Tracer::camera() const {
     lens.aperture = 0;
   }
   return {lens, options.width, options.height};
-}
-
-double Tracer::start_offset(const glm::dvec3& point, double distance) const {
-  return course() ? one::course_offset : one::fine_offset(one::splat3(point), distance);
 }
 
 Color Tracer::transparency(const RenderMaterial& material) const {

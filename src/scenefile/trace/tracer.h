@@ -15,15 +15,11 @@
 
 namespace scenefile {
 
-class Recorder;
-
 /// Counters of rays.
 struct RayCounts {
   std::uint64_t primary = 0;
   std::uint64_t shadow = 0;
   std::uint64_t secondary = 0;
-  std::uint64_t penumbras = 0;   ///< area lights seen partially
-  Recorder* recorder = nullptr;  ///< records everything (recorder.h); null: not recording
 };
 
 struct Tracer {
@@ -36,8 +32,6 @@ struct Tracer {
   /// Includes the lens if that is enabled.
   CameraRays camera() const;
   bool course() const { return options.profile == Profile::course; }
-  /// Smallest t of a ray that starts on a surface at `point` with a direction of unit length.
-  double start_offset(const glm::dvec3& point, double distance) const;
   /// kt * Ct.
   Color transparency(const RenderMaterial& material) const;
 

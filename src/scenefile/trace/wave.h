@@ -1,10 +1,12 @@
 #pragma once
 // Traces many rays at once: the camera rays of a tile with their reflections and refractions, in
-// the machine's SIMD lanes. The results are exactly those of trace_sample() for each ray.
+// the machine's SIMD lanes. The results do not depend on the number of lanes, nor on which rays are
+// traced together.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/part_tree.h"
 #include "scenefile/trace/path.h"
+#include "scenefile/trace/surface_color.h"
 #include "scenefile/trace/surface_sample.h"
 
 #include <memory>
@@ -16,6 +18,10 @@ namespace scenefile {
 
 /// The maximum number of camera rays in a wave.
 inline constexpr int wave_samples = 256;
+
+/// The course profile samples the centers of a grid with this many cells along each side of an area
+/// light.
+inline constexpr std::uint32_t course_light_side = 4;
 
 /// A material for shading, multiplied by the scene's coefficients.
 struct WaveMaterial {
@@ -48,7 +54,7 @@ struct WaveSight {
 
 /// Where to record what the camera rays hit; arrays by sample.
 struct WaveRecord {
-  SurfaceSample* samples = nullptr;       ///< except `point` and `color`
+  SurfaceSample* samples = nullptr;       ///< except `camera` and `color`
   Color* light_colors = nullptr;          ///< by sample and separately recorded light
   std::span<const std::uint32_t> lights;  ///< recorded separately; into RenderScene::lights
 };
@@ -67,6 +73,8 @@ struct WaveKernel {
 
 /// The kernels for this machine, fastest first; all give the same colors.
 std::vector<const WaveKernel*> wave_kernels();
+/// The same in one lane, for any machine: slow.
+const WaveKernel& one_lane_kernel();
 
 /// What all waves of a picture share.
 struct WaveScene {

@@ -147,6 +147,9 @@ inline void add_child(const WaveScene& scene, WaveMemory& memory, WaveRays& rays
   node.kind = path.kind;
   node.bounces = static_cast<std::uint8_t>(path.depth);
   push(scene, path, index, rays);
+  if constexpr (recording) {
+    record_child(path, factor, parent, *memory.trail);
+  }
 }
 
 // The object that the path enters at point k.
@@ -196,15 +199,29 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   const bool entering = (onward.entering >> lane & 1) != 0;
   const double eta = entering ? 1 / material.ior : material.ior;
   const auto [mirror, glass] = branches_of(scene, material, inner, onward.cosine[lane], eta);
-  const auto worth = [&](const Color& factor) {
-    return factor != Color(0) && (scene.course || from.weight[ray] * largest(factor) >= min_weight);
+  const auto fate = [&](bool feature, const Color& factor, int depth_behind) {
+    if (!feature || factor == Color(0)) {
+      return Fate::absent;
+    }
+    if (depth_behind > most) {
+      return Fate::too_deep;
+    }
+    const bool worth = scene.course || from.weight[ray] * largest(factor) >= min_weight;
+    return worth ? Fate::followed : Fate::too_faint;
   };
   // A passage counts as one refraction: leaving is free.
   const int depth_behind = from.depth[ray] + (inner ? 0 : 1);
-  const bool mirrors = (features.reflect || inner) && from.depth[ray] + 1 <= most && worth(mirror);
-  const bool refracts = features.refract && depth_behind <= most && worth(glass);
+  const Fate of_mirror = fate(features.reflect || inner, mirror, from.depth[ray] + 1);
+  const Fate of_glass = fate(features.refract, glass, depth_behind);
+  const bool mirrors = of_mirror == Fate::followed;
+  const bool refracts = of_glass == Fate::followed;
   const std::uint32_t children = std::uint32_t(mirrors) + std::uint32_t(refracts);
-  if (children == 0 || from.budget[ray] <= children) {
+  const bool too_many = from.budget[ray] <= children;
+  if constexpr (recording) {
+    record_branches({of_mirror, mirror}, {of_glass, glass}, too_many,
+                    memory.trail->of(from, ray));
+  }
+  if (children == 0 || too_many) {
     return;
   }
   const Path path = path_of(from, ray);
@@ -226,6 +243,9 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
     }
     redirect(scene, points, k, lane, onward.refracted, onward.refracted_steps, next);
     add_child(scene, memory, to, next, glass, parent, counts);
+    if constexpr (recording) {
+      memory.trail->rays.back().total_reflection = !through;
+    }
   }
 }
 
@@ -253,6 +273,22 @@ inline void follow_points(const WaveScene& scene, WaveMemory& memory, const Wave
   }
 }
 
+// The ray of point k of the walls continues in `direction`.
+inline void record_wall(const WaveScene& scene, const WaveRays& from, WaveMemory& memory, int k,
+                        const glm::dvec3& direction, bool mirrored) {
+  const WavePoints& walls = memory.walls;
+  const std::uint32_t r = walls.ray[k];
+  const Ray ray = ray_at(from, r);
+  const Hit hit = hit_of(scene, memory.hits, r, ray);
+  const V3 facing = facing_normal(splat3(get(walls.normal, k)), splat3(get(walls.geometric, k)),
+                                  splat3(ray.direction));
+  alignas(64) double normal[3][lanes];
+  store_rows(facing, normal);
+  memory.trail->of(from, r).walls.push_back({object_at(scene.tracer, ray, from.start[r], hit),
+                                             walls.t[k], get(walls.position, k),
+                                             lane_of(normal, 0), direction, mirrored});
+}
+
 inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,
                       WaveRays& to, int k, int lane, const Onward& onward, RayCounts& counts) {
   const WavePoints& walls = memory.walls;
@@ -261,9 +297,15 @@ inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays
   ++counts.secondary;
   Path path = path_of(from, ray);
   redirect(scene, walls, k, lane, onward.refracted, onward.refracted_steps, path);
+  if constexpr (recording) {
+    record_wall(scene, from, memory, k, path.ray.direction, !through);
+  }
   if (through) {
     path.inside = path.inside->around;
   } else if (++path.depth > scene.tracer.options.max_depth) {
+    if constexpr (recording) {
+      memory.trail->of(from, ray).trapped = true;
+    }
     return;
   }
   if (to.count == wave_rays) {
@@ -301,8 +343,14 @@ inline void sum_up(const WaveScene& scene, WaveMemory& memory) {
       node.color +=
           (node.mirrored ? link.mirrored : Color(0)) + (node.refracted ? link.refracted : Color(0));
     }
+    if constexpr (recording) {
+      memory.trail->rays[static_cast<std::size_t>(i)].sum = node.color;
+    }
     if (clamps) {
       node.color = glm::clamp(node.color, Color(0), Color(1));
+    }
+    if constexpr (recording) {
+      memory.trail->rays[static_cast<std::size_t>(i)].color = node.color;
     }
     if (node.parent != no_index) {
       arrive(memory, node.parent, node, memory.links[i].factor * node.color);

@@ -5,6 +5,17 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
+// Keeps what only explain.h needs.
+inline void note_arriving(const Arriving& here, F cosine, F mirrored, WaveLightNotes& notes,
+                          int at) {
+  store(here.distance, notes.distance + at);
+  store(here.attenuation, notes.attenuation + at);
+  store(here.spot_factor, notes.spot_factor + at);
+  store(cosine, notes.n_dot_l + at);
+  store(mirrored, notes.r_dot_v + at);
+  notes.arrives[at / lanes] = static_cast<std::uint8_t>(bits(here.arrives));
+}
+
 // The light that arrives from a point of a light; `on_light(at)` selects the point for each lane.
 template <typename OnLight>
 void find_light(const WaveScene& scene, const RenderLight& light, const OnLight& on_light,
@@ -28,6 +39,9 @@ void find_light(const WaveScene& scene, const RenderLight& light, const OnLight&
     store(max(splat(0), cosine), out.cosine + at);
     store(select(shines, mirrored, splat(0)), out.mirrored + at);
     out.asks[at / lanes] = static_cast<std::uint8_t>(bits(asks));
+    if constexpr (recording) {
+      note_arriving(here, cosine, mirrored, *out.notes, at);
+    }
   }
 }
 
@@ -43,17 +57,21 @@ inline V3 no_color() {
   return {splat(0), splat(0), splat(0)};
 }
 
+inline V3 diffuse_share(const WavePoints& points, const WaveLight& light, int at) {
+  return load(light.cosine + at) * load3(points.diffuse, at);
+}
+
+// In the lanes of `shines`.
+inline V3 specular_share(const WavePoints& points, const WaveLight& light, M shines, int at) {
+  const F bright = power(load(light.mirrored + at), load(points.shininess + at), shines);
+  return select(shines, bright * load3(points.specular, at), no_color());
+}
+
 // The fraction of the light's color that is reflected to the eye: diffuse and specular.
 inline V3 reflected_share(const WavePoints& points, const WaveLight& light, M asked, int at) {
-  const F mirrored = load(light.mirrored + at);
-  const M shines = asked & (mirrored > splat(0));
-  const V3 diffused = load(light.cosine + at) * load3(points.diffuse, at);
-  if (none(shines)) {
-    return diffused;
-  }
-  const F bright = power(mirrored, load(points.shininess + at), shines);
-  const V3 shining = bright * load3(points.specular, at);
-  return diffused + select(shines, shining, no_color());
+  const M shines = asked & (load(light.mirrored + at) > splat(0));
+  const V3 diffused = diffuse_share(points, light, at);
+  return none(shines) ? diffused : diffused + specular_share(points, light, shines, at);
 }
 
 inline V3 lit(const WavePoints& points, const WaveLight& light, const V3& color, bool dimmed,
@@ -76,7 +94,7 @@ inline RecordedLight recorded_light(const WavePoints& points, const WaveLight& l
                                     const V3& color, const V3& arrived, int at) {
   const M asked = of_bits(light.asks[at / lanes]);
   const V3 share = reflected_share(points, light, asked, at);
-  const V3 diffuse = load(light.cosine + at) * load3(points.diffuse, at);
+  const V3 diffuse = diffuse_share(points, light, at);
   const auto part = [](F of, F by, F whole) {
     return select(whole > splat(0), of * by / whole, splat(0));
   };
@@ -161,7 +179,7 @@ inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode*
 }
 
 // Records the light of a separately recorded light for camera rays.
-inline void record_light(const LightSamples& samples, const V3* sums, const RecordedLight* terms,
+inline void record_layers(const LightSamples& samples, const V3* sums, const RecordedLight* terms,
                          const WaveRecord& record) {
   const std::size_t kept = record.lights.size();
   const F count = splat(samples.count);
@@ -203,6 +221,15 @@ inline void note_lit(const WaveLight& light, int chunks, WavePoints& points) {
   }
 }
 
+// Keeps what only explain.h needs.
+inline void note_reflected(const WavePoints& points, const V3& reflected, WaveLight& light,
+                           int at) {
+  const M shines = load(light.mirrored + at) > splat(0);
+  store3(diffuse_share(points, light, at), light.notes->diffuse, at);
+  store3(specular_share(points, light, shines, at), light.notes->specular, at);
+  store3(reflected, light.notes->contribution, at);
+}
+
 // `record`: null unless recording camera rays.
 inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveMemory& memory,
                       RayCounts& counts, const WaveRecord* record) {
@@ -229,6 +256,9 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
     }
     for (int c = 0; c < chunks; ++c) {
       const V3 one = lit(points, light, color, dimmed, c * lanes);
+      if constexpr (recording) {
+        note_reflected(points, one, light, c * lanes);
+      }
       sums[c] = i == 0 ? one : sums[c] + one;
       if (record != nullptr) {
         const RecordedLight more = recorded_light(points, light, color, one, c * lanes);
@@ -241,16 +271,25 @@ inline void add_light(const WaveScene& scene, const LightSamples& samples, WaveM
         seen[c] = (i == 0 ? splat(0) : seen[c]) + select(sees, splat(1), splat(0));
       }
     }
+    if constexpr (recording) {
+      record_light_sample(scene, samples.rays, memory, shadows);
+    }
   }
   for (int c = 0; c < chunks; ++c) {
-    store3(load3(points.color, c * lanes) + sums[c] / splat(samples.count), points.color,
-           c * lanes);
+    const V3 mean = sums[c] / splat(samples.count);
+    store3(load3(points.color, c * lanes) + mean, points.color, c * lanes);
+    if constexpr (recording) {
+      store3(mean, light.notes->contribution, c * lanes);
+    }
+  }
+  if constexpr (recording) {
+    record_light_sums(samples.rays, points, light, *memory.trail);
   }
   if (samples.count > 1) {
     mark_penumbras(samples, seen, memory.nodes.data());
   }
   if (record != nullptr) {
-    record_light(samples, sums, terms, *record);
+    record_layers(samples, sums, terms, *record);
   }
 }
 
@@ -264,7 +303,11 @@ inline void find_lights(const WaveScene& scene, const WaveRays& rays, WaveMemory
   memory.light.incoherent = memory.hits.incoherent;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     memory.light.index = i;
-    if (shines_in(scene.tracer, lights[i])) {
+    const bool shines = shines_in(scene.tracer, lights[i]);
+    if constexpr (recording) {
+      record_light(rays, memory.points, i, shines, *memory.trail);
+    }
+    if (shines) {
       const LightSamples samples(scene, rays, memory.points, i, memory.light.patterns);
       add_light(scene, samples, memory, counts, record);
     }

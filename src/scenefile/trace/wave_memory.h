@@ -73,6 +73,17 @@ struct WaveHits {
   WaveArray<Hit, wave_row> others;    ///< hits other than shapes of the root group
 };
 
+/// What only explain.h needs of points; of waves of one lane.
+struct WavePointNotes {
+  WaveVectors object_normal;
+  alignas(64) double u[wave_row];
+  alignas(64) double v[wave_row];
+  WaveVectors texture;  ///< color of the texture, if `textured`
+  bool has_uv[wave_row];
+  bool bumped[wave_row];
+  bool textured[wave_row];
+};
+
 /// The points to shade, a subset of the hits.
 struct WavePoints {
   int count = 0;
@@ -91,6 +102,7 @@ struct WavePoints {
   alignas(64) double shininess[wave_row];
   WaveVectors color;
   std::uint32_t lit[wave_row];  ///< fine profile: one bit per visible light
+  WavePointNotes* notes = nullptr;
 };
 
 /// Adds an item to a signature.
@@ -120,6 +132,19 @@ struct WaveLightPatterns {
   std::uint32_t second[wave_row];
 };
 
+/// What only explain.h needs of the light that arrives; of waves of one lane.
+struct WaveLightNotes {
+  alignas(64) double distance[wave_row];
+  alignas(64) double attenuation[wave_row];
+  alignas(64) double spot_factor[wave_row];
+  alignas(64) double n_dot_l[wave_row];
+  alignas(64) double r_dot_v[wave_row];
+  WaveVectors diffuse;
+  WaveVectors specular;
+  WaveVectors contribution;
+  std::uint8_t arrives[wave_row];  ///< one bit per lane
+};
+
 /// The light that arrives at the points from one light.
 struct WaveLight {
   bool incoherent = false;  ///< rays to the last light were incoherent: bundles do not help
@@ -136,6 +161,7 @@ struct WaveLight {
   WaveLightPatterns patterns;             ///< if it is an area light (fine profile)
   RecentBlockers recent[8];               ///< by index modulo their number
   WaveVectors left;                       ///< fraction that transparent objects let through
+  WaveLightNotes* notes = nullptr;
 };
 
 /// A ray of any generation: its color, and where it belongs.
@@ -158,6 +184,8 @@ struct WaveLink {
   Color refracted;  ///< if WaveNode::refracted
 };
 
+struct WaveTrail;
+
 struct WaveMemory {
   int fits = wave_samples;  ///< number of samples to trace at once
   int fitted = 0;           ///< how many times in a row they fit
@@ -173,6 +201,7 @@ struct WaveMemory {
   int inside_count = 0;
   WaveArray<Hit, wave_insides> objects;
   WaveArray<Inside, wave_insides> insides;
+  WaveTrail* trail = nullptr;  ///< of waves of one lane (wave_trail.h)
 };
 
 }  // namespace scenefile

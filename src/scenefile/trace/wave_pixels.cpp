@@ -113,7 +113,7 @@ void WaveSampler::trace(int count, bool recorded) {
              recorded ? &record : nullptr);
   for (int i = 0; i < count && recorded; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    surfaces_[k].point = samples_[k].point;
+    surfaces_[k].camera = samples_[k];
     surfaces_[k].color = sights_[k].color;
   }
 }

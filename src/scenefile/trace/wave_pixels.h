@@ -33,7 +33,7 @@ class WaveSampler {
   /// The centers of at most wave_samples pixels, in the order of `pixels`; valid until the next
   /// call. Not recorded.
   std::span<const WaveSight> middles(std::span<const glm::ivec2> pixels);
-  /// course_pixel() of each pixel.
+  /// The samples of the course profile: one at the center, the adaptive cell, or the lens samples.
   std::vector<DrawnPixel> course(std::span<const glm::ivec2> pixels);
   /// FineSampler::middle() of at most wave_samples pixels, in the order of `pixels`; valid until
   /// the next call. Not recorded.
@@ -42,7 +42,7 @@ class WaveSampler {
   /// One recorded center sample of each pixel.
   std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
                                        std::span<const glm::ivec2> pixels);
-  /// FineSampler::take() of each pixel, with its mark.
+  /// Takes pattern samples of each pixel, with its mark, round by round, until it has enough.
   std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
                                std::span<const std::uint8_t> marks);
 

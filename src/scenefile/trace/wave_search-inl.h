@@ -107,8 +107,8 @@ inline void find_by_lane(const WaveScene& scene, const WaveRays& rays, int first
 
 inline Chunk ray_chunk(const WaveRays& rays, int at) {
   const Rays chunk{load3(rays.origin, at), load3(rays.direction, at)};
-  return {chunk, splat(std::numeric_limits<double>::infinity()),
-          present_lanes(at, rays.count) & finite_rays(chunk)};
+  const M active = present_lanes(at, rays.count) & finite_rays(chunk);
+  return {chunk, splat(std::numeric_limits<double>::infinity()), active};
 }
 
 // Tests `count` parts; `part(i)` is the index of each.
@@ -157,7 +157,8 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
 // The shadow rays of a chunk, from the points to the light.
 inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int at) {
   const Rays rays{load3(points.position, at), load3(light.to_light, at)};
-  return {rays, load(light.end + at), of_bits(light.asks[at / lanes]) & finite_rays(rays)};
+  const M active = of_bits(light.asks[at / lanes]) & finite_rays(rays);
+  return {rays, load(light.end + at), active};
 }
 
 // The same from the light, if it is a point, so that they have the same origin.

@@ -3,6 +3,8 @@
 
 #include "scenefile/trace/wave_memory.h"
 
+#include <optional>
+
 namespace scenefile::SCENEFILE_LANES {
 
 // The object-space normal for the shapes of a chunk.
@@ -133,35 +135,6 @@ inline Hit hit_of(const WaveScene& scene, const WaveHits& hits, std::uint32_t r,
   return hit;
 }
 
-// Computes one point with the scalar code.
-inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
-                           bool lit, WavePoints& points, int i) {
-  const Tracer& tracer = scene.tracer;
-  const std::uint32_t r = points.ray[i];
-  const Ray ray{get(rays.origin, r), get(rays.direction, r)};
-  const Hit hit = hit_of(scene, hits, r, ray);
-  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
-  PixelSteps steps;
-  if (scene.by_footprint) {
-    steps = arriving_steps(differential_of(rays, r), ray.direction, point);
-    const PixelSteps turns = normal_turns(point, steps);
-    put(steps.x, points.steps.x, i);
-    put(steps.y, points.steps.y, i);
-    put(turns.x, points.turns.x, i);
-    put(turns.y, points.turns.y, i);
-  }
-  Color diffuse(0);
-  if (lit) {
-    const int grid = rays.key[r].texture_grid;
-    apply_bump(tracer, point, steps, grid);
-    diffuse = diffuse_color(tracer, point, steps, grid, nullptr);
-  }
-  put(point.position, points.position, i);
-  put(point.normal, points.normal, i);
-  put(point.geometric, points.geometric, i);
-  put_material(scene.materials[hit.material], diffuse, points, i);
-}
-
 // (u, v) for the shapes of a chunk, in the lanes of the mask.
 inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   const auto is = [&](Face f) { return face == number_of(f); };
@@ -180,6 +153,81 @@ inline void object_uv(F shape, F face, const V3& p, M wanted, F& u, F& v) {
   u = select(round, around_u(around), u);
   v = select(round, clamp(p.y + splat(0.5), 0, 1), v);
   v = select(ball, sphere_v(p.y, around), v);
+}
+
+// Object-space data of a chunk of points on shapes.
+struct ChunkShapes {
+  Map map;
+  F shape;
+  F face;
+  V3 point;
+  V3 normal;  // in object space
+};
+
+// Keeps what only explain.h needs of shapes.
+inline void note_shapes(const ChunkShapes& shapes, WavePointNotes& notes, int at) {
+  F u;
+  F v;
+  object_uv(shapes.shape, shapes.face, shapes.point, !no_lanes(), u, v);
+  store(u, notes.u + at);
+  store(v, notes.v + at);
+  store3(shapes.normal, notes.object_normal, at);
+  std::fill_n(notes.has_uv + at, lanes, true);
+  std::fill_n(notes.bumped + at, lanes, false);
+  std::fill_n(notes.textured + at, lanes, false);
+}
+
+inline void note_texture(const V3& color, M used, WavePointNotes& notes, int at) {
+  store3(color, notes.texture, at);
+  for (int i = 0; i < lanes; ++i) {
+    notes.textured[at + i] = (bits(used) >> i & 1) != 0;
+  }
+}
+
+inline void note_one(const SurfacePoint& point, bool bumped, const std::optional<Color>& texture,
+                     WavePointNotes& notes, int i) {
+  put(point.object.normal, notes.object_normal, i);
+  notes.u[i] = point.object.uv.x;
+  notes.v[i] = point.object.uv.y;
+  notes.has_uv[i] = point.has_uv;
+  notes.bumped[i] = bumped;
+  notes.textured[i] = texture.has_value();
+  put(texture.value_or(Color(0)), notes.texture, i);
+}
+
+// Computes one point with the scalar code.
+inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
+                           bool lit, WavePoints& points, int i) {
+  const Tracer& tracer = scene.tracer;
+  const std::uint32_t r = points.ray[i];
+  const Ray ray{get(rays.origin, r), get(rays.direction, r)};
+  const Hit hit = hit_of(scene, hits, r, ray);
+  SurfacePoint point = surface_point(tracer.scene, tracer.assets, ray, hit, !scene.course);
+  PixelSteps steps;
+  if (scene.by_footprint) {
+    steps = arriving_steps(differential_of(rays, r), ray.direction, point);
+    const PixelSteps turns = normal_turns(point, steps);
+    put(steps.x, points.steps.x, i);
+    put(steps.y, points.steps.y, i);
+    put(turns.x, points.turns.x, i);
+    put(turns.y, points.turns.y, i);
+  }
+  Color diffuse(0);
+  const glm::dvec3 unbumped = point.normal;
+  std::optional<Color> texture;
+  if (lit) {
+    const int grid = rays.key[r].texture_grid;
+    apply_bump(tracer, point, steps, grid);
+    texture = texture_color(tracer, point, steps, grid);
+    diffuse = diffuse_color(tracer, *point.material, texture);
+  }
+  if constexpr (recording) {
+    note_one(point, point.normal != unbumped, texture, *points.notes, i);
+  }
+  put(point.position, points.position, i);
+  put(point.normal, points.normal, i);
+  put(point.geometric, points.geometric, i);
+  put_material(scene.materials[hit.material], diffuse, points, i);
 }
 
 // The textures of a chunk: one for each lane, with its repeats.
@@ -298,15 +346,6 @@ inline ChunkPyramids chunk_pyramids(const WaveRays& rays, const WavePoints& poin
   return chunk;
 }
 
-// Object-space data of a chunk of points on shapes.
-struct ChunkShapes {
-  Map map;
-  F shape;
-  F face;
-  V3 point;
-  V3 normal;  // in object space
-};
-
 inline void filtered_texture_chunk(const ChunkShapes& shapes, const Steps& steps,
                                    const WaveRays& rays, WavePoints& points, int at) {
   const ChunkPyramids chunk = chunk_pyramids(rays, points, at);
@@ -324,6 +363,9 @@ inline void filtered_texture_chunk(const ChunkShapes& shapes, const Steps& steps
                texel_y(v, chunk.repeat_v, chunk.height), footprint, chunk.grid, chunk.used);
   const V3 plain = load3(points.diffuse, at);
   store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
+  if constexpr (recording) {
+    note_texture(color, chunk.used, *points.notes, at);
+  }
 }
 
 // The footprints on the surfaces, for textures and for secondary rays.
@@ -356,8 +398,11 @@ inline void texture_chunk(const WaveScene& scene, F shape, F face, const V3& p, 
   F v;
   object_uv(shape, face, p, chunk.used, u, v);
   const V3 plain = load3(points.diffuse, at);
-  const V3 textured = mix(plain, texture_at(scene, chunk, u, v), chunk.blend);
-  store3(select(chunk.used, textured, plain), points.diffuse, at);
+  const V3 color = texture_at(scene, chunk, u, v);
+  store3(select(chunk.used, mix(plain, color, chunk.blend), plain), points.diffuse, at);
+  if constexpr (recording) {
+    note_texture(color, chunk.used, *points.notes, at);
+  }
 }
 
 // Sets the materials of a chunk; returns whether any has a texture.
@@ -401,9 +446,12 @@ inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const W
   store3(normal, points.normal, at);
   store3(normal, points.geometric, at);
   const bool filtered = !scene.course && scene.tracer.options.features.texture_filter;
+  const ChunkShapes shapes{chunk.map, chunk.shape, load(faces), object_point, normal_there};
+  if constexpr (recording) {
+    note_shapes(shapes, *points.notes, at);
+  }
   if (scene.by_footprint) {
-    footprint_chunk({chunk.map, chunk.shape, load(faces), object_point, normal_there}, rays,
-                    textured && filtered, points, at);
+    footprint_chunk(shapes, rays, textured && filtered, points, at);
   }
   if (textured && !filtered) {
     texture_chunk(scene, chunk.shape, load(faces), object_point, points, at);

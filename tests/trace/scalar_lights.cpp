@@ -1,4 +1,4 @@
-#include "scenefile/trace/lights.h"
+#include "trace/scalar_lights.h"
 
 #include "scenefile/base/one_lane.h"
 #include "scenefile/base/shape_traits.h"

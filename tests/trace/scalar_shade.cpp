@@ -1,64 +1,26 @@
-#include "scenefile/trace/shade.h"
+#include "trace/scalar_shade.h"
 
 #include "scenefile/base/shape_traits.h"
-#include "scenefile/trace/bump.h"
-#include "scenefile/trace/lights.h"
-#include "scenefile/trace/recorder.h"
 #include "scenefile/trace/sequence.h"
+#include "scenefile/trace/wave.h"
+#include "trace/scalar_lights.h"
+#include "trace/scalar_rays.h"
 
 #include <algorithm>
 
 namespace scenefile {
 
-Color diffuse_color(const Tracer& tracer, const SurfacePoint& point, const PixelSteps& steps,
-                    int grid, Recorder* recorder) {
-  const RenderMaterial& material = *point.material;
-  const Color plain = double(tracer.scene.global.diffuse) * Color(material.diffuse);
-  const bool textured = tracer.options.mode == Mode::ray && tracer.options.features.texture &&
-                        material.texture.used() && material.blend != 0;
-  if (!textured || tracer.assets.textures[material.texture.file].empty()) {
-    return plain;
-  }
-  const Texture& texture = tracer.assets.textures[material.texture.file];
-  const glm::dvec2& uv = point.object.uv;
-  Color color;
-  if (!tracer.options.features.texture_filter) {
-    color = lookup_nearest(texture, material.texture, uv);
-  } else if (tracer.course()) {
-    color = lookup_course_filter(texture, material.texture, uv);
-  } else {
-    color = lookup_filtered(tracer.pyramids[material.texture.file], material.texture, uv,
-                            uv_footprint(point, steps), grid);
-  }
-  if (recorder != nullptr) {
-    recorder->textured(texture, material, uv, color);
-  }
-  return glm::mix(plain, color, double(material.blend));
-}
-
-void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid) {
-  const RenderTexture& map = point.material->bump_map;
-  if (!map.used() || !point.has_uv || tracer.pyramids.empty() ||
-      tracer.pyramids[map.file].empty()) {
-    return;
-  }
-  UvFootprint footprint = uv_footprint(point, steps);
-  footprint.right /= grid;
-  footprint.down /= grid;
-  point.normal = bumped_normal(point, tracer.pyramids[map.file], footprint);
-}
-
 namespace {
 
 // The fraction of each color of light that reaches the point.
 Color visibility(const Tracer& tracer, const SurfacePoint& point, const Illumination& light,
-                 RayCounts& counts) {
+                 ScalarCounts& counts) {
   if (!tracer.options.features.shadows || tracer.options.mode != Mode::ray) {
     return Color(1);
   }
   ++counts.shadow;
   const Ray ray{point.position, light.to_light};
-  const double start = tracer.start_offset(point.position, point.hit.t);
+  const double start = start_offset(tracer, point.position, point.hit.t);
   const double end = tracer.course() ? light.distance : light.distance * (1 - 1e-9);
   const Color left = tracer.accelerator.transmittance(ray, start, end, tracer.transmission);
   if (counts.recorder != nullptr) {
@@ -79,7 +41,7 @@ struct Reflector {
     return glm::dot(2 * cosine * point.normal - to_light, to_eye);
   }
 
-  Color lit_by(const Illumination& light, RayCounts& counts) const {
+  Color lit_by(const Illumination& light, ScalarCounts& counts) const {
     const double cosine = glm::dot(point.normal, light.to_light);
     const Color diffused = diffuse * std::max(0.0, cosine);
     const double mirrored = highlight_cosine(light.to_light, cosine);
@@ -97,7 +59,7 @@ struct Reflector {
   }
 
   Color lit_by_area(const RenderLight& light, std::uint32_t index, const SampleKey& key,
-                    RayCounts& counts) const {
+                    ScalarCounts& counts) const {
     const bool grid = tracer.course();
     const std::uint32_t side = course_light_side;
     const std::uint32_t samples = grid ? side * side : key.light_samples;
@@ -124,7 +86,7 @@ struct Reflector {
   }
 
   Color lit_by_light(const RenderLight& light, std::uint32_t index, const SampleKey& key,
-                     RayCounts& counts) const {
+                     ScalarCounts& counts) const {
     if (has_rectangle(light.type)) {
       return lit_by_area(light, index, key, counts);
     }
@@ -140,18 +102,17 @@ struct Reflector {
 
 }  // namespace
 
-bool shines_in(const Tracer& tracer, const RenderLight& light) {
-  return !(tracer.options.mode == Mode::intersect && tracer.course()) ||
-         is_in_intersect(light.type);
-}
-
 Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
-            const PixelSteps& steps, const SampleKey& key, RayCounts& counts) {
+            const PixelSteps& steps, const SampleKey& key, ScalarCounts& counts) {
   apply_bump(tracer, point, steps, key.texture_grid);
   const RenderGlobal& global = tracer.scene.global;
   const RenderMaterial& material = *point.material;
-  const Reflector reflector{tracer, point, -direction,
-                            diffuse_color(tracer, point, steps, key.texture_grid, counts.recorder),
+  const std::optional<Color> texture = texture_color(tracer, point, steps, key.texture_grid);
+  if (counts.recorder != nullptr && texture) {
+    counts.recorder->textured(tracer.assets.textures[material.texture.file], material,
+                              point.object.uv, *texture);
+  }
+  const Reflector reflector{tracer, point, -direction, diffuse_color(tracer, material, texture),
                             double(global.specular) * Color(material.specular)};
   Color color = double(global.ambient) * Color(material.ambient);
   if (counts.recorder != nullptr) {

@@ -1,4 +1,4 @@
-#include "scenefile/trace/recorder.h"
+#include "trace/pixel_recorder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "scenefile/trace/integrator.h"
+#include "trace/scalar_tracer.h"
 
 #include "scenefile/base/components.h"
-#include "scenefile/trace/optics.h"
-#include "scenefile/trace/recorder.h"
-#include "scenefile/trace/sequence.h"
+#include "trace/course_cell.h"
+#include "trace/scalar_rays.h"
+#include "trace/scalar_shade.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Branches {
 
 class Integrator {
  public:
-  Integrator(const Tracer& tracer, RayCounts& counts) : tracer_(tracer), counts_(counts) {}
+  Integrator(const Tracer& tracer, ScalarCounts& counts) : tracer_(tracer), counts_(counts) {}
 
   // The recursion depth is at most max_depth, which is at most 64.
   Color trace(const Path& path) {
@@ -143,7 +143,7 @@ class Integrator {
 
   void redirect(Path& path, const SurfacePoint& point, const glm::dvec3& direction) const {
     path.ray = {point.position, direction};
-    path.start = tracer_.start_offset(point.position, point.hit.t);
+    path.start = start_offset(tracer_, point.position, point.hit.t);
   }
 
   // `inner`: at a wall of the object that the ray is inside of.
@@ -250,7 +250,7 @@ class Integrator {
   }
 
   const Tracer& tracer_;
-  RayCounts& counts_;
+  ScalarCounts& counts_;
 };
 
 Color normal_color(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
@@ -278,7 +278,7 @@ Color trace_normal(const Tracer& tracer, const Ray& ray, Recorder* recorder) {
 }
 
 Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayDifferential& differential,
-                       const SampleKey& key, RayCounts& counts) {
+                       const SampleKey& key, ScalarCounts& counts) {
   ++counts.primary;
   if (tracer.options.mode == Mode::normals) {
     return trace_normal(tracer, ray, counts.recorder);
@@ -287,13 +287,13 @@ Color trace_camera_ray(const Tracer& tracer, const Ray& ray, const RayDifferenti
   path.ray = ray;
   path.differential = differential;
   path.key = key;
-  return trace_path(tracer, path, counts);
+  return Integrator(tracer, counts).trace(path);
 }
 
 }  // namespace
 
 Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
-                   RayCounts& counts) {
+                   ScalarCounts& counts) {
   const Ray ray = camera.ray(sample.point, sample.lens);
   const RayDifferential differential =
       tracer.course() ? RayDifferential{}
@@ -307,8 +307,41 @@ Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraS
   return color;
 }
 
-Color trace_path(const Tracer& tracer, const Path& path, RayCounts& counts) {
-  return Integrator(tracer, counts).trace(path);
+namespace {
+
+Color lens_pixel(const Tracer& tracer, const CameraRays& camera, const glm::dvec2& center,
+                 ScalarCounts& counts) {
+  Color sum(0);
+  for (const auto& [u, v] : course::lens_points) {
+    sum += trace_sample(tracer, camera, {center, {u, v}, {}, {}}, counts);
+  }
+  return sum / double(course::lens_points.size());
+}
+
+}  // namespace
+
+Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
+                   ScalarCounts& counts) {
+  const glm::dvec2 corner(x, y);
+  const auto color_at = [&](const glm::dvec2& point) {
+    return trace_sample(tracer, camera, {point, {}, {}, {}}, counts);
+  };
+  if (camera.has_lens()) {
+    return lens_pixel(tracer, camera, corner + 0.5, counts);
+  }
+  return tracer.options.features.super_sample ? course::cell(color_at, corner, 1, 1)
+                                              : color_at(corner + 0.5);
+}
+
+void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
+                  int y, std::uint8_t mark, PixelSamples& samples, ScalarCounts& counts) {
+  do {
+    for (const std::uint32_t count = sampler.next_count(samples.count); samples.count < count;) {
+      const std::uint64_t penumbras = counts.penumbras;
+      const Color color = trace_sample(tracer, camera, sampler.sample(x, y, samples.count), counts);
+      samples.add(color, counts.penumbras != penumbras);
+    }
+  } while (!sampler.enough(samples, mark));
 }
 
 }  // namespace scenefile

@@ -1,0 +1,28 @@
+#pragma once
+// What is looked up point by point before a surface is lit: textures and bump maps. Waves do the
+// same in lanes for the shapes of the root group.
+
+#include "scenefile/trace/footprint.h"
+#include "scenefile/trace/surface_point.h"
+#include "scenefile/trace/tracer.h"
+
+#include <optional>
+
+namespace scenefile {
+
+/// The color of the texture at the point, if it has one that is used. `steps`: derivatives of the
+/// point, see footprint.h; `grid`: SampleKey::texture_grid.
+std::optional<Color> texture_color(const Tracer& tracer, const SurfacePoint& point,
+                                   const PixelSteps& steps, int grid);
+
+/// The color that diffuse light is multiplied by: kd * Cd, or the texture blended over it.
+Color diffuse_color(const Tracer& tracer, const RenderMaterial& material,
+                    const std::optional<Color>& texture);
+
+/// Replaces the shading normal by that of the bump map.
+void apply_bump(const Tracer& tracer, SurfacePoint& point, const PixelSteps& steps, int grid);
+
+/// Whether the light is used in this mode: the course's ray caster only uses directional lights.
+bool shines_in(const Tracer& tracer, const RenderLight& light);
+
+}  // namespace scenefile

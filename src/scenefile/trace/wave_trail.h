@@ -1,0 +1,35 @@
+#pragma once
+// What waves of one lane (one_lane_wave.cpp) keep of their rays, for explain.h. The waves of
+// pictures have no trail, and are compiled without it.
+
+#include "scenefile/trace/explain.h"
+#include "scenefile/trace/wave_memory.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace scenefile {
+
+struct WaveTrail {
+  WavePointNotes points;        ///< of the current points
+  WaveLightNotes light;         ///< of the current sample of a light
+  std::vector<RayRecord> rays;  ///< by node
+
+  /// The record of ray r of the generation.
+  RayRecord& of(const WaveRays& generation, std::uint32_t r) { return rays[generation.node[r]]; }
+};
+
+/// The object that a ray hit first.
+ObjectRef object_at(const Tracer& tracer, const Ray& ray, double start, const Hit& hit);
+
+/// The objects between a point of the object `itself` and a light, each once, as they count for the
+/// shadow; objects behind an opaque one do not count.
+std::vector<Blocker> blockers_of(const Tracer& tracer, const Ray& to_light, double start,
+                                 double end, const Hit& itself);
+
+/// Traces one sample in one lane; returns all its rays, each before the rays that it causes, the
+/// reflected one first.
+std::vector<RayRecord> trace_recorded(const WaveScene& scene, const CameraSample& sample,
+                                      WaveMemory& memory);
+
+}  // namespace scenefile

@@ -1,0 +1,70 @@
+#include "trace/scalar_rays.h"
+
+#include "scenefile/base/one_lane.h"
+#include "scenefile/base/vector-inl.h"
+#include "scenefile/geometry/normals-inl.h"
+#include "scenefile/trace/camera-inl.h"
+#include "scenefile/trace/footprint-inl.h"
+#include "scenefile/trace/optics-inl.h"
+
+namespace scenefile {
+
+namespace {
+
+using one::splat3;
+
+PixelSteps steps_of(const one::Steps& steps) {
+  return {{steps.x.x, steps.x.y, steps.x.z}, {steps.y.x, steps.y.y, steps.y.z}};
+}
+
+one::Steps in_lane(const PixelSteps& steps) {
+  return {splat3(steps.x), splat3(steps.y)};
+}
+
+// Derivatives of the normal, on the side of the normal `wanted`.
+one::Steps turns_of(const SurfacePoint& point, const PixelSteps& steps, const glm::dvec3& wanted) {
+  return one::on_side(in_lane(normal_turns(point, steps)), splat3(point.geometric), splat3(wanted));
+}
+
+}  // namespace
+
+double start_offset(const Tracer& tracer, const glm::dvec3& point, double distance) {
+  return tracer.course() ? one::course_offset : one::fine_offset(splat3(point), distance);
+}
+
+glm::dvec3 reflect_direction(const glm::dvec3& direction, const glm::dvec3& normal) {
+  const one::V3 mirrored = one::mirrored(one::splat3(direction), one::splat3(normal));
+  return {mirrored.x, mirrored.y, mirrored.z};
+}
+
+bool refract_direction(const glm::dvec3& direction, const glm::dvec3& normal, double eta,
+                       glm::dvec3& refracted) {
+  const one::Refracted found = one::refraction(one::splat3(direction), one::splat3(normal), eta);
+  if (found.through) {
+    refracted = {found.direction.x, found.direction.y, found.direction.z};
+  }
+  return found.through;
+}
+
+RayDifferential camera_differential(const CameraRays& camera, const glm::dvec2& pixel,
+                                    const glm::dvec2& lens, double width) {
+  return {{}, steps_of(one::camera_steps(camera.frame(), pixel.x, pixel.y, lens.x, lens.y, width))};
+}
+
+RayDifferential mirrored_differential(const RayDifferential& ray, const glm::dvec3& direction,
+                                      const SurfacePoint& point, const PixelSteps& steps,
+                                      const glm::dvec3& normal) {
+  return {steps,
+          steps_of(one::mirrored_steps(splat3(direction), splat3(normal), in_lane(ray.direction),
+                                       turns_of(point, steps, normal)))};
+}
+
+RayDifferential refracted_differential(const RayDifferential& ray, const glm::dvec3& direction,
+                                       const SurfacePoint& point, const PixelSteps& steps,
+                                       const glm::dvec3& normal, double eta) {
+  return {steps,
+          steps_of(one::refracted_steps(splat3(direction), splat3(normal), eta,
+                                        in_lane(ray.direction), turns_of(point, steps, normal)))};
+}
+
+}  // namespace scenefile

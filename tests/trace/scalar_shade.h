@@ -1,0 +1,15 @@
+#pragma once
+// The lighting equation at a point, without reflection and refraction.
+
+#include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/surface_color.h"
+#include "trace/recorder.h"
+
+namespace scenefile {
+
+/// The ambient, diffuse and specular light that the point reflects against `direction`, the unit
+/// direction of the ray that hit it. Applies the bump map to the shading normal.
+Color shade(const Tracer& tracer, SurfacePoint& point, const glm::dvec3& direction,
+            const PixelSteps& steps, const SampleKey& key, ScalarCounts& counts);
+
+}  // namespace scenefile

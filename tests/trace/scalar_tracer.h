@@ -1,0 +1,24 @@
+#pragma once
+// The scalar tracer: recursive ray tracing, one ray after the other. The reference for waves, which
+// must agree with it to the last bit.
+
+#include "scenefile/trace/camera_rays.h"
+#include "scenefile/trace/fine_samples.h"
+#include "scenefile/trace/path.h"
+#include "trace/recorder.h"
+
+namespace scenefile {
+
+/// The color of a camera sample.
+Color trace_sample(const Tracer& tracer, const CameraRays& camera, const CameraSample& sample,
+                   ScalarCounts& counts);
+
+/// A pixel of the course profile: a sample at its center, the adaptive cell, or the lens samples.
+Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
+                   ScalarCounts& counts);
+
+/// Takes pattern samples of a pixel of the fine profile, round by round, until it has enough.
+void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
+                  int y, std::uint8_t mark, PixelSamples& samples, ScalarCounts& counts);
+
+}  // namespace scenefile

@@ -206,8 +206,9 @@ web-serve: web ## the same, and shows the page at http://localhost:8123 (PORT=N)
 	@node web/serve.js out/page $(or $(PORT),8123)
 web-test: web ## the same, and its tests in a browser; CORPUS=DIR: also that it draws and checks as the native program does
 	@scripts/install-deps browser
+	@test -z "$(CORPUS)" || $(MAKE) $(QUIET) build
 	@bindings/web/test
-	@test -z "$(CORPUS)" || { $(MAKE) $(QUIET) build && scripts/same-answers $(BUILD)/scenefile \
+	@test -z "$(CORPUS)" || { scripts/same-answers $(BUILD)/scenefile \
 	  "node build/wasm/package/bin/scenefile.js" "$(CORPUS)" && scripts/same-answers --check \
 	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }
 

@@ -10,6 +10,7 @@ import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 import { build } from 'esbuild';
 
 import { jsonVocabulary, xmlVocabulary } from '../bindings/npm/make-vocabulary.js';
+import { fieldsOf } from './make-fields.js';
 
 const [modules, output] = process.argv.slice(2);
 const here = dirname(fileURLToPath(import.meta.url));
@@ -54,6 +55,7 @@ const contents = {
       xml: xmlVocabulary(schema('scenefile.rng')),
       json: jsonVocabulary(JSON.parse(schema('scenefile.schema.json'))),
     })}`,
+  'scenefile-fields': () => `export default ${JSON.stringify(fieldsOf(schema('scenefile.rng'), JSON.parse(schema('scenefile.schema.json'))))}`,
   'scenefile-examples': () => `export default ${JSON.stringify(examples)}`,
   'scenefile-assets': () => {
     const files = filesBelow(output).sort();
@@ -69,13 +71,14 @@ function filesBelow(folder, base = folder) {
   );
 }
 
-const bundle = (...names) =>
+const bundle = (name, more = { format: 'iife' }) =>
   build({
-    entryPoints: names.map((name) => join(here, 'src', `${name}.js`)),
+    entryPoints: [join(here, 'src', `${name}.js`)],
     outdir: output,
     bundle: true,
     minify: true,
-    format: 'iife',
+    metafile: true,
+    ...more,
     target: ['chrome103', 'firefox113', 'safari16.4'],
     legalComments: 'none',
     logLevel: 'warning',
@@ -87,7 +90,9 @@ const bundle = (...names) =>
 
 rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
-await bundle('main', 'worker');
+// What the page rarely needs is in files of its own, loaded on demand.
+const { metafile } = await bundle('main', { format: 'esm', splitting: true });
+await bundle('worker');
 for (const name of ['index.html', 'style.css', 'icon.svg', 'manifest.webmanifest']) {
   cpSync(join(here, 'src', name), join(output, name));
 }
@@ -104,9 +109,15 @@ await bundle('service-worker'); // last: it knows all others
 
 const read = (name) => readFileSync(join(output, name));
 const brotli = (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 22 } }).length;
+// The script and what it imports before it runs.
+const imported = (path) => [
+  path,
+  ...metafile.outputs[path].imports.filter(({ kind }) => kind === 'import-statement').flatMap((other) => imported(other.path)),
+];
+const main = Object.keys(metafile.outputs).find((path) => path.endsWith('main.js'));
 const sizes = {
   module: brotli(read('scenefile.wasm')),
-  script: gzipSync(read('main.js'), { level: 9 }).length,
+  script: [...new Set(imported(main))].reduce((sum, path) => sum + gzipSync(readFileSync(path), { level: 9 }).length, 0),
 };
 sizes.start =
   sizes.module +

@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 
 // The schema's own XML: as generated, so a full parser is not needed.
-function parseXml(text) {
+export function parseXml(text) {
   const top = { name: '', attributes: {}, children: [], text: '' };
   const open = [top];
   for (const [, comment, end, name, attributes, empty, words] of text.matchAll(
@@ -31,8 +31,8 @@ function parseXml(text) {
   return top;
 }
 
-const unwrapped = (text) => text.replace(/\s+/g, ' ').trim();
-const documentationOf = (node) =>
+export const unwrapped = (text) => text.replace(/\s+/g, ' ').trim();
+export const documentationOf = (node) =>
   unwrapped(node.children.find((child) => child.name === 'a:documentation')?.text ?? '');
 
 /** Elements by name: what they are, what may be in them, and their attributes. */

@@ -105,7 +105,7 @@ export class Editor {
         EditorView.updateListener.of((update) => {
           if (update.docChanged) {
             this.#chooseLanguage();
-            changed();
+            changed(update.changes);
           }
           if (update.selectionSet && update.transactions.some((t) => t.isUserEvent('select'))) {
             moved?.(update.state.doc.lineAt(update.state.selection.main.head).number);
@@ -157,6 +157,27 @@ export class Editor {
       changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) },
       userEvent: 'input',
     });
+  }
+
+  /** Places of the text, replaced as one step that can be undone. */
+  change(changes) {
+    this.#view.dispatch({ changes, userEvent: 'input.panel' });
+  }
+
+  get cursor() {
+    return this.#view.state.selection.main.head;
+  }
+
+  /** The offset at which the text of a line begins. */
+  offsetOfLine(number) {
+    const { doc } = this.#view.state;
+    const line = doc.line(Math.max(1, Math.min(number, doc.lines)));
+    return line.from + /^\s*/.exec(line.text)[0].length;
+  }
+
+  lineAt(offset) {
+    const { doc } = this.#view.state;
+    return doc.lineAt(Math.max(0, Math.min(offset, doc.length))).number;
   }
 
   undo() {

@@ -47,9 +47,10 @@ const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, ve
 const checker = new Engine();
 
 const editor = new Editor(byId('editor'), {
-  changed: () => {
+  changed: (changes) => {
     scene.version += 1;
     scene.unsafe = false;
+    panelFollows(changes);
     checkSoon();
     saveSoon();
   },
@@ -273,6 +274,7 @@ function setDocument({ id = store.newId(), path, content, files = new Map(), opt
   byId('findings').replaceChildren();
   byId('verdict').textContent = '';
   editor.open(content);
+  panelFollows(null);
   saveSoon();
   if (unsafe) {
     notice('stopped', 'This scene did not finish the last time. It is not drawn until you ask for it or change it.', {
@@ -493,6 +495,46 @@ byId('split').addEventListener('input', () => {
   picture.paint();
 });
 
+// Panels that edit the scene, loaded when they are first shown.
+
+let panel = null;
+let panelIsChanging = false;
+
+const panelIsShown = () => panel !== null && document.body.dataset.left === 'edit';
+
+async function showPanel() {
+  if (panel === null) {
+    try {
+      const { EditPanel } = await import('./edit/panel.js');
+      panel ??= new EditPanel({
+        text: () => editor.text,
+        change(changes) {
+          panelIsChanging = true;
+          try {
+            editor.change(changes);
+          } finally {
+            panelIsChanging = false;
+          }
+        },
+        files: () => [...scene.files.keys()].filter((path) => !isSceneName(path)),
+        selected: (model, item) => item !== null && item.from >= 0 && editor.selectLine(editor.lineAt(item.from)),
+      });
+    } catch (error) {
+      failed(new Error(`The panels cannot be loaded: ${error.message}`));
+      return;
+    }
+  }
+  panel.update(editor.cursor);
+}
+
+// After a change of the text by something else; `changes`: null for another text.
+function panelFollows(changes) {
+  if (panelIsShown() && !panelIsChanging) {
+    const place = panel.item?.from ?? 0;
+    panel.update(changes === null ? 0 : changes.mapPos(Math.max(0, Math.min(place, changes.length)), 1));
+  }
+}
+
 // Looking and explaining.
 
 const canvas = byId('canvas');
@@ -592,6 +634,9 @@ async function explainAt(x, y) {
     const line = found.document.pixel.rays[0]?.surface?.object.at(-1).line;
     if (line !== undefined) {
       editor.selectLine(line);
+      if (panelIsShown()) {
+        panel.selectAt(editor.offsetOfLine(line));
+      }
     }
   } catch (error) {
     byId('explain-result').replaceChildren(`This pixel cannot be explained: ${error.message}.`);
@@ -777,15 +822,27 @@ addEventListener('pointerdown', ({ target }) => {
   document.querySelectorAll('.menu[open]').forEach((menu) => menu.contains(target) || (menu.open = false));
 });
 
+// `name`: text, edit or picture. Wide pages show the picture beside the text or the panels.
 function showTab(name) {
   document.body.dataset.tab = name;
-  for (const other of ['text', 'picture']) {
+  for (const other of ['text', 'edit', 'picture']) {
     byId(`tab-${other}`).setAttribute('aria-selected', String(other === name));
   }
+  if (name === 'picture') {
+    return;
+  }
+  document.body.dataset.left = name;
+  byId('show-text').setAttribute('aria-pressed', String(name === 'text'));
+  byId('show-edit').setAttribute('aria-pressed', String(name === 'edit'));
+  if (name === 'edit') {
+    showPanel();
+  }
 }
-for (const name of ['text', 'picture']) {
+for (const name of ['text', 'edit', 'picture']) {
   byId(`tab-${name}`).addEventListener('click', () => showTab(name));
 }
+byId('show-text').addEventListener('click', () => showTab('text'));
+byId('show-edit').addEventListener('click', () => showTab('edit'));
 
 const themes = ['system', 'light', 'dark'];
 function showTheme(theme) {

@@ -3,7 +3,8 @@
 
 import { Engine, Stopped } from './engine.js';
 
-const stripTime = 80; // milliseconds that a strip should take
+const stripTime = 200; // milliseconds that a strip should take
+const fewestRows = 8; // of a strip: each also traces rows around it
 const frameTime = 45; // milliseconds for a preview
 const patience = 120; // milliseconds for work that is no longer wanted, before its worker is ended
 
@@ -223,7 +224,7 @@ export class Picture {
     const work = async (engine) => {
       await this.#prepared(engine);
       while (job === this.#job && next < height) {
-        const rows = perRow === 0 ? 8 : Math.max(1, Math.min(most, Math.round(stripTime / perRow)));
+        const rows = perRow === 0 ? fewestRows : Math.max(fewestRows, Math.min(most, Math.round(stripTime / perRow)));
         const y0 = next;
         const y1 = Math.min(height, y0 + rows);
         next = y1;

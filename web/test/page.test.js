@@ -161,6 +161,8 @@ test('the picture is that of the native program', { skip: !process.env.NATIVE &&
 
 test('opens every example, and a new scene', async () => {
   await open();
+  await page.selectOption('#size', '320x240');
+  await drawn(page, 2);
   const count = await page.locator('#examples button').count();
   assert.ok(count >= 4);
   for (let i = 0; i < count; ++i) {
@@ -170,6 +172,7 @@ test('opens every example, and a new scene', async () => {
     await drawn(page, before + 1);
     assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
     assert.equal(await page.isVisible('#missing'), false);
+    assert.equal(await page.innerText('#notices'), '');
   }
 });
 
@@ -336,6 +339,152 @@ test('profiles, modes, features and sizes', async () => {
   await look(() => page.locator('#features label', { hasText: 'shadows' }).click());
   await look(() => page.selectOption('#size', '320x240'));
   assert.equal(new Set(seen).size, seen.length - 1, 'only the course picture comes twice');
+});
+
+const wholeText = async () => (await save('#save-scene')).bytes.toString();
+const row = (name) => page.locator('#edit-tree [role=treeitem]').filter({ hasText: name });
+const field = (name) => page.getByLabel(name, { exact: true });
+
+async function openPanels() {
+  await page.click('#show-edit');
+  await page.waitForSelector('#edit-tree [role=treeitem]');
+}
+
+/** Does something that changes the picture, and waits for it. */
+async function andDraw(act) {
+  const before = await drawnCount();
+  await act();
+  await drawn(page, before + 1);
+}
+
+test('panels edit camera, lights, materials and transforms, and keep the rest of the text', async () => {
+  await open();
+  await openPanels();
+  const before = await pixels();
+  await row('Camera').click();
+  await andDraw(() => field('Height angle').fill('50').then(() => page.keyboard.press('Tab')));
+  assert.notEqual(await pixels(), before);
+  await row('point light').click();
+  await andDraw(() => field('Position: y').fill('7').then(() => page.keyboard.press('Tab')));
+  await row('sphere').click();
+  await andDraw(() => field('Diffuse color: green').fill('0.75').then(() => page.keyboard.press('Tab')));
+  await andDraw(() => field('Translation: x').fill('-0.5').then(() => page.keyboard.press('Tab')));
+  await andDraw(() => page.locator('#edit-fields button', { hasText: '+ scale' }).click());
+  await andDraw(() => field('Scale: y').fill('1.5').then(() => page.keyboard.press('Tab')));
+  await andDraw(() => field('Reflective color: red').fill('0.2').then(() => page.keyboard.press('Tab')));
+  const expected = hello
+    .replace('heightangle v="35"', 'heightangle v="50"')
+    .replace('y="5"', 'y="7"')
+    .replace('g="0.3" b="0.2"', 'g="0.75" b="0.2"')
+    .replace('<translate x="0" y="0.5" z="0"/>\n', '<translate x="-0.5" y="0.5" z="0"/>\n      <scale x="1" y="1.5" z="1"/>\n')
+    .replace('<specular r="1" g="1" b="1"/>\n', '<specular r="1" g="1" b="1"/>\n        <reflective r="0.2" g="0" b="0"/>\n');
+  assert.equal(await wholeText(), expected);
+  assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
+  for (let i = 0; i < 7; ++i) {
+    await page.click('#undo');
+  }
+  assert.equal(await wholeText(), hello);
+  assert.equal(await field('Diffuse color: green').inputValue(), '0.3');
+});
+
+test('panels refuse values that are not possible', async () => {
+  await open();
+  await openPanels();
+  await row('Camera').click();
+  await field('Height angle').fill('200');
+  await page.keyboard.press('Tab');
+  await page.waitForSelector('text=200 is not possible: from 0 to 180, exclusive');
+  assert.equal(await wholeText(), hello);
+});
+
+test('panels add, duplicate, reorder, regroup and delete', async () => {
+  await open();
+  await openPanels();
+  const add = async (name) => {
+    await page.click('#edit-add-menu summary');
+    await andDraw(() => page.locator('#edit-add button', { hasText: name }).click());
+  };
+  const rows = async () => (await page.locator('#edit-tree [role=treeitem]').allInnerTexts()).map((text) => text.trim());
+  await add('Directional light');
+  assert.match(await wholeText(), /<\/lightdata>\n  <lightdata>\n    <type v="directional"\/>\n    <id v="1"\/>/);
+  await row('Scene').click();
+  await add('Cone');
+  assert.deepEqual((await rows()).slice(-3), ['sphere', 'cube', 'cone']);
+  await andDraw(() => page.click('#edit-up'));
+  assert.deepEqual((await rows()).slice(-3), ['sphere', 'cone', 'cube']);
+  await andDraw(() => page.click('#edit-wrap'));
+  assert.deepEqual((await rows()).slice(-4), ['sphere', '▾ group', 'cone', 'cube']);
+  await row('cube').click();
+  await page.click('#edit-move-menu summary');
+  await andDraw(() => page.locator('#edit-move button', { hasText: 'group' }).click());
+  assert.deepEqual((await rows()).slice(-4), ['sphere', '▾ group', 'cone', 'cube']);
+  assert.equal(await row('cube').getAttribute('aria-level'), '3');
+  await andDraw(() => page.click('#edit-duplicate'));
+  assert.equal(await row('cube').count(), 2);
+  await andDraw(() => page.click('#edit-delete'));
+  assert.equal(await row('cube').count(), 1);
+  assert.equal(await page.textContent('#verdict'), 'no errors, no warnings');
+  await row('Camera').click();
+  assert.ok(await page.isDisabled('#edit-delete'));
+  assert.match(await wholeText(), /smallest scene/, 'comments stay');
+});
+
+test('panels edit JSON', async () => {
+  await open();
+  const { bytes } = await save('[data-format=json]');
+  const json = bytes.toString();
+  await giveAndDraw({ 'scene.json': json });
+  await openPanels();
+  await row('sphere').first().click();
+  await andDraw(() => field('Shininess').fill('40').then(() => page.keyboard.press('Tab')));
+  const text = await wholeText();
+  assert.deepEqual(JSON.parse(text), JSON.parse(json.replace(/"shininess": ?25/, '"shininess": 40')));
+  await page.click('#edit-add-menu summary');
+  await andDraw(() => page.locator('#edit-add button', { hasText: 'Spot light' }).click());
+  assert.equal(await row('spot light').count(), 1);
+  assert.equal(await page.textContent('#verdict').then((verdict) => /error/.test(verdict.replace('no errors', ''))), false);
+});
+
+test('panels by the keyboard alone', async () => {
+  await open();
+  await page.focus('#show-edit');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#edit-tree [role=treeitem]');
+  await page.focus('#edit-tree [tabindex="0"]');
+  await page.keyboard.press('End');
+  assert.equal((await page.innerText('#edit-title')), 'cube');
+  await page.keyboard.press('ArrowUp');
+  assert.equal((await page.innerText('#edit-title')), 'sphere');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('aria-label')), 'Shape');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowUp'); // one more than 0
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => document.activeElement.getAttribute('aria-label') === 'Translation: y');
+  await drawn(page, 2);
+  assert.match(await wholeText(), /<translate x="1" y="0.5" z="0"\/>/);
+  await page.focus('#edit-tree [tabindex="0"]');
+  await page.keyboard.press('Alt+ArrowDown');
+  await page.waitForFunction(() => document.querySelector('#edit-tree [role=treeitem]:last-of-type').textContent === 'sphere');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal((await page.innerText('#edit-title')), 'Scene');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await row('sphere').count(), 0);
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('End');
+  await page.keyboard.press('Delete');
+  assert.equal(await row('sphere').count(), 0);
+});
+
+test('a pixel selects its object in the panels, and the object its line', async () => {
+  await open();
+  await openPanels();
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  await page.waitForFunction(() => document.getElementById('edit-title').textContent === 'sphere');
+  await row('cube').click();
+  const selected = await page.evaluate(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent);
+  assert.match(selected, /<transblock>/);
 });
 
 test('explains a pixel and selects its line', async () => {
@@ -514,10 +663,11 @@ for (const [width, scheme] of [[1280, 'light'], [800, 'dark'], [360, 'light'], [
     await page.setViewportSize({ width, height: 780 });
     await page.emulateMedia({ colorScheme: scheme });
     await open();
-    const tabs = width < 720 ? ['text', 'picture'] : [null];
+    const tabs = width < 720 ? ['#tab-text', '#tab-picture', '#tab-edit'] : ['#show-text', '#show-edit'];
     for (const tab of tabs) {
-      if (tab !== null) {
-        await page.click(`#tab-${tab}`);
+      await page.click(tab);
+      if (tab.endsWith('edit')) {
+        await row('sphere').click();
       }
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it scrolls sideways');
       await page.evaluate(axe);

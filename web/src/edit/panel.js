@@ -102,13 +102,21 @@ export class EditPanel {
 
   #apply({ changes, select }, done) {
     const label = this.#item?.label ?? '';
-    const focused = document.activeElement?.dataset?.field;
     this.#host.change(changes);
     this.update(select ?? this.#item?.from ?? 0);
     byId('edit-status').textContent = done ? `${label}: ${done}` : '';
-    if (focused !== undefined) {
-      this.#form.querySelector(`[data-field="${CSS.escape(focused)}"]`)?.focus();
-    }
+  }
+
+  // After the event of a field, when the focus is where it goes: the fields are made anew, and Firefox would lose it.
+  #later(field, edit) {
+    const item = this.#item;
+    const at = fieldsOfItem(this.#model, item).findIndex(({ spec, element }) => spec.name === field.spec.name && element === field.element);
+    setTimeout(() => {
+      const same = this.#item && fieldsOfItem(this.#model, this.#item)[at];
+      if (same?.spec.name === field.spec.name && this.#item.kind === item.kind && this.#item.from === item.from) {
+        this.#apply(edit(same));
+      }
+    });
   }
 
   #remove() {
@@ -280,11 +288,17 @@ export class EditPanel {
       return this.#fieldRow(field, `${field.spec.name}-${count}`);
     });
     const placing = model.xml && item.block !== null ? [this.#transformButtons(item)] : [];
+    const focused = document.activeElement?.dataset?.field;
     const datalist = h('datalist', { id: 'edit-files' }, this.#host.files().slice(0, 200).map((name) => h('option', { value: name })));
     const lastPlacing = list.findLastIndex(({ movable }) => movable);
     const at = lastPlacing >= 0 ? lastPlacing + 1 : list.filter(({ own }) => own).length;
     this.#form.replaceChildren(...rows.slice(0, at), ...placing, ...rows.slice(at), datalist,
       ...(rows.length + placing.length === 0 ? [h('p', { className: 'help' }, 'Add lights, shapes and groups here.')] : []));
+    if (focused !== undefined) {
+      const same = this.#form.querySelector(`[data-field="${CSS.escape(focused)}"]`);
+      same?.focus({ preventScroll: true });
+      same?.select?.(); // as after Tab
+    }
   }
 
   #transformButtons(item) {
@@ -303,7 +317,7 @@ export class EditPanel {
     const known = values.map((value, i) => value ?? [spec.start].flat(2)[i] ?? 0);
     const picker = isColor
       ? [h('input', { type: 'color', value: hexOf(known), 'data-field': `${id}-color`, 'aria-label': `${spec.title}: choose`,
-          onchange: ({ target }) => this.#apply(setParts(this.#model, field, fromHex(target.value))) })]
+          onchange: ({ target }) => this.#later(field, (same) => setParts(this.#model, same, fromHex(target.value))) })]
       : [];
     const button = (name, text, about, act, disabled = false) =>
       h('button', { type: 'button', className: 'small', 'aria-label': `${spec.title}: ${about}`, title: about, 'data-field': `${id}-${name}`, disabled, onclick: act }, text);
@@ -327,7 +341,7 @@ export class EditPanel {
     const { spec, values } = field;
     const part = spec.kind === 'matrix' ? {} : spec.parts[i];
     const name = count === 1 ? spec.title : `${spec.title}: ${partName(spec, i)}`;
-    const set = (value) => this.#apply(setPart(this.#model, field, i, value));
+    const set = (value) => this.#later(field, (same) => setPart(this.#model, same, i, value));
     const common = { 'data-field': id, 'aria-label': name, title: part.about || spec.about };
     if (spec.kind === 'choice') {
       const now = values[i] ?? '';

@@ -2,6 +2,7 @@
 #include "app/load.h"
 #include "app/output.h"
 #include "app/realtime.h"
+#include "app/view_answers.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
 #include "scenefile/viewer/playlist.h"
@@ -94,6 +95,8 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   window.setup.load = [&options](const std::string& path) { return open_for_view(path, options); };
   window.setup.read = {.compat_course = options.load.compat_course, .limits = options.load.limits};
   window.setup.trace = options.render;
+  window.setup.explain_pixel = explain_for_view;
+  window.setup.find_cause = cause_for_view;
   window.setup.realtime = realtime_options(options);
   window.scene = options.arguments.empty() ? "" : options.arguments.front();
   window.reference = options.arguments.size() > 1 ? options.arguments[1] : "";

@@ -258,6 +258,37 @@ TEST_F(View, WithoutASceneAPanelOpensOne) {
   EXPECT_EQ(color_at(picture("scene.png"), sphere_x, middle_y), 'r');
 }
 
+TEST_F(View, ExplainsAClickedPixelAndItsCause) {
+  const std::string mine = folder.path("mine.png");
+  // The cube is black in the other picture.
+  const std::string without =
+      folder.write("b.xml", replaced(scene, "r=\"0\" g=\"1\" b=\"0\"", "r=\"0\" g=\"0\" b=\"0\""));
+  ASSERT_EQ(run_program({"render", without, "--size", "320x240", "-o", mine, "--quiet", "--profile",
+                         "course"})
+                .status,
+            0);
+  const ProgramRun run =
+      view({path, mine, "--profile", "course", "--script",
+            folder.write("tour.txt",
+                         "settle\nclick 490 300\nsettle\nkey Ctrl+C\n"
+                         "frames 2\ncopied " +
+                             folder.path("copied.txt") + "\n" + shot("readout.png"))});
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string copied = folder.read("copied.txt");
+  EXPECT_THAT(copied, HasSubstr("of 320x240"));
+  EXPECT_THAT(copied, HasSubstr("sphere"));
+  EXPECT_THAT(copied, HasSubstr("diffuse"));
+  EXPECT_THAT(copied, HasSubstr("yours"));
+  // The words of diff for the same two pictures.
+  const std::string ours = folder.path("ours.png");
+  run_program({"render", path, "--size", "320x240", "-o", ours, "--quiet", "--profile", "course"});
+  const std::string said =
+      run_program({"diff", ours, mine, "--scene", path, "--profile", "course"}).out;
+  const std::size_t at = said.find("worst: ");
+  ASSERT_NE(at, std::string::npos) << said;
+  EXPECT_THAT(copied, HasSubstr(said.substr(at, said.find('\n', at) - at)));
+}
+
 TEST_F(View, SaysWhatIsWrong) {
   folder.write("empty/readme.txt");
   EXPECT_THAT(view({folder.path("none.xml")}).err, HasSubstr("no such file"));

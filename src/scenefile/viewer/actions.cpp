@@ -40,6 +40,7 @@ constexpr std::array action_rows{
     ActionRow{Action::reload, "F5", "Scene", "read the file again"},
     ActionRow{Action::next_scene, "Page Down", "Scene", "the next scene in the folder"},
     ActionRow{Action::previous_scene, "Page Up", "Scene", "the previous scene in the folder"},
+    ActionRow{Action::copy, "Ctrl+C", "Window", "copy the pixel, the selection or the camera"},
     ActionRow{Action::outline, "O", "Window", "outline"},
     ActionRow{Action::messages, "P", "Window", "messages"},
     ActionRow{Action::statistics, "I", "Window", "figures"},
@@ -48,7 +49,7 @@ constexpr std::array action_rows{
     ActionRow{Action::smaller_text, "Ctrl+-", "Window", "smaller text"},
     ActionRow{Action::full_screen, "F11", "Window", "full screen"},
     ActionRow{Action::help, "F1", "Window", "this help"},
-    ActionRow{Action::escape, "Escape", "Window", "close the help, or select nothing"},
+    ActionRow{Action::escape, "Escape", "Window", "close what is open, or select nothing"},
     ActionRow{Action::quit, "Ctrl+Q", "Window", "quit"},
 };
 
@@ -58,7 +59,7 @@ constexpr std::array gesture_table{
     GestureRow{"Ctrl + drag", "look around"},
     GestureRow{"wheel, right drag", "zoom in or out"},
     GestureRow{"W A S D Q E", "fly; with Shift faster"},
-    GestureRow{"click", "select; its line is shown in the outline"},
+    GestureRow{"click", "select an object, explain the pixel"},
     GestureRow{"drop a scene or folder", "open it"},
     GestureRow{"drop a picture", "compare with it"},
 };

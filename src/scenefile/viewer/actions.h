@@ -40,6 +40,7 @@ enum class Action : std::uint8_t {
   next_scene,
   previous_scene,
   screenshot,
+  copy,
   panels,
   outline,
   messages,

@@ -42,11 +42,13 @@ void build_gui(Session& session, const GuiFrame& frame, const glm::dvec2& window
 
 // The parts of a frame, each in a separate file.
 void build_menu(Session& session);
+void build_drawing_menu(Session& session);
 void build_outline(Session& session, const GuiFrame& frame);
 void build_messages(const Session& session);
 void build_status(const Session& session, const GuiFrame& frame);
 void build_overlay(Session& session, const GuiFrame& frame);
 void build_realtime_panel(Session& session, const GuiFrame& frame);
+void build_readout(Session& session, const GuiFrame& frame);
 void build_help(const GuiFrame& frame);
 /// In this part of the window, over the picture.
 void build_start(Session& session, const GuiFrame& frame, const Box& room);

@@ -128,6 +128,7 @@ void build_menu(Session& session) {
       }
     }
   }
+  build_drawing_menu(session);
   build_title(session);
   ImGui::EndMainMenuBar();
 }

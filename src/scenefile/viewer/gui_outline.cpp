@@ -4,6 +4,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
+#include "scenefile/viewer/selection_values.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -260,79 +261,30 @@ void build_rows(Session& session) {
   }
 }
 
-void value_line(const char* name, const std::string& value) {
-  ImGui::TextDisabled("%s", name);
+void build_value(const NamedValue& value) {
+  ImGui::TextDisabled("%s", value.name.c_str());
   ImGui::SameLine(ImGui::GetFontSize() * 6);
-  ImGui::TextUnformatted(value.c_str());
+  if (value.color) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = ImGui::GetTextLineHeight();
+    const glm::vec3 c = glm::clamp(*value.color, 0.0F, 1.0F);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 1}, {at.x + size, at.y + size - 1},
+                                              ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}),
+                                              3);
+    ImGui::Dummy({size, size});
+    ImGui::SameLine();
+  }
+  ImGui::TextUnformatted(escaped(value.text, 60).c_str());
 }
 
-void color_row(const char* name, const glm::vec3& color) {
-  if (color == glm::vec3(0)) {
-    return;
-  }
-  ImGui::TextDisabled("%s", name);
-  ImGui::SameLine(ImGui::GetFontSize() * 6);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float size = ImGui::GetTextLineHeight();
-  const glm::vec3 c = glm::clamp(color, 0.0F, 1.0F);
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 1}, {at.x + size, at.y + size - 1},
-                                            ImGui::ColorConvertFloat4ToU32({c.r, c.g, c.b, 1}), 3);
-  ImGui::Dummy({size, size});
-  ImGui::SameLine();
-  ImGui::TextUnformatted(fmt::format("{:.3g} {:.3g} {:.3g}", color.r, color.g, color.b).c_str());
-}
-
-const RenderPrimitive* find_primitive(const RenderScene& scene, std::uint32_t source) {
-  for (const RenderGroup& group : scene.groups) {
-    for (const RenderPrimitive& primitive : group.primitives) {
-      if (primitive.source == source) {
-        return &primitive;
-      }
-    }
-  }
-  return nullptr;
-}
-
-void build_material(const RenderScene& scene, const RenderPrimitive& primitive) {
-  const RenderMaterial& m = scene.materials[primitive.material];
-  color_row("ambient", m.ambient);
-  color_row("diffuse", m.diffuse);
-  color_row("specular", m.specular);
-  color_row("reflective", m.reflective);
-  color_row("transparent", m.transparent);
-  if (m.specular != glm::vec3(0)) {
-    value_line("shininess", fmt::format("{:.4g}", m.shininess));
-  }
-  if (m.transparent != glm::vec3(0)) {
-    value_line("ior", fmt::format("{:.4g}", m.ior));
-  }
-  if (m.texture.used()) {
-    value_line("texture", escaped(file_name_of(scene.texture_files[m.texture.file].name), 60));
-  }
-}
-
-void build_light(const RenderLight& light) {
-  color_row("color", light.color);
-  const auto vector = [](const glm::vec3& v) {
-    return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z);
-  };
-  if (has_position(light.type)) {
-    value_line("position", vector(light.position));
-    value_line("attenuation", vector(light.attenuation));
-  }
-  if (has_direction(light.type)) {
-    value_line("direction", vector(light.direction));
-  }
-}
-
-void build_light_of(Session& session, std::uint32_t source) {
+// The switch of a light.
+void build_light_switch(Session& session, std::uint32_t source) {
   const RenderScene& scene = session.shown->opened.ready.scene;
   const auto found = std::find_if(scene.lights.begin(), scene.lights.end(),
                                   [&](const RenderLight& l) { return l.source == source; });
   if (found == scene.lights.end()) {
     return;
   }
-  build_light(*found);
   const auto index = static_cast<std::uint32_t>(found - scene.lights.begin());
   bool alone = session.only_light == index;
   if (ImGui::Checkbox("only this light", &alone)) {
@@ -354,14 +306,11 @@ void build_inspector(Session& session) {
     ImGui::PopTextWrapPos();
   }
   ImGui::Spacing();
+  for (const NamedValue& value : selection_values(session)) {
+    build_value(value);
+  }
   if (row.kind == RowKind::light) {
-    build_light_of(session, row.source);
-  } else if (const RenderPrimitive* const primitive =
-                 find_primitive(session.shown->opened.ready.scene, row.source);
-             row.kind == RowKind::primitive && primitive != nullptr) {
-    build_material(session.shown->opened.ready.scene, *primitive);
-  } else if (row.kind == RowKind::camera) {
-    value_line("angle", fmt::format("{:.4g} degrees", session.shown->camera.height_angle_deg));
+    build_light_switch(session, row.source);
   }
 }
 

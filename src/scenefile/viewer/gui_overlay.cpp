@@ -379,6 +379,9 @@ void build_overlay(Session& session, const GuiFrame& frame) {
   if (session.realtime && session.shown != nullptr && !session.picture_only) {
     build_realtime_panel(session, frame);
   }
+  if (session.readout.at && session.shown != nullptr && !session.picture_only) {
+    build_readout(session, frame);
+  }
   if (session.settings.statistics && !session.picture_only) {
     build_statistics(session, frame);
   }

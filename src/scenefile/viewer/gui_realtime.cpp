@@ -68,6 +68,7 @@ void build_realtime_panel(Session& session, const GuiFrame& frame) {
   RealtimeOptions panel = session.realtime_panel;
   if (build_controls(panel) && panel.near > 0 && panel.near < panel.far) {
     session.realtime_panel = panel;
+    forget_cause(session);
     picture_changed(session);
   }
   ImGui::PopItemWidth();

@@ -34,9 +34,10 @@ constexpr std::array code_fonts{
     "/System/Library/Fonts/Menlo.ttc",
 };
 
-// Latin with accents, Greek, Cyrillic, arrows, and typographic punctuation.
-constexpr std::array<ImWchar, 13> letters{0x20,   0x24F,  0x370,  0x52F,  0x2010, 0x2027, 0x2030,
-                                          0x203A, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
+// Latin with accents, Greek, Cyrillic, arrows, typographic punctuation, and lines.
+constexpr std::array<ImWchar, 15> letters{0x20,   0x24F,  0x370,  0x52F,  0x2010,
+                                          0x2027, 0x2030, 0x203A, 0x2190, 0x21FF,
+                                          0x2200, 0x22FF, 0x2500, 0x257F, 0};
 
 // Returns false if none of them exists.
 bool add_font(ImFontAtlas& atlas, std::span<const char* const> paths, float height) {

@@ -143,10 +143,11 @@ class ScriptParser {
   }
 
   bool other_step(const std::string& verb, Words& words) {
-    if (verb == "key" || verb == "drop" || verb == "screenshot") {
-      ScriptStep& step = add(verb == "key"    ? StepKind::key
-                             : verb == "drop" ? StepKind::drop
-                                              : StepKind::screenshot);
+    if (verb == "key" || verb == "drop" || verb == "screenshot" || verb == "copied") {
+      ScriptStep& step = add(verb == "key"      ? StepKind::key
+                             : verb == "drop"   ? StepKind::drop
+                             : verb == "copied" ? StepKind::copied
+                                                : StepKind::screenshot);
       step.text = words.rest();
       return step.kind == StepKind::key          ? is_key(step.text)
              : step.kind == StepKind::screenshot ? step.text.ends_with(".png")

@@ -3,7 +3,6 @@
 //
 // One step per line; empty lines and lines that begin with # are ignored. Positions are in pixels
 // of the window, from its top left.
-// of the window, from its top left.
 //
 //     key Ctrl+S            press and release a key that does something
 //     hold W 10             hold a key for so many frames
@@ -18,6 +17,7 @@
 //     settle                draw until nothing is on its way: files, rays, comparisons
 //     screenshot OUT.png
 //     copy FROM TO          as an editor would that saves the scene
+//     copied OUT.txt        write what the window copied last
 //     quit
 
 #include <cstdint>
@@ -39,6 +39,7 @@ enum class StepKind : std::uint8_t {
   settle,
   screenshot,
   copy,
+  copied,
   quit,
 };
 

@@ -17,27 +17,9 @@ namespace {
 constexpr double rest = 0.25;  // the camera must rest this long before ray tracing starts
 constexpr double notice_seconds = 4;
 
-bool at_rest(const Session& session) {
-  return session.pointer.drag == Drag::none && session.held.empty() &&
-         session.now - session.moved_at >= rest;
-}
-
 bool wants_trace(const Session& session) {
   return session.settings.ray_tracing && session.shown != nullptr && !session.realtime &&
          session.mode == DrawMode::shaded;
-}
-
-RenderOptions trace_options(const Session& session) {
-  RenderOptions options = session.setup.trace;
-  const glm::ivec2 size = session.reference.empty()
-                              ? session.pixels
-                              : glm::ivec2(session.reference.width, session.reference.height);
-  options.width = std::max(1, size.x);
-  options.height = std::max(1, size.y);
-  options.samples = session.settings.samples;
-  options.features.shadows = options.features.shadows && session.settings.shadows;
-  options.features.texture = options.features.texture && session.settings.textures;
-  return options;
 }
 
 void start_trace(Session& session) {
@@ -134,6 +116,25 @@ std::string name_of_scene(const std::string& path) {
 }  // namespace
 
 bool tick_files(Session& session);  // session_files.cpp
+bool tick_pixel(Session& session);  // session_pixel.cpp
+
+bool at_rest(const Session& session) {
+  return session.pointer.drag == Drag::none && session.held.empty() &&
+         session.now - session.moved_at >= rest;
+}
+
+RenderOptions trace_options(const Session& session) {
+  RenderOptions options = session.setup.trace;
+  const glm::ivec2 size = session.reference.empty()
+                              ? session.pixels
+                              : glm::ivec2(session.reference.width, session.reference.height);
+  options.width = std::max(1, size.x);
+  options.height = std::max(1, size.y);
+  options.samples = session.settings.samples;
+  options.features.shadows = options.features.shadows && session.settings.shadows;
+  options.features.texture = options.features.texture && session.settings.textures;
+  return options;
+}
 
 bool tick(Session& session, double now) {
   const double seconds = now - session.now;
@@ -142,6 +143,7 @@ bool tick(Session& session, double now) {
   news = tick_flight(session, seconds) || news;
   news = tick_trace(session) || news;
   news = tick_comparison(session) || news;
+  news = tick_pixel(session) || news;
   return tick_notice(session) || news;
 }
 
@@ -152,7 +154,8 @@ bool settled(const Session& session) {
                          (!session.compare_started || session.comparing.busy());
   const bool thumbnails = session.start.open && session.thumbnails.busy();
   return !session.loading.busy() && !session.load_again && !tracing && !comparing && !thumbnails &&
-         session.held.empty();
+         !session.readout.explaining.busy() && !session.cause.finding.busy() &&
+         (!session.readout.at || session.readout.asked) && session.held.empty();
 }
 
 double next_tick(const Session& session) {
@@ -160,13 +163,16 @@ double next_tick(const Session& session) {
   if (!session.held.empty()) {
     return 0;
   }
-  if (wants_trace(session) && !session.trace_started) {
+  const bool waits = (wants_trace(session) && !session.trace_started) ||
+                     (session.readout.at && !session.readout.asked);
+  if (waits) {
     seconds = std::min(seconds, session.moved_at + rest - session.now);
   }
   if (session.notice) {
     seconds = std::min(seconds, session.notice->until - session.now);
   }
-  if (session.comparing.busy() || session.loading.busy() || session.thumbnails.busy()) {
+  if (session.comparing.busy() || session.loading.busy() || session.thumbnails.busy() ||
+      session.readout.explaining.busy() || session.cause.finding.busy()) {
     seconds = std::min(seconds, 0.05);
   }
   return std::max(seconds, 0.01);
@@ -178,6 +184,9 @@ void picture_changed(Session& session) {
   session.trace_started = false;
   session.traced.reset();
   session.compare_started = false;
+  session.compared = {};
+  session.readout.asked = false;
+  session.readout.terms.clear();
 }
 
 void set_camera(Session& session, const ViewCamera& camera) {
@@ -255,6 +264,7 @@ void compare_with(Session& session, Texture ours) {
     return;
   }
   session.compare_started = true;
+  session.compared = ours;
   session.comparing.start(
       [reference = session.reference, ours = std::move(ours), wake = session.setup.wake] {
         Comparison comparison = compare_pictures(reference, ours);
@@ -348,6 +358,10 @@ std::string mode_text(const Session& session) {
     text = session.realtime_panel.milestone == Milestone::action
                ? "Realtime, Action: " + text
                : "Realtime, Lights, Camera: " + text;
+  } else {
+    const RenderOptions& trace = session.setup.trace;
+    text += fmt::format(", profile {}", profile_word(trace.profile));
+    text += trace.mode == Mode::ray ? "" : fmt::format(", {}", mode_word(trace.mode));
   }
   if (session.only_light) {
     text += fmt::format(", only light {}", *session.only_light + 1);

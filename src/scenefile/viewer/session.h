@@ -17,6 +17,8 @@
 #include "scenefile/viewer/opened_scene.h"
 #include "scenefile/viewer/outline.h"
 #include "scenefile/viewer/picker.h"
+#include "scenefile/viewer/pixel_question.h"
+#include "scenefile/viewer/pixel_readout.h"
 #include "scenefile/viewer/settings.h"
 #include "scenefile/viewer/start_panel.h"
 #include "scenefile/viewer/thumbnails.h"
@@ -40,6 +42,8 @@ struct SessionSetup {
   RenderOptions trace;  ///< for the ray tracer; the window sets size and samples
   std::optional<RealtimeOptions> realtime{};  ///< start with the assignment's picture
   std::function<void()> wake{};               ///< called from other threads when tick() has work
+  ExplainPixel explain_pixel{};               ///< empty: pixels are not explained
+  FindCause find_cause{};                     ///< empty: causes are not looked for
   std::string recent_files{};                 ///< path of the list; empty: none is kept
 };
 
@@ -145,6 +149,10 @@ struct Session {
   Background<Comparison> comparing;
   std::optional<Comparison> comparison;  ///< of the current or previous picture
   std::uint64_t comparison_version = 0;
+  Texture compared;  ///< our picture in the comparison
+  CauseSearch cause;
+
+  PixelReadout readout;
 
   std::optional<SavedOver> saved_over;  ///< what the last saved view replaced
 
@@ -158,6 +166,7 @@ struct Session {
   bool picture_only = false;   ///< no panels
   double messages_height = 0;  ///< of the contents of the messages panel; set by the window
   std::string screenshot;      ///< a file for the window to write; empty: none
+  std::string copied;          ///< text for the window to put on the clipboard; empty: none
   std::optional<Notice> notice;
   std::vector<std::string> drawing_notes;  ///< findings of drawing the scene
 };
@@ -212,6 +221,18 @@ bool is_hidden(const Session& session, std::uint32_t row);
 void show_only_light(Session& session, std::optional<std::uint32_t> light);
 void say(Session& session, std::string text, bool bad = false);
 
+/// Opens the readout of a pixel, given by fractions of the picture's width and height, or closes
+/// it.
+void read_pixel(Session& session, const std::optional<glm::dvec2>& at);
+/// Finds the pixel of the readout in the current picture, and its value in the picture beside.
+void locate_pixel(Session& session);
+/// Call after any change of the pictures or how they are drawn, except of the camera.
+void forget_cause(Session& session);
+/// Why the picture beside ours differs, or that it is not known yet.
+std::string cause_text(const Session& session);
+/// The readout as text for copying: values, terms and cause, as far as they are known.
+std::string readout_text(const Session& session);
+
 /// Whether the comparison needs a picture from OpenGL, because the ray tracer does not provide one.
 /// The window should then draw one of the reference's size and pass it to compare_with().
 bool wants_picture(const Session& session);
@@ -230,6 +251,10 @@ struct CameraView {
 CameraView camera_view(const Session& session);
 /// Whether the ray tracer's picture is visible.
 bool shows_traced(const Session& session);
+/// Whether nothing moves, so that longer work may start.
+bool at_rest(const Session& session);
+/// The options for the ray tracer, with the picture's size.
+RenderOptions trace_options(const Session& session);
 /// The options for drawing with OpenGL.
 DrawOptions draw_options(const Session& session);
 

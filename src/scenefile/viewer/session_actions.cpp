@@ -5,6 +5,7 @@
 #include "scenefile/viewer/collect_views.h"
 #include "scenefile/viewer/playlist.h"
 #include "scenefile/viewer/save_view.h"
+#include "scenefile/viewer/selection_values.h"
 #include "scenefile/viewer/session.h"
 
 #include <fmt/format.h>
@@ -151,6 +152,14 @@ void set_text_scale(Session& session, double factor) {
       static_cast<float>(std::clamp(session.settings.text_scale * factor, 0.5, 4.0));
 }
 
+void copy(Session& session) {
+  CopiedText copied = text_to_copy(session);
+  if (!copied.text.empty()) {
+    session.copied = std::move(copied.text);
+    say(session, "copied: " + copied.what);
+  }
+}
+
 void escape(Session& session) {
   if (session.help) {
     session.help = false;
@@ -158,6 +167,8 @@ void escape(Session& session) {
     close_start_panel(session);
   } else if (session.full_screen) {
     session.full_screen = false;
+  } else if (session.readout.at) {
+    read_pixel(session, std::nullopt);
   } else {
     select(session, std::nullopt);
   }
@@ -218,10 +229,12 @@ void perform_on_picture(Session& session, Action action) {
   switch (action) {
     case Action::toggle_textures:
       settings.textures = !settings.textures;
+      forget_cause(session);
       picture_changed(session);
       break;
     case Action::toggle_shadows:
       settings.shadows = !settings.shadows;
+      forget_cause(session);
       picture_changed(session);
       break;
     case Action::show_all:
@@ -234,6 +247,7 @@ void perform_on_picture(Session& session, Action action) {
       break;
     case Action::realtime:
       session.realtime = !session.realtime;
+      forget_cause(session);
       picture_changed(session);
       break;
     case Action::split:
@@ -270,6 +284,9 @@ void perform_on_window(Session& session, Action action) {
   switch (action) {
     case Action::screenshot:
       session.screenshot = free_name(session);
+      break;
+    case Action::copy:
+      copy(session);
       break;
     case Action::panels:
       session.picture_only = !session.picture_only;

@@ -190,6 +190,10 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   }
   session.broken = nullptr;
   session.comparison.reset();
+  if (!same_file) {
+    read_pixel(session, std::nullopt);
+  }
+  forget_cause(session);
   picture_changed(session);
 }
 
@@ -232,6 +236,7 @@ bool read_reference(Session& session, const std::string& path, std::string& erro
   session.reference = std::move(picture);
   ++session.reference_version;
   session.comparison.reset();
+  forget_cause(session);
   picture_changed(session);
   return true;
 }

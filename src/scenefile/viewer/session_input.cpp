@@ -36,10 +36,13 @@ glm::dvec3 point_under(const Session& session) {
   return ray.origin + ray.direction * glm::length(session.camera.pivot - session.camera.position);
 }
 
+// Selects the object under the pointer, and reads its pixel.
 void select_under(Session& session) {
   const SceneOnShow& scene = *session.shown;
   const Ray ray = ray_under(session, session.pointer.at);
   const std::optional<Pick> pick = scene.picker->pick(ray, session.hidden);
+  const Box& box = session.picture;
+  read_pixel(session, (session.pointer.at - box.at) / box.size);
   if (!pick || pick->source >= scene.outline.row_of_source.size()) {
     select(session, std::nullopt);
     return;

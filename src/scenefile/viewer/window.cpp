@@ -173,6 +173,7 @@ class Window {
   std::uint64_t step_looks_ = 0;  // Session::looks when the step began
   std::array<bool, 3> buttons_{};
   glm::dvec2 pointer_{-1};
+  std::string clipboard_;  // what was copied last
   std::string failure_;
 };
 
@@ -375,6 +376,9 @@ bool Window::do_step(const ScriptStep& step) {
       return true;
     case StepKind::copy:
       return copy_file(step);
+    case StepKind::copied:
+      failure_ = error_text(write_file(step.text, clipboard_));
+      return true;
     case StepKind::quit:
       session_.quit = true;
       return true;
@@ -551,6 +555,10 @@ WindowResult Window::run() {
       --frames_due_;
       draw_frame(false);
       follow_session();
+    }
+    if (!session_.copied.empty()) {
+      clipboard_ = std::exchange(session_.copied, {});
+      glfwSetClipboardString(window_, clipboard_.c_str());
     }
     if (!session_.screenshot.empty()) {
       const std::string path = std::exchange(session_.screenshot, {});

@@ -1,0 +1,104 @@
+#include "app/view_answers.h"
+
+#include "scenefile/trace/features.h"
+#include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/explain.h"
+#include "scenefile/verbs/render_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <new>
+#include <string_view>
+#include <vector>
+
+namespace scenefile::app {
+
+namespace {
+
+// A copy, since the window keeps using the original.
+LoadedScene loaded_of(const viewer::OpenedScene& opened) {
+  LoadedScene scene;
+  scene.path = opened.path;
+  scene.written = opened.written;
+  scene.ready = opened.ready;
+  scene.assets = opened.assets;
+  return scene;
+}
+
+DrawnWay way_of(const viewer::CauseQuestion& question) {
+  if (question.realtime) {
+    return realtime_way(
+        *question.realtime,
+        {.parameters = false, .near = false, .far = false, .filter = false, .milestone = false});
+  }
+  RenderOptions options = question.options;
+  DrawnWay way{options, fmt::format("--profile {}", profile_word(options.profile))};
+  if (options.features != default_options(options.profile).features) {
+    std::vector<std::string_view> words;
+    for (const std::string_view word : feature_words()) {
+      if (*find_feature(options.features, word)) {
+        words.push_back(word);
+      }
+    }
+    way.words +=
+        words.empty() ? " --features none" : fmt::format(" --features {}", fmt::join(words, ","));
+  }
+  if (options.mode != Mode::ray) {
+    way.words += fmt::format(" --mode {}", mode_word(options.mode));
+  }
+  return way;
+}
+
+std::string cause_text(const viewer::CauseQuestion& question, const std::function<bool()>& go_on) {
+  const LoadedScene scene = loaded_of(*question.scene);
+  Texture ours = question.ours;
+  if (!question.realtime) {
+    const RenderResult result =
+        render(scene.ready.scene, scene.assets, question.options,
+               {.progress = [&](double) { return go_on(); }, .checkpoints = {}, .preview = {}});
+    if (const std::optional<Error> error = render_error(result.status)) {
+      return error->text + '\n';
+    }
+    ours = quantize(result.image, rounding_of(question.options.profile));
+  }
+  CompareSettings settings;
+  settings.ways = {way_of(question)};
+  const PictureComparison found =
+      compare_pictures(ours, question.other, &scene, settings, [&](double) { return go_on(); });
+  if (found.measures.same_size && found.measures.difference.max == 0) {
+    return "equal\n";
+  }
+  return causes_text(found) + where_text(found, question.scene->path, question.other_path);
+}
+
+}  // namespace
+
+std::string explain_for_view(const viewer::PixelQuestion& question) {
+  try {
+    LoadedScene scene = loaded_of(*question.scene);
+    scene.ready.scene = question.drawn;
+    Result<ExplainReport> report =
+        explain_pixel(scene, question.options, question.pixel.x, question.pixel.y);
+    if (!report) {
+      return report.error().text + '\n';
+    }
+    if (question.other) {
+      report->yours = compare_with_yours(scene.ready.scene, report->pixel, *question.other);
+    }
+    return explain_text(scene, *report);
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory to explain this pixel\n";
+  }
+}
+
+std::string cause_for_view(const viewer::CauseQuestion& question,
+                           const std::function<bool()>& go_on) {
+  try {
+    return cause_text(question, go_on);
+  } catch (const std::bad_alloc&) {
+    return "there is not enough memory to look for the cause\n";
+  }
+}
+
+}  // namespace scenefile::app

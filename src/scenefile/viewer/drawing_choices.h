@@ -1,0 +1,31 @@
+#pragma once
+// How the picture is drawn, changeable while the window is open: profile, features, and the
+// course's projects.
+
+#include "scenefile/viewer/session.h"
+
+#include <span>
+#include <string_view>
+
+namespace scenefile::viewer {
+
+/// The assignment Realtime counts as a profile here, as on the command line.
+enum class DrawnAs : std::uint8_t { fine, course, realtime };
+
+DrawnAs drawn_as(const Session& session);
+/// Also sets the features and the depth of the profile.
+void draw_as(Session& session, DrawnAs drawn);
+
+/// By its name (trace/features.h). Shadows and textures are also off if their keys switched them
+/// off.
+bool has_feature(const Session& session, std::string_view word);
+void toggle_feature(Session& session, std::string_view word);
+
+/// Sets of features that have a name: all, none, and the course's projects intersect and
+/// illuminate.
+std::span<const std::string_view> feature_sets();
+void use_feature_set(Session& session, std::string_view word);
+/// Whether the features, and the mode, are those of the set.
+bool is_feature_set(const Session& session, std::string_view word);
+
+}  // namespace scenefile::viewer

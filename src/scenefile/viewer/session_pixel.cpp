@@ -1,0 +1,162 @@
+// The clicked pixel.
+
+#include "scenefile/viewer/hidden.h"
+#include "scenefile/viewer/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace scenefile::viewer {
+
+namespace {
+
+std::shared_ptr<const OpenedScene> opened_of(const Session& session) {
+  return {session.shown, &session.shown->opened};
+}
+
+void ask_for_terms(Session& session) {
+  PixelReadout& readout = session.readout;
+  readout.asked = true;
+  if (!session.setup.explain_pixel) {
+    return;
+  }
+  if (session.realtime) {
+    readout.terms = "The terms are those of ray tracing; the assignment Realtime has none.";
+    return;
+  }
+  PixelQuestion question{
+      opened_of(session),
+      without_hidden(session.shown->opened.ready.scene, session.hidden, session.only_light),
+      trace_options(session), readout.pixel, readout.other};
+  question.drawn.camera = render_camera(session.camera);
+  readout.explaining.start([question = std::move(question), explain = session.setup.explain_pixel,
+                            wake = session.setup.wake] {
+    std::string text = explain(question);
+    wake();
+    return text;
+  });
+}
+
+bool wants_cause(const Session& session) {
+  // Of the assignment, only what the comparison has drawn can be compared.
+  const bool drawn =
+      !session.realtime || (!session.compared.empty() && session.camera == session.home);
+  return session.readout.at && !session.reference.empty() && session.setup.find_cause &&
+         !session.cause.asked && !session.cause.finding.busy() && drawn;
+}
+
+void ask_for_cause(Session& session) {
+  CauseSearch& cause = session.cause;
+  cause.asked = true;
+  cause.stopped = std::make_shared<std::atomic<bool>>(false);
+  CauseQuestion question{opened_of(session), trace_options(session), {}, {},
+                         session.reference,  session.reference_path};
+  if (session.realtime) {
+    question.realtime = session.realtime_panel;
+    question.ours = session.compared;
+  }
+  cause.finding.start([question = std::move(question), find = session.setup.find_cause,
+                       stopped = cause.stopped, wake = session.setup.wake] {
+    std::string text = find(question, [&] { return !*stopped; });
+    wake();
+    return text;
+  });
+}
+
+}  // namespace
+
+bool tick_pixel(Session& session) {
+  PixelReadout& readout = session.readout;
+  CauseSearch& cause = session.cause;
+  bool news = false;
+  if (std::optional<std::string> terms = readout.explaining.take()) {
+    if (readout.asked) {
+      readout.terms = std::move(*terms);
+      news = true;
+    }
+  }
+  if (std::optional<std::string> text = cause.finding.take()) {
+    if (cause.asked && !*cause.stopped) {
+      cause.text = std::move(*text);
+      news = true;
+    }
+  }
+  if (session.shown == nullptr || !readout.at) {
+    return news;
+  }
+  if (!readout.asked && !readout.explaining.busy() && at_rest(session)) {
+    locate_pixel(session);
+    ask_for_terms(session);
+    news = true;
+  }
+  if (wants_cause(session) && at_rest(session)) {
+    ask_for_cause(session);
+    news = true;
+  }
+  return news;
+}
+
+void read_pixel(Session& session, const std::optional<glm::dvec2>& at) {
+  session.readout.at = at;
+  session.readout.asked = false;
+  session.readout.terms.clear();
+  if (!at) {
+    forget_cause(session);
+  } else if (session.shown != nullptr) {
+    locate_pixel(session);
+  }
+}
+
+void locate_pixel(Session& session) {
+  PixelReadout& readout = session.readout;
+  const RenderOptions options = trace_options(session);
+  readout.size = {options.width, options.height};
+  readout.pixel = glm::clamp(glm::ivec2(glm::floor(*readout.at * glm::dvec2(readout.size))),
+                             glm::ivec2(0), readout.size - 1);
+  readout.other.reset();
+  if (!session.reference.empty()) {
+    const std::uint8_t* const v = session.reference.texel(readout.pixel.x, readout.pixel.y);
+    readout.other = PixelValue{v[0], v[1], v[2]};
+  }
+}
+
+void forget_cause(Session& session) {
+  session.cause.stop();
+  session.cause.asked = false;
+  session.cause.text.clear();
+}
+
+std::string cause_text(const Session& session) {
+  if (!session.cause.text.empty()) {
+    return session.cause.text;
+  }
+  if (session.realtime && session.camera != session.home) {
+    return "the cause is looked for at the scene's own camera: Home\n";
+  }
+  if (session.realtime && session.compare == CompareView::off) {
+    return "the cause is looked for while the pictures are compared: X\n";
+  }
+  return "looking for the cause ...\n";
+}
+
+std::string readout_text(const Session& session) {
+  const PixelReadout& readout = session.readout;
+  if (!readout.at) {
+    return {};
+  }
+  std::string text = fmt::format("pixel {},{} of {}x{}\n", readout.pixel.x, readout.pixel.y,
+                                 readout.size.x, readout.size.y);
+  if (!session.selected_path.empty()) {
+    text += session.selected_path + '\n';
+  }
+  if (readout.other) {
+    const auto& [r, g, b] = *readout.other;
+    text += fmt::format("the picture beside has {} {} {}\n", r, g, b);
+  }
+  text += readout.terms.empty() ? "" : '\n' + readout.terms;
+  text += session.cause.text.empty() ? "" : '\n' + session.cause.text;
+  return text;
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,198 @@
+// The readout of a clicked pixel, and what is copied.
+
+#include "io/temp_folder.h"
+#include "scenefile/asset/image_file.h"
+#include "scenefile/viewer/selection_values.h"
+#include "scenefile/viewer/session.h"
+#include "viewer/test_scene.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace scenefile::viewer {
+
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing_support::TempFolder;
+
+struct PixelTest : ::testing::Test {
+  PixelTest() {
+    session.setup.load = testing::open_file;
+    session.setup.wake = [] {};
+    session.setup.trace = default_options(Profile::fine);
+    session.setup.explain_pixel = [this](const PixelQuestion& question) {
+      ++explained;
+      const glm::dvec3 eye = question.drawn.camera.position;
+      return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}", question.pixel.x,
+                         question.pixel.y, eye.z, question.drawn.lights.size(),
+                         question.other ? int((*question.other)[0]) : -1);
+    };
+    session.setup.find_cause = [this](const CauseQuestion& question,
+                                      const std::function<bool()>& /*go_on*/) {
+      ++searched;
+      return fmt::format("cause at {}x{} {}", question.options.width, question.options.height,
+                         question.realtime ? "realtime" : "traced");
+    };
+    session.picture = {{0, 0}, {400, 300}};
+    session.pixels = {40, 30};
+    open_scene(session, path);
+    settle();
+  }
+
+  void pass(double seconds) {
+    for (double end = time + seconds; time < end; time += 0.05) {
+      tick(session, time);
+    }
+  }
+  void settle() {
+    pass(0.8);
+    for (int i = 0; i < 400 && !settled(session); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      pass(0.05);
+    }
+    EXPECT_TRUE(settled(session));
+  }
+  void click(double x, double y) {
+    pointer_moved(session, {x, y});
+    pointer_pressed(session, 0, {});
+    pointer_released(session);
+  }
+  std::string copied() {
+    perform(session, Action::copy);
+    return std::exchange(session.copied, {});
+  }
+  void compare_with_gray() {
+    Image gray(80, 60);
+    std::fill(gray.rgb.begin(), gray.rgb.end(), 0.5F);
+    std::string error;
+    ASSERT_TRUE(open_reference(
+        session,
+        folder.write("gray.png", encode_image(gray, ImageFormat::png8, Rounding::nearest, error))));
+  }
+
+  TempFolder folder;
+  std::string path = folder.write("a.xml", testing::scene_text);
+  std::atomic<int> explained = 0;
+  std::atomic<int> searched = 0;
+  Session session;
+  double time = 0;
+};
+
+TEST_F(PixelTest, AClickReadsItsPixel) {
+  click(140, 150);
+  ASSERT_TRUE(session.readout.at.has_value());
+  EXPECT_EQ(session.readout.pixel, glm::ivec2(14, 15));
+  settle();
+  EXPECT_THAT(session.readout.terms, HasSubstr("terms of 14,15 from z 6.000, 2 lights, beside -1"));
+  EXPECT_EQ(searched, 0) << "there is no picture beside ours";
+  click(399.9, 299.9);
+  EXPECT_EQ(session.readout.pixel, glm::ivec2(39, 29));
+  perform(session, Action::escape);
+  EXPECT_FALSE(session.readout.at.has_value());
+  EXPECT_EQ(readout_text(session), "");
+}
+
+TEST_F(PixelTest, FollowsTheCameraAndWhatIsHidden) {
+  click(140, 150);
+  settle();
+  wheel_turned(session, 3);
+  EXPECT_EQ(session.readout.terms, "");
+  settle();
+  EXPECT_THAT(session.readout.terms, Not(HasSubstr("z 6.000")));
+  perform(session, Action::next_light);
+  settle();
+  EXPECT_THAT(session.readout.terms, HasSubstr("1 lights"));
+}
+
+TEST_F(PixelTest, ThePictureBesideGivesItsValueAndTheCause) {
+  compare_with_gray();
+  session.compare = CompareView::off;
+  click(200, 150);
+  EXPECT_EQ(session.readout.size, glm::ivec2(80, 60));
+  EXPECT_EQ(session.readout.pixel, glm::ivec2(40, 30));
+  settle();
+  EXPECT_THAT(session.readout.terms, HasSubstr("beside 128"));
+  EXPECT_EQ(session.cause.text, "cause at 80x60 traced");
+  click(100, 150);
+  settle();
+  EXPECT_EQ(searched, 1) << "the cause does not depend on the pixel";
+  EXPECT_EQ(explained, 2);
+  perform(session, Action::toggle_shadows);
+  EXPECT_THAT(cause_text(session), HasSubstr("looking for the cause"));
+  settle();
+  EXPECT_EQ(searched, 2);
+}
+
+TEST_F(PixelTest, OfTheAssignmentTheDrawnPictureIsCompared) {
+  compare_with_gray();
+  session.compare = CompareView::off;
+  perform(session, Action::realtime);
+  click(200, 150);
+  settle();
+  EXPECT_EQ(searched, 0);
+  EXPECT_THAT(cause_text(session), HasSubstr("while the pictures are compared"));
+  perform(session, Action::split);
+  pass(0.5);
+  ASSERT_TRUE(wants_picture(session));
+  Texture ours = session.reference;
+  compare_with(session, std::move(ours));
+  settle();
+  EXPECT_EQ(session.cause.text, "cause at 80x60 realtime");
+  EXPECT_EQ(explained, 0);
+}
+
+TEST_F(PixelTest, AnotherSceneClosesIt) {
+  click(140, 150);
+  settle();
+  open_scene(session, folder.write("b.xml", testing::scene_text));
+  settle();
+  EXPECT_FALSE(session.readout.at.has_value());
+}
+
+TEST_F(PixelTest, CopiesThePixelTheSelectionOrTheCamera) {
+  EXPECT_EQ(copied(), "pos 0 0 6\nlook 0 0 -6\nup 0 1 0\nheightangle 45\n");
+  EXPECT_THAT(session.notice->text, HasSubstr("the camera"));
+  select(session, session.shown->outline.row_of_source[0]);
+  std::string text = copied();
+  EXPECT_THAT(text, HasSubstr("sphere " + path + ":"));
+  EXPECT_THAT(text, HasSubstr("diffuse 1 0 0\n"));
+  click(260, 150);
+  settle();
+  text = copied();
+  EXPECT_THAT(text, HasSubstr("pixel 26,15 of 40x30\n"));
+  EXPECT_THAT(text, HasSubstr("terms of 26,15"));
+  EXPECT_THAT(session.notice->text, HasSubstr("the pixel"));
+}
+
+TEST_F(PixelTest, ValuesOfLightsAndTheCamera) {
+  for (std::uint32_t row = 0; row < session.shown->outline.rows.size(); ++row) {
+    select(session, row);
+    const std::vector<NamedValue> values = selection_values(session);
+    switch (session.shown->outline.rows[row].kind) {
+      case RowKind::light:
+        ASSERT_FALSE(values.empty());
+        EXPECT_EQ(values.front().name, "color");
+        EXPECT_TRUE(values.front().color.has_value());
+        break;
+      case RowKind::camera:
+        ASSERT_EQ(values.size(), 4U);
+        EXPECT_EQ(values.front().text, "0 0 6");
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace scenefile::viewer

@@ -30,6 +30,17 @@ std::string heading(const LoadedPicture& a, const LoadedPicture& b) {
              : fmt::format("{}: {}x{} and {}x{}", names, p.width, p.height, q.width, q.height);
 }
 
+std::string jpeg_text(const LoadedPicture& a, const LoadedPicture& b) {
+  std::string text;
+  for (const LoadedPicture* loaded : {&a, &b}) {
+    if (loaded->jpeg) {
+      text += fmt::format("  {} is a JPEG, which changes colors: compare PNGs\n",
+                          escaped(shown_name(loaded->path), 4096));
+    }
+  }
+  return text;
+}
+
 std::string measures_text(const PictureMeasures& m, int threshold) {
   if (!m.same_size) {
     return {};
@@ -44,7 +55,7 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
 
 std::string verdict_text(const PictureComparison& found, const std::string& scene,
                          const std::string& test) {
-  if (found.measures.difference.max == 0 && found.measures.same_size) {
+  if (found.measures.difference.max == 0 && found.measures.same_size && !found.scaled) {
     return "equal\n";
   }
   std::string text;
@@ -66,6 +77,7 @@ std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const Load
     if (loaded->error.empty()) {
       json.add("width", loaded->picture.width);
       json.add("height", loaded->picture.height);
+      json.add("jpeg", loaded->jpeg);
     } else {
       json.add("error", loaded->error);
     }
@@ -160,11 +172,12 @@ ExitCode diff_images(const Options& options, Context& context) {
   const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet
                                ? std::string()
-                               : heading(a, b) + "\n" +
+                               : heading(a, b) + "\n" + jpeg_text(a, b) +
                                      measures_text(found.measures, options.pixel_threshold) +
                                      verdict_text(found, options.scene, options.arguments[1]);
   ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_maps(options, a.picture, b.picture, found, context));
+  status = worse(status, write_maps(options, a.picture, found.scaled ? *found.scaled : b.picture,
+                                    found, context));
   return text.empty() ? status : worse(status, answer(text));
 }
 

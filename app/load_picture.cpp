@@ -19,6 +19,7 @@ LoadedPicture load_picture(const std::string& path, Context& context) {
   Result<Texture> picture = load_picture_file(path);
   if (picture) {
     loaded.picture = *std::move(picture);
+    loaded.jpeg = path != "-" && !path.starts_with("/dev/") && is_jpeg_file(path);
   } else {
     loaded.error = picture.error().text;
     loaded.status = exit_code(picture.error().kind);

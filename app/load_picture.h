@@ -10,6 +10,7 @@ namespace scenefile::app {
 struct LoadedPicture {
   std::string path;  ///< as given
   Texture picture;
+  bool jpeg = false;  ///< its colors are not exactly those that were stored
   std::string error;  ///< an error text with the path; empty: success
   ExitCode status = ExitCode::fine;
 };

@@ -131,7 +131,16 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
   EXPECT_EQ(sizes.status, 1);
   EXPECT_THAT(sizes.out,
-              AllOf(HasSubstr("64x48 and 32x24"), HasSubstr("the size is 32x24, expected 64x48")));
+              AllOf(HasSubstr("64x48 and 32x24"),
+                    HasSubstr("the size is 32x24, expected 64x48; compared after scaling"),
+                    HasSubstr("PSNR ")));
+  const ProgramRun cause =
+      in_folder({"diff", "small.png", "wrong.png", "--scene", "ball.xml", "--heatmap", "map.png"});
+  EXPECT_THAT(cause.out, HasSubstr("cause: the ambient term is added twice"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("map.png")));
+  draw("ball.xml", "tall.png", "32x48");
+  EXPECT_THAT(in_folder({"diff", "right.png", "tall.png"}).out,
+              HasSubstr("the size is 32x48, expected 64x48\n"));
   EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);
   folder.write("text.png", "no picture");
   const ProgramRun text = in_folder({"diff", "right.png", "text.png"});
@@ -322,6 +331,62 @@ TEST_F(Grade, AnotherSizeIsScaledAndSaid) {
   const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, HasSubstr("the size is 32x24, expected 64x48; compared after scaling"));
+}
+
+TEST_F(Grade, PicturesThatMatchNothingAreListed) {
+  for (const char* name : {"right", "mine/results"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("right/cube.png", folder.read("wrong.png"));
+  folder.write("mine/ball (1).png", folder.read("right.png"));
+  folder.write("mine/results/the cube.png", folder.read("wrong.png"));
+  const std::vector<std::string> words{"grade", "mine", "--references", "right"};
+  EXPECT_THAT(in_folder(words).out,
+              AllOf(HasSubstr("mine  1 of 2 passed\n    cube: missing"),
+                    HasSubstr("    1 picture matches no reference: results/the cube.png; --map")));
+  std::vector<std::string> more = words;
+  more.insert(more.end(), {"--json", "--report", "report.html"});
+  const rapidjson::Document document = parse_json(in_folder(more).out);
+  EXPECT_STREQ(document["students"][0]["unmatched"][0].GetString(), "results/the cube.png");
+  EXPECT_THAT(folder.read("report.html"),
+              HasSubstr("1 picture matches no reference: results/the cube.png."));
+  // More than was asked for.
+  folder.write("mine/cube.png", folder.read("wrong.png"));
+  EXPECT_THAT(in_folder(words).out, Not(HasSubstr("matches no reference")));
+}
+
+TEST_F(Grade, AJpegIsNamed) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  std::filesystem::copy_file(std::filesystem::path(SCENEFILE_FIXTURES) / "asset/rgb.jpg",
+                             folder.path("mine/ball.png"));
+  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+              HasSubstr("; it is a JPEG, which changes colors: a PNG is needed"));
+  const ProgramRun run = in_folder({"diff", "right.png", "mine/ball.png"});
+  EXPECT_THAT(run.out,
+              HasSubstr("  mine/ball.png is a JPEG, which changes colors: compare PNGs\n"));
+  EXPECT_THAT(in_folder({"diff", "right.png", "small.png"}).out, Not(HasSubstr("JPEG")));
+}
+
+TEST_F(Grade, ThePictureOfAnotherReferenceIsNamed) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  std::string box = ball("0.2");
+  box.replace(box.find("\"sphere\""), 8, "\"cube\"");
+  folder.write("box.xml", box);
+  draw("box.xml", "box.png", "64x48");
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("right/box.png", folder.read("box.png"));
+  folder.write("mine/ball.png", folder.read("box.png"));
+  folder.write("mine/box.png", folder.read("right.png"));
+  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("ball: differs: it is the picture of box\n"),
+                             HasSubstr("box: differs: it is the picture of ball\n")));
 }
 
 TEST_F(Grade, NothingMatchesIsAnErrorAndNoZeros) {

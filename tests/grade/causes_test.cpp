@@ -46,17 +46,16 @@ std::string said(const CauseReport& report) {
   return text;
 }
 
-// The number of scenes for which the cause is the first and only claim.
-void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = {},
-                  bool with_scene = true) {
+using Draw = std::function<Texture(std::uint32_t seed)>;
+
+// The cause must be the first and only claim for nearly all scenes. `drawn`: the student's picture
+// of a scene.
+void expect_named_in(Cause cause, const Draw& drawn, bool with_scene = true) {
   std::uint32_t named = 0;
   std::string others;
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
     const GeneratedScene scene(seed);
-    Texture picture = scene.drawn_by_student(mistakes);
-    if (change) {
-      picture = change(picture);
-    }
+    const Texture picture = drawn(seed);
     const SceneView view = view_of(scene);
     const CauseReport report =
         find_causes(reference_of(scene, seed % 2 == 0), picture, with_scene ? &view : nullptr);
@@ -65,6 +64,26 @@ void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = 
     others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
   }
   EXPECT_GE(named, 9u) << name_of(cause) << "\n" << others;
+}
+
+void expect_named(Cause cause, const Mistakes& mistakes, const Change& change = {},
+                  bool with_scene = true) {
+  expect_named_in(
+      cause,
+      [&](std::uint32_t seed) {
+        const Texture picture = GeneratedScene(seed).drawn_by_student(mistakes);
+        return change ? change(picture) : picture;
+      },
+      with_scene);
+}
+
+// As drawn by a program without mistakes that reads something else from the file.
+void expect_named_if_changed(Cause cause, const std::function<void(RenderScene&)>& change) {
+  expect_named_in(cause, [&](std::uint32_t seed) {
+    GeneratedScene scene(seed);
+    change(scene.builder.scene);
+    return scene.drawn_by_student({});
+  });
 }
 
 const Mistakes nothing;
@@ -157,6 +176,107 @@ TEST(Causes, SwappedChannels) {
     }
     return result;
   });
+}
+
+Change filled(const std::function<bool(int x, int y)>& chosen) {
+  return [=](const Texture& t) {
+    Texture result = t;
+    for (int y = 0; y < t.height; ++y) {
+      for (int x = 0; x < t.width; ++x) {
+        if (chosen(x, y)) {
+          std::fill_n(result.rgb.begin() + 3 * (y * t.width + x), 3, std::uint8_t{0});
+        }
+      }
+    }
+    return result;
+  };
+}
+
+TEST(Causes, PartsThatAreNotDrawn) {
+  for (const bool with_scene : {true, false}) {
+    expect_named(Cause::black, nothing, filled([](int, int y) { return y >= height / 2; }),
+                 with_scene);
+    expect_named(Cause::black, nothing, filled([](int x, int) { return x % 2 == 1; }), with_scene);
+  }
+  expect_named(Cause::black, nothing,
+               filled([](int x, int y) { return x >= 20 && x < 80 && y >= 16 && y < 64; }));
+  const GeneratedScene scene(1);
+  const SceneView view = view_of(scene);
+  const CauseReport half =
+      find_causes(reference_of(scene, false),
+                  filled([](int, int y) { return y >= 36; })(scene.drawn_by_student({})), &view);
+  ASSERT_EQ(half.claims.size(), 1u);
+  EXPECT_EQ(half.claims.front().what, "rows 36 to 71 of 72 are not drawn");
+}
+
+TEST(Causes, MissingShapesAreNotMissingParts) {
+  for (const char* shape : {"shape-no-spheres", "shape-no-cubes", "shape-no-cones"}) {
+    for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+      const GeneratedScene scene(seed);
+      const CauseReport report =
+          find_causes(reference_of(scene, false), scene.drawn_by_student({shape}));
+      EXPECT_TRUE(report.claims.empty() || report.claims.front().cause != Cause::black)
+          << said(report);
+    }
+  }
+}
+
+Change each_value(const std::function<int(const std::uint8_t* pixel, int channel)>& value) {
+  return [=](const Texture& t) {
+    Texture result = t;
+    for (std::size_t i = 0; i < t.rgb.size(); ++i) {
+      result.rgb[i] = static_cast<std::uint8_t>(
+          std::clamp(value(t.rgb.data() + i / 3 * 3, static_cast<int>(i % 3)), 0, 255));
+    }
+    return result;
+  };
+}
+
+TEST(Causes, ANumberAddedToAllValues) {
+  for (const int step : {20, -15}) {
+    expect_named(
+        Cause::brightness, nothing,
+        each_value([=](const std::uint8_t* pixel, int channel) { return pixel[channel] + step; }));
+  }
+}
+
+TEST(Causes, OneChannelAlone) {
+  expect_named(Cause::swapped_channels, nothing,
+               each_value([](const std::uint8_t* pixel, int channel) {
+                 return channel == 0 ? pixel[0] : 0;
+               }));
+  expect_named(Cause::swapped_channels, nothing,
+               each_value([](const std::uint8_t* pixel, int) { return pixel[1]; }));
+}
+
+TEST(Causes, FactorsOfTerms) {
+  expect_named_if_changed(Cause::diffuse, [](RenderScene& s) { s.global.diffuse *= 0.8f; });
+  expect_named_if_changed(Cause::specular, [](RenderScene& s) {
+    for (RenderMaterial& m : s.materials) {
+      m.specular *= 0.7f;
+    }
+  });
+  expect_named_if_changed(Cause::ambient, [](RenderScene& s) { s.global.ambient *= 1.3f; });
+}
+
+TEST(Causes, ColorOfALight) {
+  expect_named_if_changed(
+      Cause::lights, [](RenderScene& s) { s.lights.front().color *= glm::vec3(1, 0.4f, 0.2f); });
+}
+
+TEST(Causes, ALitPictureWhereNormalsAreExpected) {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const GeneratedScene scene(seed);
+    SceneView view = view_of(scene);
+    view.options.mode = Mode::normals;
+    RenderOptions options = view.options;
+    options.features.super_sample = false;
+    const Texture reference =
+        quantize(scene.builder.picture(width, height, options), Rounding::truncate);
+    const CauseReport report = find_causes(reference, scene.drawn_by_student({}), &view);
+    ASSERT_EQ(report.claims.size(), 1u) << said(report);
+    EXPECT_EQ(report.claims.front().cause, Cause::features);
+  }
 }
 
 TEST(Causes, HalfPixelShift) {

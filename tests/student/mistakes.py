@@ -146,7 +146,7 @@ def main():
     parser.add_argument("--build", default="build/release")
     parser.add_argument("--program", help="another scenefile than that of the build")
     parser.add_argument("--size", default="240x180")
-    parser.add_argument("--only", default="")
+    parser.add_argument("--only", default="", help="parts of names, with commas")
     parser.add_argument("--scene", default="")
     parser.add_argument("--per-mistake", type=int, default=0, help="scenes a mistake, 0: all")
     parser.add_argument("--combinations", type=int, default=0)
@@ -183,7 +183,7 @@ def main():
             if len({bench.mistakes[m][0] for m in chosen}) == count:
                 tasks.append((chance.choice(scenes), chosen))
     else:
-        for index, name in enumerate(m for m in bench.mistakes if options.only in m and
+        for index, name in enumerate(m for m in bench.mistakes if any(w in m for w in options.only.split(",")) and
                                      (bench.mistakes[m][0] == "strange" if options.strange
                                       else bench.mistakes[m][0] not in UNKNOWN)):
             first = (index + options.seed) % len(scenes)

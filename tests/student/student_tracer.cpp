@@ -153,6 +153,7 @@ constexpr KnownMistake table[] = {
     {"light-shading-reversed", "lights", "lights"},
     {"light-direction-not-normalized", "lights", "lights"},
     {"light-no-color-share", "lights", "lights|brightness"},
+    {"light-all-in-intersect", "lights", "features"},
     {"attenuation-square-unlimited", "attenuation", "attenuation"},
     {"attenuation-inverse", "attenuation", "attenuation"},
     {"attenuation-no-linear", "attenuation", "attenuation"},
@@ -188,6 +189,7 @@ constexpr KnownMistake table[] = {
     {"glass-same-ratio", "refraction", "refraction"},
     {"glass-no-total-reflection", "refraction", "refraction"},
     {"glass-no-coefficient", "refraction", "refraction"},
+    {"output-half-drawn", "output", "black"},
     {"output-misses-black", "output", "background|samples"},
     {"output-sum-of-samples", "output", "brightness|samples"},
     {"output-scaled", "output", "overflow"},
@@ -213,7 +215,6 @@ constexpr KnownMistake table[] = {
     {"strange-stripes", "strange", ""},
     {"strange-contrast", "strange", ""},
     {"strange-saturation", "strange", ""},
-    {"strange-half-black", "strange", ""},
     {"strange-moved-object", "strange", ""},
     {"strange-headlight", "strange", ""},
     {"strange-bumps", "strange", ""},
@@ -399,7 +400,7 @@ class Tracer {
     if (has("strange-stripes") && y % 8 < 2) {
       color *= 0.6f;
     }
-    if (has("strange-half-black") && 2 * x > job_.width) {
+    if (has("output-half-drawn") && 2 * x > job_.width) {
       color = vec3(0);
     }
     return color;
@@ -856,7 +857,8 @@ class Tracer {
   }
 
   bool skipped(LightType type) const {
-    return (job_.directional_alone && type != LightType::directional) ||
+    return (job_.directional_alone && type != LightType::directional &&
+            !has("light-all-in-intersect")) ||
            (has("light-no-directional") && type == LightType::directional) ||
            (has("light-no-point") && type == LightType::point) ||
            (has("light-no-spot") && type == LightType::spot) || type == LightType::area;

@@ -138,8 +138,12 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Something scales all colors: samples that are counted but not taken, 256 instead of 255, a "
      "factor on the lights.",
      "Where colors are averaged and become bytes."},
-    {Cause::black, "A black picture", "Nothing is drawn: the picture is black, or has one color.",
-     "No ray hits anything, all values are NaN, or the picture is never filled.",
+    {Cause::black, "Nothing is drawn, or only a part",
+     "The picture is black, or has one color; or some rows, columns or a rectangle are, and the "
+     "rest "
+     "is right.",
+     "No ray hits anything, all values are NaN, or the picture is never filled: a loop ends early "
+     "or skips rows.",
      "Compute the direction of the ray through the center by hand; then the first intersection; "
      "then what is stored. 'scenefile explain' shows all of it for a pixel."},
     {Cause::features, "Different features than the reference",

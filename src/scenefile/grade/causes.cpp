@@ -4,6 +4,7 @@
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/hypotheses.h"
 #include "scenefile/grade/model.h"
+#include "scenefile/grade/undrawn.h"
 #include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,10 @@ class Search {
     }
     if (std::optional<Claim> one_color = claim_of_one_color(reference_, test_)) {
       report_.claims.push_back(*std::move(one_color));
+      return report_;
+    }
+    if (std::optional<Claim> undrawn = claim_of_undrawn_part(reference_, test_, pixels.different)) {
+      report_.claims.push_back(*std::move(undrawn));
       return report_;
     }
     list_ = picture_hypotheses();
@@ -471,7 +476,7 @@ class Search {
         found = std::move(more);
       }
     }
-    if (found && (sure(*found) || (causes_as_good(*found, alone) < 3 && shows_much(*found)))) {
+    if (found && shows_much(*found) && (sure(*found) || causes_as_good(*found, alone) < 3)) {
       claim(with_shift(*found), alone);
       return;
     }
@@ -1039,17 +1044,23 @@ class Search {
     const Colors without = predicted(fewer, count);
     double changed = 0;
     double gained = 0;
+    double shown = 0;  // of what is gained: not darkness
     for (std::size_t i = 0; i < count; ++i) {
       const Point& p = points_[i];
       const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
       const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
       if (largest_of(glm::abs(a - b)) > right_within) {
+        double gain = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
+        gain -= largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0;
         changed += p.weight;
-        gained += largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
-        gained -= largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0;
+        gained += gain;
+        shown += largest_of(p.test) > 16 ? gain : 0;
       }
     }
-    return changed >= necessary * weight_that_differs(count) && gained >= 0.4 * changed;
+    // Whatever moves everything out of sight gives darkness.
+    const bool moves = list_[together[member]].touches >= Touches::camera;
+    return changed >= necessary * weight_that_differs(count) && gained >= 0.4 * changed &&
+           (!moves || shown >= 0.1 * gained);
   }
 
   Tried without_needless(Tried found) {
@@ -1159,10 +1170,11 @@ class Search {
                                                                : std::nullopt;
   }
 
-  // The brightness or the gamma, estimated from the pictures.
+  // The brightness, the gamma, or a number that was added, estimated from the pictures.
   void add_curves() {
     std::vector<double> factors;
     std::vector<double> powers;
+    std::vector<double> steps;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const dvec3& r = clean({}).reference[i];
       const dvec3& t = points_[i].test;
@@ -1171,7 +1183,19 @@ class Search {
           factors.push_back((t[channel] + 0.5) / (r[channel] + 0.5));
           powers.push_back(std::log((t[channel] + 0.5) / 255) / std::log((r[channel] + 0.5) / 255));
         }
+        if (points_[i].differs && t[channel] > 0 && t[channel] < 255) {
+          steps.push_back(t[channel] - r[channel]);
+        }
       }
+    }
+    if (const std::optional<double> n = common_value(steps); n && std::abs(*n) > 4) {
+      list_.push_back({Cause::brightness,
+                       fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
+                                   *n > 0 ? "added to" : "subtracted from"),
+                       Touches::picture,
+                       {},
+                       {},
+                       [n = *n / 255](const dvec3& c) { return n + clamped(c); }});
     }
     if (const std::optional<double> k = common_value(factors); k && std::abs(*k - 1) > 0.05) {
       list_.push_back({Cause::brightness,
@@ -1196,6 +1220,12 @@ class Search {
     }
   }
 
+  bool any_texture() const {
+    return view_->options.mode == Mode::ray && view_->options.features.texture &&
+           std::any_of(view_->scene->materials.begin(), view_->scene->materials.end(),
+                       [](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; });
+  }
+
   // Terms and lights that are too bright or too dark by a factor, estimated from the pictures.
   void add_factors() {
     using Change = std::function<void(Trial&, double)>;
@@ -1218,7 +1248,7 @@ class Search {
       if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 && std::abs(*k - 0.5) > 0.01 &&
           std::abs(*k - 2) > 0.03) {
         list_.push_back({cause,
-                         fmt::format("{} {:.2f} times as bright as it should be", what, *k),
+                         fmt::format("{} {:.2f} times as bright as in the reference", what, *k),
                          Touches::shading,
                          [change, k = *k](Trial& t) { change(t, k); },
                          {},
@@ -1232,6 +1262,10 @@ class Search {
                [](Trial& t, double k) { t.scene.global.ambient *= static_cast<float>(k); });
     try_factor(Cause::diffuse, "the diffuse term is",
                [](Trial& t, double k) { t.mistakes.diffuse_factor *= k; });
+    if (any_texture()) {
+      try_factor(Cause::diffuse, "the diffuse term, but for textures, is",
+                 [](Trial& t, double k) { t.scene.global.diffuse *= static_cast<float>(k); });
+    }
     try_factor(Cause::specular, "the specular term is", [](Trial& t, double k) {
       for (RenderMaterial& m : t.scene.materials) {
         m.specular *= static_cast<float>(k);
@@ -1256,6 +1290,46 @@ class Search {
                    }
                  });
     }
+    for (std::size_t i = 0; i < std::min<std::size_t>(lights, 8); ++i) {
+      add_color_of_light(i);
+    }
+  }
+
+  // The color of a light, estimated from the pictures by channel.
+  void add_color_of_light(std::size_t light) {
+    Trial without = right_trial(false);
+    without.scene.lights[light].color = glm::vec3(0);
+    const std::size_t count = std::min<std::size_t>(points_.size(), 400);
+    const Colors dark = draw(without, *shapes_, points_, count, Turn(), &clean({}).hits);
+    dvec3 factors(1);
+    for (int channel = 0; channel < 3; ++channel) {
+      std::vector<double> found;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double term = clean({}).drawn[i][channel] - dark[i][channel];
+        const double t = points_[i].test[channel];
+        if (points_[i].differs && std::abs(term) > 12 && t < 254) {
+          found.push_back(1 + (t + 0.5 - clean({}).drawn[i][channel]) / term);
+        }
+      }
+      factors[channel] = common_value(found).value_or(1);
+    }
+    const glm::vec3 color = glm::max(view_->scene->lights[light].color * glm::vec3(factors), 0.0f);
+    const double spread = largest_of(factors) - std::min({factors.x, factors.y, factors.z});
+    if (spread < 0.1 || largest_of(factors) > 12) {
+      return;
+    }
+    list_.push_back(
+        {Cause::lights,
+         fmt::format("the color of light {} ({}) is {:.2g} {:.2g} {:.2g}", light + 1,
+                     word_of(view_->scene->lights[light].type), color.x, color.y, color.z),
+         Touches::shading,
+         [light, color](Trial& t) {
+           if (light < t.scene.lights.size()) {
+             t.scene.lights[light].color = color;
+           }
+         },
+         {},
+         {}});
   }
 
   // Black where one of several samples misses everything: a line around objects.

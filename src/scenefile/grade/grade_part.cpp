@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view first_line = "scenefile grades 1\n";
+constexpr std::string_view first_line = "scenefile grades 2\n";
 // The beginning of files of all versions.
 constexpr std::string_view name_of_format = "scenefile grades ";
 
@@ -57,8 +57,8 @@ void visit(T& picture, Archive& archive) {
 
 template <ConstOrNot<StudentResult> T, typename Archive>
 void visit(T& student, Archive& archive) {
-  auto& [name, pictures] = student;
-  archive(name), archive(pictures);
+  auto& [name, pictures, unmatched] = student;
+  archive(name), archive(pictures), archive(unmatched);
 }
 
 class Writer {

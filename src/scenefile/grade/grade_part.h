@@ -1,7 +1,7 @@
 #pragma once
 // The file with the results of one part of a class, for graders on several machines.
 //
-//   scenefile grades 1    one line; the number is the version of the format
+//   scenefile grades 2    one line; the number is the version of the format
 //   checksum              8 bytes, of all that follows
 //   header                GradePartHead
 //   students              StudentResult, with their pictures

@@ -84,6 +84,24 @@ std::vector<CauseCount> count_causes(std::span<const StudentResult> students) {
   return found;
 }
 
+std::string unmatched_text(const StudentResult& student) {
+  constexpr std::size_t most_listed = 8;
+  const bool missing =
+      std::any_of(student.pictures.begin(), student.pictures.end(),
+                  [](const PictureResult& p) { return p.verdict == Verdict::missing; });
+  if (!missing || student.unmatched.empty()) {
+    return {};
+  }
+  const std::size_t count = student.unmatched.size();
+  std::string text =
+      fmt::format("{} no reference: ",
+                  count == 1 ? "1 picture matches" : fmt::format("{} pictures match", count));
+  for (std::size_t i = 0; i < std::min(count, most_listed); ++i) {
+    text += (i == 0 ? "" : ", ") + student.unmatched[i];
+  }
+  return text + (count > most_listed ? fmt::format(" and {} more", count - most_listed) : "");
+}
+
 std::string gradebook_text(const Gradebook& book) {
   std::size_t width = 0;
   for (const StudentResult& student : book.students) {
@@ -98,6 +116,9 @@ std::string gradebook_text(const Gradebook& book) {
         text += fmt::format("    {}: {}: {}\n", escaped(picture.name), name_of(picture.verdict),
                             reasons_text(picture));
       }
+    }
+    if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
+      text += fmt::format("    {}; --map can say which they show\n", escaped(unmatched));
     }
   }
   const std::size_t passed = book.count(Verdict::passed);

@@ -31,6 +31,7 @@ struct PictureResult {
 struct StudentResult {
   std::string name;
   std::vector<PictureResult> pictures;  ///< in the order of the references
+  std::vector<std::string> unmatched;   ///< paths of pictures that show no reference, by name
 
   std::size_t passed() const;
 };
@@ -42,6 +43,10 @@ struct Gradebook {
   std::size_t count(Verdict verdict) const;
   bool all_passed() const;
 };
+
+/// "2 pictures match no reference: a.png, b.png"; empty if there are none, or if no picture is
+/// missing: students may hand in more than was asked for.
+std::string unmatched_text(const StudentResult& student);
 
 /// A line for each student, followed by one for each picture that did not pass, and a summary line.
 /// Names are printed unchanged; callers must escape them for terminals.

@@ -28,6 +28,7 @@ table { border-collapse: separate; border-spacing: 0; font-size: .9rem; font-var
 th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap;
   background: var(--paper); }
 thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; }
+td:nth-child(3) { white-space: normal; min-width: 9rem; max-width: 14rem; }
 tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 11rem; overflow: hidden;
   text-overflow: ellipsis; }
 thead th:first-child { left: 0; z-index: 3; }
@@ -246,6 +247,9 @@ std::string failures(const StudentResult& student, std::size_t index) {
                       markup(picture.name), name_of(picture.verdict), name_of(picture.verdict)) +
           details(picture);
     }
+  }
+  if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
+    html += fmt::format("<p>{}.</p>\n", markup(unmatched));
   }
   return html;
 }

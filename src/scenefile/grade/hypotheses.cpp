@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 namespace scenefile {
 
@@ -93,6 +94,16 @@ void add_brightness(Hypotheses& list) {
                   c[channel] = 0;
                   return c;
                 });
+    add_picture(list, Cause::swapped_channels,
+                fmt::format("only the {} of the picture is stored", names[channel]),
+                [channel](const dvec3& color) {
+                  dvec3 c(0);
+                  c[channel] = clamped(color)[channel];
+                  return c;
+                });
+    add_picture(list, Cause::swapped_channels,
+                fmt::format("the {} of the picture is stored in all channels", names[channel]),
+                [channel](const dvec3& color) { return dvec3(clamped(color)[channel]); });
   }
 }
 
@@ -386,6 +397,21 @@ class Maker {
             t.mistakes.all_lights = true;
             t.options.features = Features{true, false, false, false, false, false, false};
           });
+    } else if (o.mode == Mode::normals) {
+      for (const auto& [mode, features, what] :
+           {std::tuple(Mode::ray, Features{true, true, false, true, false, false, false},
+                       "the picture is lit, and the reference shows normals as colors"),
+            std::tuple(Mode::ray, Features{false, false, false, false, false, false, false},
+                       "the picture is lit, without shadows, and the reference shows normals as "
+                       "colors"),
+            std::tuple(Mode::intersect, Features{false, false, false, false, false, false, false},
+                       "the picture is lit by directional lights alone, and the reference shows "
+                       "normals as colors")}) {
+        add(Cause::features, what, [mode = mode, features = features](Trial& t) {
+          t.options.mode = mode;
+          t.options.features = features;
+        });
+      }
     } else if (o.mode == Mode::ray) {
       if (!o.features.shadows) {
         add(Cause::features, "shadows are drawn, and the reference has none",

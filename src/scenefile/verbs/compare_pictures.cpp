@@ -1,12 +1,14 @@
 #include "scenefile/verbs/compare_pictures.h"
 
 #include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
 #include "scenefile/explain/object_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace scenefile {
 
@@ -160,6 +162,17 @@ double share_unlike(const Texture& reference, const LoadedScene& scene, const Dr
   return find_causes(reference, reference, &view).share_scene_unlike;
 }
 
+// The picture in the size of the reference if only the size differs, not the shape.
+std::optional<Texture> scaled_like(const Texture& picture, const Texture& reference) {
+  const double across = double(picture.width) * reference.height;
+  const double down = double(picture.height) * reference.width;
+  if ((picture.width == reference.width && picture.height == reference.height) ||
+      std::abs(across - down) > 0.02 * across) {
+    return std::nullopt;
+  }
+  return scaled(picture, reference.width, reference.height);
+}
+
 }  // namespace
 
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known) {
@@ -220,12 +233,19 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
                                    const LoadedScene* scene, const CompareSettings& settings,
                                    const std::function<bool(double)>& go_on) {
   PictureComparison found;
-  found.measures = measure(reference, test, settings.pixel_threshold, &found.flip_errors);
+  found.scaled = scaled_like(test, reference);
+  const Texture& shown = found.scaled ? *found.scaled : test;
+  found.measures = measure(reference, shown, settings.pixel_threshold, &found.flip_errors);
   found.broken = broken_thresholds(settings.thresholds, found.measures);
+  if (found.scaled) {
+    found.broken.insert(found.broken.begin(),
+                        fmt::format("the size is {}x{}, expected {}x{}; compared after scaling",
+                                    test.width, test.height, reference.width, reference.height));
+  }
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
-    look_for_causes(reference, test, scene, settings, go_on, found);
+    look_for_causes(reference, shown, scene, settings, go_on, found);
   }
   return found;
 }
@@ -285,8 +305,8 @@ std::string where_text(const PictureComparison& found, const std::string& scene,
   } else if (found.scene_used) {
     text += "; it shows nothing of the scene";
   }
-  // explain traces rays.
-  if (scene.empty() || found.realtime) {
+  // explain traces rays, and compares with a picture of the same size.
+  if (scene.empty() || found.realtime || found.scaled) {
     return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
   }
   return text + fmt::format(
@@ -330,6 +350,7 @@ void add_measures(Json& json, const PictureMeasures& m) {
 
 void add_comparison(Json& json, const PictureComparison& found) {
   json.add("same", found.broken.empty());
+  json.add("scaled", found.scaled.has_value());
   add_measures(json, found.measures);
   add_clauses(json, "broken", found.broken);
   add_claims(json, "causes", found.causes.claims);

@@ -60,6 +60,9 @@ struct PlaceToLook {
 
 struct PictureComparison {
   PictureMeasures measures;
+  /// The picture under test in the size of the reference, which was compared; nullopt if its size
+  /// is right, or if its shape is another.
+  std::optional<Texture> scaled;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds; empty: the same
   CauseReport causes;                ///< empty if no causes were looked for
@@ -69,8 +72,9 @@ struct PictureComparison {
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 };
 
-/// Compares the pictures, and looks for causes according to settings.look. `scene`: the scene of
-/// the reference with all assets, or null. `go_on` as for find_causes().
+/// Compares the pictures, and looks for causes according to settings.look. A picture of another size
+/// and the same shape is never the same, but is compared after scaling. `scene`: the scene of the
+/// reference with all assets, or null. `go_on` as for find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},
@@ -79,7 +83,6 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
 /// The causes as text for people.
 std::string causes_text(const PictureComparison& found);
 
-/// Where the pictures differ most as lines for people: the region, the object there, and the
 /// Where the pictures differ most, as text for people: the region, the object there, and a command
 /// that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is empty, there
 /// is no command.

@@ -76,6 +76,19 @@ void add_files(const std::string& folder, bool (*wanted)(std::string_view),
   }
 }
 
+// Without what file managers add to copies: "ball (1)", "ball copy".
+std::string_view without_copy_mark(std::string_view stem) {
+  if (stem.ends_with(" copy")) {
+    return stem.substr(0, stem.size() - 5);
+  }
+  const std::size_t open = stem.rfind(" (");
+  const bool mark = open != std::string_view::npos && stem.ends_with(')') &&
+                    stem.size() > open + 3 &&
+                    stem.substr(open + 2, stem.size() - open - 3).find_first_not_of("0123456789") ==
+                        std::string_view::npos;
+  return mark ? stem.substr(0, open) : stem;
+}
+
 // The confidence that the names match; 0: they do not.
 int name_score(const FoundFile& reference, const FoundFile& picture) {
   if (reference.stem == picture.stem) {
@@ -90,6 +103,9 @@ int name_score(const FoundFile& reference, const FoundFile& picture) {
     if (p == r + ending || r == p + ending) {
       return 6;
     }
+  }
+  if (plain(without_copy_mark(picture.stem)) == r) {
+    return 4;
   }
   for (const std::string& folder : reference.folders) {
     if (p == plain(folder) + r) {

@@ -108,6 +108,11 @@ Result<Texture> load_picture_file(const std::string& path, const Limits& limits)
   return picture;
 }
 
+bool is_jpeg_file(const std::string& path, const Limits& limits) {
+  const Result<std::string> bytes = read_file(path, limits.file_bytes);
+  return bytes && bytes->starts_with("\xFF\xD8\xFF");
+}
+
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits) {
   AssetRoots roots(asset_roots_options(scene.path, access, limits));

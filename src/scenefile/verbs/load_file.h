@@ -37,6 +37,9 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
 /// The picture in a file. The error names the file.
 Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
 
+/// Whether the file is a JPEG, by its first bytes: its colors are not exactly those that were stored.
+bool is_jpeg_file(const std::string& path, const Limits& limits = {});
+
 /// A fingerprint (base/hash.h) of the bytes of a file, or of why it cannot be read.
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});
 

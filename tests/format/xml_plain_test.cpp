@@ -1,6 +1,7 @@
-// The fast reader of simple XML agrees with Expat, or gives up.
+// Our reader of XML agrees with Expat, which it only asks about XML that is not plain.
 
 #include "format/write_random_scene.h"
+#include "scenefile/format/codes.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/format/xml_reader.h"
 #include "support/plain_agreement.h"
@@ -11,12 +12,14 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace scenefile::testing {
 namespace {
 
-PlainEnd end_of(std::string_view text, const Limits& limits = {}) {
-  return plain_events(text, limits).end;
+bool is_read_without_expat(std::string_view text, const Limits& limits = {}) {
+  const XmlReading reading = events_of(text, limits).reading;
+  return reading.complete && !reading.asked_expat;
 }
 
 TEST(XmlPlain, WhatIsPlain) {
@@ -24,7 +27,7 @@ TEST(XmlPlain, WhatIsPlain) {
        {"<a/>", "<a></a>", "<a ></a\n>", " \r\n<a b = '1'\tc=\"\"/>\n", "<!-- x - > --><a/><!---->",
         "<?xml version=\"1.0\"?><a/>", "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<a/>",
         "<a:b_ c.d-2='>\"'/>", "<!-- \u00e4 \U0001F600 --><a b='\u00e4'/>"}) {
-    EXPECT_EQ(end_of(text), PlainEnd::complete) << text;
+    EXPECT_TRUE(is_read_without_expat(text)) << text;
     EXPECT_TRUE(agrees_with_expat(std::string(text), {})) << text;
   }
 }
@@ -72,25 +75,51 @@ TEST(XmlPlain, WhatIsNotIsLeftToExpat) {
                                       "<!-x--><a/>",
                                       "<\u00e4/>",
                                       "<a></>"}) {
-    EXPECT_EQ(end_of(text), PlainEnd::not_plain) << text;
+    EXPECT_TRUE(events_of(text, {}).reading.asked_expat) << text;
+    EXPECT_TRUE(agrees_with_expat(text, {})) << text;
   }
 }
 
-TEST(XmlPlain, LimitsAreLeftToExpat) {
+TEST(XmlPlain, LimitsHold) {
   Limits limits;
   limits.nesting = 2;
   limits.name_bytes = 3;
   limits.value_bytes = 4;
   limits.attributes = 1;
-  EXPECT_EQ(end_of("<abc><b abc='1234'/></abc>", limits), PlainEnd::complete);
-  for (const std::string_view text :
-       {"<a><b><c/></b></a>", "<abcd/>", "<a abcd='1'/>", "<a b='12345'/>", "<a b='1' c='2'/>"}) {
-    EXPECT_EQ(end_of(text, limits), PlainEnd::not_plain) << text;
+  EXPECT_TRUE(is_read_without_expat("<abc><b abc='1234'/></abc>", limits));
+  const std::pair<std::string_view, const Code*> cases[] = {
+      {"<a><b><c/></b></a>", &xml_nesting_limit},
+      {"<abcd/>", &xml_length_limit},
+      {"<a abcd='1'/>", &xml_length_limit},
+      {"<a b='12345'/>", &xml_length_limit},
+      {"<a b='1' c='2'/>", &xml_attribute_limit}};
+  for (const auto& [text, code] : cases) {
+    const Told told = events_of(text, limits);
+    EXPECT_FALSE(told.reading.complete) << text;
+    ASSERT_EQ(told.diagnostics.list().size(), 1u) << text;
+    EXPECT_EQ(told.diagnostics.list().front().code, code) << text;
   }
 }
 
 TEST(XmlPlain, TheHandlerMayStop) {
-  EXPECT_EQ(end_of("<a><stop></a>"), PlainEnd::stopped);
+  const Told told = events_of("<a><stop></a>", {});
+  EXPECT_FALSE(told.reading.complete);
+  EXPECT_FALSE(told.reading.asked_expat);
+  EXPECT_TRUE(told.diagnostics.list().empty());
+}
+
+// Once a text is not plain, our reader decodes it.
+TEST(XmlPlain, References) {
+  for (const std::string_view text :
+       {"<a b='&lt;&gt;&amp;&quot;&apos;'/>", "<a b='&#65;&#x42;&#xe4;&#x1F600;&#10;'/>",
+        "<a b=' 1\r\n2\r3\n4\t5\r\n\r\n '/>", "<a b='&#13;&#x20;&#9;' c='ä&#228;'/>",
+        "<a>&lt;x</a>", "<a> \r\n x&amp;y\nz<b/>u<!-- -->v</a>", "<a><![CDATA[\n <b> &x; ]]></a>",
+        "<a>x<![CDATA[ y ]]>z<?p q?>w</a>", "<a b='&lt;'><c d='1'/><stop></a>",
+        "<!DOCTYPE a [<!ELEMENT a (b)> <!-- > ] --> <?p ]>?>]><a b='&#x26;'/>",
+        "<a b='&lt;'><b></a>", "<a b='&lt;'>x & y</a>", "<a>x &y; z</a>", "<a>]]></a>"}) {
+    EXPECT_TRUE(events_of(text, {}).reading.asked_expat) << text;
+    EXPECT_TRUE(agrees_with_expat(text, {})) << text;
+  }
 }
 
 RC_GTEST_PROP(XmlPlainLaws, WrittenScenesArePlain, ()) {
@@ -98,16 +127,16 @@ RC_GTEST_PROP(XmlPlainLaws, WrittenScenesArePlain, ()) {
   Diagnostics diagnostics;
   const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
   RC_ASSERT(agrees_with_expat(text, {}));
-  RC_CLASSIFY(end_of(text) == PlainEnd::complete);
+  RC_CLASSIFY(is_read_without_expat(text));
 }
 
 // With pieces of markup in wrong places, and with low limits.
 RC_GTEST_PROP(XmlPlainLaws, WhatItSaysIsWhatExpatSays, ()) {
   const auto piece = rc::gen::element<std::string>(
       "<a>", "</a>", "<a/>", "<b c='1'>", "</b>", "<b c=\"1\" d='2'/>", " ", "\n", "\r", "<!--",
-      "-->", "--", "-", ">", "<", "/", "=", "\"", "'", "&", "x", "c='1'", " d=''", "<stop>", "?>",
-      "<?xml version=\"1.0\"?>", "\u00e4", "\xEF\xBF\xBE", "\xC3", "\x7F", "\x02", "]]>",
-      "<![CDATA[");
+      "-->", "--", "-", ">", "<", "/", "=", "\"", "'", "&", "&lt;", "&#10;", "x", "c='1'", " d=''",
+      "<stop>", "?>", "<?xml version=\"1.0\"?>", "\u00e4", "\xEF\xBF\xBE", "\xC3", "\x7F", "\x02",
+      "]]>", "<![CDATA[", "<!DOCTYPE a", "[", "]", "<!ELEMENT a ANY>");
   std::string text;
   for (const std::string& part : *rc::gen::container<std::vector<std::string>>(piece)) {
     text += part;

@@ -1,6 +1,7 @@
 #pragma once
-// Compares the fast reader of simple XML with Expat, which it replaces.
+// Compares our reader of XML with Expat's events.
 
+#include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/format/xml_reader.h"
 
@@ -9,14 +10,17 @@
 
 namespace scenefile::testing {
 
-/// The events of read_plain_events(), one per line, and how it ended.
+/// The events of read_events(), one per line, and how it ended.
 struct Told {
-  PlainEnd end = PlainEnd::complete;
+  XmlReading reading;
   std::string said;
+  Diagnostics diagnostics;
 };
-Told plain_events(std::string_view text, const Limits& limits);
+Told events_of(std::string_view text, const Limits& limits);
 
-/// Whether the fast reader gives the same events and places as Expat, or gives up.
+/// Whether our reader gives the same events at the same places as Expat and finds an error where
+/// Expat does; up to the first limit, malformed comment or declaration of an entity, which only our
+/// reader reports. An element called "stop" stops both.
 bool agrees_with_expat(std::string_view text, const Limits& limits);
 
 }  // namespace scenefile::testing

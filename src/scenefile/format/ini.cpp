@@ -2,6 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
+#include "scenefile/format/text_encoding.h"
 
 #include <fmt/format.h>
 
@@ -25,20 +26,6 @@ int hex_digit(char c) {
   }
   const char lower = static_cast<char>(c | 0x20);
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
-// Appends a character of the Basic Multilingual Plane as UTF-8.
-void append_utf8(unsigned c, std::string& text) {
-  if (c < 0x80) {
-    text += static_cast<char>(c);
-  } else if (c < 0x800) {
-    text += static_cast<char>(0xc0 | (c >> 6));
-    text += static_cast<char>(0x80 | (c & 0x3f));
-  } else {
-    text += static_cast<char>(0xe0 | (c >> 12));
-    text += static_cast<char>(0x80 | ((c >> 6) & 0x3f));
-    text += static_cast<char>(0x80 | (c & 0x3f));
-  }
 }
 
 // A line and the state of reading it.
@@ -69,7 +56,7 @@ bool read_escape(std::string_view text, std::size_t& offset, std::string& value)
   if (digits == 0 || c == 0 || half_of_a_pair) {
     return false;
   }
-  append_utf8(c, value);
+  append_utf8(value, c);
   return true;
 }
 

@@ -17,4 +17,7 @@ namespace scenefile {
 std::optional<std::string_view> decode_text(std::string_view bytes, std::string& storage,
                                             Diagnostics& diagnostics);
 
+/// Appends a character as UTF-8.
+void append_utf8(std::string& out, char32_t c);
+
 }  // namespace scenefile

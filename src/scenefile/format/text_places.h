@@ -10,13 +10,19 @@
 
 namespace scenefile {
 
-/// For offsets in any order. Each lookup scans at most a few kilobytes, less in ascending order.
+/// For places in any order. Each lookup scans at most a few kilobytes; all places of a text in
+/// ascending order together take one pass.
 class TextPlaces {
  public:
   explicit TextPlaces(std::string_view text);
 
   /// The place of the byte at `offset`, or of the end of the text.
   Location at(std::size_t offset);
+  /// `byte` must point into the text.
+  Location at(const char* byte) { return at(static_cast<std::size_t>(byte - text_.data())); }
+
+  /// How much of the text is before the last place, 0..1.
+  double progress() const;
 
  private:
   struct Mark {
@@ -25,40 +31,12 @@ class TextPlaces {
   };
   void go_near(std::size_t offset);
   void advance(Mark& mark, std::size_t offset) const;
-  void advance_by_character(Mark& mark, std::size_t offset) const;
 
   std::string_view text_;
-  bool lone_cr_;
+  bool lone_cr_;                 ///< whether a CR that is not part of CR LF ends a line
   std::vector<Location> steps_;  ///< of each multiple of the step in text_places.cpp, as needed
   Mark last_step_;
   Mark last_;
-};
-
-/// For places in the order of the text: each call continues from the previous place, so that all
-/// places of a file together take one pass.
-class TextCursor {
- public:
-  explicit TextCursor(std::string_view text);
-
-  /// The place of a tag or text. Calls must be in the order of the text.
-  Location advance_to(const char* at);
-  /// A place inside the tag of the last advance_to().
-  Location inside_tag(const char* at);
-  /// The fraction of the text that has been passed, 0..1.
-  double progress() const;
-
- private:
-  struct Point {
-    const char* at;
-    Location location{1, 1};
-  };
-  void move(Point& point, const char* to) const;
-
-  const char* begin_;
-  const char* end_;
-  bool lone_cr_;  ///< whether a CR that is not part of CR LF ends a line
-  Point tag_;
-  Point inside_;
 };
 
 }  // namespace scenefile

@@ -3,7 +3,8 @@
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
-#include "scenefile/format/xml_tag.h"
+#include "scenefile/format/text_places.h"
+#include "scenefile/format/xml_scanner.h"
 
 #include <string>
 #include <string_view>
@@ -14,14 +15,15 @@ namespace scenefile {
 struct XmlContext {
   const ReadOptions& options;
   Diagnostics& diagnostics;
-  TextCursor& places;
+  TextPlaces& places;
 
   void report(const Code& code, const XmlTag& tag, std::string message) const {
     diagnostics.report(code, tag.location, std::move(message));
   }
   void report(const Code& code, const XmlAttribute& attribute, std::string message) const {
-    diagnostics.report(code, places.inside_tag(attribute.name.data()), std::move(message));
+    diagnostics.report(code, place(attribute), std::move(message));
   }
+  Location place(const XmlAttribute& attribute) const { return places.at(attribute.name.data()); }
 };
 
 /// The name of an element for messages, in angle brackets.

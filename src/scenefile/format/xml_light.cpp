@@ -113,7 +113,7 @@ LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
     }
     context.report(xml_alias_attribute, attribute,
                    fmt::format("attribute {0} of <lightdata> was read as <{0}>", attribute.name));
-    const Location place = context.places.inside_tag(attribute.name.data());
+    const Location place = context.place(attribute);
     if (is_type) {
       read_type(context, place, attribute.value, draft);
     } else {

@@ -183,11 +183,11 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
   ObjectTag object{*type, found.name != nullptr, {}, {}, tag.location, tag.location};
   if (found.name != nullptr) {
     object.name = found.name->value;
-    object.name_place = context.places.inside_tag(found.name->name.data());
+    object.name_place = context.place(*found.name);
   }
   if (found.filename != nullptr) {
     object.filename = found.filename->value;
-    object.filename_place = context.places.inside_tag(found.filename->name.data());
+    object.filename_place = context.place(*found.filename);
   }
   return object;
 }

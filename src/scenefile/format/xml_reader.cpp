@@ -1,379 +1,278 @@
 #include "scenefile/format/xml_reader.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/xml_syntax_error.h"
+#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/xml_judge.h"
+#include "scenefile/format/xml_syntax.h"
 
-#include <expat.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <exception>
-#include <memory>
-#include <new>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
 
 namespace {
 
-constexpr std::size_t chunk_bytes = std::size_t{64} << 10;
-// For comments and declarations; tags have lower limits.
-constexpr std::size_t max_markup_bytes = std::size_t{16} << 20;
+constexpr std::string_view cdata_start = "<![CDATA[";
+constexpr std::string_view cdata_end = "]]>";
 
-struct ParserFree {
-  void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
-};
-
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && is(text.front(), blank)) {
-    text.remove_prefix(1);
+// The text of a reference such as &lt; or &#10;, which Expat and find_entity_use() have accepted.
+std::string resolved(std::string_view reference) {
+  constexpr std::pair<std::string_view, char> predefined[] = {
+      {"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}};
+  for (const auto& [name, character] : predefined) {
+    if (reference == name) {
+      return {character};
+    }
   }
-  while (!text.empty() && is(text.back(), blank)) {
-    text.remove_suffix(1);
+  const bool hexadecimal = reference.starts_with("&#x");
+  const std::string digits(reference.substr(hexadecimal ? 3 : 2));
+  std::string text;
+  append_utf8(text, static_cast<char32_t>(std::stoul(digits, nullptr, hexadecimal ? 16 : 10)));
+  return text;
+}
+
+std::string_view reference_at(std::string_view text, std::size_t at) {
+  return text.substr(at, text.find(';', at) + 1 - at);
+}
+
+// An attribute's value with references resolved and line breaks replaced, as XML demands.
+std::string decoded(std::string_view value) {
+  std::string text;
+  for (std::size_t at = 0; at < value.size(); ++at) {
+    const char c = value[at];
+    if (c == '&') {
+      const std::string_view reference = reference_at(value, at);
+      text += resolved(reference);
+      at += reference.size() - 1;
+    } else if (c != '\r' || !value.substr(at).starts_with("\r\n")) {
+      text += blanks.find(c) == std::string_view::npos ? c : ' ';
+    }
   }
   return text;
 }
 
-// Connects Expat to the handler.
 class EventReader {
  public:
-  EventReader(std::string_view text, const Limits& limits, TextCursor& places, XmlHandler& handler,
-              Diagnostics& diagnostics);
-  bool run();
+  EventReader(std::string_view text, const ReadOptions& options, TextPlaces& places,
+              XmlHandler& handler, Diagnostics& diagnostics)
+      : text_(text),
+        options_(options),
+        places_(places),
+        handler_(handler),
+        diagnostics_(diagnostics) {}
+
+  XmlReading run();
 
  private:
-  static EventReader& of(void* self) { return *static_cast<EventReader*>(self); }
-  static void XMLCALL on_start(void* self, const XML_Char* name, const XML_Char** attributes);
-  static void XMLCALL on_end(void* self, const XML_Char* name);
-  static void XMLCALL on_text(void* self, const XML_Char* characters, int length);
-  static void XMLCALL on_doctype(void* self, const XML_Char* name, const XML_Char* system_id,
-                                 const XML_Char* public_id, int has_internal_subset);
-  static void XMLCALL on_entity(void* self, const XML_Char* name, int, const XML_Char*, int,
-                                const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*);
-  static void XMLCALL on_attribute_list(void* self, const XML_Char* element, const XML_Char*,
-                                        const XML_Char*, const XML_Char*, int);
-  static void XMLCALL on_skipped_entity(void* self, const XML_Char* name, int);
-
-  template <typename Action>
-  void guarded(Action action);
-  void start(const XML_Char** attributes);
-  void decode_values(const XML_Char** attributes);
-  bool accept(std::string_view name, const char* tag);
-  bool check_unfinished(std::size_t fed);
-  bool feed(std::size_t from, std::size_t size, bool last);
-  void report_syntax_error();
-  void stop();
-  void refuse_entity(const char* at, std::string message);
-  const char* opening(std::string_view keyword) const;
-  const char* current() const;
-  Location place_of(const char* at) const;
+  bool is_plain() const;
+  void ask_expat();
+  bool fail();
+  bool refuse(const Code& code, const char* at, std::string message);
+  bool read_token();
+  bool read_start();
+  bool read_text(std::string_view written);
+  bool decode_values();
+  void close();
 
   std::string_view text_;
-  const Limits& limits_;
-  TextCursor& places_;
+  const ReadOptions& options_;
+  TextPlaces& places_;
   XmlHandler& handler_;
   Diagnostics& diagnostics_;
-  std::unique_ptr<XML_ParserStruct, ParserFree> parser_;
-  std::vector<XmlAttribute> attributes_;
-  std::vector<OpenElement> open_;
-  bool has_external_subset_ = false;
-  bool stopped_ = false;
-  std::exception_ptr failure_;
+  XmlToken token_;
+  std::vector<std::string_view> open_;  // the names of the open elements
+  std::vector<std::string> decoded_;    // values of the current tag
+  bool has_root_ = false;
+  std::optional<XmlFault> fault_;      // what Expat found, once it was asked
+  std::optional<std::string> mended_;  // the text that Expat was given, if comments were mended
 };
 
-EventReader::EventReader(std::string_view text, const Limits& limits, TextCursor& places,
-                         XmlHandler& handler, Diagnostics& diagnostics)
-    : text_(text),
-      limits_(limits),
-      places_(places),
-      handler_(handler),
-      diagnostics_(diagnostics),
-      parser_(XML_ParserCreate("UTF-8")) {
-  if (!parser_) {
-    throw std::bad_alloc();
-  }
-  XML_Parser parser = parser_.get();
-  XML_SetUserData(parser, this);
-  XML_SetElementHandler(parser, on_start, on_end);
-  XML_SetCharacterDataHandler(parser, on_text);
-  XML_SetStartDoctypeDeclHandler(parser, on_doctype);
-  XML_SetEntityDeclHandler(parser, on_entity);
-  XML_SetAttlistDeclHandler(parser, on_attribute_list);
-  XML_SetSkippedEntityHandler(parser, on_skipped_entity);
-}
-
-// Exceptions must not propagate through the C library.
-template <typename Action>
-void EventReader::guarded(Action action) {
-  if (stopped_) {
-    return;
-  }
-  try {
-    action();
-  } catch (...) {
-    failure_ = std::current_exception();
-    stop();
-  }
-}
-
-void EventReader::on_start(void* self, const XML_Char*, const XML_Char** attributes) {
-  of(self).guarded([&] { of(self).start(attributes); });
-}
-
-void EventReader::on_end(void* self, const XML_Char*) {
-  of(self).guarded([&] {
-    of(self).open_.pop_back();
-    of(self).handler_.end();
-  });
-}
-
-void EventReader::on_text(void* self, const XML_Char* characters, int length) {
-  const std::string_view all(characters, static_cast<std::size_t>(length));
-  const std::string_view text = without_blanks(all);
-  if (text.empty()) {
-    return;
-  }
-  EventReader& reader = of(self);
-  reader.guarded([&] {
-    const char* const at = reader.current() + (text.data() - all.data());
-    reader.handler_.text(text, reader.places_.advance_to(at));
-  });
-}
-
-void EventReader::on_doctype(void* self, const XML_Char*, const XML_Char* system_id,
-                             const XML_Char* public_id, int) {
-  EventReader& reader = of(self);
-  reader.guarded([&] {
-    if (system_id == nullptr && public_id == nullptr) {
-      return;
-    }
-    reader.has_external_subset_ = true;
-    reader.diagnostics_.report(
-        xml_external_dtd, reader.place_of(reader.opening("<!DOCTYPE")),
-        fmt::format("the DOCTYPE names the external file {}; it was not opened",
-                    quoted(system_id != nullptr ? system_id : public_id)));
-  });
-}
-
-void EventReader::on_entity(void* self, const XML_Char* name, int, const XML_Char*, int,
-                            const XML_Char*, const XML_Char*, const XML_Char*, const XML_Char*) {
-  of(self).guarded([&] {
-    of(self).refuse_entity(
-        of(self).opening("<!ENTITY"),
-        fmt::format("the DOCTYPE declares the entity {}; scene files may not declare entities",
-                    quoted(name)));
-  });
-}
-
-void EventReader::on_attribute_list(void* self, const XML_Char* element, const XML_Char*,
-                                    const XML_Char*, const XML_Char*, int) {
-  of(self).guarded([&] {
-    of(self).refuse_entity(
-        of(self).opening("<!ATTLIST"),
-        fmt::format("the DOCTYPE declares attributes of <{}>; write them where they are used",
-                    escaped(element, 40)));
-  });
-}
-
-void EventReader::on_skipped_entity(void* self, const XML_Char* name, int) {
-  of(self).guarded([&] {
-    of(self).refuse_entity(
-        of(self).current(),
-        fmt::format("the entity {} is not defined; only &lt; &gt; &amp; &quot; and &apos; are",
-                    quoted(name)));
-  });
-}
-
-void EventReader::start(const XML_Char** attributes) {
-  const char* const at = current();
-  const auto size = static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
-  const TagScan scan = scan_tag({at, size}, attributes_);
-  if (!accept(scan.name, at)) {
-    return;
-  }
-  if (has_external_subset_ && scan.needs_decoding) {
-    // Expat silently drops such an entity from a value.
-    const std::size_t use = find_entity_use({at, size});
-    if (use != std::string_view::npos) {
-      refuse_entity(at + use,
-                    fmt::format("<{}> uses an entity that is not defined", escaped(scan.name, 40)));
-      return;
+XmlReading EventReader::run() {
+  XmlScanner scanner(text_);
+  while (scanner.next(token_)) {
+    if (!read_token()) {
+      return {false, fault_.has_value()};
     }
   }
-  if (scan.needs_decoding) {
-    decode_values(attributes);
+  if (!has_root_ || !open_.empty()) {
+    ask_expat();
   }
-  const XmlTag tag{scan.name, attributes_, places_.advance_to(at)};
-  if (open_.size() == limits_.nesting) {
-    diagnostics_.report(xml_nesting_limit, tag.location,
-                        fmt::format("<{}> is nested deeper than the limit of {} elements",
-                                    escaped(tag.name, 40), limits_.nesting));
-    stop();
-    return;
+  return {!fault_ || fault_->kind == SyntaxFault::none || fail(), fault_.has_value()};
+}
+
+// Whether the current token is well-formed at its place without a doubt.
+bool EventReader::is_plain() const {
+  switch (token_.kind) {
+    case XmlTokenKind::start:
+    case XmlTokenKind::empty:
+      return token_.plain && !(open_.empty() && has_root_);
+    case XmlTokenKind::end:
+      return token_.plain && !open_.empty() && open_.back() == token_.name;
+    case XmlTokenKind::text:
+    case XmlTokenKind::comment:
+    case XmlTokenKind::cdata:
+    case XmlTokenKind::other:
+      break;
   }
-  open_.push_back({tag.name, tag.location});
+  return token_.plain;
+}
+
+void EventReader::ask_expat() {
+  if (!fault_) {
+    mended_ = mend_comments(text_, options_, diagnostics_);
+    fault_ = find_fault(mended_ ? *mended_ : text_, options_.limits, diagnostics_);
+  }
+}
+
+bool EventReader::fail() {
+  std::vector<OpenElement> open;
+  for (const std::string_view name : open_) {
+    open.push_back({name, places_.at(name.data() - 1)});
+  }
+  report_syntax(*fault_, mended_ ? *mended_ : text_, open, diagnostics_);
+  return false;
+}
+
+bool EventReader::refuse(const Code& code, const char* at, std::string message) {
+  diagnostics_.report(code, places_.at(at), std::move(message));
+  return false;
+}
+
+// Returns false to stop.
+bool EventReader::read_token() {
+  if (!is_plain()) {
+    ask_expat();
+  }
+  const std::string_view written = token_.written;
+  const auto begin = static_cast<std::size_t>(written.data() - text_.data());
+  const bool faulty = fault_ && begin + written.size() > fault_->at;
+  if (token_.kind == XmlTokenKind::text || token_.kind == XmlTokenKind::cdata) {
+    if (open_.empty()) {
+      return fail();
+    }
+    if (!faulty) {
+      return read_text(written);
+    }
+    std::string_view sound = written.substr(0, fault_->at - begin);
+    if (sound.ends_with("]]")) {
+      // Expat rejects ]]> with its whole line, or with the rest of it after a reference.
+      sound = sound.substr(0, sound.find_last_of("\r\n;") + 1);
+    }
+    return read_text(sound) && fail();
+  }
+  if (faulty && fault_->kind != SyntaxFault::over_limit) {
+    return fail();
+  }
+  if (const std::optional<LimitFault> limit = limit_fault(token_, options_.limits)) {
+    return refuse(*limit->code, written.data(), limit->message);
+  }
+  switch (token_.kind) {
+    case XmlTokenKind::start:
+    case XmlTokenKind::empty:
+      return read_start();
+    case XmlTokenKind::end:
+      close();
+      break;
+    case XmlTokenKind::text:
+    case XmlTokenKind::comment:
+    case XmlTokenKind::cdata:
+    case XmlTokenKind::other:
+      break;
+  }
+  return true;
+}
+
+bool EventReader::read_start() {
+  if (token_.needs_decoding && !decode_values()) {
+    return false;
+  }
+  const XmlTag tag{token_.name, token_.attributes, places_.at(token_.written.data())};
+  if (open_.size() == options_.limits.nesting) {
+    return refuse(xml_nesting_limit, token_.written.data(),
+                  fmt::format("<{}> is nested deeper than the limit of {} elements",
+                              escaped(tag.name, 40), options_.limits.nesting));
+  }
+  has_root_ = true;
+  open_.push_back(token_.name);
   if (!handler_.start(tag)) {
-    stop();
+    return false;
   }
+  if (token_.kind == XmlTokenKind::empty) {
+    close();
+  }
+  return true;
 }
 
-// Takes the values from Expat, which has resolved references and line breaks.
-void EventReader::decode_values(const XML_Char** attributes) {
-  for (std::size_t i = 0; i < attributes_.size(); ++i) {
-    attributes_[i].value = attributes[2 * i + 1];
+// `written` may end within the current token.
+bool EventReader::read_text(std::string_view written) {
+  const bool has_references = token_.kind == XmlTokenKind::text;
+  std::string_view text = written;
+  if (!has_references) {
+    text.remove_prefix(std::min(cdata_start.size(), text.size()));
+    text.remove_suffix(text.ends_with(cdata_end) ? cdata_end.size() : 0);
   }
-}
-
-// Whether the tag is within the limits.
-bool EventReader::accept(std::string_view tag_name, const char* tag) {
-  const TagVerdict verdict = check_tag(tag_name, attributes_, limits_);
-  if (verdict.fault == TagFault::none) {
+  const std::string_view line_border = has_references ? "\r\n&" : "\r\n";
+  // Expat passes over undefined entities if the DOCTYPE names another file.
+  const std::size_t entity = has_references ? find_entity_use(text) : std::string_view::npos;
+  std::string_view rest = text.substr(0, entity);
+  std::string line;
+  const char* at = nullptr;
+  while (line.empty() && !rest.empty()) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    at = rest.data();
+    const bool is_reference = has_references && rest.starts_with('&');
+    const std::string_view part =
+        is_reference ? reference_at(rest, 0) : rest.substr(0, rest.find_first_of(line_border));
+    line = is_reference && !part.empty() ? resolved(part) : part;
+    line.resize(line.find_last_not_of(blanks) + 1);
+    rest.remove_prefix(part.empty() ? rest.size() : part.size());
+  }
+  if (!line.empty()) {
+    handler_.text(line, places_.at(at));
+  }
+  if (entity == std::string_view::npos) {
     return true;
   }
-  const Location place = place_of(tag);
-  const std::string name = escaped(tag_name, 40);
-  switch (verdict.fault) {
-    case TagFault::none:
-      break;
-    case TagFault::name_too_long:
-      diagnostics_.report(xml_length_limit, place,
-                          fmt::format("a name in <{}> is longer than the limit of {} bytes", name,
-                                      limits_.name_bytes));
-      break;
-    case TagFault::too_many_attributes:
-      diagnostics_.report(
-          xml_attribute_limit, place,
-          fmt::format("<{}> has more attributes than the limit of {}", name, limits_.attributes));
-      break;
-    case TagFault::value_too_long:
-      diagnostics_.report(xml_length_limit, place,
-                          fmt::format("attribute {} of <{}> is longer than the limit of {} bytes",
-                                      escaped(verdict.culprit, 40), name, limits_.value_bytes));
-      break;
+  const std::string_view name = text.substr(entity + 1);
+  return refuse(
+      xml_entity, text.data() + entity,
+      fmt::format("the entity {} is not defined; only &lt; &gt; &amp; &quot; and &apos; are",
+                  quoted(name.substr(0, name.find(';')))));
+}
+
+// Returns false after an error.
+bool EventReader::decode_values() {
+  if (const std::size_t entity = find_entity_use(token_.written); entity != token_.written.npos) {
+    return refuse(xml_entity, token_.written.data() + entity,
+                  fmt::format("<{}> uses an entity that is not defined", escaped(token_.name, 40)));
   }
-  stop();
-  return false;
-}
-
-// Expat keeps incomplete markup and scans it again with the next chunk. Stops early if it already
-// exceeds a limit. `fed`: bytes passed to Expat so far.
-bool EventReader::check_unfinished(std::size_t fed) {
-  const char* const at = current();
-  const std::string_view unfinished(at, static_cast<std::size_t>(text_.data() + fed - at));
-  if (unfinished.size() < chunk_bytes) {
-    return true;
+  decoded_.clear();
+  for (const XmlAttribute& attribute : token_.attributes) {
+    decoded_.push_back(decoded(attribute.value));
   }
-  const bool is_tag = unfinished[0] == '<' && unfinished[1] != '!' && unfinished[1] != '?';
-  if (is_tag) {
-    return accept(scan_tag(unfinished, attributes_).name, at);
+  for (std::size_t i = 0; i < decoded_.size(); ++i) {
+    token_.attributes[i].value = decoded_[i];
   }
-  if (unfinished.size() < max_markup_bytes) {
-    return true;
-  }
-  diagnostics_.report(xml_length_limit, place_of(at),
-                      fmt::format("a comment or declaration is longer than the limit of {} bytes",
-                                  max_markup_bytes));
-  return false;
+  return true;
 }
 
-bool EventReader::feed(std::size_t from, std::size_t size, bool last) {
-  const XML_Status status =
-      XML_Parse(parser_.get(), text_.data() + from, static_cast<int>(size), last);
-  if (failure_) {
-    std::rethrow_exception(failure_);
-  }
-  if (status == XML_STATUS_OK || stopped_) {
-    return !stopped_;
-  }
-  report_syntax_error();
-  return false;
-}
-
-bool EventReader::run() {
-  std::size_t fed = 0;
-  std::size_t size = std::min(chunk_bytes, text_.size());
-  while (feed(fed, size, fed + size == text_.size())) {
-    fed += size;
-    if (fed == text_.size()) {
-      return true;
-    }
-    if (!check_unfinished(fed)) {
-      return false;
-    }
-    // At least as much as is incomplete, so that the total cost of scanning again is linear.
-    const auto unfinished = static_cast<std::size_t>(text_.data() + fed - current());
-    size = std::min(std::max(chunk_bytes, unfinished), text_.size() - fed);
-  }
-  return false;
-}
-
-void EventReader::report_syntax_error() {
-  const XML_Error error = XML_GetErrorCode(parser_.get());
-  if (error == XML_ERROR_NO_MEMORY) {
-    throw std::bad_alloc();
-  }
-  const auto at = static_cast<std::size_t>(current() - text_.data());
-  const SyntaxFault fault = [error] {
-    switch (error) {
-      case XML_ERROR_INVALID_TOKEN:
-        return SyntaxFault::invalid_token;
-      case XML_ERROR_TAG_MISMATCH:
-        return SyntaxFault::tag_mismatch;
-      case XML_ERROR_NO_ELEMENTS:
-      case XML_ERROR_UNCLOSED_TOKEN:
-      case XML_ERROR_UNCLOSED_CDATA_SECTION:
-      case XML_ERROR_PARTIAL_CHAR:
-        return SyntaxFault::cut_off;
-      case XML_ERROR_DUPLICATE_ATTRIBUTE:
-        return SyntaxFault::duplicate_attribute;
-      case XML_ERROR_UNDEFINED_ENTITY:
-        return SyntaxFault::undefined_entity;
-      case XML_ERROR_BAD_CHAR_REF:
-        return SyntaxFault::bad_character_reference;
-      case XML_ERROR_JUNK_AFTER_DOC_ELEMENT:
-        return SyntaxFault::junk_after_document;
-      case XML_ERROR_MISPLACED_XML_PI:
-        return SyntaxFault::late_declaration;
-      default:
-        return SyntaxFault::other;
-    }
-  }();
-  report_syntax(fault, XML_ErrorString(error), text_, at, open_, diagnostics_);
-}
-
-void EventReader::stop() {
-  stopped_ = true;
-  XML_StopParser(parser_.get(), XML_FALSE);
-}
-
-void EventReader::refuse_entity(const char* at, std::string message) {
-  diagnostics_.report(xml_entity, place_of(at), std::move(message));
-  stop();
-}
-
-// The start of the current declaration, which Expat only reports at its end.
-const char* EventReader::opening(std::string_view keyword) const {
-  const auto end = static_cast<std::size_t>(current() - text_.data());
-  const std::size_t start = text_.rfind(keyword, end);
-  return text_.data() + (start == std::string_view::npos ? end : start);
-}
-
-const char* EventReader::current() const {
-  // Expat returns -1 before the first event.
-  return text_.data() + std::max<XML_Index>(XML_GetCurrentByteIndex(parser_.get()), 0);
-}
-
-// For places out of order; scans the text from the start.
-Location EventReader::place_of(const char* at) const {
-  return TextCursor(text_).advance_to(at);
+void EventReader::close() {
+  open_.pop_back();
+  handler_.end();
 }
 
 }  // namespace
 
-bool read_events(std::string_view text, const Limits& limits, TextCursor& places,
-                 XmlHandler& handler, Diagnostics& diagnostics) {
-  return EventReader(text, limits, places, handler, diagnostics).run();
+XmlReading read_events(std::string_view text, const ReadOptions& options, TextPlaces& places,
+                       XmlHandler& handler, Diagnostics& diagnostics) {
+  return EventReader(text, options, places, handler, diagnostics).run();
 }
 
 }  // namespace scenefile

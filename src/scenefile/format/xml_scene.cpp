@@ -4,7 +4,6 @@
 #include "scenefile/format/dialects.h"
 #include "scenefile/format/reader_memory.h"
 #include "scenefile/format/xml_blocks.h"
-#include "scenefile/format/xml_comments.h"
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_fields.h"
 #include "scenefile/format/xml_reader.h"
@@ -574,33 +573,12 @@ void SceneBuilder::end_transblock(const Frame& block) {
   }
 }
 
-// Returns nullopt, and reports nothing, if the text needs the full XML reader.
-std::optional<Scene> read_plain(std::string_view text, const ReadOptions& options,
-                                Diagnostics& diagnostics) {
-  Diagnostics findings = diagnostics;
-  TextCursor places(text);
-  SceneBuilder builder({options, findings, places});
-  const PlainEnd end = read_plain_events(text, options.limits, places, builder);
-  if (end == PlainEnd::not_plain) {
-    return std::nullopt;
-  }
-  Scene scene = builder.finish(end == PlainEnd::complete);
-  diagnostics = std::move(findings);
-  return scene;
-}
-
 }  // namespace
 
 Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
-  if (std::optional<Scene> scene = read_plain(text, options, diagnostics)) {
-    return std::move(*scene);
-  }
-  const std::optional<std::string> mended = mend_comments(text, options, diagnostics);
-  text = mended ? std::string_view(*mended) : text;
-  TextCursor places(text);
+  TextPlaces places(text);
   SceneBuilder builder({options, diagnostics, places});
-  const bool complete = read_events(text, options.limits, places, builder, diagnostics);
-  return builder.finish(complete);
+  return builder.finish(read_events(text, options, places, builder, diagnostics).complete);
 }
 
 }  // namespace scenefile

@@ -465,8 +465,7 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
             fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value)));
         break;
       }
-      context.diagnostics.report(xml_number, Severity::warning,
-                                 context.places.inside_tag(attribute.name.data()),
+      context.diagnostics.report(xml_number, Severity::warning, context.place(attribute),
                                  fmt::format("{}: {} is not a number; it was read as {}", what,
                                              value, number_text(static_cast<float>(number.value))));
       return static_cast<float>(number.value);

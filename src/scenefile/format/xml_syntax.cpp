@@ -1,12 +1,12 @@
-#include "scenefile/format/xml_syntax_error.h"
+#include "scenefile/format/xml_syntax.h"
 
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/syntax.h"
-#include "scenefile/format/xml_comments.h"
-#include "scenefile/format/xml_tag.h"
+#include "scenefile/format/text_places.h"
+#include "scenefile/format/xml_scanner.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +18,10 @@
 namespace scenefile {
 
 namespace {
+
+// The message about `-- >` as the end of a comment.
+constexpr std::string_view broken_comment_end_text =
+    "a comment ends with -->, without spaces in it; remove them";
 
 // Mistakes that begin before the place where the parser notices them.
 
@@ -36,7 +40,7 @@ std::string_view name_at(std::string_view text) {
 using Cause = std::optional<SyntaxCause>;
 
 std::uint32_t line_of(std::string_view text, std::size_t at) {
-  return TextCursor(text).advance_to(text.data() + at).line;
+  return TextPlaces(text).at(at).line;
 }
 
 // The offset of the < of the tag that is open at the offset, or npos.
@@ -256,7 +260,7 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
   const bool closing = tag.starts_with("</");
   return fmt::format("the tag <{}{}> of line {} lacks its >{}", closing ? "/" : "",
                      escaped(name_at(tag.substr(closing ? 2 : 1)), 40),
-                     TextCursor(text).advance_to(tag.data()).line, closing ? "" : " or />");
+                     line_of(text, open), closing ? "" : " or />");
 }
 
 // A hint from the characters before the offset; empty if there is none.
@@ -334,10 +338,10 @@ std::string token_message(std::string_view text, std::size_t at) {
   return fmt::format("{} is not expected here", quoted(found, 20));
 }
 
-std::string message_of(SyntaxFault fault, std::string_view detail, std::string_view text,
-                       std::size_t at, std::span<const OpenElement> open) {
+std::string message_of(const XmlFault& fault, std::string_view text, std::size_t at,
+                       std::span<const OpenElement> open) {
   const std::string_view rest = text.substr(at);
-  switch (fault) {
+  switch (fault.kind) {
     case SyntaxFault::tag_mismatch:
       return mismatch_message(text, at, open);
     case SyntaxFault::cut_off:
@@ -357,10 +361,13 @@ std::string message_of(SyntaxFault fault, std::string_view detail, std::string_v
       return "<?xml ...?> must be the very first thing in the file; remove everything before it";
     case SyntaxFault::invalid_token:
       return token_message(text, at);
+    case SyntaxFault::none:
+    case SyntaxFault::declaration:
+    case SyntaxFault::over_limit:
     case SyntaxFault::other:
       break;
   }
-  return fmt::format("{} ({})", token_message(text, at), detail);
+  return fmt::format("{} ({})", token_message(text, at), fault.message);
 }
 
 // Whether Expat accepts the character in the name of an entity.
@@ -395,11 +402,87 @@ std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at
     case SyntaxFault::bad_character_reference:
     case SyntaxFault::junk_after_document:
     case SyntaxFault::late_declaration:
+    case SyntaxFault::none:
+    case SyntaxFault::declaration:
+    case SyntaxFault::over_limit:
     case SyntaxFault::other:
       break;
   }
   return at;
 }
+
+// Comments.
+
+class CommentMender {
+ public:
+  CommentMender(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics)
+      : text_(text), options_(options), diagnostics_(diagnostics), places_(text) {}
+
+  std::optional<std::string> run() {
+    XmlScanner scanner(text_);
+    for (XmlToken token; scanner.next(token);) {
+      if (token.kind == XmlTokenKind::comment && !token.plain) {
+        const auto begin = static_cast<std::size_t>(token.written.data() - text_.data());
+        token.written.starts_with("<!--") ? mend_comment(begin, token.written.size())
+                                          : mend_false_comment(begin, token.written.size());
+      }
+    }
+    return std::move(mended_);
+  }
+
+ private:
+  void mend_comment(std::size_t begin, std::size_t size) {
+    const std::size_t end = begin + size - 3;
+    if (size < 7 || text_.substr(end, 3) != "-->") {
+      return;
+    }
+    bool reported = false;
+    for (std::size_t at = begin + 4; at < end; ++at) {
+      // A dash before another one, which may be the first of the comment's end.
+      if (text_[at] != '-' || text_[at + 1] != '-') {
+        continue;
+      }
+      if (!std::exchange(reported, true)) {
+        const std::size_t next = text_.find_first_not_of(blanks, at + 2);
+        report(at,
+               next > at + 2 && text_[next] == '>'
+                   ? broken_comment_end_text
+                   : "-- is not allowed inside a comment; write - or == instead",
+               "-- inside a comment, which XML does not allow, was taken as a part of it");
+      }
+      blank(at, at + 1);
+    }
+  }
+
+  void mend_false_comment(std::size_t begin, std::size_t size) {
+    report(begin, "a comment starts with <!--, not with <--",
+           "<-- was taken as the start of a comment, which is <!--");
+    blank(begin, begin + size);
+  }
+
+  void report(std::size_t at, std::string_view refused, std::string_view accepted) {
+    const Severity severity = options_.compat_course ? Severity::warning : Severity::error;
+    diagnostics_.report(xml_comment, severity, places_.at(at),
+                        std::string(options_.compat_course ? accepted : refused));
+  }
+
+  // Keeps line ends.
+  void blank(std::size_t from, std::size_t to) {
+    if (!mended_) {
+      mended_ = text_;
+    }
+    for (std::size_t at = from; at < to; ++at) {
+      char& c = (*mended_)[at];
+      c = c == '\n' || c == '\r' ? c : ' ';
+    }
+  }
+
+  std::string_view text_;
+  const ReadOptions& options_;
+  Diagnostics& diagnostics_;
+  TextPlaces places_;
+  std::optional<std::string> mended_;
+};
 
 }  // namespace
 
@@ -417,22 +500,30 @@ std::size_t find_entity_use(std::string_view markup) {
   return at;
 }
 
-void report_syntax(SyntaxFault fault, std::string_view detail, std::string_view text,
-                   std::size_t at, std::span<const OpenElement> open, Diagnostics& diagnostics) {
-  const std::string_view line = line_at(text, at);
+void report_syntax(const XmlFault& fault, std::string_view text, std::span<const OpenElement> open,
+                   Diagnostics& diagnostics) {
+  TextPlaces places(text);
+  if (fault.kind == SyntaxFault::declaration) {
+    diagnostics.report(xml_entity, places.at(fault.at), fault.message);
+    return;
+  }
+  const std::string_view line = line_at(text, fault.at);
   if (is_conflict_marker(line)) {
-    diagnostics.report(xml_conflict_marker, TextCursor(text).advance_to(line.data()),
+    diagnostics.report(xml_conflict_marker, places.at(line.data()),
                        fmt::format("an unresolved git conflict: {}", quoted(line, 40)));
     return;
   }
-  at = exact_place(fault, text, at);
-  if (const std::optional<SyntaxCause> cause = find_cause(fault, text, at, open)) {
-    diagnostics.report(*cause->code, TextCursor(text).advance_to(text.data() + cause->at),
-                       cause->message);
+  const std::size_t at = exact_place(fault.kind, text, fault.at);
+  if (const std::optional<SyntaxCause> cause = find_cause(fault.kind, text, at, open)) {
+    diagnostics.report(*cause->code, places.at(cause->at), cause->message);
     return;
   }
-  diagnostics.report(xml_syntax, TextCursor(text).advance_to(text.data() + at),
-                     message_of(fault, detail, text, at, open));
+  diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open));
+}
+
+std::optional<std::string> mend_comments(std::string_view text, const ReadOptions& options,
+                                         Diagnostics& diagnostics) {
+  return CommentMender(text, options, diagnostics).run();
 }
 
 }  // namespace scenefile

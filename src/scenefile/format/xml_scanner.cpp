@@ -1,0 +1,335 @@
+#include "scenefile/format/xml_scanner.h"
+
+#include "scenefile/base/ascii.h"
+#include "scenefile/base/text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile {
+
+namespace {
+
+constexpr std::size_t most_plain_attributes = 16;
+
+/// Classes of characters in plain XML, as bits.
+enum CharacterClass : std::uint8_t {
+  blank = 1,
+  name_start = 2,
+  name_part = 4,
+  value_part = 8,    ///< of a value in either quotes
+  comment_part = 16  ///< but for the dash
+};
+
+/// Bytes from 128 on are in no class.
+constexpr std::array<std::uint8_t, 256> make_character_classes() {
+  std::array<std::uint8_t, 256> classes{};
+  for (unsigned c = ' '; c < 128; ++c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':';
+    const bool digit = (c >= '0' && c <= '9') || c == '-' || c == '.';
+    const bool special = c == '<' || c == '>' || c == '&' || c == '"' || c == '\'';
+    classes[c] =
+        static_cast<std::uint8_t>((letter ? name_start | name_part : 0) | (digit ? name_part : 0) |
+                                  (special ? 0 : value_part) | (c == '-' ? 0 : comment_part));
+  }
+  for (const unsigned c : {' ', '\t', '\n', '\r'}) {
+    classes[c] |= blank | comment_part;
+  }
+  return classes;
+}
+constexpr std::array<std::uint8_t, 256> character_classes = make_character_classes();
+
+bool is(char c, CharacterClass what) {
+  return (character_classes[static_cast<unsigned char>(c)] & what) != 0;
+}
+
+const char* skip(const char* p, const char* end, CharacterClass what) {
+  while (p != end && is(*p, what)) {
+    ++p;
+  }
+  return p;
+}
+
+std::string_view between(const char* first, const char* last) {
+  return {first, static_cast<std::size_t>(last - first)};
+}
+
+// Whether XML allows the character beyond ASCII that `text` begins with; its size in bytes, or 0.
+std::size_t plain_character(std::string_view text) {
+  if (static_cast<unsigned char>(text.front()) < 128) {
+    return 0;
+  }
+  const CodePoint c = first_code_point(text);
+  return c.value == 0xFFFE || c.value == 0xFFFF ? 0 : c.bytes;
+}
+
+bool ends_name(char c) {
+  return is(c, blank) || c == '=' || c == '>' || c == '/' || c == '"' || c == '\'';
+}
+
+// Reads the tag at the beginning of a text.
+class TagScanner {
+ public:
+  TagScanner(std::string_view text, XmlToken& token)
+      : begin_(text.data()), end_(begin_ + text.size()), p_(begin_ + 1), token_(token) {}
+
+  void run() {
+    token_.attributes.clear();
+    is_end_ = p_ != end_ && *p_ == '/';
+    p_ += is_end_ ? 1 : 0;
+    token_.name = read_name();
+    while (read_attribute()) {
+      add_attribute();
+    }
+    finish();
+    token_.written = between(begin_, p_);
+    token_.plain = plain_;
+    token_.needs_decoding = needs_decoding_;
+  }
+
+ private:
+  std::string_view read_name() {
+    const char* const name = p_;
+    plain_ = plain_ && p_ != end_ && is(*p_, name_start);
+    p_ = skip(p_, end_, name_part);
+    while (p_ != end_ && !ends_name(*p_)) {
+      plain_ = false;
+      ++p_;
+    }
+    return between(name, p_);
+  }
+
+  // Returns false if no well-formed attribute follows. Keeps the available parts of a truncated
+  // one.
+  bool read_attribute() {
+    const char* const before = p_;
+    p_ = skip(p_, end_, blank);
+    if (p_ == end_ || ends_name(*p_)) {
+      return false;
+    }
+    plain_ = plain_ && p_ != before && !is_end_;
+    attribute_ = {read_name(), {}};
+    p_ = skip(p_, end_, blank);
+    if (p_ != end_) {
+      if (*p_ != '=') {
+        plain_ = false;
+        return false;
+      }
+      p_ = skip(p_ + 1, end_, blank);
+    }
+    if (p_ != end_) {
+      if (*p_ != '"' && *p_ != '\'') {
+        plain_ = false;
+        return false;
+      }
+      read_value();
+    }
+    return true;
+  }
+
+  void read_value() {
+    const char quote = *p_++;
+    const char* const value = p_;
+    while ((p_ = skip(p_, end_, value_part)) != end_ && *p_ != quote) {
+      pass_special();
+    }
+    attribute_.value = between(value, p_);
+    p_ += p_ == end_ ? 0 : 1;
+  }
+
+  // The first character of a value that is not in the class value_part.
+  void pass_special() {
+    const char c = *p_;
+    if (c == '&' || static_cast<unsigned char>(c) < ' ') {
+      needs_decoding_ = true;
+      plain_ = false;
+      ++p_;
+    } else if (c == '>' || c == '"' || c == '\'') {
+      ++p_;
+    } else {
+      const std::size_t size = plain_character(between(p_, end_));
+      plain_ = plain_ && size != 0;
+      p_ += std::max<std::size_t>(size, 1);
+    }
+  }
+
+  void add_attribute() {
+    std::vector<XmlAttribute>& all = token_.attributes;
+    const auto same = [&](const XmlAttribute& other) { return other.name == attribute_.name; };
+    plain_ =
+        plain_ && all.size() < most_plain_attributes && std::none_of(all.begin(), all.end(), same);
+    all.push_back(attribute_);
+  }
+
+  // Decides what follows the last attribute.
+  void finish() {
+    bool is_empty = false;
+    if (p_ != end_ && *p_ == '/' && p_ + 1 != end_ && p_[1] == '>') {
+      is_empty = true;
+      plain_ = plain_ && !is_end_;
+      p_ += 2;
+    } else if (p_ != end_ && *p_ == '>') {
+      ++p_;
+    } else {
+      plain_ = false;
+      pass_rest();
+      is_empty = p_[-1] == '>' && p_[-2] == '/';
+    }
+    token_.kind = is_end_    ? XmlTokenKind::end
+                  : is_empty ? XmlTokenKind::empty
+                             : XmlTokenKind::start;
+  }
+
+  void pass_rest() {
+    while (p_ != end_ && *p_ != '>') {
+      const char c = *p_++;
+      if (c == '"' || c == '\'') {
+        p_ = std::find(p_, end_, c);
+        p_ += p_ == end_ ? 0 : 1;
+      }
+    }
+    p_ += p_ == end_ ? 0 : 1;
+  }
+
+  const char* begin_;
+  const char* end_;
+  const char* p_;
+  XmlToken& token_;
+  XmlAttribute attribute_;
+  bool is_end_ = false;
+  bool plain_ = true;
+  bool needs_decoding_ = false;
+};
+
+// One past the next `what`, or the end of the text.
+std::size_t end_after(std::string_view text, std::string_view what, std::size_t from) {
+  const std::size_t at = text.find(what, from);
+  return at == std::string_view::npos ? text.size() : at + what.size();
+}
+
+// A DOCTYPE can contain declarations in brackets.
+std::size_t doctype_end(std::string_view text) {
+  bool inside = false;
+  std::size_t at = 2;
+  while (at < text.size() && (inside || text[at] != '>')) {
+    const char c = text[at];
+    if (text.substr(at).starts_with("<!--")) {
+      at = end_after(text, "-->", at);
+    } else if (text.substr(at).starts_with("<?")) {
+      at = end_after(text, "?>", at);
+    } else if (c == '"' || c == '\'') {
+      at = end_after(text, {&c, 1}, at + 1);
+    } else {
+      inside = c == '[' || (inside && c != ']');
+      ++at;
+    }
+  }
+  return std::min(at + 1, text.size());
+}
+
+std::size_t false_comment_end(std::string_view text) {
+  const std::string_view until_tag = text.substr(0, text.find('<', 1));
+  return end_after(until_tag, "-->", 3);
+}
+
+bool is_plain_comment(std::string_view comment) {
+  if (comment.size() < 7 || !comment.starts_with("<!--") || !comment.ends_with("-->")) {
+    return false;
+  }
+  const char* p = comment.data() + 4;
+  const char* const end = comment.data() + comment.size() - 3;
+  while ((p = skip(p, end, comment_part)) != end) {
+    // The character after a dash at the end is another dash.
+    const bool single_dash = *p == '-' && p[1] != '-';
+    const std::size_t size = single_dash ? 1 : plain_character(between(p, end));
+    if (size == 0) {
+      return false;
+    }
+    p += size;
+  }
+  return true;
+}
+
+// The most common spelling; only Expat can tell of others.
+bool is_plain_declaration(std::string_view text) {
+  constexpr std::string_view version = "<?xml version=\"1.0\"";
+  if (!text.starts_with(version)) {
+    return false;
+  }
+  text.remove_prefix(version.size());
+  constexpr std::string_view encoding = " encoding=\"";
+  if (text.starts_with(encoding)) {
+    text.remove_prefix(encoding.size());
+    const std::string name = lower_case(text.substr(0, text.find('"')));
+    if (name != "utf-8" && name != "iso-8859-1") {
+      return false;
+    }
+    text.remove_prefix(name.size() + 1);
+  }
+  return text == "?>" || text == " ?>";
+}
+
+// Of markup that is not a tag.
+std::size_t markup_end(std::string_view text, XmlTokenKind& kind) {
+  if (text.starts_with("<!--")) {
+    kind = XmlTokenKind::comment;
+    return end_after(text, "-->", 4);
+  }
+  if (text.starts_with("<--")) {
+    kind = XmlTokenKind::comment;
+    return false_comment_end(text);
+  }
+  if (text.starts_with("<![CDATA[")) {
+    kind = XmlTokenKind::cdata;
+    return end_after(text, "]]>", 9);
+  }
+  kind = XmlTokenKind::other;
+  return text.starts_with("<?") ? end_after(text, "?>", 2) : doctype_end(text);
+}
+
+bool is_tag(std::string_view text) {
+  const char c = text.size() > 1 ? text[1] : ' ';
+  return c != '!' && c != '?' && !(c == '-' && text.starts_with("<--"));
+}
+
+}  // namespace
+
+const XmlAttribute* XmlTag::find(std::string_view attribute) const {
+  for (const XmlAttribute& a : attributes) {
+    if (a.name == attribute) {
+      return &a;
+    }
+  }
+  return nullptr;
+}
+
+bool XmlScanner::next(XmlToken& token) {
+  const char* const begin = text_.data() + at_;
+  const char* const end = text_.data() + text_.size();
+  const char* const p = skip(begin, end, blank);
+  if (p == end) {
+    return false;
+  }
+  const std::string_view rest = between(p, end);
+  if (*p == '<' && is_tag(rest)) {
+    TagScanner(rest, token).run();
+  } else {
+    token.attributes.clear();
+    token.name = {};
+    token.needs_decoding = false;
+    if (*p == '<') {
+      token.written = rest.substr(0, markup_end(rest, token.kind));
+      token.plain = (token.kind == XmlTokenKind::comment && is_plain_comment(token.written)) ||
+                    (at_ == 0 && p == begin && is_plain_declaration(token.written));
+    } else {
+      token.kind = XmlTokenKind::text;
+      token.written = rest.substr(0, rest.find('<'));
+      token.written = token.written.substr(0, token.written.find_last_not_of(blanks) + 1);
+      token.plain = false;
+    }
+  }
+  at_ = static_cast<std::size_t>(p - text_.data()) + token.written.size();
+  return true;
+}
+
+}  // namespace scenefile

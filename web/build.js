@@ -36,7 +36,7 @@ const examples = [
 
 const schema = (name) => readFileSync(join(root, 'schema', name), 'utf8');
 
-/** Modules that the sources import by name and that the build makes. */
+/** Generated modules that the sources import by name. */
 const made = (contents) => ({
   name: 'made',
   setup({ onResolve, onLoad }) {
@@ -82,7 +82,7 @@ const bundle = (name, more = { format: 'iife' }) =>
     target: ['chrome103', 'firefox113', 'safari16.4'],
     legalComments: 'none',
     logLevel: 'warning',
-    // The module's code for node is never reached in a page.
+    // The module's code for Node.js is never reached in a page.
     external: ['fs', 'path', 'crypto', 'ws'],
     nodePaths: [join(here, 'node_modules')],
     plugins: [made(contents)],
@@ -90,7 +90,7 @@ const bundle = (name, more = { format: 'iife' }) =>
 
 rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
-// What the page rarely needs is in files of its own, loaded on demand.
+// What the page rarely needs is in separate files, loaded on demand.
 const { metafile } = await bundle('main', { format: 'esm', splitting: true });
 await bundle('worker');
 for (const name of ['index.html', 'style.css', 'icon.svg', 'manifest.webmanifest']) {
@@ -109,7 +109,7 @@ await bundle('service-worker'); // last: it knows all others
 
 const read = (name) => readFileSync(join(output, name));
 const brotli = (bytes) => brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 22 } }).length;
-// The script and what it imports before it runs.
+// The script and its static imports.
 const imported = (path) => [
   path,
   ...metafile.outputs[path].imports.filter(({ kind }) => kind === 'import-statement').flatMap((other) => imported(other.path)),
@@ -132,6 +132,6 @@ for (const [key, size] of Object.entries(sizes)) {
 }
 console.log(`${output}: ${Math.ceil(all / kilobyte)} KB in ${filesBelow(output).length} files`);
 if (tooLarge) {
-  console.error('the page is larger than its limits');
+  console.error('the page exceeds its size limits');
   process.exitCode = 1;
 }

@@ -1,5 +1,5 @@
-// The fields of a scene that panels show, from the schemas: their names in the file, titles, parts, ranges
-// and the values that a new one starts with.
+// Makes the list of fields that the panels show, from the schemas: the name in the file, the title,
+// the parts, their ranges and the start values.
 //
 // A field: { name, title, about, kind, parts: [{ names, about, min, max, ... }], start, ... }. A part of an XML
 // field is an attribute, which may have several names. JSON fields have one number for each part, or a
@@ -7,9 +7,9 @@
 
 import { documentationOf, parseXml, unwrapped } from '../bindings/npm/make-vocabulary.js';
 
-const largest = 1e30; // beyond it, a bound is that of the type float
+const largest = 1e30; // larger bounds only state the range of the type float
 
-// Examples of transforms do something, but a field that is not in the file does nothing.
+// The schemas' examples of transforms move things; a field that is not in the file must not.
 const neutral = { translate: [0, 0, 0], rotate: [0, 1, 0, 0] };
 
 const bounded = (part) =>
@@ -50,7 +50,7 @@ function jsonField(schema, name, written) {
   return { ...field, kind, parts: Array.from({ length: value.minItems }, () => rangeOf(value.items)) };
 }
 
-/** Lists of fields by the name of their definition; `lights`: which of them each type of light needs and uses. */
+/** The fields by the name of their definition; `lights`: which of them each type of light requires and uses. */
 export function jsonFields(schema) {
   const fields = {};
   for (const [name, definition] of Object.entries(schema.definitions)) {
@@ -79,14 +79,14 @@ export function jsonFields(schema) {
 
 // XML.
 
-/** The same for XML, by the name of the element. `json`: jsonFields, for titles and start values. */
+/** The same for XML, by element name. `json`: result of jsonFields(), for titles and start values. */
 export function xmlFields(rng, json) {
   const grammar = parseXml(rng).children.find((node) => node.name === 'grammar');
   const defines = new Map(
     grammar.children.filter((node) => node.name === 'define').map((node) => [node.attributes.name, node.children]),
   );
   const isElement = (node) => node.name === 'element' && node.attributes.name !== undefined;
-  // What is directly in a node: its elements, attributes and data, with whether they can be left out.
+  // The elements, attributes and data directly in a node, and whether they are optional.
   const inside = (node, optional = false) =>
     node.children.flatMap((child) => {
       switch (child.name) {
@@ -208,7 +208,8 @@ export function xmlFields(rng, json) {
     primitive: fieldsIn(named('object').filter((node) => elementsOf(node).some((child) => child.node.attributes.name === 'diffuse')), 'primitive'),
     transblock: fieldsIn(named('transblock'), 'group'),
   };
-  // The type decides about the others, so it comes first; where a light is, its group says in JSON.
+  // The type comes first, because it determines which other fields apply. In JSON, the position of
+  // a light is that of its group.
   const place = fields.lightdata.find(({ name }) => name === 'position');
   place.start = ['2', '5', '3'];
   fields.lightdata.find(({ name }) => name === 'id').start = ['0'];

@@ -1,4 +1,5 @@
-// Serves a folder on this machine: node web/serve.js FOLDER [PORT]. Any static host will do instead.
+// Serves a folder on this machine: node web/serve.js FOLDER [PORT]. Any static web host works as
+// well.
 
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -17,7 +18,7 @@ const types = {
   '.xml': 'application/xml',
 };
 
-/** A server of the folder, not yet listening. */
+/** A server for the folder; not listening yet. */
 export function serverOf(folder) {
   const root = resolve(folder);
   return createServer((request, response) => {
@@ -42,5 +43,5 @@ export function serverOf(folder) {
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
   const [folder, port = '8123'] = process.argv.slice(2);
-  serverOf(folder).listen(Number(port), '127.0.0.1', () => console.log(`http://localhost:${port} (Ctrl-C ends it)`));
+  serverOf(folder).listen(Number(port), '127.0.0.1', () => console.log(`http://localhost:${port} (stop with Ctrl-C)`));
 }

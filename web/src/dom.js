@@ -23,7 +23,7 @@ export function download(name, parts, type = 'application/octet-stream') {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** Calls `work` when it was not called again for `pause` milliseconds. */
+/** Debounce: calls `work` once `pause` milliseconds have passed without another call. */
 export function afterPause(pause, work) {
   let timer = 0;
   return (...args) => {

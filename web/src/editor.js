@@ -1,5 +1,5 @@
-// The editor: CodeMirror with the checker's findings and the words of the format. It is in a shadow
-// root, because there CodeMirror's styles need no exception in the content security policy.
+// The editor: CodeMirror with the checker's findings and completion for the format. It is in a
+// shadow root, because there CodeMirror's styles need no exception in the content security policy.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from '@codemirror/commands';
@@ -136,13 +136,13 @@ export class Editor {
     return this.#view.state.doc.toString();
   }
 
-  /** Another document: nothing of the one before can be undone. */
+  /** Opens another document, with an empty undo history. */
   open(text) {
     this.#isXml = isXml(text.slice(0, 2000));
     this.#view.setState(this.#stateOf(text));
   }
 
-  /** The same document changed by the page: can be undone. Only what differs is replaced. */
+  /** Changes the document as one step that can be undone; replaces only what differs. */
   replace(text) {
     const old = this.text;
     let from = 0;
@@ -159,7 +159,7 @@ export class Editor {
     });
   }
 
-  /** Places of the text, replaced as one step that can be undone. */
+  /** Replaces places of the text as one step that can be undone. */
   change(changes) {
     this.#view.dispatch({ changes, userEvent: 'input.panel' });
   }
@@ -208,7 +208,7 @@ export class Editor {
     this.#view.focus();
   }
 
-  /** The correction that a finding proposes, as a function that makes it; null: none. */
+  /** The correction that a finding proposes, with a function that applies it; null if there is none. */
   correctionOf(finding) {
     const text = this.text;
     const found = correct(text, offsetOf(text, finding.line, finding.column), finding.message);

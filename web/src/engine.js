@@ -1,7 +1,7 @@
-// Workers with the core. A worker that takes too long, or whose instance ended, is terminated and
-// replaced at the next request; it then gets the files and the scene again.
+// Workers that run the core. A worker that takes too long, or whose instance ended, is terminated
+// and replaced at the next request; it then gets the files and the scene again.
 
-const loadTimeout = 60_000; // milliseconds until the module has to be there
+const loadTimeout = 60_000; // milliseconds until the module must be loaded
 
 const compiled = new Map();
 
@@ -26,7 +26,7 @@ async function load(name) {
     : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** A request that was given up. */
+/** A request that was canceled. */
 export class Stopped extends Error {
   constructor(message, reason) {
     super(message);
@@ -41,7 +41,7 @@ export class Engine {
   #ready = null;
   #waiting = new Map();
   #next = 1;
-  /** Files and scene that this worker has. */
+  /** The versions of the files and the scene that this worker has. */
   generation = -1;
   opened = -1;
 
@@ -86,7 +86,7 @@ export class Engine {
     this.#waiting.delete(id);
     clearTimeout(request.timer);
     if (fatal) {
-      const stopped = new Stopped('it needs more memory than a page can have', 'memory');
+      const stopped = new Stopped('it needs more memory than a page can use', 'memory');
       request.reject(stopped);
       this.stop(stopped);
     } else if (error !== undefined) {
@@ -96,7 +96,7 @@ export class Engine {
     }
   }
 
-  /** Ends what is being done; requests fail with `reason`. */
+  /** Terminates the worker; its requests fail with `reason`. */
   stop(reason = new Stopped('it was stopped', 'replaced')) {
     this.#worker?.terminate();
     this.#worker = null;

@@ -18,7 +18,7 @@ function lineLink(line, selectLine) {
   return line === undefined ? null : h('button', { className: 'link', type: 'button', onclick: () => selectLine(line) }, `line ${line}`);
 }
 
-// The object and those it is an instance in, outermost first.
+// `found.object` lists the object after the objects that contain it, outermost first.
 function objectPart(found, selectLine) {
   const object = found.object.at(-1);
   return [object.path, ' ', lineLink(object.line, selectLine)];
@@ -80,25 +80,25 @@ function yoursPart(yours) {
   }
   const value = h('p', {}, 'Your picture: ', swatch(yours.value.map((v) => v / 255)), ` ${yours.value.join(' ')}`);
   if (yours.equal) {
-    return [value, h('p', {}, 'It is equal to ours, up to rounding.')];
+    return [value, h('p', {}, 'It equals ours, up to rounding.')];
   }
   return yours.fits.length === 0
-    ? [value, h('p', {}, 'No known change of our terms gives it.')]
+    ? [value, h('p', {}, 'No known mistake in our terms gives this value.')]
     : [value, h('ul', { className: 'claims' }, yours.fits.map((fit) => h('li', {}, `Yours equals ours ${fit.what}.`)))];
 }
 
-/** Elements that show the answer. `selectLine` is called for lines of the file. */
+/** Elements that show the answer. `selectLine` is called when a line number is clicked. */
 export function explanation({ document, text }, selectLine) {
   const { pixel } = document;
   const [ray] = pixel.rays;
   const remarks = pixel.remarks.map(({ text: words }) => h('li', {}, words));
   return [
     h('p', {}, swatch(pixel.value.map((v) => v / 255)), ` ${pixel.value.join(' ')} `,
-      ray?.surface ? ['from ', ...objectPart(ray.surface, selectLine)].filter((part) => part !== null) : 'from nothing: the ray hits no object.'),
+      ray?.surface ? ['from ', ...objectPart(ray.surface, selectLine)].filter((part) => part !== null) : 'background: the ray hits no object.'),
     ...yoursPart(pixel.yours),
     remarks.length === 0 ? null : h('ul', { className: 'claims' }, remarks),
     termsTable(pixel, selectLine),
     raysTable(pixel, selectLine),
-    h('details', {}, h('summary', {}, 'Every step'), h('pre', { tabIndex: 0 }, text)),
+    h('details', {}, h('summary', {}, 'All steps'), h('pre', { tabIndex: 0 }, text)),
   ].filter((element) => element !== null);
 }

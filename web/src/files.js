@@ -1,4 +1,4 @@
-// Files that were dropped or opened: from lists, folders and zip archives.
+// Reads dropped and opened files: single files, folders and zip archives.
 
 import { strToU8, unzipSync, zipSync } from 'fflate';
 
@@ -9,10 +9,10 @@ export const isSceneName = (path) => /\.(xml|json)$/i.test(path);
 export const isPictureName = (path) => /\.(png|jpe?g|gif|bmp|tga)$/i.test(path);
 export const baseName = (path) => path.slice(path.lastIndexOf('/') + 1);
 
-// Archives and systems leave these behind.
+// Files that archivers and operating systems add.
 const isLeftBehind = (path) => path.split('/').some((part) => part === '__MACOSX' || part.startsWith('.'));
 
-/** The path without what leads nowhere; null where it leads out of the folder. */
+/** The normalized path; null if it leaves the folder or is not a file of the user. */
 export function cleanPath(path) {
   const parts = [];
   for (const part of path.replaceAll('\\', '/').split('/')) {
@@ -42,7 +42,7 @@ function unpacked(bytes, name) {
     throw new Error(`${name} cannot be unpacked: ${error.message}`);
   }
   if (count > mostFiles || size > mostBytes) {
-    throw new Error(`${name} holds more than a page can take`);
+    throw new Error(`${name} is larger than a page can handle`);
   }
   return Object.entries(files).map(([path, content]) => [cleanPath(path), content]);
 }
@@ -54,7 +54,7 @@ export async function readAll(list) {
   for (const [path, file] of list.slice(0, mostFiles)) {
     size += file.size;
     if (size > mostBytes) {
-      throw new Error('these files are more than a page can take');
+      throw new Error('these files are larger than a page can handle');
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
     if (bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3) {
@@ -103,7 +103,7 @@ export async function fromDrop(transfer) {
   return list;
 }
 
-/** A zip archive with these files. */
+/** A zip archive of these files. */
 export function packed(files) {
   return zipSync(
     Object.fromEntries([...files].map(([path, content]) => [path, typeof content === 'string' ? strToU8(content) : content])),

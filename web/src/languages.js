@@ -1,5 +1,5 @@
-// Colors for XML and JSON. Tokens of one line at a time are enough for scene files, and much smaller
-// than parsers with trees.
+// Syntax highlighting for XML and JSON. A tokenizer that works line by line is enough for scene
+// files, and much smaller than a full parser.
 
 import { StreamLanguage } from '@codemirror/language';
 
@@ -52,14 +52,14 @@ function xmlToken(stream, state) {
     return 'attributeName';
   }
   if (stream.peek() === '<') {
-    state.tag = false; // the tag before was never closed
+    state.tag = false; // the previous tag was never closed
     return null;
   }
   stream.next();
   return null;
 }
 
-// Deeper by one level after an opening tag or bracket, up to the closing one.
+// Indents one level deeper after an opening tag or bracket, up to the closing one.
 function indentAfter(opens, closes) {
   return (state, textAfter, context) => {
     const { doc } = context.state;

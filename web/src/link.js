@@ -1,11 +1,11 @@
-// A link that contains the scene after its #, which is never sent to a server.
+// Links that contain the scene in the fragment (after #), which is never sent to a server.
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 
 const mostText = 64 * 1024 * 1024;
 const piece = 16 * 1024;
 
-// In pieces, so that a small link cannot fill the memory.
+// In pieces, so that a small link cannot expand to fill the memory.
 function inflated(bytes) {
   const parts = [];
   let size = 0;
@@ -42,7 +42,7 @@ export function linkOf(scene) {
   return `#s=${toBase64Url(deflateSync(strToU8(JSON.stringify(scene)), { level: 9 }))}`;
 }
 
-/** The scene in a fragment; null: there is none. Throws where it is damaged. */
+/** The scene in a fragment; null if there is none. Throws if it is damaged. */
 export function sceneOf(fragment) {
   const packed = new URLSearchParams(fragment.replace(/^#/, '')).get('s');
   if (packed === null) {
@@ -55,7 +55,7 @@ export function sceneOf(fragment) {
     throw new Error('the link is damaged or was cut off');
   }
   if (typeof scene?.text !== 'string') {
-    throw new Error('the link holds no scene');
+    throw new Error('the link does not contain a scene');
   }
   return { name: typeof scene.name === 'string' ? scene.name : 'scene.xml', text: scene.text, options: scene.options };
 }

@@ -1,4 +1,4 @@
-// The page: what is opened, checked, drawn, explained and saved, and when.
+// The page: opens, checks, draws, explains and saves scenes, in response to events.
 
 import examples from 'scenefile-examples';
 import { afterPause, byId, download, h } from './dom.js';
@@ -41,7 +41,7 @@ const sizes = [[320, 240], [640, 480], [1024, 768], [1280, 720], [1920, 1080]];
 const text = new TextDecoder();
 const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8));
 
-// What is open in this tab. `files`: all files beside the scene, by path.
+// What is open in this tab. `files`: all files other than the scene, by path.
 const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true };
 
 const checker = new Engine();
@@ -94,7 +94,7 @@ function clearNotice(key) {
   byId('notices').querySelector(`[data-key="${key}"]`)?.remove();
 }
 
-// A scene that takes too long or too much is not tried again before it is changed.
+// A scene that exceeded the limits of time or memory is only tried again after it has changed.
 function stopped(error) {
   store.end(scene.id);
   byId('stop').hidden = true;
@@ -178,7 +178,7 @@ async function checkAndDraw() {
   showMissing(checked.files ?? []);
   if (!checked.usable) {
     showFindings(checked.scene);
-    byId('verdict').textContent += picture.hasScene ? '; the picture is that of the last version without errors' : '';
+    byId('verdict').textContent += picture.hasScene ? '; the picture shows the last version without errors' : '';
     return;
   }
   store.begin(scene.id);
@@ -277,7 +277,7 @@ function setDocument({ id = store.newId(), path, content, files = new Map(), opt
   panelFollows(null);
   saveSoon();
   if (unsafe) {
-    notice('stopped', 'This scene did not finish the last time. It is not drawn until you ask for it or change it.', {
+    notice('stopped', 'This scene did not finish last time. It is not drawn again until you press the button or change it.', {
       actions: [['Draw it', () => run({ anyway: true })]],
     });
   } else {
@@ -352,7 +352,7 @@ async function openExample({ path, files }) {
   }
 }
 
-// Settings of the picture.
+// Picture settings.
 
 function applyOptions(options) {
   if (options !== null && typeof options === 'object') {
@@ -443,7 +443,7 @@ function closeComparison() {
   byId('split-label').hidden = true;
   byId('compare-result').replaceChildren();
   byId('compare-intro').textContent =
-    'Open a picture that your own program made of this scene: it is drawn here in the same size, and known mistakes are named.';
+    'Open your program’s picture of this scene. The page renders the scene in the same size and names known mistakes.';
 }
 
 function compareHow() {
@@ -470,7 +470,7 @@ function showComparison({ working, otherSize, answer }) {
     parts.push(
       ...claims('Your picture differs because', answer.causes),
       ...claims('It may also be that', answer.rivals),
-      ...claims('This explains a part', answer.partial),
+      ...claims('This explains a part of the difference', answer.partial),
     );
     const { worst } = answer;
     if (worst) {
@@ -481,7 +481,7 @@ function showComparison({ working, otherSize, answer }) {
       );
     }
     if (!answer.causes?.length && !answer.partial?.length) {
-      parts.push(h('p', {}, 'No known mistake explains the difference. Click where the pictures differ to see how ours is computed.'));
+      parts.push(h('p', {}, 'No known mistake explains the difference. Click a pixel where the pictures differ to see how ours is computed.'));
     }
   }
   box.replaceChildren(...parts);
@@ -527,7 +527,8 @@ async function showPanel() {
   panel.update(editor.cursor);
 }
 
-// After a change of the text by something else; `changes`: null for another text.
+// Called when something other than the panels changed the text; `changes`: null if it was replaced
+// as a whole.
 function panelFollows(changes) {
   if (panelIsShown() && !panelIsChanging) {
     const place = panel.item?.from ?? 0;
@@ -535,7 +536,7 @@ function panelFollows(changes) {
   }
 }
 
-// Looking and explaining.
+// Moving the camera, and explaining pixels.
 
 const canvas = byId('canvas');
 let drag = null;
@@ -606,7 +607,7 @@ byId('view-write').addEventListener('click', async () => {
   try {
     editor.replace(await picture.writeView(sceneNow()));
   } catch (error) {
-    failed(new Error(`The view cannot be written: ${error.message}`));
+    failed(new Error(`The view cannot be saved in the text: ${error.message}`));
   }
 });
 
@@ -649,7 +650,7 @@ byId('explain-form').addEventListener('submit', (event) => {
 });
 new ResizeObserver(() => (byId('cross').hidden = true)).observe(canvas);
 
-// Out.
+// Saving and exporting.
 
 const stem = () => baseName(scene.path).replace(/\.(xml|json)$/i, '');
 const allFiles = () => new Map([...scene.files, [scene.path, editor.text]]);
@@ -692,7 +693,7 @@ for (const button of document.querySelectorAll('[data-format]')) {
         notice('converted', lost.slice(0, 5).map(({ message }) => message).join('; '));
       }
     } catch (error) {
-      failed(new Error(`It cannot be converted: ${error.message}.`));
+      failed(new Error(`The scene cannot be converted: ${error.message}.`));
     }
   });
 }
@@ -702,12 +703,12 @@ byId('share').addEventListener('click', async () => {
   const link = linkOf({ name: baseName(scene.path), text: editor.text, options: { profile, mode, features, width, height } });
   const named = [...scene.files].length;
   history.replaceState(null, '', link);
-  const words = named > 0 ? ' Textures and meshes are not in it; send a zip with them.' : '';
+  const words = named > 0 ? ' Textures and meshes are not part of the link; send a zip of the scene and its files instead.' : '';
   try {
     await navigator.clipboard.writeText(location.href);
-    notice('shared', `The link is copied; it holds the scene (${link.length} characters).${words}`);
+    notice('shared', `Link copied; it contains the scene (${link.length} characters).${words}`);
   } catch {
-    notice('shared', `The link is in the address bar now (${link.length} characters).${words}`);
+    notice('shared', `The link is now in the address bar (${link.length} characters).${words}`);
   }
 });
 
@@ -715,7 +716,7 @@ byId('format').addEventListener('click', async () => {
   try {
     editor.replace(await picture.format(sceneNow()));
   } catch (error) {
-    failed(new Error(`It cannot be laid out: ${error.message}`));
+    failed(new Error(`The text cannot be formatted: ${error.message}`));
   }
 });
 byId('undo').addEventListener('click', () => editor.undo());
@@ -731,7 +732,7 @@ byId('name').addEventListener('change', () => {
   run();
 });
 
-// Keeping.
+// Storing the scene in the browser.
 
 const saveSoon = afterPause(400, async () => {
   const { id, path, unsafe, filesSaved } = scene;
@@ -744,7 +745,7 @@ const saveSoon = afterPause(400, async () => {
     document.body.dataset.saved = String(scene.version);
   } catch (error) {
     scene.filesSaved = filesSaved;
-    notice('saving', `The browser does not keep this scene: ${error.message}`);
+    notice('saving', `The browser cannot store this scene: ${error.message}`);
   }
 });
 
@@ -795,7 +796,7 @@ async function openFirst() {
       }
     }
   } catch {
-    // nothing is kept here
+    // the browser has no storage
   }
   openExample(examples[0]);
 }

@@ -1,12 +1,12 @@
-// The picture: drawn by several workers in strips, a coarse one first; seen from elsewhere by orbiting,
-// with quick previews; and compared with the reader's own picture.
+// The picture: drawn by several workers in strips, a coarse one first; from other viewpoints by
+// orbiting, with quick previews; and compared with the user's own picture.
 
 import { Engine, Stopped } from './engine.js';
 
 const stripTime = 200; // milliseconds that a strip should take
 const fewestRows = 8; // of a strip: each also traces rows around it
 const frameTime = 45; // milliseconds for a preview
-const patience = 120; // milliseconds for work that is no longer wanted, before its worker is ended
+const patience = 120; // milliseconds for canceled work to finish, before its worker is terminated
 
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
@@ -38,7 +38,7 @@ export class Picture {
   options = { profile: 1, mode: 0, features: -1, width: 640, height: 480, samples: 0, maxDepth: -1 };
   pixels = null; // RGBA of the finished picture
   written = null; // the camera of the file
-  camera = null; // another one; null: that of the file
+  camera = null; // after orbiting; null: that of the file
   mine = null; // { name, width, height, data }
   show = 'split';
   split = 0.5;
@@ -54,7 +54,7 @@ export class Picture {
     return this.#scene !== null;
   }
 
-  // Brings files, scene and camera to a worker that lacks them.
+  // Sends files, scene and camera to a worker that lacks them.
   async #prepared(engine) {
     const scene = this.#scene;
     let opened = null;
@@ -91,7 +91,7 @@ export class Picture {
     return job;
   }
 
-  /** Another scene, or the same after a change. Resolves to what the core says about it. */
+  /** Opens another scene, or the same one after a change. Resolves to the core's answer about it. */
   async open(scene) {
     const job = await this.#endOldWork();
     if (job !== this.#job) {
@@ -135,7 +135,7 @@ export class Picture {
   }
 
   #paintAsked = false;
-  /** Shows what is there, at the next frame. */
+  /** Repaints at the next animation frame. */
   paint() {
     if (!this.#paintAsked) {
       this.#paintAsked = true;
@@ -168,7 +168,7 @@ export class Picture {
     }
   }
 
-  /** Draws the picture; what was being drawn is given up. */
+  /** Draws the picture; cancels a drawing in progress. */
   async draw() {
     if (this.#scene === null) {
       return;
@@ -219,7 +219,7 @@ export class Picture {
     const { width, height } = options;
     let next = 0;
     let done = 0;
-    let perRow = 0; // milliseconds, of the strip before
+    let perRow = 0; // milliseconds that the previous strip took
     const most = Math.ceil(height / (2 * this.#engines.length));
     const work = async (engine) => {
       await this.#prepared(engine);
@@ -244,13 +244,13 @@ export class Picture {
     await Promise.all(this.#engines.map(work));
   }
 
-  /** Gives up what is being drawn. */
+  /** Cancels the drawing in progress. */
   async stop() {
     await this.#endOldWork();
     this.#told.progress(1);
   }
 
-  /** The camera that is seen through. */
+  /** The current camera. */
   get view() {
     return this.camera ?? this.written;
   }
@@ -296,7 +296,7 @@ export class Picture {
     this.draw();
   }
 
-  // Quick pictures while the camera moves: as small as they have to be.
+  // Previews while the camera moves, as small as needed to be quick.
   async #preview() {
     if (this.#previewing || this.#scene === null) {
       return;
@@ -356,7 +356,7 @@ export class Picture {
     return [...this.mine.data.subarray(at, at + 3)];
   }
 
-  /** A picture to compare with, as bytes of its file; null: none. */
+  /** Sets the picture to compare with, as the bytes of its file; null for none. */
   async compareWith(name, bytes) {
     if (bytes === null) {
       this.mine = null;
@@ -396,7 +396,7 @@ export class Picture {
     }
   }
 
-  /** Any other call of the core, by the first worker. */
+  /** Any other call of the core, in the first worker. */
   async call(call, args, options) {
     const [engine] = this.#engines;
     if (this.#scene !== null) {
@@ -415,7 +415,7 @@ export class Picture {
     return this.#tool('format', scene, {});
   }
 
-  /** The text with the camera that is seen through. */
+  /** The text with the current camera. */
   writeView(scene) {
     const { position, v, w, fov_y } = this.view;
     const values = [...position, ...w.map((x) => -x), ...v, (fov_y * 180) / Math.PI];
@@ -424,7 +424,7 @@ export class Picture {
 
   async #tool(call, scene, args) {
     await this.#tools.call('files', { files: [...scene.files, [scene.path, scene.text]] });
-    this.#tools.generation = -1; // nothing is opened
+    this.#tools.generation = -1; // no scene is open
     return this.#tools.call(call, { path: scene.path, ...args }, { timeout: 60_000 });
   }
 

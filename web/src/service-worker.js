@@ -1,4 +1,4 @@
-// Keeps the whole page, so that it opens without a network after the first visit. `files` and `version`
+// Caches the whole page, so that it works offline after the first visit. `files` and `version`
 // come from the build; a new version replaces the old one as a whole.
 
 import { files, version } from 'scenefile-assets';

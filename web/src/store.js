@@ -1,5 +1,5 @@
-// Documents kept by the browser. Each tab has its own document, held by a lock, so that two tabs
-// never write the same one.
+// Documents stored by the browser. Each tab has its own document and holds a lock on it, so that
+// two tabs never write the same one.
 
 const name = 'scenefile';
 const mostRecent = 12;
@@ -33,7 +33,7 @@ async function stores(mode) {
 
 export const newId = () => crypto.randomUUID();
 
-/** Whether this tab holds the document from now on; false: another does. */
+/** Locks the document for this tab; false if another tab holds it. */
 export function hold(id) {
   if (navigator.locks === undefined) {
     return Promise.resolve(true);
@@ -53,7 +53,7 @@ export function release(id) {
   releases.delete(id);
 }
 
-/** Those of all tabs, the latest first, without their files. */
+/** The documents of all tabs, the latest first, without their files. */
 export async function list() {
   const { documents } = await stores('readonly');
   return (await result(documents.getAll())).sort((a, b) => b.time - a.time);
@@ -65,7 +65,7 @@ export async function load(id) {
   return document && { ...document, files: new Map(contents ?? []) };
 }
 
-/** `files`: null where they are as they were. */
+/** `files`: null if they have not changed. */
 export async function save({ id, path, text, options, unsafe }, files) {
   const to = await stores('readwrite');
   const wishes = [result(to.documents.put({ id, path, text, options, unsafe, time: Date.now() }))];
@@ -75,7 +75,7 @@ export async function save({ id, path, text, options, unsafe }, files) {
   await Promise.all(wishes);
 }
 
-/** Forgets the oldest, but none that a tab holds. */
+/** Deletes the oldest documents, except those that a tab holds. */
 export async function tidy() {
   const old = (await list()).slice(mostRecent);
   const held = new Set(((await navigator.locks?.query())?.held ?? []).map((lock) => lock.name));

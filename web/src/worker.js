@@ -1,4 +1,4 @@
-// A worker: one instance of the core, which does one thing at a time. Messages are
+// A worker: one instance of the core, which handles one call at a time. Messages are
 // { id, call, args }; answers are { id, value } or { id, error }, with `fatal` if the instance can no
 // longer be used.
 
@@ -75,7 +75,7 @@ function json(pointer) {
   return answer;
 }
 
-// A picture, or the reason why there is none, which is then the last answer.
+// A picture, or the reason why there is none, which is then in the last answer.
 function pixelsOf(pointer, size) {
   if (pointer === 0) {
     json(lastAnswer());
@@ -191,7 +191,7 @@ async function handle({ id, call, args }) {
   }
 }
 
-// One at a time, in order.
+// Calls run one at a time, in order.
 let last = Promise.resolve();
 addEventListener('message', ({ data }) => {
   last = last.then(() => handle(data));

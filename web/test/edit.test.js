@@ -1,5 +1,5 @@
 // Edits of the text by the panels: every field of example scenes in several layouts, and random series of
-// edits. The core, as the npm package has it, is the judge: node --test web/test/edit.test.js
+// edits. The core of the npm package judges the results: node --test web/test/edit.test.js
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -149,7 +149,7 @@ const ranged = (part, now) => {
   return String(wanted);
 };
 
-/** Another value that the part can have; null: none is sensible. */
+/** A different value that is valid for the part; null if there is no sensible one. */
 function otherValue(some, { spec, item, values }, i) {
   const now = values[i];
   switch (spec.kind) {
@@ -175,7 +175,7 @@ test('the scenes are clean before they are edited', async () => {
   }
 });
 
-// Findings about what a value means together with others.
+// Findings about combinations of values.
 const ofValues = new Set([
   'camera.lens-incomplete', 'camera.nothing-in-view', 'global.transparent-default', 'json.matrix-with-others',
   'material.reflective-and-transparent', 'material.specular-without-shininess', 'xml.camera-default',
@@ -192,7 +192,8 @@ test('every value of every field can be set; nothing else changes', async () => 
         const field = fields[f];
         for (let i = 0; i < field.values.length; ++i) {
           const value = otherValue(before, field, i);
-          // A part of an image without its file, and a name that would make the group an instance.
+          // Cases to skip: a part of an image without its file, and a name that would make the
+          // group an instance.
           if (value === null || (field.spec.kind === 'image' && i > 0 && field.values[0] === null) || (/^(texture|bumpMap)[UV]$/.test(field.spec.name) && field.element === null)) {
             continue;
           }
@@ -227,7 +228,7 @@ test('every value of every field can be set; nothing else changes', async () => 
 
 const after = (text, { changes }) => applied(text, changes);
 
-test('a field that was set can be removed, which gives the text as it was', () => {
+test('removing a field that was set restores the original text', () => {
   let count = 0;
   for (const [name, text] of scenes) {
     const before = model(text);
@@ -250,7 +251,7 @@ test('a field that was set can be removed, which gives the text as it was', () =
   assert.ok(count > 300, String(count));
 });
 
-test('setting a value back gives the text as it was', () => {
+test('setting a value back restores the original text', () => {
   for (const [name, text] of scenes) {
     const before = model(text);
     before.all.forEach((item, n) => {
@@ -268,7 +269,7 @@ test('setting a value back gives the text as it was', () => {
   }
 });
 
-test('each light takes each type, with what the type needs and nothing else', async () => {
+test('every light can change to every type, with exactly the fields that the type needs', async () => {
   for (const [name, text] of scenes) {
     const before = model(text);
     for (let n = 0; n < before.lights.length; ++n) {
@@ -307,7 +308,7 @@ test('everything can be added, and removed again', async () => {
         const news = (await findingsOf(edited)).filter((finding) => !expected.test(finding));
         assert.deepEqual(news, [], `${what}\n${edited}`);
         const gone = after(edited, removeItem(now, found));
-        const dense = (some) => some.replace(/\s+/g, '').replace(',"groups":[]', ''); // the list that was made for it may stay
+        const dense = (some) => some.replace(/\s+/g, '').replace(',"groups":[]', ''); // a list that was created for it may remain
         assert.equal(dense(gone), dense(text), `${what}\n${edited}\n${gone}`);
       }
     }
@@ -353,7 +354,7 @@ const countsOf = async (text) => {
   return JSON.stringify([primitives, lights]);
 };
 
-test('items move into every group that takes them, and into groups of their own', async () => {
+test('items move to every group that accepts them, and into new groups', async () => {
   for (const [name, text] of scenes) {
     if (name.includes('showcase') || name === 'smallest.xml') {
       continue;
@@ -412,7 +413,7 @@ test('transforms are added, reordered and removed', async () => {
   assert.equal(text, own);
 });
 
-test('globals and a camera that the file lacks are written whole', async () => {
+test('global data and a camera that the file lacks are written with all required fields', async () => {
   for (const [name, text] of [['smallest.xml', smallest], ['hello.xml', file('scenes/hello.xml').replace(/ *<cameradata>[^]*<\/cameradata>\n/, '')]]) {
     for (const kind of ['globals', 'camera']) {
       const before = model(text);

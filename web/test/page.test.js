@@ -19,7 +19,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const root = dirname(dirname(here));
 const folder = process.env.PAGE ?? join(root, 'out/page');
 const hello = readFileSync(join(root, 'scenes/hello.xml'), 'utf8');
-const patience = 120_000; // of a busy machine
+const patience = 120_000; // for busy machines
 
 let server;
 let browser;
@@ -44,7 +44,8 @@ after(async () => {
   rmSync(scratch, { recursive: true });
 });
 
-// What no test may see: requests to elsewhere, violations of the policy, uncaught errors.
+// Errors in every test: requests to other servers, violations of the content security policy,
+// uncaught errors.
 function watch(some) {
   some.setDefaultTimeout(patience);
   some.on('request', (request) => {
@@ -187,7 +188,7 @@ const textured = `<scenefile>
 `;
 const bricks = readFileSync(join(root, 'scenes/image/bricks.png'));
 
-test('says which files are missing and takes them later', async () => {
+test('lists missing files and accepts them later', async () => {
   await open();
   await giveAndDraw({ 'textured.xml': textured });
   assert.match(await page.textContent('#missing'), /image\/wall\.png \(texture\)/);
@@ -338,7 +339,7 @@ test('profiles, modes, features and sizes', async () => {
   await page.click('#features-menu summary');
   await look(() => page.locator('#features label', { hasText: 'shadows' }).click());
   await look(() => page.selectOption('#size', '320x240'));
-  assert.equal(new Set(seen).size, seen.length - 1, 'only the course picture comes twice');
+  assert.equal(new Set(seen).size, seen.length - 1, 'only the picture of the profile course appears twice');
 });
 
 const wholeText = async () => (await save('#save-scene')).bytes.toString();
@@ -445,7 +446,7 @@ test('panels edit JSON', async () => {
   assert.equal(await page.textContent('#verdict').then((verdict) => /error/.test(verdict.replace('no errors', ''))), false);
 });
 
-test('panels by the keyboard alone', async () => {
+test('panels work with only the keyboard', async () => {
   await open();
   await page.focus('#show-edit');
   await page.keyboard.press('Enter');
@@ -504,7 +505,7 @@ test('explains a pixel and selects its line', async () => {
   await page.waitForSelector('text=the ray hits no object');
 });
 
-test('compares with a picture, names the mistake, and says what gives a pixel', async () => {
+test('compares with a picture, names the mistake, and explains a pixel', async () => {
   await open();
   await type(hello.replace('<specular r="1" g="1" b="1"/>', '')); // what a student without specular light draws
   await drawn(page, 2);
@@ -545,7 +546,7 @@ test('saves the scene, a zip, a PNG and every format', async () => {
   }
 });
 
-test('a link holds the scene and beats what was kept', async () => {
+test('a link holds the scene and takes precedence over the stored one', async () => {
   await open();
   const changed = hello.replace('v="35"', 'v="50"');
   await type(changed);
@@ -583,7 +584,7 @@ test('keeps the scene, and two tabs do not overwrite each other', async () => {
   await page.waitForSelector('#recent button');
 });
 
-// Slow for good reasons: mirrors in mirrors at the largest depth, at the largest size.
+// A scene that is slow to draw: mirrors in mirrors, at the maximum depth and size.
 const endless = hello
   .replaceAll('<reflective r="0.3" g="0.3" b="0.3"/>', '')
   .replace(/<object type="tree" name="root">[^]*<\/object>\n<\/scenefile>/, () => {
@@ -597,14 +598,14 @@ const endless = hello
     return `${levels.join('\n')}<object type="tree" name="root"><transblock><object type="master" name="t23"/></transblock></object>\n</scenefile>`;
   });
 
-test('a scene that takes too long is stopped, said, and not tried again by itself', async () => {
+test('a scene that takes too long is stopped and reported, and not retried automatically', async () => {
   await open();
   await give({ 'endless.xml': endless });
   await page.waitForSelector('.notice.error', { timeout: 45_000 });
   assert.match(await page.innerText('#notices'), /Stopped: /);
   await page.waitForTimeout(900);
   await page.reload();
-  await page.waitForSelector('text=did not finish the last time');
+  await page.waitForSelector('text=did not finish last time');
   assert.equal(await page.inputValue('#name'), 'endless.xml');
   await type(hello);
   await drawn();
@@ -634,7 +635,7 @@ test('opens without a network after the first visit', async () => {
   await drawn(page, before + 1);
 });
 
-test('the keyboard alone is enough', async () => {
+test('the page works with only the keyboard', async () => {
   await open();
   const reached = new Set();
   await page.evaluate(() => document.activeElement.blur());

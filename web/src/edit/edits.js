@@ -1,5 +1,5 @@
-// Edits of a scene as changes of its text: { changes, select }. `select`: where to look for the item that is
-// selected afterwards, in the new text. Nothing but the meant places changes; the rest stays byte by byte.
+// Edits of a scene as changes of its text: { changes, select }. `select`: the offset, in the new
+// text, of the item to select afterwards. Everything else in the text stays byte for byte.
 
 import { fieldsOfItem, topOf, xmlParts } from './model.js';
 import {
@@ -7,7 +7,7 @@ import {
   withRemarks, Written,
 } from './text.js';
 
-/** A number as both dialects accept it; null if the text is not one. */
+/** A number in a form that both dialects accept; null if the text is not a number. */
 export function numberText(text) {
   const number = text.trim() === '' ? NaN : Number(text);
   return Number.isFinite(number) ? String(number) : null;
@@ -53,12 +53,12 @@ const specOf = (model, item, name) => specsOf(model, item).find((spec) => spec.n
 
 // One value.
 
-/** Sets part `index` of a field to a text: a number as numberText() gives it, a name, a file. */
+/** Sets part `index` of a field to a text: a number from numberText(), a name or a file. */
 export function setPart(model, field, index, value) {
   return setParts(model, field, field.values.map((_, i) => (i === index ? value : null)));
 }
 
-/** The same for several parts; those that are null stay as they are. */
+/** The same for several parts; null leaves a part unchanged. */
 export function setParts(model, field, values) {
   if (field.item.kind === 'template' && field.spec.name === 'name') {
     return renameTemplate(model, field, values[0]);
@@ -104,7 +104,7 @@ function partChange(text, element, parts, i, value) {
   return setAttribute(text, element, name(i), value, parts.slice(0, i).map((_, k) => name(k)));
 }
 
-// A field that the file does not give: as a new element or entry, after those that come before it in the format.
+// Adds a field that is not in the file, as a new element or entry, in the order of the format.
 function insertField(model, item, spec, values) {
   const { text } = model;
   const given = spec.parts.map((_, i) => values[i] ?? undefined);
@@ -140,7 +140,7 @@ function insertField(model, item, spec, values) {
   return joinedInserts(text, item.element, before < 0 && entries.length > 0 ? 0 : before + 1, pairs);
 }
 
-// Several entries at one place, as one change.
+// Several entries inserted at one place, as one change.
 function joinedInserts(text, object, index, pairs) {
   if (object.entries.length === 0) {
     const [[key, value], ...others] = pairs;
@@ -152,7 +152,7 @@ function joinedInserts(text, object, index, pairs) {
   return [{ from, to, insert: changes.map(({ insert }) => insert).join(''), select }];
 }
 
-// Globals or a camera that the file lacks, with all that they need.
+// Adds global data or a camera that the file lacks, with all required fields.
 function newContainer(model, item, spec, given) {
   const { text, scene } = model;
   const specs = specsOf(model, item).filter((some) => some === spec || some.required || (some.name === 'look' && spec.instead !== 'look' ));
@@ -191,7 +191,7 @@ function jsonChanges(model, field, values) {
   return [{ from: value.from, to: value.to, insert: json(whole) }];
 }
 
-/** Takes a field out of the file. */
+/** Removes a field from the file. */
 export function removeField(model, { spec, item, element, own }) {
   if (own) {
     const { from, to } = item.element.attributes.find(({ name }) => name === spec.name);
@@ -201,7 +201,8 @@ export function removeField(model, { spec, item, element, own }) {
   return edit([model.xml ? removeElement(model.text, element) : removeEntry(item.element, item.element.entries.indexOf(element))]);
 }
 
-// A light of another type: what it needs is added, what has no effect on it is removed.
+// Changes the type of a light: adds the fields that the type requires, and removes those without
+// effect.
 function changeType(model, field, type) {
   const { item } = field;
   const uses = model.words.lights[type];
@@ -222,7 +223,7 @@ function changeType(model, field, type) {
     }
     return edit(mergedAtPlace(changes));
   }
-  // Removals of neighboring entries overlap, so one after another replaces the next.
+  // Removals of neighboring entries overlap, so they are merged.
   const { entries } = item.element;
   const gone = unused.map((spec) => entries.indexOf(present(spec)));
   const added = fresh.map(([spec]) => [spec.name, newJsonField(spec)]);
@@ -239,7 +240,7 @@ function changeType(model, field, type) {
   return edit(mergedAtPlace(changes));
 }
 
-// Several entries of a list, of which at least one stays.
+// Removes several entries of a list; at least one must stay.
 function removalsOf(list, indexes) {
   const { entries } = list;
   const stays = entries.map((_, i) => !indexes.includes(i));
@@ -255,7 +256,7 @@ const plainJson = (value) =>
 const fieldsIn = (model, item, name) =>
   model.xml ? item.element.children.findLast((child) => child.name.toLowerCase() === name) : memberOf(item.element, name);
 
-// Insertions and removals that meet at one place become one change, so that their order is clear.
+// An insertion and a removal at the same offset become one change, so that their order is defined.
 function mergedAtPlace(changes) {
   const result = [];
   for (const change of [...changes].sort((a, b) => a.from - b.from || a.to - b.to)) {
@@ -293,7 +294,7 @@ function renameTemplate(model, field, name) {
   return edit([field, ...instances.map((item) => fieldsOfItem(model, item)[0])].flatMap((some) => valueChanges(model, some, [name])));
 }
 
-// Transforms of XML, of which there can be any number in any order.
+// Transforms in XML: any number, in any order.
 
 export function addTransform(model, item, name) {
   const spec = model.words.fields.transblock.find((some) => some.name === name);
@@ -301,7 +302,7 @@ export function addTransform(model, item, name) {
   return edit([insertChildren(model.text, item.block, before, [{ xml: newXmlField(spec) }])]);
 }
 
-/** Exchanges a transform with the one before it (-1) or after it (+1); null: there is none. */
+/** Swaps a transform with the one before it (-1) or after it (+1); null if there is none. */
 export function moveTransform(model, field, step) {
   const fields = fieldsOfItem(model, field.item).filter(({ movable }) => movable);
   const at = fields.findIndex(({ element }) => element === field.element);
@@ -333,10 +334,10 @@ const isFixed = ({ kind }) => kind === 'globals' || kind === 'camera' || kind ==
 
 const usersOf = (model, item) => model.all.filter(({ kind, name }) => kind === 'instance' && name === item.name).length;
 
-/** Why an item cannot be removed; null: it can. */
+/** Why an item cannot be removed; null if it can. */
 export function whyNotRemoved(model, item) {
   if (isFixed(item)) {
-    return 'every scene has it';
+    return 'every scene needs it';
   }
   const users = item.kind === 'template' ? usersOf(model, item) : 0;
   return users > 0 ? `it is used ${users === 1 ? 'once' : `${users} times`}` : null;
@@ -346,7 +347,7 @@ export function removeItem(model, item) {
   const siblings = siblingsOf(model, item);
   const at = siblings.indexOf(item);
   const next = siblings[at + 1] ?? siblings[at - 1] ?? item.parent;
-  // Where the next item is after the removal: its place is that of the removed one, or before it.
+  // The offset of the next item after the removal.
   const changes = removalOf(model, item);
   const [{ from, to }] = changes;
   const select = next ? (next.from > from ? next.from - (to - from) : next.from) : null;
@@ -383,7 +384,7 @@ function freeId(model) {
 
 export const canDuplicate = (model, item) => !isFixed(item);
 
-/** A copy after the item; a light gets an id of its own, and a template a name. */
+/** Inserts a copy after the item; a copied light gets a new id, a copied template a new name. */
 export function duplicateItem(model, item) {
   const piece = pieceAt(model.text, item);
   const renamed = (name, value) => {
@@ -411,7 +412,7 @@ function inserted(model, item, piece) {
   return edit([change], change, change.select);
 }
 
-/** The item that it changes places with; undefined: there is none. */
+/** The item to swap places with; undefined if there is none. */
 export function neighborOf(model, item, step) {
   if (isFixed(item) || item.shared) {
     return undefined;
@@ -435,7 +436,7 @@ export function reorderItem(model, item, step) {
 
 const isGroup = ({ kind }) => kind === 'group' || kind === 'template' || kind === 'root';
 
-/** The group that something new beside an item goes to. */
+/** The group that receives a new sibling of an item. */
 export const groupFor = (model, item) => (item === null ? model.root : isGroup(item) ? item : (item.parent ?? model.root));
 
 const holds = (item, other) => other !== null && (item === other || holds(item, other.parent));
@@ -454,7 +455,7 @@ function templatesIn(model, item) {
   return found;
 }
 
-/** The groups that an item can be moved into. */
+/** The groups that an item can be moved to. */
 export function targetsFor(model, item) {
   if (isFixed(item) || item.kind === 'template' || item.shared || (model.xml && item.kind === 'light')) {
     return [];
@@ -472,7 +473,7 @@ export function targetsFor(model, item) {
 
 const listOf = { light: 'lights', primitive: 'primitives', group: 'groups', instance: 'groups' };
 
-// The change that puts a piece at the end of a group.
+// Appends a piece to a group.
 function appended(model, group, piece, list = 'groups') {
   const { text } = model;
   if (model.xml) {
@@ -482,14 +483,14 @@ function appended(model, group, piece, list = 'groups') {
   if (member?.value.type === 'array') {
     return insertEntry(text, member.value, member.value.entries.length, piece);
   }
-  // A new list with the piece, which is then the first thing after its bracket.
+  // A new list that contains only the piece, directly after its bracket.
   const entries = group.element.entries.length;
   const wrapped = piece.moved === undefined ? { json: [piece.json] } : { moved: `[${piece.moved}]`, indent: piece.indent };
   const change = insertEntry(text, group.element, entries, wrapped, list);
   return { ...change, select: change.insert.indexOf('{', change.insert.indexOf('[')) };
 }
 
-/** Moves an item into another group; its transforms stay as they are. */
+/** Moves an item to another group; its transforms do not change. */
 export function moveInto(model, item, target) {
   const change = appended(model, target, pieceAt(model.text, item), listOf[item.kind]);
   return edit([...removalOf(model, item), change], change, change.select);
@@ -497,7 +498,7 @@ export function moveInto(model, item, target) {
 
 export const canWrap = (model, item) => targetsFor(model, item).length > 0 || (item.kind === 'group' && !item.shared) || item.kind === 'primitive' && !item.shared || item.kind === 'instance' && !item.shared || (item.kind === 'light' && !model.xml);
 
-/** Puts an item into a new group of its own, at the same place. */
+/** Wraps an item in a new group, at the same place. */
 export function wrapItem(model, item) {
   const { text } = model;
   const piece = pieceAt(text, item);
@@ -538,7 +539,7 @@ export const kindsToAdd = (model) => [
   ...model.templates.map(({ name }) => ({ kind: 'instance', name, label: `Instance of ${name}` })),
 ];
 
-/** Adds something to the group of an item; lights of XML are not in groups. */
+/** Adds something to the group of an item; in XML, lights are not in groups. */
 export function addItem(model, near, { kind, name }) {
   const group = model.root === null ? null : groupFor(model, near);
   return model.xml ? addXml(model, group, kind, name) : addJson(model, group, kind, name);
@@ -597,7 +598,7 @@ function addJson(model, group, kind, name) {
     case 'primitive':
       return put({ primitives: [{ ...some('primitive', name === 'mesh' ? ['type', 'meshFile', 'diffuse'] : ['type', 'diffuse']), type: name }] });
     case 'group':
-      return put({ groups: [] }); // with a name alone it would be an instance
+      return put({ groups: [] }); // a group with only a name would be an instance
     default:
       return put({ translate: written([0, 0, 0]), groups: [{ name }] });
   }

@@ -1,6 +1,6 @@
-// What a scene's text contains, as panels show it: globals, camera, lights and the tree of objects, each
-// with its place and its fields. Reads what the format's readers accept, as far as it matters where a
-// value stands; the checker judges.
+// The content of a scene's text, as the panels show it: global data, camera, lights and the tree of
+// objects, each with its offsets and its fields. Accepts at least what the format's readers accept,
+// because it only needs to know where values are; reporting errors is the checker's task.
 
 import { isXml } from '../../../bindings/npm/lib/words.js';
 import { memberOf, parseJson, parseXml, textOfValue } from './text.js';
@@ -16,9 +16,9 @@ const attributeOf = (element, name) =>
 const wordOf = (element, name) => attributeOf(element, name)?.value ?? '';
 
 /**
- * The model of a text. `words`: what fieldsOf() of make-fields.js made. Items: { kind, label, from, to, children, parent },
- * in XML with `element`, whose fields they have, and the `block` that places them; in JSON with `element`, the
- * object, and the `list` that it is in.
+ * The model of a text. `words`: the result of fieldsOf() in make-fields.js. Items: { kind, label,
+ * from, to, children, parent }, in XML with `element`, whose fields they have, and the `block` that
+ * places them; in JSON with `element`, the object, and the `list` that it is in.
  */
 export function modelOf(text, words) {
   const xml = text.trim() === '' || isXml(text);
@@ -155,7 +155,7 @@ function readJson(model) {
   }
 }
 
-/** The innermost item at a place of the text; null if there is none. */
+/** The innermost item at an offset of the text; null if there is none. */
 export function itemAt(model, offset) {
   let found = null;
   for (const item of model.all) {
@@ -191,7 +191,7 @@ function usesOf(model, item, name) {
   return uses === undefined ? {} : { unused: !uses.used.includes(name), required: uses.required.includes(name) };
 }
 
-/** The attributes of the parts: by their names, otherwise by order. */
+/** The attributes of the parts, found by name, otherwise by order. */
 export function xmlParts(element, parts) {
   const byName = parts.map(({ names }) => element.attributes.find(({ name }) => names.includes(name)));
   const others = element.attributes.filter((attribute) => !byName.includes(attribute));
@@ -230,7 +230,7 @@ function xmlFieldsOf(model, item) {
     case 'root':
       return [];
     case 'template':
-      return [nameOf({ about: 'The name to use the template by, different for each.', required: true })];
+      return [nameOf({ about: 'The name that instances refer to; unique among templates.', required: true })];
     case 'group':
       return [nameOf(), ...placing];
     case 'instance':
@@ -268,7 +268,7 @@ function jsonFieldsOf(model, item) {
     const others = specs.filter((spec) => spec !== name).map(inJson).filter(({ element }) => element !== null);
     return [inJson({ ...name, kind: 'choice', title: 'Template', values: templatesFor(model, item), required: true }), ...others];
   }
-  // A mesh has a file, other shapes have none.
+  // Only meshes have a file.
   return specs
     .map(inJson)
     .filter(({ spec, unused, element }) => element !== null || (!unused && (spec.name !== 'meshFile' || item.name === 'mesh')));

@@ -1,6 +1,6 @@
-// The panel that edits a scene without typing text: the parts of the scene as a tree, what can be done with
-// them, and the fields of the selected one. Every action is an edit of the text (edits.js), which is the only
-// state: after each change the panel is made from the text again.
+// The panel that edits a scene without typing text: the parts of the scene as a tree, buttons for
+// actions, and the fields of the selected part. Every action is an edit of the text (edits.js),
+// which is the only state: after each change the panel is made from the text again.
 
 import fields from 'scenefile-fields';
 import { byId, h } from '../dom.js';
@@ -31,7 +31,7 @@ const hexOf = (values) =>
   `#${values.map((value) => Math.round(255 * Math.min(1, Math.max(0, Number(value)))).toString(16).padStart(2, '0')).join('')}`;
 const fromHex = (hex) => [1, 3, 5].map((i) => String(Number((parseInt(hex.slice(i, i + 2), 16) / 255).toFixed(3))));
 
-// What a range says, if the number is not in it; otherwise an empty text.
+// A description of the range if the number is outside it; otherwise an empty text.
 function outside({ min, max, above, below } = {}, number) {
   const low = min ?? above;
   const high = max ?? below;
@@ -48,7 +48,7 @@ export class EditPanel {
   #tree = byId('edit-tree');
   #form = byId('edit-fields');
 
-  /** `host`: text() of the scene, change(changes), files() beside it, selected(model, item). */
+  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item). */
   constructor(host) {
     this.#host = host;
     this.#tree.addEventListener('keydown', (event) => this.#treeKey(event));
@@ -72,19 +72,19 @@ export class EditPanel {
     return this.#item;
   }
 
-  /** The text changed, or is another one: selects the item at a place of it. */
+  /** The text changed or was replaced: selects the item at an offset. */
   update(offset = this.#item?.from ?? 0) {
     this.#model = modelOf(this.#host.text(), fields);
     this.#select(itemAt(this.#model, offset) ?? this.#sameKind() ?? this.#model.root ?? this.#model.all[0] ?? null);
   }
 
-  // Globals and camera may not be in the file, so they have no place.
+  // Global data and camera may be absent from the file; then they have no offset.
   #sameKind() {
     const kind = this.#item?.from === -1 ? this.#item.kind : '';
     return this.#model.all.find((item) => item.kind === kind);
   }
 
-  /** Selects the item at a place of the text. */
+  /** Selects the item at an offset of the text. */
   selectAt(offset) {
     this.#select(itemAt(this.#model, offset) ?? this.#item);
   }
@@ -238,7 +238,7 @@ export class EditPanel {
     event.preventDefault();
   }
 
-  // What can be done.
+  // Actions.
 
   #showActions() {
     const [model, item] = [this.#model, this.#item];

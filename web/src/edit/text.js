@@ -1,6 +1,6 @@
-// The structure of a scene's text, with the place of everything, and pieces of text that can be inserted
-// in the layout of what is around them. An edit is a list of changes { from, to, insert }: everything
-// else in the text, such as comments, stays as it is.
+// Parses a scene's text with the offsets of everything, and makes pieces of text that follow the
+// layout around the place of insertion. An edit is a list of changes { from, to, insert }:
+// everything else in the text, such as comments, stays as it is.
 
 // XML.
 
@@ -12,8 +12,9 @@ const spans = [
 ];
 
 /**
- * The elements of the text: { name, from, to, tagEnd, closeFrom, empty, attributes, children, parent };
- * `problem`: where the text is not well-formed, or -1; `comments`: the places of comments and the like.
+ * The elements of the text: { name, from, to, tagEnd, closeFrom, empty, attributes, children,
+ * parent }; `problem`: where the text is not well-formed, or -1; `comments`: the ranges of
+ * comments, CDATA sections and the like.
  */
 export function parseXml(text) {
   const top = { name: '', from: 0, to: text.length, tagEnd: 0, closeFrom: text.length, empty: false, attributes: [], children: [], parent: null };
@@ -196,11 +197,11 @@ function stringOf(text) {
   }
 }
 
-/** The entry of a key, undefined if there is none; the last one counts. */
+/** The entry of a key; undefined if there is none, and the last one if there are several. */
 export const memberOf = (object, key) =>
   object?.type === 'object' ? object.entries.findLast((entry) => entry.key === key) : undefined;
 
-/** The text of a string, or of any other value as written. */
+/** The content of a string; any other value as written. */
 export const textOfValue = (text, value) =>
   value.type === 'string' ? stringOf(text.slice(value.from, value.to)) : text.slice(value.from, value.to);
 
@@ -211,7 +212,7 @@ const blanksAt = (text, at) => /^[ \t]*/.exec(text.slice(at, at + 400))[0];
 const indentAt = (text, at) => blanksAt(text, lineStart(text, at));
 const startsLine = (text, at) => text.slice(lineStart(text, at), at).trim() === '';
 
-/** The end of the line at `at` if only blanks and comments follow there, otherwise `at`. */
+/** The end of the line at `at` if only spaces and comments follow, otherwise `at`. */
 function afterRemarks(text, at) {
   const rest = /^(?:[ \t]*<!--(?:(?!-->)[^\n])*-->)*[ \t]*(?=\r?\n|$)/.exec(text.slice(at, at + 2000));
   return rest === null ? at : at + rest[0].trimEnd().length;
@@ -238,7 +239,7 @@ function xmlText({ name, attributes = [], children = [] }, indent, unit, broad) 
   return `<${name}${words}>${below.join('')}${broad ? `\n${indent}` : ''}</${name}>`;
 }
 
-/** Numbers are given as text, so that they are written as they are. */
+/** Numbers are passed as text, so that they are written unchanged. */
 export class Written {
   constructor(text) {
     this.text = text;
@@ -272,7 +273,7 @@ function pieceText(piece, indent, unit, broad) {
   return piece.xml !== undefined ? xmlText(piece.xml, indent, unit, broad) : jsonText(piece.json, indent, unit, broad);
 }
 
-/** What stands at a place, to be inserted elsewhere. */
+/** The text of a range, to be inserted elsewhere. */
 export const pieceAt = (text, { from, to }) => ({ moved: text.slice(from, to), indent: indentAt(text, from) });
 
 // Changes of XML.
@@ -288,7 +289,7 @@ export function setAttribute(text, element, name, value, after = []) {
   return { from: at, to: at, insert: ` ${name}="${escapedXml(value)}"` };
 }
 
-/** Inserts pieces into an element, one after another, after its child `previous`; null: as its first. `select`: where the first begins. */
+/** Inserts pieces into an element, one after another, after its child `previous`; null: as the first child. `select`: where the first piece begins. */
 export function insertChildren(text, element, previous, pieces) {
   const unit = unitOf(text);
   const next = element.children[previous === null ? 0 : element.children.indexOf(previous) + 1];
@@ -340,7 +341,7 @@ export function insertChildren(text, element, previous, pieces) {
   };
 }
 
-/** Removes an element, with its line if nothing else is there. */
+/** Removes an element, and its whole line if nothing else is on it. */
 export function removeElement(text, { from, to }) {
   const end = /^[ \t]*(\r?\n|$)/.exec(text.slice(to, to + 400));
   if (startsLine(text, from) && end !== null) {
@@ -351,8 +352,8 @@ export function removeElement(text, { from, to }) {
 }
 
 /**
- * The place of an element with the comments that belong to it: on its last line, and on the lines directly
- * above it, but not before `limit`.
+ * The range of an element with the comments that belong to it: on its last line, and on the lines
+ * directly above it, but not before `limit`.
  */
 export function withRemarks(text, { from, to }, limit) {
   let start = from;
@@ -376,7 +377,7 @@ const gapBefore = (text, list, i) => {
   return text.slice(before, from);
 };
 
-/** Inserts a piece into an array, or, with a key, into an object, so that it has the given index. */
+/** Inserts a piece at the given index of an array, or, with a key, of an object. */
 export function insertEntry(text, list, index, piece, key = null) {
   const unit = unitOf(text);
   const isOneLine = !text.trim().includes('\n');
@@ -442,7 +443,7 @@ export function applied(text, changes) {
   return result + text.slice(at);
 }
 
-/** Where a place in the insertion of one of the changes is in the new text. */
+/** The offset, in the new text, of a place in the text that one of the changes inserts. */
 export function placeAfter(changes, change, offset) {
   const before = [...changes].sort(byPlace);
   return before
@@ -450,7 +451,7 @@ export function placeAfter(changes, change, offset) {
     .reduce((place, { from, to, insert }) => place + insert.length - (to - from), change.from + offset);
 }
 
-/** Exchanges two places. */
+/** Swaps two ranges. */
 export const exchanged = (text, a, b) => [
   { ...a, insert: text.slice(b.from, b.to) },
   { ...b, insert: text.slice(a.from, a.to) },

@@ -35,7 +35,7 @@ export const unwrapped = (text) => text.replace(/\s+/g, ' ').trim();
 export const documentationOf = (node) =>
   unwrapped(node.children.find((child) => child.name === 'a:documentation')?.text ?? '');
 
-/** Elements by name: what they are, what may be in them, and their attributes. */
+/** Elements by name: their description, content and attributes. */
 export function xmlVocabulary(rng) {
   const grammar = parseXml(rng).children.find((node) => node.name === 'grammar');
   const defines = new Map(
@@ -43,7 +43,7 @@ export function xmlVocabulary(rng) {
   );
   const elements = {};
 
-  // `required`: whether every file that follows this branch has what is below it.
+  // `required`: whether the children of this node are required.
   const collect = (node, element, required) => {
     switch (node.name) {
       case 'ref':
@@ -116,7 +116,7 @@ function merged(definitions) {
   return all;
 }
 
-/** Objects by the name of their definition: the keys, what they are, and the definition of their values. */
+/** Objects by the name of their definition: the keys, their descriptions, and the definitions of their values. */
 export function jsonVocabulary(schema) {
   const definitionOf = (value) => {
     const reference = value.$ref ?? value.allOf?.[0].$ref ?? value.items?.$ref;

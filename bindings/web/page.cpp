@@ -1,8 +1,8 @@
-// What the page calls: the rooms behind a few C functions. A worker has one instance, which keeps the
-// scene that it opened last. Files are in memory; the scene and the files that it names are below /files.
-//
-// Functions that answer in JSON or text return its first byte, and page_answer_size() its length; the
-// answer is valid until the next call. Pictures are RGBA, row 0 on top, and valid likewise.
+// The C functions that the page calls. Each worker has one instance, which keeps the scene that it
+// opened last. Files are in memory; the scene and the files that it names are below /files.
+//  Functions that answer in JSON or text return its first byte, and page_answer_size() its length;
+// the answer is valid until the next call. Pictures are RGBA with row 0 at the top, and equally
+// valid until the next call.
 
 #include "page.h"
 
@@ -97,14 +97,14 @@ std::size_t page_answer_size() {
 }
 
 /// The findings about a scene, and which files it names. `depth`: 0 without opening these files, 1
-/// with all of them. Does not change the scene that is kept.
+/// with all of them. Does not change the open scene.
 const char* page_check(const char* path, int depth, int compat_course) {
   return answered([&] {
-    LoadedScene scene = load_scene_file(
-        path,
-        load_settings(depth == 0 ? LoadDepth::prepared : LoadDepth::with_all_assets,
-                      compat_course != 0),
-        access_of_page());
+    LoadedScene scene =
+        load_scene_file(path,
+                        load_settings(depth == 0 ? LoadDepth::prepared : LoadDepth::with_all_assets,
+                                      compat_course != 0),
+                        access_of_page());
     if (depth != 0 && scene.usable()) {
       check_picture(scene);
     }
@@ -112,11 +112,11 @@ const char* page_check(const char* path, int depth, int compat_course) {
   });
 }
 
-/// Keeps a scene with all its files, for the functions below; the same answer.
+/// Opens a scene with all its files for the functions below; answers like page_check().
 const char* page_open(const char* path, int compat_course) {
   page().traced.reset();
   LoadedScene none;
-  page().scene = std::move(none);  // frees its memory before the next is loaded
+  page().scene = std::move(none);  // frees its memory before the next scene is loaded
   return answered([&] {
     LoadedScene& scene = page().scene;
     scene = load_scene_file(path, load_settings(LoadDepth::with_all_assets, compat_course != 0),
@@ -129,15 +129,13 @@ const char* page_open(const char* path, int compat_course) {
   });
 }
 
-/// Looks at the kept scene from elsewhere: position, u, v, w, and the full angle fov_y in radians,
-/// as in RenderCamera. Null: as written in the file.
+/// Changes the camera of the open scene: position, u, v, w, and the full angle fov_y in radians, as
+/// in RenderCamera. Null: the camera of the file.
 void page_look(const double* camera) {
   RenderCamera& now = page().scene.ready.scene.camera;
   now = page().written_camera;
   if (camera != nullptr) {
-    const auto vector = [&](int i) {
-      return glm::dvec3(camera[i], camera[i + 1], camera[i + 2]);
-    };
+    const auto vector = [&](int i) { return glm::dvec3(camera[i], camera[i + 1], camera[i + 2]); };
     now.position = vector(0);
     now.u = vector(3);
     now.v = vector(6);
@@ -146,8 +144,8 @@ void page_look(const double* camera) {
   }
 }
 
-/// The pixels x0 <= x < x1, y0 <= y < y1 of a picture of the kept scene; null: the answer says why
-/// there are none.
+/// The pixels x0 <= x < x1, y0 <= y < y1 of a picture of the open scene; null if the answer is an
+/// error.
 const std::uint8_t* page_render(int profile, int mode, int features, int width, int height,
                                 int samples, int max_depth, int x0, int y0, int x1, int y1) {
   Page& p = page();
@@ -179,7 +177,7 @@ const std::uint8_t* page_render(int profile, int mode, int features, int width, 
 }
 
 /// The document of `scenefile explain --json` for a pixel of that picture. `red`, `green`, `blue`:
-/// its value in another program's picture; -1: there is none.
+/// its value in another program's picture, or -1 for none.
 const char* page_explain(int profile, int mode, int features, int width, int height, int samples,
                          int max_depth, int x, int y, int red, int green, int blue) {
   return answered([&] {
@@ -213,7 +211,7 @@ const char* page_explain_text(int profile, int mode, int features, int width, in
   });
 }
 
-/// Decodes a picture file; null: the answer says why not. Otherwise the answer contains the size.
+/// Decodes a picture file. The answer contains the size; null if the answer is an error.
 const std::uint8_t* page_decode(const char* path) {
   const std::uint8_t* pixels = nullptr;
   answered([&] {
@@ -227,12 +225,12 @@ const std::uint8_t* page_decode(const char* path) {
   return pixels;
 }
 
-/// What a code means, for people.
+/// The help text of a diagnostic code.
 const char* page_help(const char* code) {
   return answered([&] {
     const Code* const found = find_code(code);
     if (found == nullptr) {
-      return error_json("there is no such code");
+      return error_json("unknown code");
     }
     Json json;
     json.begin_object();

@@ -1,5 +1,5 @@
 #pragma once
-// What the functions for the page share (page.cpp, page_tools.cpp).
+// Shared by the functions for the page (page.cpp, page_tools.cpp).
 
 #include "scenefile/asset/image.h"
 #include "scenefile/base/result.h"
@@ -47,14 +47,14 @@ inline std::string error_json(const std::string& text) {
   return json.text();
 }
 
-// Every call ends with an answer, whatever happens inside.
+// Runs `work` and turns exceptions into answers, so that every call has one.
 template <typename Work>
 const char* answered(const Work& work) {
   try {
     return give(work());
   } catch (const std::bad_alloc&) {
     page().traced.reset();
-    return give(error_json("there is not enough memory for this"));
+    return give(error_json("out of memory"));
   } catch (const std::exception& error) {
     return give(error_json(error.what()));
   }
@@ -91,10 +91,10 @@ inline LoadSettings load_settings(LoadDepth depth, bool compat_course) {
   return settings;
 }
 
-// The options of the picture that the page shows; `features`: one bit each, in the order of
-// Features, or -1 for the profile's own.
+// The options of the page's picture. `features`: one bit each, in the order of Features, or -1 for
+// the profile's defaults.
 inline RenderOptions picture_options(int profile, int mode, int features, int width, int height,
-                              int samples, int max_depth) {
+                                     int samples, int max_depth) {
   RenderOptions options = default_options(static_cast<Profile>(profile));
   options.mode = static_cast<Mode>(mode);
   if (features >= 0) {
@@ -113,7 +113,7 @@ inline RenderOptions picture_options(int profile, int mode, int features, int wi
   return in_range(options);
 }
 
-/// Writes a file below /out, where JavaScript reads it.
+/// Writes a file to /out, from where JavaScript reads it.
 inline void write_out(const std::string& name, const std::string& bytes) {
   if (const Result<void> done = write_file("/out/" + name, bytes); !done) {
     throw std::runtime_error(done.error().text);

@@ -1,7 +1,7 @@
-// What the page rarely needs, in a second module that is loaded when it does: comparing, converting, writing.
+// What the page rarely needs, in a second module that is loaded on demand: comparing, converting,
+// writing.
 
 #include "page.h"
-
 #include "scenefile/asset/image_file.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/export/write_gltf.h"
@@ -31,14 +31,14 @@ Maps& maps() {
   return instance;
 }
 
-// Drops the reader's notes, which do not matter for conversion; those of the writer follow.
+// Drops the reader's notes, which do not matter for conversion, before the writer adds its notes.
 void drop_notes(Diagnostics& diagnostics) {
   diagnostics.rewrite([](const Code&, Severity severity) {
     return severity == Severity::note ? std::nullopt : std::optional(severity);
   });
 }
 
-// Writes the files of the format `to` to /out; says their names.
+// Writes the files of the format `to` to /out and adds their names to the answer.
 std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
                                  const RenderOptions& options) {
   const auto one = [&](std::string name, const std::string& bytes) {
@@ -72,7 +72,8 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
                write_gltf(scene.written, scene.ready, scene.assets,
                           {.binary = to == "glb", .transparent = 0.5f}, scene.diagnostics));
   }
-  ObjScene obj = write_obj(scene.ready.scene, scene.assets, {.transparent = 0.5f}, scene.diagnostics);
+  ObjScene obj =
+      write_obj(scene.ready.scene, scene.assets, {.transparent = 0.5f}, scene.diagnostics);
   write_out("scene.obj", obj.obj);
   write_out("scene.mtl", obj.mtl);
   std::vector<std::string> names{"scene.obj", "scene.mtl"};
@@ -87,8 +88,8 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
 
 extern "C" {
 
-/// Compares a picture with its reference as `scenefile diff --json` does; the kept scene, if it can
-/// be drawn, names mistakes. All profiles are tried where `profile` is -1.
+/// Compares a picture with its reference as `scenefile diff --json` does; if the open scene can be
+/// drawn, it is used to find the mistakes. All profiles are tried where `profile` is -1.
 const char* page_compare(const std::uint8_t* reference, int width, int height,
                          const std::uint8_t* test, int test_width, int test_height, int profile,
                          int mode, int features) {
@@ -116,14 +117,14 @@ const char* page_compare(const std::uint8_t* reference, int width, int height,
   });
 }
 
-/// The maps of the last comparison: 0 largest difference, 1 FLIP; null: there is none.
+/// The maps of the last comparison: 0 largest difference, 1 FLIP. Null if there was none.
 const std::uint8_t* page_map(int which) {
   const Texture& map = which == 0 ? maps().heat : maps().flip;
   return map.empty() ? nullptr : show(map);
 }
 
-/// Writes the scene in another format below /out: `to` is xml, json, pov, glb, gltf or obj. Says the
-/// names of the files and what the format cannot say.
+/// Writes the scene in another format to /out: `to` is xml, json, pov, glb, gltf or obj. The answer
+/// lists the files, and what the format cannot express.
 const char* page_convert(const char* path, const char* to, int profile, int features,
                          int compat_course) {
   return answered([&] {
@@ -163,7 +164,7 @@ const char* page_png(const std::uint8_t* rgba, int width, int height) {
   });
 }
 
-/// Writes the file, laid out anew, as /out/scene.
+/// Writes the formatted file as /out/scene.
 const char* page_format(const char* path) {
   return answered([&] {
     const Limits limits;
@@ -174,7 +175,7 @@ const char* page_format(const char* path) {
     Diagnostics diagnostics(limits);
     const std::optional<std::string> laid_out = lay_out(*text, limits, diagnostics);
     if (!laid_out) {
-      return error_json(diagnostics.list().empty() ? "the file cannot be laid out"
+      return error_json(diagnostics.list().empty() ? "the file cannot be formatted"
                                                    : diagnostics.list().front().message);
     }
     write_out("scene", *laid_out);

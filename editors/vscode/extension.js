@@ -11,7 +11,7 @@ async function start() {
   client = new LanguageClient(
     'scenefile',
     'Scene files',
-    // On Windows, npm installs programs as .cmd files, which only a shell starts.
+    // On Windows, npm installs programs as .cmd files, which only a shell can start.
     { command, args: ['lsp'], options: { shell: process.platform === 'win32' } },
     {
       documentSelector: settings
@@ -24,7 +24,7 @@ async function start() {
   } catch (error) {
     client = null;
     window.showErrorMessage(
-      `${command} lsp does not start: ${error.message}. Install the npm package scenefile, or set scenefile.command.`,
+      `cannot start ${command} lsp: ${error.message}. Install the npm package scenefile, or set scenefile.command.`,
     );
   }
 }

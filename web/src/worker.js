@@ -57,7 +57,7 @@ function withStack(work) {
 function withBytes(bytes, work) {
   const at = core._malloc(bytes.length);
   if (at === 0) {
-    throw new Error('there is not enough memory for this');
+    throw new Error('out of memory');
   }
   core.HEAPU8.set(bytes, at);
   try {
@@ -186,7 +186,7 @@ async function handle({ id, call, args }) {
   } catch (error) {
     // Traps (the stack or the memory is exhausted) and uncaught C++ exceptions end the instance.
     const fatal = error instanceof WebAssembly.RuntimeError || error instanceof WebAssembly.Exception;
-    const message = error instanceof RangeError ? 'there is not enough memory for this' : error.message;
+    const message = error instanceof RangeError ? 'out of memory' : error.message;
     postMessage({ id, error: message ?? String(error), fatal });
   }
 }

@@ -42,13 +42,13 @@ export interface CheckResult {
 export interface CheckOptions extends SceneOptions {
   /** false: do not open textures and meshes. */
   assets?: boolean;
-  /** Folders of this machine in which textures and meshes are looked up, too. */
+  /** More folders of this machine in which to search for textures and meshes. */
   roots?: string[];
   /** Treat spellings that only some programs accept as errors. */
   strict?: boolean;
 }
 
-/** Reports everything that is wrong or doubtful in a scene. */
+/** Reports errors and suspicious content in a scene. */
 export function check(scene: SceneSource, options?: CheckOptions): Promise<CheckResult>;
 
 /** Describes a scene: camera, counts, lights, files (the output of `scenefile info --json`). */
@@ -61,7 +61,7 @@ export interface Converted {
   bytes: Uint8Array;
   /** Files that were written next to it. */
   files: Map<string, Uint8Array>;
-  /** Text for people about what the other format cannot express. */
+  /** Messages about what the other format cannot express. */
   messages: string;
 }
 
@@ -118,14 +118,14 @@ export interface SceneDiff {
   differences: Record<string, unknown>[];
 }
 
-/** The differences in meaning between two scenes in any formats. */
+/** The differences in meaning between two scenes, in any format. */
 export function diff(a: SceneSource, b: SceneSource, options?: SceneOptions): Promise<SceneDiff>;
 
 export interface RunResult {
   status: number;
   stdout: Uint8Array;
   stderr: string;
-  /** All files that exist afterwards. */
+  /** All files that exist after the command. */
   files: Map<string, Uint8Array>;
 }
 

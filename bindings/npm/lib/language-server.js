@@ -195,7 +195,7 @@ function holds(range, position) {
   );
 }
 
-// Why a finding was made there; otherwise what the word means.
+// The explanation of a finding at this place, otherwise of the word.
 async function hover(document, position) {
   if (document === undefined) {
     return null;

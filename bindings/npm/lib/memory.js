@@ -9,7 +9,7 @@ const folder = '/scene';
 
 const text = new TextDecoder();
 
-/** One loaded module. Its memory keeps the size that its largest job needed. */
+/** One loaded module. Its memory never shrinks: it keeps the size of its largest job. */
 class Instance {
   #module;
   #job = null;
@@ -82,7 +82,7 @@ function inFolder(name) {
   for (const part of name.replaceAll('\\', '/').split('/')) {
     if (part === '..') {
       if (parts.length === 0) {
-        throw new RangeError(`${name} is outside of the folder of the scene`);
+        throw new RangeError(`${name} is outside the scene's folder`);
       }
       parts.pop();
     } else if (part !== '' && part !== '.') {
@@ -129,7 +129,7 @@ function asBytes(content) {
 /**
  * Runs `scenefile ...words` with access to `files` only. Resolves to its exit status,
  * the contents of both outputs, and all files that exist afterwards. `roots`: folders of this
- * machine in which textures and meshes are looked up, too.
+ * machine in which textures and meshes are searched, too.
  */
 export async function run(words, { files = {}, stdin = '', roots = [] } = {}) {
   const given = new Map(
@@ -140,7 +140,7 @@ export async function run(words, { files = {}, stdin = '', roots = [] } = {}) {
     return (await loading).run(words, given, asBytes(stdin), roots);
   } catch (error) {
     if (!(error instanceof RangeError)) {
-      loading = null; // an instance that ended in the middle of its work is of no more use
+      loading = null; // an instance that was aborted cannot be used again
     }
     throw error;
   }

@@ -1,13 +1,13 @@
-// What can be written at a place of a scene file, and what a word there means: completion and hover for
-// the language server and the page. Works on text that is being typed, so it never needs a whole file.
-// `vocabulary` is vocabulary.json, which is made from the schemas.
+// Completion and hover: what can be written at a place of a scene file, and what a word there
+// means, for the language server and the page. Works on text that is being typed, so it never needs
+// a whole file. `vocabulary` is vocabulary.json, which is made from the schemas.
 
 /** XML begins with <, JSON does not. */
 export function isXml(text) {
   return text.trimStart().startsWith('<');
 }
 
-/** Whether the text has a word of a scene, unlike XML and JSON files of other programs. */
+/** Whether the text contains a name of the scene format, unlike XML and JSON files of other programs. */
 export function mayBeScene(text) {
   return isXml(text)
     ? /<(?:scenefile|globaldata|cameradata|lightdata)\b/i.test(text)
@@ -21,7 +21,7 @@ const skipped = [
   ['<!', '>'],
 ];
 
-// Where `offset` is: the elements around it, and the tag that it is in, if it is in one.
+// The context of `offset`: the enclosing elements, and the tag that contains it, if any.
 function xmlContext(text, offset) {
   const open = [];
   let at = 0;
@@ -207,15 +207,16 @@ function completeJson(text, offset, vocabulary) {
 }
 
 /**
- * What can be written at `offset`: `from` and `to` of the word that it replaces, and the words, each
- * with what it is (`kind`, `about`) and its text (`insert`). Null: nothing is known there.
+ * What can be written at `offset`: `from` and `to` of the word that it replaces, and the words,
+ * each with its kind (`kind`), description (`about`) and text (`insert`). Null if nothing is known
+ * there.
  */
 export function complete(text, offset, vocabulary) {
   const found = text.trim() === '' || isXml(text) ? completeXml(text, offset, vocabulary) : completeJson(text, offset, vocabulary);
   return found === null || found.items.length === 0 ? null : { to: offset, ...found };
 }
 
-/** What the name at `offset` means: its place and a sentence. Null: it is not a word of the format. */
+/** What the name at `offset` means: its range and a sentence. Null if it is not a name of the format. */
 export function describe(text, offset, vocabulary) {
   const word = /[\w:.-]/;
   let from = offset;
@@ -258,7 +259,7 @@ function correctionOf(message) {
 
 /**
  * The correction that a finding proposes for the name at `offset`: `title`, and `changes` with the
- * places to replace, also in the end tag of an element. Null: it proposes none.
+ * places to replace, also in the end tag of an element. Null if it proposes none.
  */
 export function correct(text, offset, message) {
   const found = correctionOf(message);
@@ -280,7 +281,7 @@ export function correct(text, offset, message) {
   return { title: `Change ${wrong} to ${right}`, changes };
 }
 
-/** The offset of a finding's place: lines from 1, columns from 1 in code points. */
+/** The offset of a finding: lines count from 1, columns from 1 in code points. */
 export function offsetOf(text, line, column) {
   let at = 0;
   for (let n = 1; n < (line ?? 1); ++n) {
@@ -324,7 +325,7 @@ function* templatesOf(text, vocabulary) {
   }
 }
 
-/** Where the template is declared whose name is at `offset`; null: there is none. */
+/** Where the template is declared whose name is at `offset`; null if there is none. */
 export function declarationOf(text, offset, vocabulary) {
   const from = Math.max(text.lastIndexOf('"', offset - 1), text.lastIndexOf("'", offset - 1)) + 1;
   const rest = /^[^"'\r\n]*/.exec(text.slice(from))[0];

@@ -109,7 +109,7 @@ async function open(text) {
   return params.diagnostics;
 }
 
-test('a missing texture is found, and one that is there', async () => {
+test('a missing texture gives a finding, an existing one does not', async () => {
   const [missing, ...others] = await open(scene);
   assert.deepEqual(others, []);
   assert.equal(missing.code, 'texture.missing');
@@ -120,7 +120,7 @@ test('a missing texture is found, and one that is there', async () => {
   assert.deepEqual(await open(`${scene}\n`), []);
 });
 
-test('columns count as editors count', async () => {
+test('columns count UTF-16 units', async () => {
   const text = scene.replace('<blend', '<!-- \u{1F600} --><blnd');
   const wrong = (await open(text)).find((d) => d.code === 'xml.misspelled-element');
   const line = text.split('\n')[4];
@@ -172,7 +172,7 @@ test('completes elements, attributes and values', async () => {
   assert.ok((await labels('{"cameraData": {"|"}}')).includes('"heightAngle"'));
 });
 
-test('says what a word of the format means', async () => {
+test('explains a word of the format', async () => {
   await open(scene);
   const { result } = await client.request('textDocument/hover', { textDocument: { uri }, position: at(scene, 'transblock') });
   assert.match(result.contents.value, /transform/i);
@@ -202,7 +202,7 @@ test('formatting replaces the text', async () => {
   assert.ok(result[0].newText.split('\n').length > 4);
 });
 
-test('what it does not know is an error, not silence', async () => {
+test('unknown methods are answered with an error', async () => {
   const { error } = await client.request('textDocument/rename', {});
   assert.equal(error.code, -32601);
 });

@@ -1,4 +1,4 @@
-// The library, as an importer sees it.
+// The library, used as an importer does.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
@@ -32,7 +32,7 @@ test('check finds a misspelled name at its place', async () => {
   assert.equal(finding.column, scene.split('\n')[12].indexOf('<diffuse') + 1);
 });
 
-test('check sees the files that it is given, and no others', async () => {
+test('check only sees the files that it is given', async () => {
   const textured = scene.replace('<diffuse r', '<texture file="wall.png" u="1" v="1"/><blend v="1"/><diffuse r');
   const { png } = await render(scene, { width: 4, height: 4 });
   const without = await check(textured);
@@ -69,7 +69,7 @@ test('convert and diff agree', async () => {
   assert.equal(other.differences.length, 1);
 });
 
-test('format lays out and is content with its own layout', async () => {
+test('format is idempotent', async () => {
   const once = await format(scene.replaceAll('\n', ''));
   assert.ok(once.split('\n').length > 15);
   assert.equal(await format(once), once);
@@ -85,7 +85,7 @@ test('explain says what a pixel hits', async () => {
   assert.ok(answer.pixel.value[0] > 100);
 });
 
-test('jobs do not see each other', async () => {
+test('jobs do not see each other\'s files', async () => {
   const one = await run(['check', 'a.xml'], { files: { 'a.xml': scene } });
   assert.deepEqual([...one.files.keys()], ['a.xml']);
   const two = await run(['check', 'a.xml']);
@@ -97,7 +97,7 @@ test('names cannot leave the folder', async () => {
   await assert.rejects(check(scene, { files: { '../x.png': new Uint8Array(1) } }), RangeError);
 });
 
-test('many jobs one after the other need no more stack or memory', async () => {
+test('many jobs in a row do not need more stack or memory', async () => {
   for (let i = 0; i < 300; ++i) {
     assert.equal((await check(scene)).verdict, 'fine');
   }

@@ -32,14 +32,14 @@ test('version names the lanes', () => {
   assert.match(done.stdout, /SIMD128/);
 });
 
-test('no words and wrong words are misuse', () => {
+test('missing and unknown commands are usage errors', () => {
   assert.equal(scenefile([]).status, 2);
   const done = scenefile(['rendr', 'a.xml']);
   assert.equal(done.status, 2);
   assert.match(done.stderr, /did you mean render/);
 });
 
-test('a file that is not there', () => {
+test('a file that does not exist', () => {
   const done = scenefile(['check', 'nowhere.xml']);
   assert.equal(done.status, 3);
   assert.match(done.stderr, /nowhere\.xml/);
@@ -54,7 +54,7 @@ test('check reads a file and standard input, without colors in pipes', () => {
   assert.equal(scenefile(['check', '-'], { input: scene }).status, 0);
 });
 
-test('render writes a picture, whole and by itself', () => {
+test('render writes the whole picture and no other file', () => {
   writeFileSync(join(folder, 'scene.xml'), scene);
   const done = scenefile(['render', 'scene.xml', '-o', 'picture.png', '--size', '16x12']);
   assert.equal(done.status, 0, done.stderr);

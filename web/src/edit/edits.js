@@ -223,7 +223,7 @@ function changeType(model, field, type) {
     }
     return edit(mergedAtPlace(changes));
   }
-  // Removals of neighboring entries overlap, so they are merged.
+  // Removals of neighboring entries overlap, so replace entries one after another where possible.
   const { entries } = item.element;
   const gone = unused.map((spec) => entries.indexOf(present(spec)));
   const added = fresh.map(([spec]) => [spec.name, newJsonField(spec)]);

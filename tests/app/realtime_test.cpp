@@ -179,7 +179,7 @@ TEST_F(RealtimePictures, DiffNamesTheCause) {
                    "--profile", "realtime", "--parameters", "3,6", "--milestone", "action"});
   EXPECT_EQ(run.status, 1) << run.err;
   EXPECT_THAT(run.out, HasSubstr("[tessellation]"));
-  EXPECT_THAT(run.out, HasSubstr("the two are exchanged"));
+  EXPECT_THAT(run.out, HasSubstr("the two are swapped"));
   EXPECT_THAT(run.out, HasSubstr("reference: as drawn with --profile realtime --parameters 3,6 "
                                  "--milestone action"));
 }

@@ -73,7 +73,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "of "
      "the light, and what the loop over the lights does after a shadow."},
     {Cause::acne, "Shadow acne", "Dark specks or rings on surfaces that should be lit.",
-     "Rays that start on a surface hit the same surface again because numbers are rounded.",
+     "Rays that start on a surface hit the same surface again because of rounding errors.",
      "The start of shadow rays and reflected rays: offset it a little from the surface."},
     {Cause::texture, "Textures",
      "The image is upside down, mirrored, not repeated, missing, or too dark or too bright.",
@@ -83,11 +83,11 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The u and v of each shape and face, how they become a pixel of the image, and how its color "
      "goes into the diffuse term."},
     {Cause::recursion_depth, "Recursion depth of reflections",
-     "Mirrors in mirrors end too soon (black), or go on too long.",
+     "Mirrors in mirrors turn black too early, or show too many reflections.",
      "The references follow four reflections in a row.",
      "Where the recursion ends, and whether the count starts at 0 or 1."},
     {Cause::spot_falloff, "Spots",
-     "The cone of light is too wide or narrow, or its edge too hard or too soft.",
+     "The cone of light is too wide or too narrow, or its edge is too hard or too soft.",
      "angle is measured from the axis to the edge of the cone; the penumbra is inside of it; "
      "within the penumbra, the light falls off by the smoothstep of the angle.",
      "Which angles are inner and outer, half or full, degrees or radians; and the polynomial."},

@@ -26,15 +26,15 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double enough_shift = 0.6;  // of edges, for shifts of less than a pixel
-constexpr double necessary = 0.01;    // share of what differs that each of several changes
+constexpr double enough_shift = 0.6;  // share of edges that a subpixel shift must explain
+constexpr double necessary = 0.01;    // share of the difference that each of several changes
 constexpr double nearly_all = 0.95;   // share of pixels where a single mistake leaves no doubt
 constexpr double rival_margin = 0.03;
 constexpr double most_for_rounding = 0.05;   // share of pixels that differ by more
 constexpr double least_for_several = 0.001;  // share of pixels that must differ
 constexpr std::size_t screen = 240;          // points used to screen single mistakes
 constexpr std::size_t few_points = 100;      // ... and several
-constexpr std::size_t most_edited = 2000;    // more shapes: no combinations that change them
+constexpr std::size_t most_edited = 2000;    // with more shapes: no combinations of shape changes
 constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
 
 // Several mistakes at once, as indices into the list.
@@ -170,7 +170,7 @@ class Search {
     usable_ = report_.share_scene_unlike <= most_unlike;
   }
 
-  // Drops points that match the test with a single sample at the center: they only differ by
+  // Drops points that match the test with one sample at the pixel's center: they only differ by
   // sampling.
   void drop_what_samples_explain(bool tolerant) {
     if (!usable_) {
@@ -503,8 +503,7 @@ class Search {
     return causes.size();
   }
 
-  // Whether the mistakes leave something to see. Where they leave only darkness, many others would
-  // do that too.
+  // Whether the picture with the mistakes is not just black: many mistakes make a picture black.
   bool shows_much(const Tried& t) const {
     double bright = 0;
     double matched = 0;
@@ -522,10 +521,10 @@ class Search {
   // Whether the claim explains nearly everything, so that the search can stop.
   bool sure(const Tried& t) const { return t.explained >= 0.98 && t.exact >= nearly_all; }
 
-  // Combinations of two or three mistakes. Claims combinations with acne itself.
+  // Tries combinations of two or three mistakes. Adds claims for combinations with acne directly.
   std::optional<Tried> several(const std::vector<Tried>& ranked, const std::vector<Tried>& alone) {
     const Frame plain = frame({}, screen);
-    std::vector<Frame> moved;  // with another camera, or with other shapes
+    std::vector<Frame> moved;  // after mistakes in the camera or the shapes
     for (const Together& made : likely_places(ranked)) {
       if (rays_ < work_for_pairs && step(0.45)) {
         moved.push_back(frame(made, few_points));
@@ -584,7 +583,7 @@ class Search {
     return first_good(verified(extended(starts, few_points, 0.4, 0.9), 12, 0.9, 1));
   }
 
-  // A factor that fits what is left proves little beside other mistakes.
+  // When other mistakes are present, a factor that fits the rest proves little.
   bool any_measured(const Together& together) const {
     return together.size() > 1 && std::any_of(together.begin(), together.end(), [&](std::size_t i) {
              return i >= first_measured_ && list_[i].cause != Cause::background;
@@ -610,7 +609,7 @@ class Search {
     Together made;
     std::size_t count = 0;
     Colors colors;
-    std::vector<std::uint16_t> members;  // that change these colors
+    std::vector<std::uint16_t> members;  // mistakes that change these colors
     std::vector<Colors> with;            // by mistake; empty: not a member
   };
 
@@ -677,8 +676,8 @@ class Search {
     return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
   }
 
-  // Mistakes to combine with all others: those that move what is seen, such that it follows the
-  // test better, and those that explain most.
+  // Mistakes to combine with all others: those that move objects closer to where the test shows
+  // them, and those that explain most.
   std::vector<Together> likely_places(const std::vector<Tried>& ranked) const {
     std::vector<Together> result;
     std::vector<std::pair<double, std::uint16_t>> places;
@@ -1114,10 +1113,10 @@ class Search {
     }
   }
 
-  // What leaves less is as good as what leaves `raw` of the difference `all`.
+  // Mistakes that leave at most this difference count as equal to one that leaves `raw` of `all`.
   static double tie_limit(double raw, double all) { return 1.1 * raw + 0.0003 * all; }
 
-  // ---- causes that are not tried like the others -------------------------------------------
+  // ---- causes that are estimated, not simulated -------------------------------------------
 
   // A uniform color where nothing is hit.
   void add_background() {
@@ -1332,9 +1331,9 @@ class Search {
          {}});
   }
 
-  // Black where one of several samples misses everything: a line around objects.
+  // Pixels are black if any of their samples hits nothing, which gives black outlines.
   bool claim_missed_samples(const Pixels& pixels) {
-    // Nothing else differs but beside the background.
+    // Requires that pixels differ only next to the background.
     const auto beside = std::count_if(pixels.off.begin(), pixels.off.end(), [&](std::uint32_t i) {
       const auto width = static_cast<std::uint32_t>(test_.width);
       const Range range =
@@ -1456,7 +1455,7 @@ class Search {
     return false;
   }
 
-  // Acne, in addition to other mistakes that are `made`. `least`: the share of the differing pixels
+  // Acne, in addition to the mistakes `made`. `least`: the share of the differing pixels
   // that it must explain.
   bool claim_acne(const Together& made, double least) {
     if (!usable_ || !view_->options.features.shadows || view_->options.mode != Mode::ray ||
@@ -1504,7 +1503,7 @@ class Search {
       // Mirrors with self-intersections may show anything.
       if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
         ++dull;
-        // Where little is missing, some set of lights always fits.
+        // If little light is missing, some set of lights always fits.
         lacking += largest_of(glm::abs(b - p.test)) > 8 &&
                            lacks_lights(p.test, full, model.light_shares(ray), shown)
                        ? 1
@@ -1521,7 +1520,7 @@ class Search {
     const auto share = [](std::size_t part_of, std::size_t whole) {
       return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
     };
-    // The other mistakes must explain the pixels without spots.
+    // The other mistakes must explain the pixels outside the spots.
     if (!made.empty() && (share(looked_at, differing) > 0.75 || share(scattered, looked_at) < 0.4 ||
                           !each_needed(made))) {
       return false;
@@ -1531,8 +1530,8 @@ class Search {
         share(seeing_themselves, mirrors) >= least) {
       report_.claims.push_back(
           {Cause::acne,
-           "reflected rays meet the surface that they start from, in spots (acne): start them off "
-           "the surface",
+           "reflected rays hit the surface that they start from, in spots (acne): offset their "
+           "start from the surface",
            fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
                        percent(share(seeing_themselves, mirrors))),
            share(seeing_themselves, mirrors)});
@@ -1555,11 +1554,11 @@ class Search {
     }
     report_.claims.push_back(
         {Cause::acne,
-         "surfaces shadow themselves in spots (shadow acne): start rays off the surface",
-         fmt::format(
-             "{} of the pixels that differ{} on dull surfaces lack exactly the light of one or "
-             "more lights, scattered among right ones",
-             percent(share(lacking, dull)), made.empty() ? "" : " still"),
+         "surfaces shadow themselves in spots (shadow acne): offset the start of shadow rays from "
+         "the surface",
+         fmt::format("{} of the pixels that differ{} on surfaces without reflections lack exactly "
+                     "the contribution of one or more lights, and correct pixels lie between them",
+                     percent(share(lacking, dull)), made.empty() ? "" : " still"),
          share(between, looked_at)});
     return true;
   }
@@ -1590,7 +1589,7 @@ class Search {
     return right >= 1;
   }
 
-  // Adds a shift of less than a pixel, where the edges of the picture show it.
+  // Adds a claim of a subpixel shift if the edges of the picture show one.
   Tried with_shift(const Tried& found) {
     if (!usable_ || touched_by(found.together) >= Touches::camera || found.together.size() > 2) {
       return found;
@@ -1655,7 +1654,7 @@ class Search {
     return best;
   }
 
-  // Shifts by less than a pixel are only visible at edges.
+  // Subpixel shifts are only visible at edges.
   void search_shifts(const Pixels& pixels) {
     points_.clear();
     std::mt19937 random(3);
@@ -1681,7 +1680,7 @@ class Search {
     if (tried.empty()) {
       return;
     }
-    // Only a shift of less than a pixel leaves so much of the edges unexplained.
+    // Only a subpixel shift leaves this much of the edges unexplained.
     const Tried& best = tried.front();
     const bool by_less = list_[best.together.front()].cause == Cause::half_pixel_shift;
     if (by_less ? best.explained >= enough_shift && best.exact >= 0.5 : good(best)) {
@@ -1700,7 +1699,7 @@ class Search {
   std::array<Clean, 4> clean_;
   std::vector<Colors> cache_;  // by single mistake, at the first points
   mutable std::atomic<std::uint64_t> rays_ = 0;
-  std::size_t first_measured_ = 0;  // in the list: factors that the pictures themselves tell
+  std::size_t first_measured_ = 0;  // in the list: factors estimated from the pictures
   bool usable_ = false;
   bool stopped_ = false;
   CauseReport report_;

@@ -1,6 +1,6 @@
 #pragma once
-// Finds out why a picture differs from its reference: makes common mistakes on purpose, and names
-// one if it turns the reference into the picture. Names nothing without such evidence.
+// Finds out why a picture differs from its reference: simulates common mistakes, and names one only
+// if simulating it turns the reference into the picture.
 
 #include "scenefile/scene/scene.h"
 #include "scenefile/trace/render.h"
@@ -15,11 +15,11 @@
 
 namespace scenefile {
 
-/// Types of mistakes. Those up to half_pixel_shift need no scene.
+/// Types of mistakes. Those up to half_pixel_shift can be found without the scene.
 enum class Cause : std::uint8_t {
   vertical_flip,
   horizontal_flip,
-  gamma,     ///< values are powers of those of the reference, or sRGB-encoded
+  gamma,     ///< values are powers of the reference's values, or sRGB-encoded
   rounding,  ///< off by one: truncated instead of rounded, or vice versa; not a mistake
   swapped_channels,
   half_pixel_shift,  ///< rays through corners or edges of pixels instead of centers
@@ -37,7 +37,7 @@ enum class Cause : std::uint8_t {
   camera,            ///< angles, aspect ratio, axes
   transforms,        ///< order, transposition, signs, degrees
   shapes,            ///< caps or shapes missing, sizes, the cone's normal
-  nearest_hit,       ///< another hit than the nearest is shown
+  nearest_hit,       ///< a hit other than the nearest is shown
   lights,            ///< vectors, colors, types and number of lights
   reflection,        ///< combined wrongly, or missing
   refraction,        ///< missing, wrong direction, wrong weights
@@ -46,7 +46,7 @@ enum class Cause : std::uint8_t {
   brightness,  ///< the whole picture times a factor, inverted, or gray
   black,       ///< nothing was drawn
   features,    ///< drawn with other features or in another mode than the reference
-  samples,     ///< samples of a pixel put together wrongly
+  samples,     ///< samples of a pixel combined wrongly
   // Of the assignment Realtime (realtime_causes.h).
   tessellation,  ///< other parameters, wedges or quads
   facets,        ///< flat normals, or lighting per vertex
@@ -61,13 +61,13 @@ inline constexpr std::size_t cause_count = static_cast<std::size_t>(Cause::viewp
 /// The name in JSON output, such as "half-pixel-shift".
 std::string_view name_of(Cause cause);
 
-/// A mistake that the pictures give evidence for.
+/// A mistake, with the evidence for it.
 struct Claim {
   Cause cause = Cause::rounding;
   std::string what;      ///< "the texture is upside down"
   std::string evidence;  ///< how much of the difference it explains, as text
   double explained = 0;  ///< fraction of the difference that the mistake removes, <= 1
-  bool said = false;     ///< for a rival: it is named in the claim's text
+  bool said = false;     ///< for a rival: the claim's text already names it
 };
 
 /// The scene of the reference, and how it was drawn: profile, mode, features and depth. Size
@@ -81,8 +81,7 @@ struct SceneView {
 };
 
 struct CauseReport {
-  /// Mistakes that explain the difference, together if there are several. Empty: no known mistake
-  /// does.
+  /// Mistakes that together explain the difference. Empty if no known mistakes do.
   std::vector<Claim> claims;
   /// Other single mistakes that explain it almost as well as the best.
   std::vector<Claim> rivals;
@@ -97,24 +96,24 @@ struct CauseReport {
 
 enum class LookFor : std::uint8_t { single_mistakes, several_at_once };
 
-/// Looks for mistakes at some thousand pixels: a model of a student's ray tracer makes each mistake
-/// there. Calls `go_on` occasionally with the finished fraction of the work in [0, 1]; if it
-/// returns false, stops with the claims so far. No claims if the sizes differ.
+/// Looks for mistakes by simulating each one, in a model of a student's ray tracer, at a few
+/// thousand pixels. Calls `go_on` occasionally with the finished fraction of the work in [0, 1]; if
+/// it returns false, stops with the claims so far. No claims if the sizes differ.
 CauseReport find_causes(const Texture& reference, const Texture& test,
                         const SceneView* view = nullptr,
                         const std::function<bool(double done)>& go_on = {},
                         LookFor look_for = LookFor::several_at_once);
 
 /// What the scene shows at the middle of a pixel of a picture of that size: RenderPrimitive::source
-/// of the nearest shape; none: nothing, or the scene has too many shapes.
+/// of the nearest shape. nullopt if there is none, or if the scene has too many shapes.
 std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& pixel,
                                        const glm::ivec2& size);
 
-/// The view whose picture is most similar to the reference; the first of equals. `views` must not
+/// The view whose picture is most similar to the reference; on ties, the first. `views` must not
 /// be empty.
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views);
 
-/// The indices of all views whose pictures are as similar as that of the first of them.
+/// The indices of all views whose pictures are as similar to the reference as the best one.
 std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const SceneView> views);
 
 }  // namespace scenefile

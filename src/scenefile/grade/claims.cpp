@@ -53,7 +53,7 @@ std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture&
                      : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
                                    only[1], only[2]),
                black ? "all pixels are black, and the reference shows something"
-                     : "all pixels are alike, and the reference shows something",
+                     : "all pixels are equal, and the reference shows something",
                1};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Claims that both searches for causes make in the same words, and their evidence as text. Internal
-// to the room.
+// Texts that both searches for causes share: claims, and descriptions of evidence. Internal to
+// grade.
 
 #include "scenefile/grade/causes.h"
 
@@ -12,15 +12,16 @@ namespace scenefile {
 /// A share from 0 to 1 in whole percent.
 std::string percent(double share);
 
-/// What one simulated mistake leaves of the mean difference, both in 1/255 of a value, and the
-/// share of the differing pixels that it matches.
+/// Evidence for one simulated mistake: the mean difference with and without it, in 1/255, and the
+/// share of the differing pixels that it reproduces.
 std::string evidence_of_one(double left, double before, double exact);
-/// The shares of the difference that several mistakes explain together, and one of them by itself.
+/// The shares of the difference that several mistakes explain together, and that one of them
+/// explains by itself.
 std::string evidence_of_several(double together, double by_itself);
 /// The share of the difference that a simulated mistake explains.
 std::string evidence_of_share(double explained);
 
-/// A test picture that is black, or of another single color, unlike the reference.
+/// A claim if the test picture has a single color, such as black, and the reference does not.
 std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture& test);
 
 }  // namespace scenefile

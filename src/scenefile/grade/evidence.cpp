@@ -9,7 +9,7 @@ using glm::dvec3;
 
 namespace {
 
-constexpr double worst = 64;  // larger errors count as this much
+constexpr double worst = 64;  // larger errors count as this
 
 }  // namespace
 
@@ -71,7 +71,8 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
     const Range of_test = around(test, p.x, p.y);
     const Range of_reference = around(reference, p.x, p.y);
     const dvec3 r = at(reference, p.x, p.y);
-    // At edges of the reference, positions of edges are not compared, only nearby colors.
+    // At edges of the reference, any color in the neighborhood counts as equal, so that small
+    // shifts of edges do not matter.
     const bool exactly =
         strict || (of_reference.calm() && (differs || of_test.calm())) ||
         (differs && largest_of(outside(r, of_test.low, of_test.high)) <= 2 * tolerance);

@@ -1,6 +1,6 @@
 #pragma once
-// Points of two pictures to compare, how well predicted colors fit there, and what suffices for a
-// claim. Shared by the searches for causes; internal to the room. All colors in 1/255.
+// Sample points of two pictures, scores of predicted colors at these points, and the thresholds for
+// a claim. Shared by the searches for causes; internal to grade. All colors in 1/255.
 
 #include "scenefile/asset/image.h"
 
@@ -12,7 +12,7 @@
 
 namespace scenefile {
 
-// A claim needs all of the first three.
+// A claim must satisfy the first three thresholds.
 inline constexpr double enough = 0.85;        ///< share of the difference that a claim must explain
 inline constexpr double enough_exact = 0.75;  ///< share of the differing pixels that it must match
 inline constexpr double most_broken = 0.03;   ///< share of the right pixels that it may break
@@ -29,14 +29,14 @@ struct Point {
   int x = 0;
   int y = 0;
   glm::dvec3 test{0};
-  glm::dvec3 low{0};  ///< range of equal values
+  glm::dvec3 low{0};  ///< values in [low, high] count as equal
   glm::dvec3 high{0};
   double weight = 1;  ///< number of pixels that it represents
   bool differs = false;
 };
 
 glm::dvec3 at(const Texture& t, int x, int y);
-/// How far the value is outside of the range.
+/// The distance of the value to the range, by channel.
 glm::dvec3 outside(const glm::dvec3& value, const glm::dvec3& low, const glm::dvec3& high);
 double largest_of(const glm::dvec3& v);
 
@@ -47,7 +47,7 @@ struct Range {
 };
 Range around(const Texture& t, int x, int y);
 
-using Colors = std::vector<glm::dvec3>;  ///< by point; 255 is full, not clamped
+using Colors = std::vector<glm::dvec3>;  ///< by point; full brightness is 255, not clamped
 
 struct Score {
   double left = 0;    ///< remaining error beyond the tolerance, in 1/255 * pixels
@@ -61,12 +61,12 @@ Score score(const std::vector<Point>& points, std::size_t count, const Colors& c
 struct Pixels {
   std::vector<std::uint32_t> different;
   std::vector<std::uint32_t> same;
-  std::vector<std::uint32_t> off;  ///< by more than 8/255, including edges
+  std::vector<std::uint32_t> off;  ///< pixels that differ by more than 8/255, including edges
 };
 Pixels sorted_pixels(const Texture& reference, const Texture& test);
 
-/// Adds random but reproducible points of a class of pixels. `strict`: the test's own colors count
-/// at edges as well.
+/// Adds points at pixels that are chosen at random, but reproducibly. `strict`: the test's own
+/// colors count at edges as well.
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points);

@@ -11,7 +11,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::string_view first_line = "scenefile grades 2\n";
-// The beginning of files of all versions.
+// What files of all versions begin with.
 constexpr std::string_view name_of_format = "scenefile grades ";
 
 using Checksum = std::uint64_t;
@@ -20,8 +20,8 @@ using Length = std::uint64_t;
 template <typename T, typename Struct>
 concept ConstOrNot = std::same_as<std::remove_const_t<T>, Struct>;
 
-// archive(x) for every member of a record, in the order of the file. The structured bindings make a
-// member that is missing here a compile error.
+// archive(x) for every member of a record, in the order of the file. With structured bindings, a
+// missing member is a compile error.
 template <ConstOrNot<GradePartHead> T, typename Archive>
 void visit(T& head, Archive& archive) {
   auto& [whole, index, submissions] = head;
@@ -87,7 +87,7 @@ class Writer {
   std::string bytes;
 };
 
-// Reads what Writer wrote. After a failure everything else fails, too.
+// Reads what Writer wrote. After a failure, all further reads fail too.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -110,7 +110,7 @@ class Reader {
   }
   template <typename T>
   void operator()(std::vector<T>& list) {
-    // Each item has at least the length of its first text.
+    // Each item takes at least the bytes that store the length of its first text.
     const Length length = length_of_items(sizeof(Length));
     list.clear();
     for (Length i = 0; i < length && good_; ++i) {

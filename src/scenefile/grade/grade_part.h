@@ -18,12 +18,12 @@
 
 namespace scenefile {
 
-/// What a class is graded from, as fingerprints (base/hash.h).
+/// Fingerprints (base/hash.h) of everything that a class is graded from.
 struct GradeKey {
   std::uint64_t program = 0;     ///< the build
   std::uint64_t students = 0;    ///< names of all students
   std::uint64_t references = 0;  ///< reference pictures, and their scenes with all assets
-  std::uint64_t options = 0;     ///< everything else that affects results
+  std::uint64_t options = 0;     ///< all other settings that affect results
 
   friend bool operator==(const GradeKey&, const GradeKey&) = default;
 };
@@ -52,21 +52,21 @@ struct StudentRange {
   std::size_t end = 0;
 };
 
-/// The students of a part. All parts together have each student once; their numbers differ by one
-/// at most.
+/// The students of a part. Each student is in exactly one part; the sizes of parts differ by at
+/// most one.
 StudentRange students_of(std::uint32_t index, std::uint32_t count, std::size_t students);
 
 std::string encode_grade_part(const GradePartHead& head, std::span<const StudentResult> students);
 
-/// Decodes the result of encode_grade_part(). Returns an error text for people; empty on success.
+/// Decodes the result of encode_grade_part(). Returns an error message, empty on success.
 std::string decode_grade_part(std::string_view bytes, GradePartHead& head,
                               std::vector<StudentResult>& students);
 
-/// Whether the file is a part of a class, of any version.
+/// Whether the file is a part of a class, written by any version.
 bool is_grade_part(std::string_view first_bytes);
 
-/// Why a part with the key `found` does not belong to the class with the key `wanted`, in words
-/// that complete "it was graded"; empty if it does.
+/// Why a part with the key `found` does not belong to the class with the key `wanted`, as a phrase
+/// that completes "it was graded ..."; empty if it does.
 std::string_view foreign_grade_part(const GradeKey& found, const GradeKey& wanted);
 
 }  // namespace scenefile

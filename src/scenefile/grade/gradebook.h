@@ -1,6 +1,6 @@
 #pragma once
-// What a class handed in, against the references: results as data, and as text, HTML, CSV, JUnit
-// XML and Gradescope's results.json.
+// The results of comparing a class's pictures with the references, as data and as text, HTML, CSV,
+// JUnit XML and Gradescope's results.json.
 
 #include "scenefile/compare/measure.h"
 #include "scenefile/grade/causes.h"
@@ -67,7 +67,7 @@ std::vector<CauseCount> count_causes(std::span<const StudentResult> students);
 /// except for the files in PictureResult::png_file.
 std::string gradebook_html(const Gradebook& book, std::string_view title);
 
-/// The page of one student, to hand back; it contains nothing about the class.
+/// The report for one student, to return to them; it contains nothing about the class.
 std::string student_html(const StudentResult& student, std::string_view title);
 
 /// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put

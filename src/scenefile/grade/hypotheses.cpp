@@ -144,7 +144,7 @@ void add_overflow(Hypotheses& list) {
   });
 }
 
-// How a program places the contents of a scene's nodes.
+// Mistakes in how a program computes the matrices of a scene's nodes.
 struct PlacingRules {
   bool nesting_reversed = false;    // the matrix of the inner node acts last
   bool listed_reversed = false;     // the first listed transform acts first
@@ -163,13 +163,13 @@ bool any_material(const RenderScene& scene, bool (*is)(const RenderMaterial&)) {
   return std::any_of(scene.materials.begin(), scene.materials.end(), is);
 }
 
-// What the file says about a light of the render scene, in world space.
+// A light as written in the file, in world space, for a light of the render scene.
 struct WrittenLight {
   dvec3 position{0};
   double length = 1;  // of the direction
 };
 
-// Calls `found` with each node and its matrix, once for each instance.
+// Calls `found` with each node and its matrix, once per instance.
 struct Placing {
   const Scene& scene;
   const PlacingRules& rules;
@@ -256,7 +256,8 @@ std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderSc
   return result;
 }
 
-// Puts each primitive and light into a separate node below the root, placed by these rules.
+// Moves each primitive and light to a separate node below the root, with a matrix computed by these
+// rules.
 bool place_all(Scene& scene, const PlacingRules& rules) {
   Scene flat;
   flat.name = scene.name;
@@ -269,8 +270,7 @@ bool place_all(Scene& scene, const PlacingRules& rules) {
                       return added;
                     };
                     if (!node.primitives.empty()) {
-                      // Rays are transformed to object space by the upper three rows of the
-                      // inverse.
+                      // Only the upper three rows of the inverse transform rays to object space.
                       glm::dmat4 to_world = rules.transposed ? glm::transpose(matrix) : matrix;
                       if (!rules.inverted) {
                         glm::dmat4 to_object = glm::inverse(to_world);
@@ -449,11 +449,10 @@ class Maker {
         "the plain diffuse color is drawn, and no lighting");
     set(Cause::features, &ModelMistakes::shown, S::flat_ambient_diffuse,
         "ambient and diffuse colors are drawn, and no lighting");
-    set(Cause::features, &ModelMistakes::shown, S::white,
-        "everything that is hit is white: no lighting");
+    set(Cause::features, &ModelMistakes::shown, S::white, "every object is white, and no lighting");
   }
 
-  // Tried late: most scenes have lights that can be left out for simpler reasons.
+  // Tried late, because simpler mistakes can also leave out lights.
   void add_mode_of_reference() {
     if (view_.options.mode == Mode::ray) {
       add(Cause::features, "the picture is drawn without shadows, reflections and textures",
@@ -677,7 +676,8 @@ class Maker {
     }
   }
 
-  // Mistakes in what the file says of lights and the ready scene no longer does.
+  // Mistakes about lights that need the written file, because the prepared scene lacks that
+  // information.
   void add_written_lights() {
     if (view_.written == nullptr) {
       return;
@@ -1395,12 +1395,12 @@ class Maker {
     for (const auto& [shift, where] : places) {
       add(
           Cause::half_pixel_shift,
-          fmt::format("rays go through the {} of pixels, not their middles", where),
+          fmt::format("rays go through the {} of pixels, not their centers", where),
           [by = shift](Trial& t) { t.shift = by; }, Touches::camera);
     }
   }
 
-  // As if the file said something else. The variant must use the same assets.
+  // Draws a modified scene file. It must use the same assets.
   void rewrite(std::string what, std::function<bool(Scene&)> change) {
     Scene scene = *view_.written;
     if (!change(scene)) {
@@ -1422,7 +1422,7 @@ class Maker {
         Touches::shapes);
   }
 
-  // Gives the files of `changed` the numbers that they have in the scene.
+  // Gives the files of `changed` the same indices as in the scene.
   bool number_files_alike(RenderScene& changed) const {
     const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
       const auto found = std::find_if(files.begin(), files.end(),

@@ -10,18 +10,18 @@
 
 namespace scenefile {
 
-/// A scene with mistakes. Its groups are empty if the mistake does not change the shapes.
+/// A scene with mistakes. Its groups are empty if no mistake changes the shapes.
 struct Trial {
   RenderScene scene;
   RenderOptions options;
   ModelMistakes mistakes;
-  glm::dvec2 shift{0};  ///< from the centers of pixels, in pixels: right and down
+  glm::dvec2 shift{0};  ///< of rays, from pixel centers, in pixels: right and down
 };
 
 /// Which part of a picture a mistake affects; earlier ones are cheaper to test.
 enum class Touches : std::uint8_t {
   picture,  ///< only the finished picture
-  shading,  ///< not what rays hit
+  shading,  ///< colors, but not what rays hit
   hits,     ///< what rays hit, with the same shapes
   camera,
   shapes,
@@ -48,7 +48,7 @@ struct Hypothesis {
 /// Mistakes that change the finished picture.
 std::vector<Hypothesis> picture_hypotheses();
 
-/// Mistakes that change what is drawn, if they can make a difference for this scene; of two that
+/// Mistakes that change what is drawn, without those that cannot affect this scene. Of two that
 /// look alike, the more common one comes first.
 std::vector<Hypothesis> drawing_hypotheses(const SceneView& view, int width, int height);
 

@@ -41,7 +41,7 @@ enum class NearestMistake : std::uint8_t {
   farthest_object,             ///< the farthest of the nearest hits of each object wins
   last,                        ///< the last object of the file wins
   first,                       ///< the first object of the file wins
-  object_distance,             ///< t of rays that are normalized in each object's space
+  object_distance,             ///< t of rays that are normalized in object space
   object_distance_compared,    ///< ... only when objects are compared
   object_distance_everywhere,  ///< ... and for shadow rays
   far_root,                    ///< the farther hit of each object
@@ -126,7 +126,7 @@ enum class ShadowMistake : std::uint8_t {
   squared_distance,            ///< compared with the square of the light's distance
   directional_ends_at_position,
   light_from_origin,     ///< compared with the light's distance from the world's origin
-  object_distance,       ///< t of rays that are normalized in each object's space
+  object_distance,       ///< t of rays that are normalized in object space
   only_camera_rays,      ///< no shadows in reflections
   from_eye,              ///< the ray starts at the eye
   from_origin,           ///< the ray starts at the world's origin
@@ -146,7 +146,7 @@ enum class DiffuseMistake : std::uint8_t {
   no_coefficient,
   absolute,             ///< |N.L|
   absolute_everywhere,  ///< ... in the specular term, too
-  not_clamped,          ///< negative light
+  not_clamped,          ///< negative values darken
   no_cosine,
   by_view,  ///< N.V
   half_lambert,
@@ -166,7 +166,7 @@ enum class SpecularMistake : std::uint8_t {
   lit_side_only,
   absolute,        ///< |R.V|
   negative_power,  ///< R.V below 0 is raised, too
-  clamped_mirror,  ///< R is made with N.L cut off at 0
+  clamped_mirror,  ///< R is computed with N.L clamped to 0
   no_exponent,
   by_light_view,    ///< L.V
   reversed_mirror,  ///< R has the wrong sign
@@ -181,7 +181,7 @@ enum class SpecularMistake : std::uint8_t {
   diffuse_color,
   mirror_of_view_wrong,  ///< uses the ray's direction instead of the direction to the eye
   eye_at_origin,
-  looks_along_camera,  ///< the camera's axis for the eye vector
+  looks_along_camera,  ///< uses the camera's axis as the eye vector
   squared_coefficient,
   times_shininess,
 };
@@ -198,15 +198,15 @@ enum class TextureMistake : std::uint8_t {
   unlit,  ///< not multiplied by N.L
   blue_red,
   gray,
-  lookup_clamped,  ///< does not wrap
+  lookup_clamped,  ///< no wrap mode: lookups are clamped to the edge
   divided_repeat,
   swapped_uv,
   blend_drops_color,       ///< only blend * texture
   decoded,                 ///< from sRGB
   ambient_too,             ///< replaces the ambient color as well
   no_coefficient_on_rest,  ///< the diffuse color's share lacks kd
-  filtered,                ///< bilinear, texels at their corners
-  filtered_centered,       ///< bilinear, texels at their centers
+  filtered,                ///< bilinear, half a texel off
+  filtered_centered,       ///< bilinear
   not_filtered,
 };
 
@@ -221,7 +221,7 @@ enum class UvMistake : std::uint8_t {
   round_flip_u,    ///< only around the axis
   sphere_linear_v,
   sphere_flip_v,
-  cube_same_faces,  ///< the faces are not rotated as they should be
+  cube_same_faces,  ///< opposite faces have the same u and v
   caps_flip_v,
   caps_as_side,
   flat_flip_u,
@@ -257,7 +257,7 @@ enum class MirrorMistake : std::uint8_t {
   no_ambient,
   doubled,
   diffuse_coefficient,
-  no_local,  ///< surfaces in reflections are not lit
+  no_local,  ///< mirrors are not lit
   times_cosine,
   clamped_never,
   times_diffuse,
@@ -270,7 +270,7 @@ enum class GlassMistake : std::uint8_t {
   no_coefficient,
   color_ignored,
   eta_inverted,
-  no_total_reflection,  ///< black there
+  no_total_reflection,  ///< black where it occurs
   straight,             ///< not refracted
   one_side,             ///< only refracted on entering
   shaded_inside,        ///< the back wall is lit, and counts as another refraction
@@ -324,9 +324,9 @@ struct ModelMistakes {
   ShownInstead shown = ShownInstead::none;
   glm::dvec3 background{0};
   bool background_in_reflections = false;
-  bool behind_in_reflections = true;  ///< reflected rays see behind their start too
-  double orthographic = 0;            ///< parallel rays from a film this far ahead; 0: perspective
-  bool all_lights = false;            ///< in a mode that only uses directional lights
+  bool behind_in_reflections = true;  ///< reflected rays also hit objects behind their start
+  double orthographic = 0;  ///< parallel rays from a film at this distance; 0: perspective
+  bool all_lights = false;  ///< in a mode that only uses directional lights
 };
 
 }  // namespace scenefile

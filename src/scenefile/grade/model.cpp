@@ -41,8 +41,8 @@ struct Model::Surface {
 };
 
 struct Model::Arrival {
-  dvec3 to_light{0};  // as it is used for shading
-  dvec3 toward{0};    // unit, where the light is
+  dvec3 to_light{0};  // as used for shading
+  dvec3 toward{0};    // unit vector to the light
   double distance = 0;
   double factor = 1;  // attenuation and spot
   double specular_factor = 1;
@@ -191,7 +191,7 @@ bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
           (shape == Shape::cylinder || shape == Shape::cone));
 }
 
-// With the length of the gradient of the shape's equation.
+// A normal as long as the gradient of the shape's equation.
 dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down) {
   switch (shape) {
     case Shape::cube: {
@@ -600,7 +600,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
   }
   const bool directional = light.type == LightType::directional;
   ModelRay ray{s.position, arriving.toward};
-  // A light vector that is wrong for shading is also wrong for shadows.
+  // A wrong light vector is used for shading and for shadow rays.
   if (m_.light_vector == LightVectorMistake::reversed ||
       (m_.light_vector == LightVectorMistake::reversed_directional && directional) ||
       (m_.light_vector == LightVectorMistake::reversed_positional && !directional)) {
@@ -924,7 +924,7 @@ std::vector<dvec3> Model::self_mirrored(const ModelRay& ray, std::uint32_t patte
   return colors;
 }
 
-// What the surface shows without the rays that start from it, other than those of shadows.
+// The color of the surface without reflection and refraction, but with shadows.
 dvec3 Model::surface_color(const Surface& s, const dvec3& to_eye, int depth) const {
   switch (m_.shown) {
     case ShownInstead::normals:
@@ -1104,7 +1104,7 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::last_weight_only:
       return seen;
     case MirrorMistake::not_chained:
-      // Only the camera ray multiplies the result by the weight.
+      // The weight is applied only once, to the camera ray's result.
       return depth == 0 ? factor * seen : seen;
     default:
       break;
@@ -1181,7 +1181,7 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
   if (!inside_glass || m_.glass == GlassMistake::shaded_inside) {
     return factor * trace(inside, depth + 1, nullptr, m_.mirror_bias, weights);
   }
-  // Passes through the object, whose walls are not lit from inside.
+  // Continues inside the object; its back wall is not lit.
   int at = depth + 1;
   for (int i = 0; i < 64; ++i) {
     ModelHit hit;

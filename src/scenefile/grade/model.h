@@ -1,6 +1,6 @@
 #pragma once
-// A model of a student's ray tracer: simple, one ray at a time, and able to make every mistake in
-// mistakes.h. Computes single pixels of a picture; pictures for people come from trace/render.h.
+// A model of a student's ray tracer: simple, one ray at a time, and able to simulate every mistake
+// in mistakes.h. Computes single pixels; whole pictures are rendered by trace/render.h.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/grade/mistakes.h"
@@ -19,7 +19,7 @@ namespace scenefile {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A color with its parts limited to the range 0 to 1.
+/// A color with its channels clamped to [0, 1].
 inline glm::dvec3 clamped(const glm::dvec3& color) {
   return glm::clamp(color, glm::dvec3(0), glm::dvec3(1));
 }
@@ -61,7 +61,7 @@ std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Asset
 /// What a camera ray hits first.
 struct ModelHit {
   double t = 0;
-  double stretch = 1;               ///< what t is taken times for the place in the world
+  double stretch = 1;               ///< position in the world = origin + t * this
   const ModelPart* part = nullptr;  ///< null: nothing
   int face = 0;  ///< 0 side, 1 top, 2 bottom; cubes: 1 + 2 * axis + (low ? 1 : 0)
   std::uint32_t triangle = 0;
@@ -73,8 +73,8 @@ struct ModelRay {
   glm::dvec3 direction{0, 0, -1};
 };
 
-/// A point that another renderer shows: position in the world, its surface's normal as it is to be
-/// used, and the normal in the object's space.
+/// A point that another renderer shows: its position in world space, the normal to shade with, and
+/// the normal in object space.
 struct ShownPoint {
   glm::dvec3 position{0};
   glm::dvec3 normal{0};
@@ -88,22 +88,22 @@ class Model {
   Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& assets,
         const RenderOptions& options, const ModelMistakes& mistakes);
 
-  /// The ray through a position in the picture; u, v, w of the camera may have any length.
+  /// The ray through a position in the picture; u, v and w of the camera need not have unit length.
   ModelRay camera_ray(const glm::dvec2& place, int width, int height) const;
   ModelHit first_hit(const ModelRay& ray) const;
   /// Not clamped. `known`: the hit of the ray, if known.
   glm::dvec3 color(const ModelRay& ray, const ModelHit* known = nullptr) const;
-  /// The colors that a surface may have whose reflected rays may start in itself: for each of
-  /// `patterns`, bit k set where the ray of bounce k does. Not clamped.
+  /// The possible colors of a mirror whose reflected rays may hit the mirror itself: for each of
+  /// `patterns`, bit k is set if the ray of bounce k does. Not clamped.
   std::vector<glm::dvec3> self_mirrored(const ModelRay& ray, std::uint32_t patterns) const;
   /// The diffuse and specular light from each light at the ray's hit, without shadows.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
   /// The color at the center of a pixel, with the camera's lens samples; not clamped.
   glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
-  /// The color of a point that is visible from the camera, without rays: no shadows, textures,
-  /// reflections or refraction. Not clamped.
+  /// The color of a point that is visible from the camera, computed without tracing rays: no
+  /// shadows, textures, reflections or refraction. Not clamped.
   glm::dvec3 lit(const ShownPoint& point) const;
-  /// The number of rays so far, as a measure of work.
+  /// The number of rays traced so far, as a measure of work.
   std::uint64_t rays() const { return rays_; }
 
  private:
@@ -137,7 +137,7 @@ class Model {
   const RenderOptions& options_;
   const ModelMistakes& m_;
   mutable std::uint64_t rays_ = 0;
-  mutable std::uint32_t self_hits_ = 0;  // of self_mirrored
+  mutable std::uint32_t self_hits_ = 0;  // the argument of self_mirrored()
 };
 
 }  // namespace scenefile

@@ -182,7 +182,7 @@ void solve(double a, double h, double c, double roots[2], int& count) {
 }
 
 void sphere(const dvec3& o, const dvec3& d, Crossings& found) {
-  // Computed from the point of the line nearest to the center, to avoid cancellation.
+  // Computed from the point on the line closest to the center, to avoid cancellation.
   const double a = glm::dot(d, d);
   const double middle = -glm::dot(o, d) / a;
   const dvec3 p = o + middle * d;
@@ -397,7 +397,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   ++rays_;
   const bool behind =
       m_.nearest == NearestMistake::behind || m_.nearest == NearestMistake::behind_first;
-  // Only camera rays start at 0.
+  // Only camera rays have t_min = 0.
   const bool right_here = shadow || (behind && t_min > 0 && !m_.behind_in_reflections);
   const NearestMistake nearest = right_here ? NearestMistake::none : m_.nearest;
   const bool scaled_shadow = shadow && (m_.nearest == NearestMistake::object_distance_everywhere ||
@@ -435,7 +435,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
       case NearestMistake::behind_first:
         break;
     }
-    // Among equal ones the last in the file wins.
+    // On ties, the last shape in the file wins.
     return key < best || (key == best && candidate.part > hit.part);
   };
   const bool along = !behind || right_here;

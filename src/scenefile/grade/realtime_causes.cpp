@@ -24,12 +24,12 @@ using glm::dvec3;
 using Touches = RealtimeTouches;
 using Together = std::vector<std::uint16_t>;  // several mistakes, as indices into the list
 
-constexpr std::size_t screen = 240;        // points to choose single mistakes by
+constexpr std::size_t screen = 240;        // points used to screen single mistakes
 constexpr std::size_t few_points = 120;    // ... and several
-constexpr std::size_t most_partners = 40;  // that need another rasterization
-constexpr std::size_t least_strict = 40;   // pixels at edges that differ, to search by those alone
+constexpr std::size_t most_partners = 40;  // mistakes per start that need a new rasterization
+constexpr std::size_t least_strict = 40;   // differing edge pixels needed to search by only those
 constexpr double rival_margin = 0.03;
-constexpr double necessary = 0.01;  // what each of several mistakes explains beside the others
+constexpr double necessary = 0.01;  // what each of several mistakes must add to the others
 constexpr double promising = 0.02;
 
 struct Tried {
@@ -117,7 +117,7 @@ class Search {
     return touches;
   }
 
-  // Those that determine which triangles are visible.
+  // The mistakes that determine which triangles are visible.
   Together rasterized(const Together& together) const {
     Together result;
     for (const std::uint16_t i : together) {
@@ -186,7 +186,7 @@ class Search {
 
   // ---- scoring -----------------------------------------------------------------------------
 
-  // Three points that differ, then one that does not, so that a prefix represents both.
+  // Repeats three points that differ and one that does not, so that every prefix represents both.
   void set_points(const Pixels& pixels, bool strict) {
     std::mt19937 random(1);
     std::vector<Point> different;
@@ -225,7 +225,7 @@ class Search {
 
   double left_before(std::size_t count) const { return score(points_, count, right_).left; }
 
-  // Tries each set; those that show the same triangles share them.
+  // Tries each set; sets with the same visible triangles share the rasterization.
   std::vector<Tried> try_all(const std::vector<Together>& sets, std::size_t count, double from,
                              double to) {
     count = std::min(count, points_.size());
@@ -235,7 +235,7 @@ class Search {
     }
     std::vector<std::pair<Together, std::vector<std::size_t>>> groups;
     for (auto& [raster, members] : by_raster) {
-      // Large groups in pieces, for all threads.
+      // Splits large groups, to use all threads.
       for (std::size_t start = 0; start < members.size(); start += 32) {
         groups.emplace_back(
             raster, std::vector<std::size_t>(
@@ -342,10 +342,10 @@ class Search {
     return result;
   }
 
-  // What leaves less is as good as what leaves `raw`.
+  // Mistakes that leave at most this difference count as equal to one that leaves `raw`.
   double tie_limit(double raw) const { return 1.1 * raw + 0.0003 * left_before(points_.size()); }
 
-  // Combines each start with single mistakes; of those that need another rasterization, the most
+  // Combines each start with single mistakes; of those that need a new rasterization, only the most
   // promising.
   std::vector<Tried> extended(const std::vector<Together>& starts, const std::vector<Tried>& ranked,
                               double from, double to) {
@@ -451,9 +451,9 @@ class Search {
     }
   }
 
-  // ---- causes that the pictures themselves tell ----------------------------------------------
+  // ---- causes estimated from the pictures ----------------------------------------------
 
-  // Settings that fit the test, if they are not those of the reference.
+  // The settings that fit the test, if they differ from those of the reference.
   void add_fitted() {
     if (!step(0)) {
       return;
@@ -494,7 +494,7 @@ class Search {
     add_background();
   }
 
-  // The color that most of the picture's border has.
+  // The most frequent color at the picture's border.
   void add_background() {
     std::map<std::array<std::uint8_t, 3>, std::size_t> colors;
     std::size_t all = 0;
@@ -552,7 +552,7 @@ CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
   }
   CauseReport report = Search(reference, test, view, go_on).run();
   if (report.claims.empty() && report.partial.empty()) {
-    // What needs no scene, such as a blurred picture.
+    // Causes found without the scene, such as a blurred picture.
     CauseReport plain = find_causes(reference, test, nullptr, {});
     report.claims = std::move(plain.claims);
     report.rivals = std::move(plain.rivals);

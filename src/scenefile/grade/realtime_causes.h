@@ -19,7 +19,7 @@ struct RealtimeView {
   RealtimeOptions panel;
 };
 
-/// The settings that are not given.
+/// Which settings are not given.
 struct RealtimeUnknowns {
   bool parameters = false;
   bool near = false;
@@ -29,8 +29,8 @@ struct RealtimeUnknowns {
   bool any() const { return parameters || near || far || filter || milestone; }
 };
 
-/// The settings whose picture of the scene is most similar to the reference. Those that are given
-/// stay as they are in `view.panel`; where others fit equally well, so do the rest.
+/// The settings whose picture of the scene is most similar to the reference. Given settings keep
+/// their values from `view.panel`. The others also keep them if no other value fits better.
 RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeView& view,
                                        const RealtimeUnknowns& unknowns);
 

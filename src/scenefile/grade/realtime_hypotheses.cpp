@@ -75,7 +75,7 @@ class Maker {
     }
   }
 
-  // OpenGL clamps colors, so that none overflows.
+  // OpenGL clamps colors, so they never overflow.
   void add_picture() {
     for (const Hypothesis& h : picture_hypotheses()) {
       if (h.cause != Cause::vertical_flip && h.cause != Cause::horizontal_flip &&
@@ -100,7 +100,7 @@ class Maker {
     return steps;
   }
 
-  // The product of one row of weights with itself.
+  // The separable kernel: the outer product of one row of weights with itself.
   static FilterSteps product(const std::vector<double>& row) {
     const auto size = static_cast<int>(row.size());
     FilterSteps steps = box(size, size, 0);
@@ -210,8 +210,8 @@ class Maker {
       add_filter(fmt::format("the kernel of blur is divided by {}, not by 25", divisor),
                  box(5, 5, 1.0 / divisor));
     }
-    add_filter("blur runs across alone: the pass along columns is missing", box(5, 1, 0.2));
-    add_filter("blur runs along columns alone: the pass across is missing", box(1, 5, 0.2));
+    add_filter("blur only runs along rows: the pass along columns is missing", box(5, 1, 0.2));
+    add_filter("blur only runs along columns: the pass along rows is missing", box(1, 5, 0.2));
     add_filter("the kernel of blur has 4 x 4 samples: its last row and column are missing",
                box(4, 4, 1 / 16.0));
     FilterSteps missing = box(5, 5, 1 / 25.0);
@@ -235,22 +235,24 @@ class Maker {
 
   void add_sharpenings() {
     add_filter("the kernel of sharpen is not divided by 9", sharpening(17, -1, -1, 1));
-    add_filter("the kernel of sharpen is 5 in the middle and -1 beside it, without the corners",
-               sharpening(5, -1, 0, 1));
-    add_filter("the kernel of sharpen is 9 in the middle and -1 around it",
+    add_filter(
+        "the kernel of sharpen is 5 in the center and -1 at its four neighbors, without the "
+        "corners",
+        sharpening(5, -1, 0, 1));
+    add_filter("the kernel of sharpen is 9 in the center and -1 around it",
                sharpening(9, -1, -1, 1));
-    add_filter("the kernel of sharpen finds edges: 8 in the middle and -1 around it",
+    add_filter("the kernel of sharpen finds edges: 8 in the center and -1 around it",
                sharpening(8, -1, -1, 1));
-    add_filter("the kernel of sharpen finds edges: 4 in the middle and -1 beside it",
+    add_filter("the kernel of sharpen finds edges: 4 in the center and -1 at its four neighbors",
                sharpening(4, -1, 0, 1));
     add_filter("the kernel of sharpen is divided by 17", sharpening(17, -1, -1, 17));
     add_filter("the kernel of sharpen is divided by 8", sharpening(17, -1, -1, 8));
-    add_filter("the kernel of sharpen has 9 in its middle, not 17", sharpening(9, -1, -1, 9));
-    add_filter("the kernel of sharpen has the wrong signs around its middle",
+    add_filter("the kernel of sharpen has 9 in its center, not 17", sharpening(9, -1, -1, 9));
+    add_filter("the kernel of sharpen has the wrong signs around its center",
                sharpening(17, 1, 1, 9));
   }
 
-  // Where the samples of a kernel lie, and what they read beyond the frame.
+  // Where the samples of a kernel are taken, and what they read beyond the frame.
   void add_sampling(const FilterSteps& right) {
     using B = FilterBorder;
     for (const auto& [border, what] :
@@ -277,7 +279,7 @@ class Maker {
           std::pair(dvec2(2), "samples are two pixels apart, not one"),
           std::pair(dvec2(0.5), "samples are half a pixel apart, not one"),
           std::pair(frame / frame.x,
-                    "the width is taken for the height in the distance of samples"),
+                    "the height of the frame is used as its width in the distance of samples"),
           std::pair(frame / frame.y,
                     "the height is taken for the width in the distance of samples")}) {
       if (step != dvec2(1)) {
@@ -337,7 +339,7 @@ class Maker {
         "the viewport is twice as large as the frame: the lower left quarter fills the "
         "picture",
         {picture_, picture_ / 2.0, {}});
-    add_frame("the viewport has the width and the height exchanged",
+    add_frame("width and height of the viewport are swapped",
               {dvec2(picture_.y, picture_.x), picture_, {}});
     add_frame("the viewport is a square: as wide as high", {dvec2(picture_.y), picture_, {}});
     add_frame("the viewport is 800 x 600, whatever the frame", {dvec2(800, 600), picture_, {}});
@@ -376,7 +378,7 @@ class Maker {
     const TessellationParameters right = view_.panel.tessellation;
     const int a = right.parameter1;
     const int b = right.parameter2;
-    add_parameters("shapes are", {b, a}, "the two are exchanged", {});
+    add_parameters("shapes are", {b, a}, "the two are swapped", {});
     add_parameters("shapes are", {a, a}, "the first one is used for both", {});
     add_parameters("shapes are", {b, b}, "the second one is used for both", {});
     add_parameters("shapes are", {1, 1}, "the sliders are not used", {});
@@ -395,7 +397,7 @@ class Maker {
       }
       const std::string whose = plural(shape) + " are";
       if (shape == Shape::sphere) {
-        add_parameters(whose, {b, a}, "the two are exchanged", shape);
+        add_parameters(whose, {b, a}, "the two are swapped", shape);
       }
       if (shapes_.size() > 1 || shape == Shape::sphere) {
         add_parameters(whose, {a + 1, b}, "off by one", shape);
@@ -449,10 +451,10 @@ class Maker {
 
   void add_interpolations() {
     using I = Interpolation;
-    add_interpolation(Cause::facets,
-                      "shapes have flat facets: each triangle has one normal, and normals are to "
-                      "be interpolated",
-                      I::flat);
+    add_interpolation(
+        Cause::facets,
+        "shapes have flat facets: each triangle has one normal, instead of interpolated normals",
+        I::flat);
     if (shapes_.size() > 1) {
       for (const Shape shape : round_shapes) {
         if (shapes_.contains(shape)) {
@@ -499,19 +501,20 @@ class Maker {
       sides.sides[static_cast<std::size_t>(shape)] = true;
       const bool capped = shape == Shape::cylinder || shape == Shape::cone;
       if (capped) {
-        add_inside_out(
-            fmt::format("the sides of {} are wound the wrong way, and culled", plural(shape)),
-            sides);
+        add_inside_out(fmt::format("the sides of {} have the wrong winding order, and are culled",
+                                   plural(shape)),
+                       sides);
         InsideOut caps;
         caps.caps[static_cast<std::size_t>(shape)] = true;
-        add_inside_out(
-            fmt::format("the caps of {} are wound the wrong way, and culled", plural(shape)), caps);
+        add_inside_out(fmt::format("the caps of {} have the wrong winding order, and are culled",
+                                   plural(shape)),
+                       caps);
       }
       sides.caps[static_cast<std::size_t>(shape)] = true;
       if (shapes_.size() > 1) {
-        add_inside_out(
-            fmt::format("triangles of {} are wound the wrong way, and culled", plural(shape)),
-            sides);
+        add_inside_out(fmt::format("triangles of {} have the wrong winding order, and are culled",
+                                   plural(shape)),
+                       sides);
       }
     }
     add(Cause::nearest_hit, "there is no depth test: later triangles cover earlier ones",
@@ -546,7 +549,7 @@ class Maker {
       add_planes("far is ignored", n, defaults.far);
     }
     if (n != defaults.near || f != defaults.far) {
-      add_planes("far is counted from the near plane", n, n + f);
+      add_planes("far is measured from the near plane", n, n + f);
       add_planes("near is twice as far as it should be", 2 * n, f);
       add_planes("near is half as far as it should be", n / 2, f);
     }
@@ -584,7 +587,7 @@ class Maker {
     }
   }
 
-  // Lights beside those of the milestone.
+  // Lights other than those of the milestone.
   template <typename Drawn>
   void add_lights(std::string what, const Drawn& drawn) {
     std::vector<RenderLight> more;
@@ -646,7 +649,7 @@ class Maker {
     return false;
   }
 
-  // Those of ray tracers that an OpenGL program can make as well.
+  // Mistakes of ray tracers that also occur in OpenGL programs.
   void add_common() {
     RenderOptions options;
     options.features = {false, false, false, false, false, false, false};
@@ -668,7 +671,7 @@ class Maker {
           touches = Touches::shapes;
           break;
       }
-      // The normals of caps and cones belong to the mesh.
+      // Normals of caps and cones are mistakes of the mesh.
       if (h.cause == Cause::shapes && touches == Touches::shading) {
         touches = Touches::raster;
       }

@@ -1,5 +1,5 @@
 #pragma once
-// The mistakes to try in pictures of the assignment Realtime. Internal to the room.
+// The mistakes to try in pictures of the assignment Realtime. Internal to grade.
 
 #include "scenefile/grade/realtime_causes.h"
 #include "scenefile/grade/realtime_picture.h"
@@ -27,8 +27,8 @@ struct RealtimeHypothesis {
   std::function<glm::dvec3(const glm::dvec3&)> color;  ///< empty: unchanged
 };
 
-/// The mistakes that can make a difference for this scene; of two that look alike, the more common
-/// one comes first. `lit`: the scene of the view with the lights of its milestone only.
+/// The mistakes that can affect this scene. Of two that look alike, the more common one comes
+/// first. `lit`: the view's scene with only the lights of its milestone.
 std::vector<RealtimeHypothesis> realtime_hypotheses(const RealtimeView& view,
                                                     const RenderScene& lit, int width, int height);
 

@@ -30,7 +30,7 @@ double to_byte(double value) {
 
 // ---- shapes ----------------------------------------------------------------------------------
 
-// A cap has the normal of the axis.
+// The normal of a cap is along the axis.
 bool is_cap(Shape shape, const Mesh& mesh, std::size_t triangle) {
   if (shape != Shape::cylinder && shape != Shape::cone) {
     return false;
@@ -103,7 +103,7 @@ glm::vec3 cone_normal(const glm::vec3& right, const glm::vec3& position,
   return right;
 }
 
-// Each side normal of a cone, changed for the corner that has it.
+// Changes each side normal of a cone, with the corner that it belongs to.
 void change_cone(Mesh& mesh, const RealtimeTrial& trial) {
   const ConeNormalMistake mistake = trial.scene.mistakes.cone_normal;
   if (mistake == ConeNormalMistake::none && !trial.mesh.tip_up && !trial.mesh.tip_of_first) {
@@ -214,7 +214,7 @@ struct Polygon {
   std::size_t count = 0;
 };
 
-// Keeps what is farther than `depth` (side 1) or nearer (side -1).
+// Clips to what is farther than `depth` (side 1) or nearer (side -1).
 Polygon clipped(const Polygon& polygon, double depth, double side) {
   Polygon result;
   for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -282,7 +282,8 @@ class Rasterizer {
     return glm::round(place * 256.0) / 256.0;
   }
 
-  // Whether a center on the edge belongs to the triangle: left edges go down, upper ones left.
+  // The top-left rule: whether a pixel center on the edge belongs to the triangle. Left edges go
+  // down, top edges go left.
   static bool owns(const dvec2& edge) { return edge.y < 0 || (edge.y == 0 && edge.x < 0); }
 
   // Whether a pixel shows the triangle.
@@ -326,7 +327,7 @@ class Rasterizer {
       for (std::size_t k = 0; k < 3; ++k) {
         weight[k] = cross(edge[k], start - p[(k + 1) % 3]);
       }
-      // The range of columns where all three weights are positive, made one column wider.
+      // The range of columns where all three barycentric weights are positive, one column wider.
       double first = 0;
       double last = x1 - x0;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -531,7 +532,7 @@ dvec3 RealtimePicture::normal_of(const ModelPart& part, const Mesh& mesh, std::u
     const dvec3 a(mesh.positions[triangle[0]]);
     in_object = unit(
         glm::cross(dvec3(mesh.positions[triangle[1]]) - a, dvec3(mesh.positions[triangle[2]]) - a));
-    // Of triangles that are wound the wrong way as well.
+    // Also of triangles with the wrong winding order.
     if (known != mesh_no_index && glm::dot(in_object, dvec3(mesh.normals[known])) < 0) {
       in_object = -in_object;
     }
@@ -652,7 +653,7 @@ dvec3 RealtimePicture::sample(const dvec2& place) const {
   return sum;
 }
 
-// The place in the frame, in pixels from its lower left.
+// The position in the frame, in pixels from its lower left.
 dvec2 RealtimePicture::place_of(int x, int y) const {
   return {(x + 0.5) / width_ * visible_->width, (height_ - y - 0.5) / height_ * visible_->height};
 }

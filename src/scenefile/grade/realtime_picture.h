@@ -1,7 +1,7 @@
 #pragma once
 // A model of a student's program for the assignment Realtime: a small software rasterizer that can
-// make known mistakes. It follows the rules of docs/realtime.md; the lighting is that of model.h.
-// Internal to the room.
+// make known mistakes. It follows the rules of docs/realtime.md; lighting is shared with model.h.
+// Internal to grade.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/geometry/mesh.h"
@@ -23,7 +23,7 @@ enum class Culling : std::uint8_t { back, none, front };
 enum class DepthTest : std::uint8_t {
   less,
   none,      ///< later triangles cover earlier ones
-  reversed,  ///< the farthest wins
+  reversed,  ///< the farthest triangle wins
 };
 
 enum class Interpolation : std::uint8_t {
@@ -35,7 +35,7 @@ enum class Interpolation : std::uint8_t {
   not_normalized,  ///< normals are not normalized per pixel
 };
 
-/// Which triangles are wound the wrong way.
+/// Which triangles have the wrong winding order.
 struct InsideOut {
   std::array<bool, 5> sides{};  ///< by shape
   std::array<bool, 5> caps{};
@@ -50,7 +50,7 @@ struct MeshMistakes {
   bool other_diagonal = false;    ///< quads are split from their upper right to their lower left
   bool seam_missing = false;      ///< the last wedge is not drawn
   bool last_row_missing = false;  ///< the lowest row of quads is not drawn
-  bool radius_one = false;        ///< shapes are twice as large
+  bool radius_one = false;        ///< shapes have a radius of 1, not of 0.5
   bool tip_up = false;            ///< the normal at a cone's tip points up
   bool tip_of_first = false;      ///< ... is that of the wedge's first edge
   friend bool operator==(const MeshMistakes&, const MeshMistakes&) = default;
@@ -64,7 +64,7 @@ struct FilterSteps {
   int rows = 1;
   std::vector<double> weights{1};  ///< row by row from the bottom; columns * rows
   glm::dvec2 step{1};              ///< distance of samples in texels of the frame
-  glm::dvec2 offset{0};            ///< of all samples, in texels
+  glm::dvec2 offset{0};            ///< added to the position of all samples, in texels
   FilterBorder border = FilterBorder::wrap;
   glm::dmat3 colors{1};
   glm::dvec3 added{0};
@@ -74,19 +74,19 @@ FilterSteps steps_of(Filter filter);
 
 /// How a student's frame differs. Sizes in pixels; nullopt: those of the assignment.
 struct FrameMistakes {
-  std::optional<glm::dvec2> viewport;  ///< what the scene is drawn to, from the lower left
-  std::optional<glm::dvec2> frame;     ///< what covers the picture
+  std::optional<glm::dvec2> viewport;  ///< size of the viewport, from the lower left
+  std::optional<glm::dvec2> frame;     ///< size of the frame, which is scaled to the picture
   std::optional<double> aspect;        ///< of the camera
 };
 
 struct RealtimeTrial {
-  Trial scene;  ///< all of its lights are drawn
+  Trial scene;  ///< with all lights that are drawn
   RealtimeOptions panel;
   std::optional<FilterSteps> filter;  ///< instead of the panel's
   Culling culling = Culling::back;
   DepthTest depth = DepthTest::less;
   Interpolation interpolation = Interpolation::normals;
-  std::array<bool, 5> interpolated_shapes{true, true, true, true, true};  ///< that this concerns
+  std::array<bool, 5> interpolated_shapes{true, true, true, true, true};  ///< that it applies to
   InsideOut inside_out;
   MeshMistakes mesh;
   std::array<std::optional<TessellationParameters>, 5>
@@ -94,7 +94,7 @@ struct RealtimeTrial {
   FrameMistakes frame;
 };
 
-/// What all pictures of a scene share: its shapes in the world.
+/// The shapes of a scene in world space, shared by all its pictures.
 struct RealtimeShapes {
   std::vector<ModelPart> parts;
   std::array<double, 5> counts{};  ///< by shape
@@ -125,23 +125,23 @@ struct Visibility {
   const Mesh& mesh_of(const Triangle& t, const Assets& assets) const;
 };
 
-/// The trial's triangles at the frame's pixels.
+/// Rasterizes the trial's triangles.
 std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
                                                std::shared_ptr<const RealtimeShapes> shapes,
                                                const Assets& assets, int width, int height);
 
-/// Colors of a picture. Everything that it refers to must outlive it.
+/// The colors of a picture. All arguments of the constructor must outlive it.
 class RealtimePicture {
  public:
   RealtimePicture(const RealtimeTrial& trial, std::shared_ptr<const Visibility> visible,
                   const Assets& assets, int width, int height);
 
-  /// The color of the picture's pixel, row 0 at the top; in [0, 1] unless a filter leaves it, which
-  /// makes bytes of it by clamping.
+  /// The color of the picture's pixel, row 0 at the top; in [0, 1] unless a filter exceeds that
+  /// range; then it must be clamped.
   glm::dvec3 pixel(int x, int y) const;
-  /// The triangle that the pixel mostly shows, or nothing.
+  /// The triangle that covers most of the pixel, or `nothing`.
   std::uint32_t triangle_at(int x, int y) const;
-  /// Depth along the view of what the triangle shows there.
+  /// The depth of the triangle there, along the view axis.
   double depth_at(int x, int y) const;
 
  private:

@@ -19,8 +19,8 @@ namespace {
 using glm::dvec3;
 
 constexpr double most_triangles = 400000;
-constexpr int most_fitted = 40;      // parameters that are looked for
-constexpr double fits_well = 0.002;  // share of the colors that may be off
+constexpr int most_fitted = 40;      // largest parameter that is tried
+constexpr double fits_well = 0.002;  // share of the colors that may differ
 
 double triangles_of(const RealtimeShapes& shapes, const TessellationParameters& parameters) {
   double sum = 0;
@@ -56,7 +56,7 @@ class Fit {
     }
   }
 
-  /// The mean error of colors, in units of the largest that counts.
+  /// The mean error of colors, divided by the largest error that counts.
   double error(const RealtimeOptions& panel) const {
     if (triangles_of(*drawn_.shapes(), panel.tessellation) > most_triangles) {
       return 1;
@@ -79,7 +79,7 @@ class Fit {
   std::vector<Point> points_;
 };
 
-// One coordinate after the other, until none improves.
+// Coordinate descent: changes one parameter at a time, until none improves.
 TessellationParameters best_parameters(const Fit& fit, RealtimeOptions panel) {
   double least = fit.error(panel);
   const auto try_one = [&](const TessellationParameters& p) {
@@ -249,7 +249,8 @@ RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeV
     const Fit fit(reference, drawn);
     RealtimeOptions panel = of_milestone.panel;
     double error = fit.error(panel);
-    // With the wrong parameters another filter may fit better, so it is asked for in each round.
+    // With the wrong parameters another filter may fit better, so it is determined again in each
+    // round.
     const auto fit_filter = [&] {
       for (std::size_t i = 0; unknowns.filter && error > fits_well && i < filter_words.size();
            ++i) {
@@ -278,7 +279,7 @@ RealtimeOptions find_realtime_settings(const Texture& reference, const RealtimeV
         break;
       }
     }
-    // Where both fit, as in a picture without lights, the first one.
+    // If both fit, as in a picture without lights, the first one.
     if (error < 0.95 * least - 1e-6) {
       least = error;
       best = panel;

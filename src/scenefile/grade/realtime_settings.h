@@ -1,5 +1,6 @@
 #pragma once
-// Finds the settings of a picture of the assignment Realtime by drawing it. Internal to the room.
+// Finds the settings of a picture of the assignment Realtime by drawing it with different settings.
+// Internal to grade.
 
 #include "scenefile/grade/realtime_causes.h"
 #include "scenefile/grade/realtime_picture.h"
@@ -8,13 +9,13 @@
 
 namespace scenefile {
 
-/// A scene as it is drawn without mistakes.
+/// A trial without mistakes.
 class RealtimeDrawn {
  public:
   explicit RealtimeDrawn(const RealtimeView& view);
   /// Whether the scene is small enough to be drawn many times.
   bool usable() const { return shapes_ != nullptr; }
-  /// Without groups, which only changes of shapes need.
+  /// A copy without groups, which only mistakes in shapes need.
   const RealtimeTrial& right() const { return right_; }
   const std::shared_ptr<const RealtimeShapes>& shapes() const { return shapes_; }
   const Assets& assets() const { return *view_.assets; }
@@ -29,7 +30,8 @@ class RealtimeDrawn {
   std::shared_ptr<const RealtimeShapes> shapes_;
 };
 
-/// `start` with the near and far planes that the picture shows; planes that clip nothing stay.
+/// `start` with the near and far planes that the picture shows; planes that clip nothing keep their
+/// value.
 RealtimeOptions fitted_depths(const Texture& picture, const RealtimeDrawn& drawn,
                               const RealtimeOptions& start);
 

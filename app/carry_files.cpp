@@ -23,7 +23,7 @@ bool has_folder(const std::string& output) {
   return output != "-" && !output.starts_with("/dev/");
 }
 
-// Decides once for each name.
+// Decides only once for each name.
 class Carrier {
  public:
   Carrier(LoadedScene& scene, const std::string& output, const Options& options)
@@ -49,7 +49,7 @@ class Carrier {
     }
     const ResolvedAsset there = there_.resolve(name);
     const bool same = there.error.empty() && there.path == here.path;
-    // A search may find files that other programs would not.
+    // Our search may find files that other programs would not find.
     if (same && (there.rule < AssetRule::path_suffix || there.rule <= here.rule)) {
       return name;
     }
@@ -57,8 +57,8 @@ class Carrier {
     if (there_.resolve(relative).path == here.path) {
       scene_.diagnostics.report(
           convert_file_renamed, location,
-          fmt::format("{} is written as {}, where the output's folder finds it", quoted(name, 400),
-                      quoted(relative, 400)));
+          fmt::format("{} is written as {}, so that it is found from the output's folder",
+                      quoted(name, 400), quoted(relative, 400)));
       return relative;
     }
     if (same) {

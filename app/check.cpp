@@ -41,7 +41,7 @@ class Report {
     return ExitCode::fine;
   }
 
-  // `status` is that of the scenes.
+  // `status`: the exit status of the scenes.
   ExitCode finish(ExitCode status) const {
     if (options_.json) {
       return answer(check_json(json_));

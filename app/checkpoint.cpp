@@ -52,7 +52,7 @@ Outcome resume(const Options& options, const CheckpointKey& key, std::string& st
 
 }  // namespace
 
-// The contents of the program, because the version does not change during development.
+// Fingerprint of the program file, because the version number does not change during development.
 std::uint64_t program_fingerprint() {
   const Result<std::string> bytes = read_file("/proc/self/exe", std::uint64_t{1} << 30);
   return fingerprint(SCENEFILE_VERSION + (bytes ? *bytes : std::string()));
@@ -64,7 +64,7 @@ std::uint64_t options_fingerprint(const Options& options) {
                                  options.load.compat_course, options.load.allow_missing);
   text += fmt::format(" engine={}", engine_words[static_cast<std::size_t>(options.engine)]);
   if (const std::optional<RealtimeOptions> panel = realtime_options(options)) {
-    // Names all members, so that a new one does not compile until it is part of the key.
+    // Lists all members, so that adding one is a compile error until it is part of the key.
     const auto& [tessellation, near, far, filter, milestone] = *panel;
     const auto& [parameter1, parameter2] = tessellation;
     text += fmt::format(" realtime={},{},{},{:a},{:a},{}", static_cast<int>(milestone), parameter1,

@@ -13,7 +13,7 @@ namespace scenefile::app {
 /// The fingerprints of everything that the picture depends on.
 CheckpointKey picture_key_of(const Options& options, const LoadedScene& scene);
 
-/// The fingerprints in such a key (base/hash.h): of the program's file, and of all options that
+/// The fingerprints (base/hash.h) in such a key: of the program file, and of all options that
 /// affect pixels.
 std::uint64_t program_fingerprint();
 std::uint64_t options_fingerprint(const Options& options);
@@ -23,7 +23,7 @@ std::uint64_t options_fingerprint(const Options& options);
 /// cannot be used is an error.
 Outcome open_checkpoint(const Options& options, const LoadedScene& scene, Checkpoints& checkpoints);
 
-/// Removes the file after the work is done.
+/// Removes the file when the render is complete.
 void remove_checkpoint(const Options& options);
 
 }  // namespace scenefile::app

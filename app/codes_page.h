@@ -12,7 +12,7 @@ namespace scenefile::app {
 
 /// One line per code, wrapped for the terminal: all codes, or those of a family.
 std::string codes_text(std::size_t terminal_width, std::string_view family = {});
-/// The prefixes of codes before the first point, sorted: "camera" for "camera.look-zero".
+/// The prefixes of codes before the first dot, sorted: "camera" for "camera.look-zero".
 std::span<const std::string_view> code_families();
 /// "error, sometimes a warning", and properties of its kind.
 std::string severities_text(const Code& code);

@@ -10,7 +10,7 @@
 
 namespace scenefile::app {
 
-/// The exit status. With several inputs, the first of these that occurs, in this order.
+/// The exit status. With several inputs, the first status in this order that occurs.
 enum class ExitCode : int {
   interrupted = 130,  ///< by SIGINT
   terminated = 143,   ///< by SIGTERM
@@ -21,14 +21,15 @@ enum class ExitCode : int {
   fine = 0,
 };
 
-/// The one that comes first in the enumeration.
+/// The status that comes first in the enumeration.
 ExitCode worse(ExitCode a, ExitCode b);
 
-/// What the program is doing, for the message if memory runs out.
+/// What the program is doing, for the message about running out of memory.
 struct Context {
   std::string_view phase = "starting";  ///< static text
   std::uint64_t max_memory = 0;         ///< by --max-memory, in bytes; 0: not given
-  char* const* command_line = nullptr;  ///< as passed to main(), to replace the program by another
+  char* const* command_line =
+      nullptr;  ///< of main(), for replacing this process by another program
 };
 
 /// The number of arguments of a command.

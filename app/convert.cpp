@@ -31,8 +31,8 @@ std::string_view format_name(ConvertTo format) {
   return names[static_cast<std::size_t>(format)];
 }
 
-// Drops notes of the reader, which do not matter for conversion; those of the writer say what it
-// changed.
+// Drops the reader's notes, which do not matter for conversion; the writer's notes, which say what
+// changed, remain.
 void drop_notes(Diagnostics& diagnostics) {
   diagnostics.rewrite([](const Code&, Severity severity) {
     return severity == Severity::note ? std::nullopt : std::optional(severity);
@@ -55,7 +55,7 @@ ExitCode check_model_target(const ConvertReport& report) {
 // Several files need a folder.
 ExitCode check_several(const ConvertReport& report) {
   if (is_standard_output(report.output)) {
-    say_error("the output is several files; give it a name");
+    say_error("the output consists of several files; give a file name instead of -");
     return ExitCode::usage;
   }
   return ExitCode::fine;

@@ -112,7 +112,7 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
   return status;
 }
 
-// If one input is a scene, says so instead of why it cannot be decoded.
+// If one input is a scene, reports that instead of a decoding error.
 void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
   if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
     loaded.error = fmt::format(
@@ -122,7 +122,7 @@ void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
   }
 }
 
-// Detects reasons for failure before the work starts.
+// Detects errors in the arguments before the work starts.
 ExitCode check_diff_outputs(const Options& options) {
   const std::array<NamedFile, 3> inputs{{{"picture A", options.arguments[0]},
                                          {"picture B", options.arguments[1]},

@@ -12,7 +12,7 @@ namespace scenefile::app {
 
 namespace {
 
-// The picture of --mine decides the size where no size is given. Says what went wrong.
+// If no size is given, the picture of --mine determines it. Returns an error message.
 ExitCode take_mine(Options& options, LoadedPicture& mine, Context& context) {
   if (options.mine.empty()) {
     return ExitCode::fine;

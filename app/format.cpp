@@ -18,7 +18,7 @@ struct Formatted {
   LoadedScene file;  // only its text and findings
   std::optional<std::string> text;
   bool changed = false;
-  std::string unwritable = {};  // an error text; empty: success
+  std::string unwritable = {};  // an error message; empty on success
 };
 
 Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& context) {
@@ -29,7 +29,7 @@ Formatted lay_out_file(const SceneFile& file, const Limits& limits, Context& con
   if (!file.unreadable) {
     Result<std::string> text = read_file(file.path, limits.file_bytes);
     if (text) {
-      context.phase = "laying out the file";
+      context.phase = "formatting the file";
       result.file.text = *std::move(text);
       result.text = lay_out(result.file.text, limits, result.file.diagnostics);
     } else {
@@ -50,7 +50,7 @@ ExitCode status_of(const Formatted& result, const Options& options) {
   return options.check && result.changed ? ExitCode::findings : ExitCode::fine;
 }
 
-// Standard input is always written out, a file only if it changed.
+// Standard input is always copied to the output; a file is only written if it changed.
 void write(Formatted& result, const Options& options, Context& context) {
   if (options.check || !result.text.has_value() || (!result.changed && result.file.path != "-")) {
     return;

@@ -1,6 +1,6 @@
 // The command frames: numbered pictures of one scene from a moving camera. The acceleration
 // structure is built once. A hidden file next to each frame, named .NAME.key, records what it was
-// drawn from: a frame that exists is skipped, and one of another scene is not replaced.
+// drawn from: an existing frame is skipped, and a frame of another scene is not replaced.
 
 #include "app/carry_files.h"
 #include "app/checkpoint.h"
@@ -79,7 +79,7 @@ Outcome read_path(const Options& options, const Camera& camera, Motion& motion) 
   return {};
 }
 
-// The camera circles the point on its line of sight that is nearest to the center of the scene.
+// The camera circles the point on its line of sight that is closest to the center of the scene.
 Motion turntable(const Options& options, const LoadedScene& scene, const Camera& camera) {
   Motion motion;
   motion.fps = options.fps.value_or(usual_fps);
@@ -98,7 +98,7 @@ Motion turntable(const Options& options, const LoadedScene& scene, const Camera&
   return motion;
 }
 
-// The reason why nothing can be drawn with one of the cameras, if there is one.
+// Why one of the cameras cannot be used; nullopt if all can.
 Outcome check_cameras(const Motion& motion, const Limits& limits) {
   for (std::size_t i = 0; i < motion.cameras.size(); ++i) {
     Scene scene;
@@ -131,14 +131,14 @@ std::string key_file(const std::string& picture) {
 
 constexpr std::string_view key_start = "scenefile frame 2: ";
 
-// What a frame is drawn from: the first line of its key file. The second is a checksum of the
-// pictures; without it they are not known to be complete.
+// The first line of a key file: fingerprints of everything that a frame is drawn from. The second
+// line is a checksum of the pictures; without it, they may be incomplete.
 std::string key_text(const PartKey& key, const Camera& camera) {
   return fmt::format("{}{:x} {:x} {:x} {:x}{}\n", key_start, key.program, key.scene, key.assets,
                      key.options, camera_key(camera));
 }
 
-// Why a frame with this key file is not the wanted one, in words that follow "it was drawn".
+// Why a frame with this key file is not the requested one, as a phrase that follows "it was drawn".
 std::string_view other_frame(const std::string& found, const PartKey& wanted) {
   PartKey key;
   std::istringstream words(found.starts_with(key_start) ? found.substr(key_start.size())
@@ -201,7 +201,7 @@ class Frames {
 
   std::string key_of(std::size_t index) const { return key_text(key_, motion_.cameras[index]); }
 
-  // What the key file contains if these pictures exist; empty if they cannot be read.
+  // The contents of the key file for these pictures; empty if they cannot be read.
   std::string record_of(std::size_t index) const {
     Hash hash;
     for (const std::string& file : picture_files(options_of(index))) {
@@ -335,7 +335,7 @@ class Frames {
                 i + 1, motion_.cameras.size())};
       }
     }
-    // Written under another name until it is complete.
+    // The video has a temporary name until it is complete.
     const std::string unfinished =
         fmt::format("{}/.unfinished-{}", folder_of(options_.video), file_name_of(options_.video));
     std::vector<std::string> words{

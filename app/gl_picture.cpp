@@ -41,7 +41,7 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
     state->drawing.emplace(upload(*state->device, ready, scene_.assets,
                                   upload_options(options_.render), scene_.diagnostics));
     if (options_.realtime) {
-      // For the assignment, realtime.not-drawn reports this.
+      // For the assignment Realtime, realtime.not-drawn reports this.
       scene_.diagnostics.rewrite([](const Code& code, Severity severity) {
         return &code == &gl_not_drawn ? std::nullopt : std::optional(severity);
       });

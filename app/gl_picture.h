@@ -1,5 +1,5 @@
 #pragma once
-// Drawing with OpenGL instead of tracing, without a window.
+// Drawing with OpenGL instead of ray tracing, without a window.
 
 #include "app/load.h"
 #include "scenefile/asset/image.h"
@@ -20,7 +20,8 @@ struct GlReport {
   int samples = 0;  ///< per pixel
 };
 
-/// Draws pictures of a scene. OpenGL starts and the scene is uploaded with the first of them.
+/// Draws pictures of a scene. OpenGL is initialized and the scene is uploaded with the first
+/// picture.
 class GlPainter {
  public:
   /// Both must outlive this.
@@ -29,8 +30,7 @@ class GlPainter {
   GlPainter(const GlPainter&) = delete;
   GlPainter& operator=(const GlPainter&) = delete;
 
-  /// Draws the scene with the camera that it has now. What OpenGL leaves out is added to the
-  /// scene's diagnostics, once.
+  /// Draws the scene with its current camera. Adds diagnostics, once, about what OpenGL leaves out.
   Outcome draw(Image& image, GlReport& report, Context& context);
 
  private:

@@ -44,9 +44,9 @@ Result<std::vector<NamePair>> load_map(const Options& options) {
   return map;
 }
 
-// What the results of a part depend on, besides the pictures.
+// What the results of a part depend on, in addition to the pictures.
 std::uint64_t options_of_grading(const Options& options, std::span<const NamePair> map) {
-  // Names all members, so that a new one does not compile until it is part of the key.
+  // Lists all members, so that adding one is a compile error until it is part of the key.
   const auto& [psnr, mean, difference, share, ssim, flip] = options.thresholds;
   const auto number = [](const auto& value) {
     return value ? fmt::format("{:a}", static_cast<double>(*value)) : std::string("-");
@@ -64,7 +64,7 @@ std::uint64_t options_of_grading(const Options& options, std::span<const NamePai
   return hash.value();
 }
 
-// Why this part is not the wanted one; empty if it is.
+// Why this part is not the requested one; empty if it is.
 std::string other_part(const GradePartHead& found, const GradePartHead& wanted) {
   if (const std::string_view why = foreign_grade_part(found.whole.key, wanted.whole.key);
       !why.empty()) {
@@ -77,7 +77,7 @@ std::string other_part(const GradePartHead& found, const GradePartHead& wanted) 
   return found.submissions == wanted.submissions ? "" : "the part was graded from other pictures";
 }
 
-// Looks at the file where the part will be. `exists`: it contains the part already.
+// Checks the output file of the part. `exists`: it already contains the part.
 Outcome find_part(const Options& options, const GradePartHead& wanted, bool& exists) {
   exists = false;
   std::error_code ignored;
@@ -95,7 +95,7 @@ Outcome find_part(const Options& options, const GradePartHead& wanted, bool& exi
     why = other_part(found->head, wanted);
     exists = why.empty();
   } else if (kind_of_part(options.output) == PartKind::of_class) {
-    return {};  // damaged: written again
+    return {};  // damaged: will be written again
   }
   return why.empty() ? Outcome()
                      : Outcome{ExitCode::findings,
@@ -136,7 +136,7 @@ ExitCode grade_part(const Options& options, ClassGrader& grader, std::span<const
   head.index = index;
   head.submissions = grader.submissions(range);
   bool exists = false;
-  context.phase = "looking at the part";
+  context.phase = "checking the part";
   Outcome outcome = find_part(options, head, exists);
   if (outcome.status == ExitCode::fine && !exists) {
     const Result<Gradebook> graded = grader.grade(range, go_on);

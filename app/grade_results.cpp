@@ -106,7 +106,7 @@ std::string HandOut::page_name(const std::string& student) {
 ExitCode write_results(const Options& options, const Gradebook& book, std::string_view holder,
                        Context& context) {
   if (!options.gradescope.empty() && book.students.size() != 1) {
-    say_error(fmt::format("--gradescope is for one student, and {} holds {}", holder,
+    say_error(fmt::format("--gradescope is for one student, and {} has {}", holder,
                           book.students.size()));
     return ExitCode::usage;
   }

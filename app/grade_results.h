@@ -1,5 +1,5 @@
 #pragma once
-// What grade writes and prints, and merge for the parts of a class.
+// The output of grade, and of merge for parts of a class.
 
 #include "app/command.h"
 #include "app/outputs.h"
@@ -14,11 +14,11 @@
 
 namespace scenefile::app {
 
-/// Detects reasons for a failure to write before the work starts, and results that would replace
-/// one another or one of the `inputs`.
+/// Detects before the work starts that results cannot be written, or would replace one another or
+/// one of the `inputs`.
 ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs);
 
-/// Writes what there is for each student: a page, and the pictures of a large class next to the
+/// Writes the files of each student: a page and, for large classes, the pictures next to the
 /// report.
 class HandOut {
  public:
@@ -35,8 +35,8 @@ class HandOut {
   std::map<std::string, int> pages_;
 };
 
-/// Writes the files of the whole class and prints the results. `holder`: what has the students, in
-/// messages.
+/// Writes the files of the whole class and prints the results. `holder`: what contains the
+/// students, such as a folder, for messages.
 ExitCode write_results(const Options& options, const Gradebook& book, std::string_view holder,
                        Context& context);
 

@@ -256,7 +256,7 @@ ExitCode run_help(const Options& options, Context& /*context*/) {
   }
   if (const auto families = code_families();
       std::find(families.begin(), families.end(), topic) != families.end()) {
-    // Some words are both a family of codes and a cause of wrong pictures.
+    // Some words name both a family of codes and a cause of wrong pictures.
     const std::optional<Cause> cause = find_cause(topic);
     return answer(options.json
                       ? help_json()

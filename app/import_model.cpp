@@ -23,7 +23,7 @@ std::string extension_of(const std::string& path) {
 
 }  // namespace
 
-// The prefix of file names, without blanks, which names in OBJ files cannot have.
+// The prefix of file names. It contains no spaces, because OBJ cannot express them in file names.
 std::string file_stem(const std::string& output) {
   std::string stem = std::filesystem::path(output).stem().string().substr(0, 100);
   std::replace_if(
@@ -84,7 +84,7 @@ Result<void> write_model(const std::string& output, const std::string& text,
     const std::string& path = list.back().path;
     for (const std::string& input : inputs) {
       if (!input.empty() && same_file(path, input)) {
-        return Error{fmt::format("{}, a file next to the output, would replace {}, which was read; "
+        return Error{fmt::format("{}, a file next to the output, would replace the input {}; "
                                  "give the output another name",
                                  quoted(path, 400), quoted(input, 400)),
                      ErrorKind::usage};

@@ -1,6 +1,6 @@
 // Handles exceptions that cannot be caught: thrown before main by the constructors of a shared
-// library (which can run out of memory), or on a library's thread. The program still ends with a
-// status.
+// library (which can run out of memory), or on a library's thread. The program still ends with an
+// exit status.
 
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 namespace {
 
 void write_text(std::string_view text) {
-  // There is nowhere to report a failure.
+  // A failed write cannot be reported anywhere.
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 

@@ -29,7 +29,7 @@ AssetRootsOptions asset_roots_options(const std::string& path, const Options& op
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const Options& options);
 
 ExitCode exit_code(ErrorKind kind);
-/// The exit status for the scene so far.
+/// The exit status for the scene's findings so far.
 ExitCode status_of(const LoadedScene& scene);
 Outcome outcome_of(const Result<void>& result);
 /// Converts the tracer's status.

@@ -32,7 +32,7 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
   LoadedScene scene = load_scene(path, options, LoadDepth::with_all_assets, true, context);
   if (!options.json) {
     say(findings_text(scene, Verbosity::errors, wants_color(Stream::chatter)));
-    // Without its textures, the scene differs from the reference, which would give wrong causes.
+    // Without its textures, the scene would not match the reference, and causes would be wrong.
     for (const Diagnostic* const finding : by_place(scene.diagnostics)) {
       if (finding->code->name.starts_with("texture.")) {
         say(fmt::format("{}: warning: {} [{}]\n", escaped(path, 4096),

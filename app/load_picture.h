@@ -11,7 +11,7 @@ struct LoadedPicture {
   std::string path;  ///< as given
   Texture picture;
   bool jpeg = false;  ///< its colors are not exactly those that were stored
-  std::string error;  ///< an error text with the path; empty: success
+  std::string error;  ///< an error message with the path; empty on success
   ExitCode status = ExitCode::fine;
 };
 
@@ -28,7 +28,7 @@ CompareSettings compare_settings(const Options& options);
 /// standard input.
 bool is_picture_file(const std::string& path);
 
-/// The bytes of a PNG file; empty, with an error text, if the picture is too large.
+/// The bytes of a PNG file; empty, with an error message, if the picture is too large.
 std::string png_of(const Texture& picture, std::string& error);
 
 /// Writes a PNG file. Reports failures.

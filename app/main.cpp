@@ -38,7 +38,8 @@ constexpr std::array command_rows{
     Command{
         "merge", for_merge, "PARTS... -o OUT", "merge the parts of a picture, or of a class",
         "Reads the files that render --part wrote, and writes the same bytes that a single process "
-        "would have written: the picture and its layers. A folder means the parts in it. If parts "
+        "would have written: the picture and its layers. A folder stands for the parts in it. If "
+        "parts "
         "are missing, duplicated, damaged or from another picture, they are listed, nothing is "
         "written, and the exit status is 1. Needs little memory even for very large pictures. The "
         "files of grade --part are merged in the same way into the reports of the whole class.",
@@ -57,10 +58,10 @@ constexpr std::array command_rows{
             "scenefile frames chess.xml -o frame%04d.png --path cameras.json --range 49:96\n"
             "scenefile frames chess.xml --turntable 4 --write-scenes side%d.xml",
             run_frames},
-    Command{"check", for_check, "SCENE...", "report every mistake, with its place",
-            "Reads each scene with its textures and meshes and reports everything that is wrong or "
-            "doubtful. A folder means the scenes in it and in its subfolders. The exit status is 0 "
-            "if there are no errors.",
+    Command{"check", for_check, "SCENE...", "report every mistake with its line and column",
+            "Reads each scene with its textures and meshes and reports all errors and suspicious "
+            "content. A folder stands for the scenes in it and in its subfolders. The exit status "
+            "is 0 if there are no errors.",
             "scenefile check *.xml\n"
             "scenefile check handed-in/\n"
             "scenefile check --deny warnings --allow xml.camera-default scene.xml\n"

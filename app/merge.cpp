@@ -1,4 +1,4 @@
-// merge: parts of a picture, or of a class, put together.
+// The command merge: combines the parts of a picture or of a class.
 
 #include "app/command.h"
 #include "app/json.h"
@@ -33,7 +33,7 @@ struct Parts {
   SortedParts set;
 };
 
-// The files that the arguments mean; a folder means the parts in it.
+// The files given by the arguments; a folder stands for the parts in it.
 std::vector<std::string> part_paths(const Options& options) {
   std::vector<std::string> paths;
   for (const std::string& argument : options.arguments) {
@@ -51,7 +51,7 @@ std::vector<std::string> part_paths(const Options& options) {
   return paths;
 }
 
-// Reads all parts by `read`. The error is that of the first one that cannot be read.
+// Reads all parts with `read`. The error is about the first part that cannot be read.
 template <typename Part, typename Read>
 Outcome read_parts(const std::vector<std::string>& paths, const Read& read,
                    std::vector<Part>& parts) {
@@ -131,7 +131,7 @@ std::string foreign_text(const Parts& parts, std::size_t file) {
                            why);
 }
 
-// The reasons why the parts do not make a whole, one per line.
+// Why the parts cannot be merged, one reason per line.
 std::vector<std::string> problems(const Parts& parts) {
   const SortedParts& set = parts.set;
   std::vector<std::string> lines;
@@ -209,7 +209,7 @@ std::string merge_json(const Options& options, const Parts& parts, const std::st
   return json.text();
 }
 
-// Checks whether the options are those for parts of this kind.
+// Checks whether the options fit parts of this kind.
 Outcome check_kind(const Options& options, const Parts& parts) {
   if (parts.of_class) {
     return options.output.empty()

@@ -22,7 +22,8 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
   }
   HandOut hand_out(options);
   Gradebook book;
-  // One part in memory at a time: those of a large class contain many pictures.
+  // Keeps only one part in memory at a time, because the parts of a large class contain many
+  // pictures.
   for (const std::size_t file : set.files) {
     Result<GradePart> part = read_grade_part(paths[file]);
     if (!part) {

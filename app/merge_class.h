@@ -9,8 +9,8 @@
 
 namespace scenefile::app {
 
-/// Writes and prints what grade does for the whole class. `set` is complete; `paths` are those of
-/// its files.
+/// Writes and prints what grade would for the whole class. `set` must be complete; `paths` are its
+/// files.
 ExitCode merge_class(const Options& options, const SortedParts& set,
                      std::span<const std::string> paths, Context& context);
 

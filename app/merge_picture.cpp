@@ -118,7 +118,7 @@ class Merger {
     for (const Layer& layer : picture().layers) {
       names.push_back(layer_without_values(layer));
     }
-    std::string error;  // unused: render rejects what cannot be written
+    std::string error;  // unused: render rejects pictures that cannot be written
     return stream_layers(
         width(), height(), names,
         [this](int y, int /*end*/) -> std::optional<LayerRows> {
@@ -183,7 +183,7 @@ Outcome check_target(const Options& options, const PartSet& set, std::span<const
                      ImageFormat format) {
   if (!set.picture.layers.empty() && format == ImageFormat::pfm) {
     return {ExitCode::usage,
-            "the parts have layers, which PFM cannot hold: end the output in .exr or .png"};
+            "the parts have layers, which PFM cannot store: end the output in .exr or .png"};
   }
   if (!set.picture.layers.empty() && format == ImageFormat::png8 &&
       options.output.find('.') == std::string::npos) {

@@ -1,5 +1,5 @@
 #pragma once
-// merge, for parts of a picture: puts them together while it reads them.
+// merge, for parts of a picture: merges them while reading, band by band.
 
 #include "app/load.h"
 #include "scenefile/trace/part_set.h"
@@ -9,8 +9,8 @@
 
 namespace scenefile::app {
 
-/// Writes options.output and the files of the layers. The candidates are complete (sort_parts());
-/// `paths` are theirs.
+/// Writes options.output and the files of the layers. The candidates must be complete
+/// (sort_parts()); `paths` are their files.
 Outcome merge_picture(const Options& options, std::span<const PartCandidate> candidates,
                       std::span<const std::string> paths, Context& context);
 

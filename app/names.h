@@ -1,5 +1,5 @@
 #pragma once
-// Names of enumerators, indexed by enumerator. Those of the format are in base/shape.h.
+// Names of enumerators, indexed by enumerator. The format's names are in base/shape.h.
 
 #include <array>
 #include <string_view>

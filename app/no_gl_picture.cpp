@@ -1,4 +1,4 @@
-// Replaces gl_picture.cpp if the program is built without the room view.
+// Replaces gl_picture.cpp if the program is built without src/scenefile/view.
 
 #include "app/gl_picture.h"
 

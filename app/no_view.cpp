@@ -1,4 +1,4 @@
-// Replaces view.cpp if the program is built without the room viewer.
+// Replaces view.cpp if the program is built without src/scenefile/viewer.
 
 #include "app/command.h"
 #include "app/output.h"
@@ -8,7 +8,7 @@ namespace scenefile::app {
 ExitCode run_view(const Options& /*options*/, Context& /*context*/) {
   say_error(
       "view: this program was built without a window (SCENEFILE_VIEWER); "
-      "\"scenefile render\" draws into files");
+      "\"scenefile render\" draws to a file");
   return ExitCode::environment;
 }
 

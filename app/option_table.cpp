@@ -63,8 +63,8 @@ std::string set_choice(std::string_view what, const std::string& value,
   return unknown_word(what, value, words);
 }
 
-// Checks the form of a list, which must be a single argument. The shell splits a list with blanks,
-// such as "shadows, reflect", into the list "shadows," and the argument "reflect".
+// Checks the syntax of a list, which must be a single argument. The shell splits a list with
+// spaces, such as "shadows, reflect", into the list "shadows," and the argument "reflect".
 std::string check_list(const std::string& value, std::string_view example) {
   const bool blank = value.find_first_of(" \t") != std::string::npos;
   if (blank || value.starts_with(',') || value.ends_with(',') ||
@@ -114,7 +114,7 @@ std::string set_pixel(Options& options, const std::string& value) {
   return wrong.empty() ? set_number(value.substr(comma + 1), 0, most, pixel.y) : wrong;
 }
 
-// The tracer's profiles, and OpenGL's own.
+// The ray tracer's profiles, and the one for OpenGL.
 constexpr std::array<std::string_view, 3> profile_choices{profile_words[0], profile_words[1],
                                                           "realtime"};
 
@@ -397,7 +397,7 @@ constexpr std::array option_rows{
               "The pixel to explain; 0,0 is the one at the top left. Required.", for_explain,
               set_pixel},
     OptionRow{"--mine", "", "PICTURE",
-              "Your picture of the scene: compare its value with ours, and find the change of our "
+              "Your picture of the scene: compare its value with ours, and find the mistake in our "
               "terms that gives it.",
               for_explain, set_name<&Options::mine>},
     OptionRow{
@@ -666,7 +666,7 @@ constexpr std::array option_rows{
     OptionRow{"--sarif", "", "", "Answer in SARIF 2.1.0, for code hosts and editors.", for_check,
               set_flag<&Options::sarif>},
     OptionRow{"--markdown", "", "",
-              "The page of all codes, docs/diagnostics.md; with causes, that of all causes, "
+              "Print the page of all codes, docs/diagnostics.md; with causes, that of all causes, "
               "docs/mistakes.md.",
               for_help, set_flag<&Options::markdown>},
     OptionRow{"--man", "", "", "The manual page of the program, or of the command, for man(1).",

@@ -108,7 +108,7 @@ std::string check_pixel(const Options& options) {
     return "explain needs a pixel: --pixel X,Y";
   }
   const auto [x, y] = *options.pixel;
-  // With --mine the picture decides the size, and it is not read yet.
+  // With --mine, the picture determines the size, but it has not been read yet.
   return !options.mine.empty() || (x < options.render.width && y < options.render.height)
              ? std::string()
              : fmt::format("--pixel: {},{} is not in the picture: 0,0 to {},{}", x, y,
@@ -149,7 +149,7 @@ std::string choose_format(Options& options) {
                      [&](std::string_view word) { return extension == fmt::format(".{}", word); });
     if (found == format_words.end()) {
       return fmt::format(
-          "the name {} does not say the format; end it in .xml, .json, .glb, .gltf, .obj or .pov, "
+          "the name {} does not imply a format; end it in .xml, .json, .glb, .gltf, .obj or .pov, "
           "or "
           "give --to",
           quoted(output, 400));
@@ -190,9 +190,8 @@ std::string check_known(const Options& options) {
 
 // Checks of view that need more than one option.
 std::string check_window(const Options& options) {
-  return options.frames != 1 && options.screenshot.empty()
-             ? "--frames is for --screenshot: say where the picture goes"
-             : std::string();
+  return options.frames != 1 && options.screenshot.empty() ? "--frames requires --screenshot FILE"
+                                                           : std::string();
 }
 
 std::string check_crop(const Options& options) {
@@ -280,7 +279,7 @@ std::string check_merge(const Options& options) {
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";
   }
-  // Parts of a class have other outputs than parts of a picture.
+  // Parts of a class and parts of a picture have different outputs.
   return options.missing || options.output.empty() ? std::string()
                                                    : check_output("merge", options.output);
 }
@@ -365,7 +364,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   } catch (const CLI::ParseError& error) {
     return escaped(error.what());
   }
-  // CLI11 leaves the "--" that ends the options among the unknown words.
+  // CLI11 returns the "--" that ends the options as one of the unknown words.
   for (const std::string& unknown : parser.remaining()) {
     if (unknown != "--") {
       return unknown_option(command, unknown);

@@ -64,8 +64,8 @@ struct Options {
 
   std::optional<int> turntable;     ///< frames: number of frames of a full turn
   std::string path;                 ///< frames: a file with views; empty: none
-  std::optional<FrameRange> range;  ///< frames: default: all
-  std::optional<double> fps;        ///< frames: per second
+  std::optional<FrameRange> range;  ///< frames: which ones; default: all
+  std::optional<double> fps;        ///< frames: frames per second
   std::string write_scenes;         ///< frames: pattern for scene files; empty: none
   std::string video;                ///< frames: an output file; empty: none
 
@@ -78,7 +78,7 @@ struct Options {
   std::optional<ConvertTo> to;
   int segments = 64;  ///< per full turn of round shapes, in formats that only have triangles
   std::optional<PixelPlace> pixel;
-  std::optional<std::uint32_t> sample;  ///< to describe in full
+  std::optional<std::uint32_t> sample;  ///< the sample to describe in full
   std::string mine;                     ///< the picture of another program, to explain its value
 
   std::string scene;  ///< the scene of the reference picture
@@ -93,7 +93,7 @@ struct Options {
   std::string csv;
   std::string gradescope;
   std::string pages;     ///< a folder for one page per student
-  std::string name_map;  ///< a file that says which picture is which
+  std::string name_map;  ///< a file that assigns pictures to references
 
   std::array<int, 2> window{};  ///< size in pixels; 0: as remembered
   bool live_trace = false;
@@ -115,15 +115,15 @@ struct Options {
   bool help = false;
 };
 
-/// Parses the words after the command. Returns an error text, in words that follow "scenefile: ";
-/// empty on success.
+/// Parses the words after the command. Returns an error text, as a phrase that follows "scenefile:
+/// "; empty on success.
 std::string parse_options(const Command& command, std::span<const char* const> words,
                           Options& options);
 
 /// Whether an option, such as "--samples", was given.
 bool was_given(const Options& options, std::string_view name);
 
-/// options.render as if this profile had been selected.
+/// options.render with the defaults of this profile.
 RenderOptions render_options(const Options& options, Profile profile);
 
 }  // namespace scenefile::app

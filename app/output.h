@@ -32,14 +32,13 @@ void say(std::string_view text);
 /// Prints "scenefile: " and the text on one line.
 void say_error(std::string_view text);
 
-/// Prints the result of `text` after the work is done; running out of memory here must not cause a
-/// failure.
+/// Prints the result of `text` after the work is done. Running out of memory here is not a failure.
 template <typename Text>
 void say_afterwards(const Text& text) {
   try {
     say(text());
   } catch (const std::bad_alloc&) {
-    // Ignores a lack of memory: a remark is not worth failing for.
+    // Prints nothing if memory runs out, because a remark is not worth a failure.
   }
 }
 

@@ -11,7 +11,7 @@ namespace scenefile::app {
 
 struct NamedFile {
   std::string_view role;  ///< for messages: "output", "scene"
-  std::string path;       ///< empty: not asked for
+  std::string path;       ///< empty: not requested
 };
 
 /// Reports the first output that would replace an input or an earlier output (ExitCode::usage), or

@@ -18,7 +18,7 @@ constexpr int rows_of_a_band = 16;
 constexpr std::uint64_t most_bytes_of_class = std::uint64_t{1} << 36;
 constexpr std::size_t bytes_at_once = std::size_t{1} << 20;
 
-// What is wrong with the rows; empty if nothing is.
+// What is wrong with the rows; empty if they are intact.
 Result<std::string> check_rows(const FileReader& file, const PartHead& head,
                                std::size_t before_rows) {
   const std::uint64_t length = part_file_bytes(head, before_rows);

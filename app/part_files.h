@@ -26,7 +26,7 @@ Result<void> write_part_file(const std::string& path, const DividedPicture& pict
 struct GradePart {
   GradePartHead head;
   std::vector<StudentResult> students;
-  std::string damage;  ///< an error text for people; empty if the part is intact
+  std::string damage;  ///< an error message; empty if the part is intact
 };
 
 /// Reads the file. An error means that it cannot be read; for other defects, see `damage`.
@@ -34,14 +34,15 @@ Result<GradePart> read_grade_part(const std::string& path);
 
 PartTag tag_of(const GradePart& part);
 
-/// What a file starts like.
+/// The type of a file, by its first bytes.
 enum class PartKind : std::uint8_t { none, of_picture, of_class };
 PartKind kind_of_part(const std::string& path);
 
 /// Reads the rows of a picture from the files of its parts.
 class PartRows {
  public:
-  /// A complete set, and the paths of its candidates; both must outlive this object.
+  /// `set` must be complete; `paths` are the files of its candidates. Both must outlive this
+  /// object.
   PartRows(const PartSet& set, std::span<const PartHead> heads, std::span<const std::string> paths);
 
   /// Rows of the picture and of its layers, in bands of up to 16.

@@ -4,7 +4,7 @@
 
 namespace scenefile::app {
 
-/// The folder that holds this program, not a link to it; empty if the system does not say.
+/// The folder that contains this program, with links resolved; empty if the system does not tell.
 std::string program_folder();
 
 /// The folder of the documentation: in a clone or in an installation. Empty if there is none.

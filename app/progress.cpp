@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bar_width = 30;
 constexpr std::chrono::milliseconds interval{100};
-constexpr double shortest_estimate = 0.5;  // seconds before an estimate is useful
+constexpr double shortest_estimate = 0.5;  // seconds until an estimate is useful
 
 std::string time_text(double seconds) {
   if (seconds < 60) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view help_text =
     "projects_ray CONFIG.ini\n"
     "\n"
-    "Draws a scene as the course's own program does. The configuration says what:\n"
+    "Draws a scene like the course's own program, as described in the configuration:\n"
     "\n"
     "  [IO]\n"
     "  scene = test_unit/unit_cone.xml      ; relative to the working directory\n"
@@ -29,16 +29,16 @@ constexpr std::string_view help_text =
     "  [Canvas]\n"
     "  width = 1024\n"
     "  height = 768\n"
-    "  [Feature]                            ; true or false; false when not given\n"
+    "  [Feature]                            ; true or false (default: false)\n"
     "  shadows = true                       ; reflect, refract, texture, texture-filter,\n"
     "                                       ; super-sample, depthoffield\n"
-    "  parallel = true                      ; no effect on the picture: it is always parallel\n"
-    "  acceleration = true                  ; no effect on the picture: it is always accelerated\n"
-    "  [Settings]                           ; may be left out\n"
+    "  parallel = true                      ; no effect: rendering is always parallel\n"
+    "  acceleration = true                  ; no effect: rendering is always accelerated\n"
+    "  [Settings]                           ; optional\n"
     "  maximum-recursive-depth = 4\n"
     "  only-render-normals = false\n"
     "\n"
-    "It is \"scenefile render\" with --profile course; \"scenefile help\" says what else there "
+    "It equals \"scenefile render\" with --profile course; \"scenefile help\" says what else there "
     "is.\n";
 
 Features features_of(const CourseConfig& config) {
@@ -73,7 +73,7 @@ void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) 
   }
 }
 
-// Whether a scene was given instead of a configuration, by its name or first character.
+// Whether the argument is a scene instead of a configuration, by its name or first character.
 bool is_scene(const LoadedScene& config) {
   const std::size_t first = config.text.find_first_not_of(" \t\r\n");
   const char start = first == std::string::npos ? ' ' : config.text[first];

@@ -31,7 +31,7 @@ double count_triangles(const RenderScene& scene, const TessellationParameters& p
       sum += each[static_cast<std::size_t>(primitive.shape)];
     }
     for (const RenderInstance& instance : group.instances) {
-      sum += of_group[instance.group];  // a group comes after those that it contains
+      sum += of_group[instance.group];  // a group comes after the groups that it contains
     }
     of_group.push_back(sum);
   }

@@ -19,7 +19,7 @@ struct SkippedLight {
   Location location;
 };
 
-/// What the assignment draws of a scene.
+/// The parts of a scene that the assignment draws.
 struct RealtimeReport {
   RealtimeOptions options;
   std::size_t lights = 0;  ///< number of lights that are used
@@ -30,7 +30,7 @@ struct RealtimeReport {
 /// The assignment's settings from the options; nullopt for other profiles.
 std::optional<RealtimeOptions> realtime_options(const Options& options);
 
-/// The settings that are not given, for diff and grade to find in the reference.
+/// Which settings are not given, so that diff and grade must find them in the reference.
 RealtimeUnknowns realtime_unknowns(const Options& options);
 
 RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene& scene);
@@ -38,8 +38,8 @@ RealtimeReport realtime_report(const RealtimeOptions& options, const LoadedScene
 /// Adds findings about what the assignment does not draw.
 void check_realtime(const RealtimeOptions& options, LoadedScene& scene);
 
-/// Checks combinations of options. Returns an error text, in words that follow "scenefile: "; empty
-/// on success.
+/// Checks combinations of options. Returns an error message, as a phrase that follows "scenefile:
+/// "; empty on success.
 std::string check_realtime_options(const Options& options, unsigned command);
 
 }  // namespace scenefile::app

@@ -37,7 +37,7 @@ PixelRegion drawn_region(const RenderOptions& options) {
   return options.crop.value_or(PixelRegion{0, 0, options.width, options.height});
 }
 
-// Detects reasons for failure before the work starts.
+// Detects errors in the arguments before the work starts.
 ExitCode check_render_outputs(const Options& options) {
   const std::vector<NamedFile> inputs{{"scene", options.arguments.front()}};
   std::vector<NamedFile> outputs;
@@ -52,7 +52,7 @@ ExitCode check_render_outputs(const Options& options) {
   return check_outputs(inputs, outputs);
 }
 
-// The scene to draw; releases its groups.
+// Returns the scene to draw, and frees its groups.
 RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptions& render_options,
                    Checkpoints checkpoints) {
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
@@ -64,7 +64,7 @@ RenderResult trace(const Options& options, LoadedScene& scene, const RenderOptio
   RenderScene& ready = scene.ready.scene;
   const TraceScene traced(ready, scene.assets, {.threads = render_options.threads});
   if (!options.json) {
-    std::vector<RenderGroup>().swap(ready.groups);  // only building needed them
+    std::vector<RenderGroup>().swap(ready.groups);  // only needed while building
   }
   return render(ready, scene.assets, render_options,
                 {.progress = progress,
@@ -127,7 +127,7 @@ std::string work_text(const RenderReport& report) {
   return fmt::format("{:.2f} million rays", static_cast<double>(rays) / 1e6);
 }
 
-// The part of the picture that OpenGL drew, or the whole picture.
+// The requested part of the picture that OpenGL drew, or the whole picture.
 Outcome write_drawn(const Options& options, Image drawn, DividedPicture* picture,
                     const RenderReport& report, Context& context) {
   if (picture == nullptr) {
@@ -152,7 +152,7 @@ std::string part_text(const RenderReport& report) {
 std::string summary_text(const RenderReport& report) {
   const std::string name = report.output == "-" ? "<stdout>" : escaped(report.output);
   if (report.part && report.part->skipped) {
-    return fmt::format("{}: {} is there already\n", name, part_text(report));
+    return fmt::format("{}: {} already exists\n", name, part_text(report));
   }
   const PixelRegion drawn = report.part ? report.part->region : drawn_region(report.options);
   return fmt::format("{}: {}{}{}x{}, {:.2f} s, {}\n", name, part_text(report),
@@ -180,7 +180,7 @@ ExitCode run_render(const Options& given, Context& context) {
   }
   std::optional<DividedPicture> divided;
   if (options.part && outcome.status == ExitCode::fine) {
-    context.phase = "looking at the part";
+    context.phase = "checking the part";
     divided = divided_picture(options, scene);
     const auto [index, count] = *options.part;
     report.part = {index, count, part_of(divided->region, index, count)};

@@ -18,7 +18,7 @@ namespace {
 // Why this file is not the requested part; empty if it is.
 std::string other_part(const PartHead& found, const DividedPicture& picture, std::uint32_t index) {
   PartKey wanted = picture.key;
-  wanted.driver = found.picture.key.driver;  // only known after OpenGL has drawn
+  wanted.driver = found.picture.key.driver;  // only known after drawing with OpenGL
   if (const std::string_view why = foreign_part(found.picture.key, wanted); !why.empty()) {
     return fmt::format("the part was drawn {}", why);
   }
@@ -61,7 +61,8 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
   }
   if (!found->has_head) {
     const bool empty = std::filesystem::file_size(options.output, ignored) == 0;
-    return empty || kind_of_part(options.output) == PartKind::of_picture ? Outcome() : refused(found->damage);
+    return empty || kind_of_part(options.output) == PartKind::of_picture ? Outcome()
+                                                                         : refused(found->damage);
   }
   if (const std::string why = other_part(found->head, picture, options.part->index); !why.empty()) {
     return refused(why);

@@ -13,8 +13,8 @@ namespace scenefile::app {
 /// The picture that `options` describe, to be divided into options.part->count parts.
 DividedPicture divided_picture(const Options& options, const LoadedScene& scene);
 
-/// Looks for an existing output file. `there`: it is this part, and complete. Refuses to replace a
-/// part of another picture, or a file that is not a part; a damaged part will be replaced.
+/// Checks an existing output file. `there`: it is this part, and complete. A damaged part will be
+/// replaced; a part of another picture, or a file that is not a part, is an error.
 Outcome find_part(const Options& options, const DividedPicture& picture, bool& there);
 
 Outcome write_part(const Options& options, const DividedPicture& picture,

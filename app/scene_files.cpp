@@ -14,7 +14,7 @@ namespace scenefile::app {
 
 namespace {
 
-// The command reports files that cannot be read.
+// Files that cannot be read are reported by the command.
 bool is_of_another_program(const std::string& path, const Limits& limits) {
   const Result<std::string> bytes = read_file(path, limits.file_bytes);
   return bytes && !may_be_scene(*bytes);

@@ -1,4 +1,4 @@
-// Replaces view.cpp in the main program, because the window is a separate program.
+// Replaces view.cpp in the main program: starts the separate program that has the window.
 
 #include "app/command.h"
 #include "app/output.h"
@@ -23,7 +23,7 @@ constexpr const char* window_program = "scenefile-window";
 ExitCode run_view(const Options& /*options*/, Context& context) {
   const std::string folder = program_folder();
   const std::string path = folder.empty() ? folder : folder + "/" + window_program;
-  // Timers survive exec, but their handlers do not; the next program sets its own.
+  // Timers survive exec, but their handlers do not; the new program sets its own timer.
   const itimerval no_timer{};
   ::setitimer(ITIMER_REAL, &no_timer, nullptr);
   if (path.empty()) {

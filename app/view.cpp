@@ -40,7 +40,7 @@ viewer::OpenedScene open_for_view(const std::string& path, const Options& option
   return opened;
 }
 
-// What is missing to open the window; empty: nothing.
+// Why the window cannot open; empty if it can.
 std::string missing(const Options& options) {
   if (options.arguments.empty()) {
     return {};
@@ -139,7 +139,7 @@ ExitCode run_view(const Options& options, Context& context) {
   if (result.status != viewer::WindowStatus::closed) {
     const bool no_display = result.status == viewer::WindowStatus::no_display;
     say_error(result.error +
-              (no_display ? "; \"scenefile render\" draws into files without a screen" : ""));
+              (no_display ? "; \"scenefile render\" draws to a file without a screen" : ""));
     return ExitCode::environment;
   }
   if (unattended && !result.shown) {

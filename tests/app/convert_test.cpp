@@ -60,7 +60,7 @@ TEST_F(Convert, StandardStreamsNeedAFormat) {
   EXPECT_EQ(parse_json(json.out)["groups"].Size(), 2U);
   const ProgramRun none = run_program({"convert", "-", "-"}, {.input = good_scene});
   EXPECT_EQ(none.status, 2);
-  EXPECT_THAT(none.err, HasSubstr("does not say the format"));
+  EXPECT_THAT(none.err, HasSubstr("does not imply a format"));
 }
 
 // In JSON, each transform needs a separate nested group.

@@ -141,7 +141,7 @@ TEST_F(GradePartTest, AllPassedIsStatus0AndGradescopeIsForOneStudent) {
   grade_parts(3);
   const ProgramRun two = run({"merge", "parts", "--gradescope", "two.json"});
   EXPECT_EQ(two.status, 2);
-  EXPECT_THAT(two.err, HasSubstr("the class holds 2"));
+  EXPECT_THAT(two.err, HasSubstr("the class has 2"));
 }
 
 TEST_F(GradePartTest, WhatIsThereIsSkippedAndAnotherClassIsRefused) {

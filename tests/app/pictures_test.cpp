@@ -319,7 +319,7 @@ TEST_F(Grade, GradescopeIsForOneStudent) {
   const ProgramRun run =
       in_folder({"grade", "class", "--references", "right", "--gradescope", "results.json"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("--gradescope is for one student, and \"class\" holds 2"));
+  EXPECT_THAT(run.err, HasSubstr("--gradescope is for one student, and \"class\" has 2"));
 }
 
 TEST_F(Grade, AnotherSizeIsScaledAndSaid) {
@@ -411,7 +411,7 @@ TEST_F(Grade, WhatIsMissing) {
   const ProgramRun no_scenes =
       in_folder({"grade", ".", "--references", ".", "--scenes", "nowhere"});
   EXPECT_EQ(no_scenes.status, 3);
-  EXPECT_THAT(no_scenes.err, HasSubstr("\"nowhere\" is not a folder that can be read"));
+  EXPECT_THAT(no_scenes.err, HasSubstr("\"nowhere\" is not a readable folder"));
   EXPECT_EQ(no_scenes.out, "");
 }
 

@@ -298,7 +298,7 @@ TEST_F(View, SaysWhatIsWrong) {
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("line 2: \"jump\" is not a step"));
   EXPECT_THAT(tour("settle\ncopy none.xml b.xml\n").err, HasSubstr("the script, line 2: none.xml"));
-  EXPECT_THAT(view({path, "--frames", "5"}).err, HasSubstr("--frames is for --screenshot"));
+  EXPECT_THAT(view({path, "--frames", "5"}).err, HasSubstr("--frames requires --screenshot"));
   const ProgramRun broken =
       view({folder.write("b.xml", "<scenefile>"), "--screenshot", folder.path("b.png")});
   EXPECT_EQ(broken.status, 1);

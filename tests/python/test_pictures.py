@@ -209,7 +209,7 @@ def test_grade(ball, tmp_path, program):
     text = program("grade", tmp_path / "class", "--references", tmp_path / "right", "--scenes",
                    tmp_path / "scenes", status=1)
     assert str(book) == text
-    with pytest.raises(OSError, match="not a folder"):
+    with pytest.raises(OSError, match="not a readable folder"):
         scenefile.grade(tmp_path / "class", tmp_path / "nothing")
 
 

@@ -61,7 +61,7 @@ class ViewCheck {
                          : fmt::format("a {}", name);
   }
 
-  // Returns whether the light may contribute; reports it otherwise.
+  // Returns whether the light may contribute to the picture; adds a finding if it cannot.
   bool reaches(const RenderLight& light) {
     if (search_.misses(lit_region(light))) {
       diagnostics_.report(light_misses, question_.place_of(light.source),

@@ -1,6 +1,6 @@
 #pragma once
-// Findings about the picture of a scene that need geometry. They are conservative: only certain
-// findings are reported.
+// Findings about what a picture of the scene shows, from geometry. Conservative: reports only what
+// is certain.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
@@ -19,8 +19,8 @@ struct ViewQuestion {
   std::function<Location(std::uint32_t source)> place_of;
 };
 
-/// Reports a camera inside an object, nothing in view, lights that cannot light anything visible,
-/// and scenes without any other light. Skips findings that depend on meshes that are not loaded.
+/// Reports a camera inside an object, nothing in view, lights that cannot reach anything visible,
+/// and scenes that have only such lights. Skips findings that depend on meshes that are not loaded.
 /// Takes time linear in the size of the scene, and at most a few seconds. Codes: placement/codes.h.
 void check_view(const RenderScene& scene, const Assets& assets, const ViewQuestion& question,
                 Diagnostics& diagnostics);

@@ -13,12 +13,12 @@ inline constexpr Code camera_inside_object{
     "the camera out, or allow this code if the object is a room or a sky."};
 inline constexpr Code camera_nothing_in_view{
     "camera.nothing-in-view", Severity::warning, "no object in view",
-    "Every object is behind the camera or outside its field of view, so the picture is black. look "
-    "is a direction and focus a point: one in place of the other is the usual reason."};
+    "Every object is behind the camera or outside its field of view, so the picture is black. The "
+    "usual reason is a focus point given as look, which is a direction, or the reverse."};
 inline constexpr Code light_inside_object{
     "light.inside-object", Severity::note, "a light inside an object",
     "The object blocks the light: with shadows, nothing outside is lit by it. In JSON a light is "
-    "at the origin of its group: put the light and the object into different groups."};
+    "at the origin of its group: put the light and the object in different groups."};
 inline constexpr Code light_misses{
     "light.misses", Severity::warning, "a light that points past everything",
     "No object is in the cone of the spotlight, or on the side to which the area light shines. "

@@ -1,5 +1,5 @@
 #pragma once
-// Convex regions that enclose what a camera can see or a light can reach. Internal to the room.
+// Convex regions that enclose what a camera can see or a light can reach. Internal to placement.
 
 #include "scenefile/scene/render_scene.h"
 
@@ -15,7 +15,7 @@ struct HalfSpace {
   double distance = 0;
 };
 
-/// The intersection of half-spaces; all of space if empty.
+/// The intersection of half-spaces; if there are none, all of space.
 using Region = std::vector<HalfSpace>;
 
 /// Encloses everything that the camera can see without mirrors, in a picture with at most this

@@ -23,7 +23,7 @@ DAffine box_from_cube(const Bounds& box) {
   return {glm::dmat3(size.x, 0, 0, 0, size.y, 0, 0, 0, size.z), 0.5 * (box.min + box.max)};
 }
 
-// Whether one of the half-spaces does not touch the shape, by a margin above rounding.
+// Whether the shape is outside one of the half-spaces, by more than rounding errors.
 bool outside(const Region& region, Shape shape, const DAffine& place) {
   return std::any_of(region.begin(), region.end(), [&](const HalfSpace& half) {
     const double nearest = -support(shape, place, -half.outward);

@@ -1,5 +1,5 @@
 #pragma once
-// Queries about the positions of objects, without an acceleration structure. Internal to the room.
+// Queries about the positions of objects, without an acceleration structure. Internal to placement.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/geometry/shapes.h"
@@ -18,18 +18,18 @@ struct Enclosure {
   bool holds_other = false;  ///< it also contains the other point
 };
 
-/// The total work of all queries is bounded; beyond that the answer is "unknown".
+/// The total work of all queries is bounded; once it is used up, the answer is "unknown".
 class SceneSearch {
  public:
-  /// Keeps references. A mesh that is not loaded, or is empty, makes every answer about regions
-  /// unknown.
+  /// Keeps references to its arguments. If a mesh is empty or not loaded, all answers about regions
+  /// are unknown.
   SceneSearch(const RenderScene& scene, const Assets& assets);
 
-  /// Whether everything that the scene draws is certainly outside of the region.
+  /// Whether everything that the scene draws is certainly outside the region.
   bool misses(const Region& region);
 
-  /// Visits the objects that contain the point, until `visit` returns false. A mesh counts if it is
-  /// closed, as far as its winding number at the point shows, with its faces outward.
+  /// Visits the objects that contain the point, until `visit` returns false. A mesh contains the
+  /// point if its winding number there is 1, as for closed meshes whose faces point outward.
   void enclosing(const glm::dvec3& point, const glm::dvec3& other,
                  const std::function<bool(const Enclosure&)>& visit);
 
@@ -42,7 +42,7 @@ class SceneSearch {
   bool meshes_known_;
   std::vector<Bounds> mesh_boxes_;   ///< by mesh, in its space
   std::vector<Bounds> group_boxes_;  ///< by group, in its space
-  double budget_ = 5e7;              ///< number of primitives that may be tested
+  double budget_ = 5e7;              ///< number of primitives that may still be tested
 };
 
 }  // namespace scenefile

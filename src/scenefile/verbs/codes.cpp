@@ -61,7 +61,7 @@ std::span<const std::string_view> code_names() {
 }
 
 const Code* find_code(std::string_view name) {
-  // Codes with "misspelled" in their name used to be spelled this way.
+  // Older versions spelled "misspelled" in codes this way.
   static constexpr std::string_view old_word = "misspelt";
   std::string today(name);
   if (const std::size_t at = today.find(old_word); at != std::string::npos) {

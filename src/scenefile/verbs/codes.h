@@ -27,7 +27,7 @@ inline constexpr Code realtime_no_light{
     "action."};
 
 inline constexpr Code realtime_not_drawn{
-    "realtime.not-drawn", Severity::note, "what the assignment Realtime does not draw",
+    "realtime.not-drawn", Severity::note, "features that the assignment Realtime does not draw",
     "The assignment has no textures, reflections, transparency or shadows. --profile course and "
     "--profile fine draw them."};
 
@@ -37,7 +37,7 @@ inline constexpr Code convert_comments{
     "comments, use scenefile format, which only changes white space."};
 
 inline constexpr Code convert_file_left_behind{
-    "convert.file-left-behind", Severity::warning, "a texture or mesh stays in another folder",
+    "convert.file-left-behind", Severity::warning, "a texture or mesh is in another folder",
     "Files are looked for in the folder of the scene and in a few folders next to it. The "
     "converted scene is in another folder, from which this file is not found. Copy the file to the "
     "corresponding place, write the output next to the input, or give the old folder with "

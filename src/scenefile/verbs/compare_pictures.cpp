@@ -14,14 +14,14 @@ namespace scenefile {
 
 namespace {
 
-// Share of pixels; more of them say that the scene or its settings are not those of the reference.
+// Share of pixels. If more differ, the scene or its settings are not those of the reference.
 constexpr double most_unlike_reference = 0.1;
 
 std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
 }
 
-// The sets of features that existing references are rendered with.
+// The sets of features that existing references were rendered with.
 void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
   const std::string_view profile = profile_option(render.profile);
   const auto add = [&](const char* words, const Features& features) {
@@ -70,7 +70,7 @@ SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
   return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
 }
 
-// Finds out where to look first. `way`: how the scene is drawn, or null.
+// Finds the region where the pictures differ most. `way`: how the scene is drawn, or null.
 std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture& test,
                                          const LoadedScene* scene, const DrawnWay* way) {
   const std::optional<WorstRegion> region = worst_region(reference, test);
@@ -139,7 +139,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   const DrawnWay* way = &ways.front();
   const SceneView view = view_of(*scene, *way);
   found.causes = find_causes(reference, test, &view, go_on);
-  // The program of the picture may have had other features that the reference does not show.
+  // The program may have drawn with features that the reference does not use.
   for (std::size_t i = 1; i < ways.size() && !explained_by_one(found.causes); ++i) {
     const SceneView other = view_of(*scene, ways[i]);
     CauseReport causes = find_causes(reference, test, &other, go_on, LookFor::single_mistakes);
@@ -152,7 +152,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   found.where = place_to_look(reference, test, scene, way);
 }
 
-// The share of the reference's pixels that are not as the way draws them.
+// The share of the reference's pixels that differ from our picture drawn this way.
 double share_unlike(const Texture& reference, const LoadedScene& scene, const DrawnWay& way) {
   if (way.realtime) {
     return find_realtime_causes(reference, reference, realtime_view_of(scene, way))
@@ -206,7 +206,7 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
   std::vector<DrawnWay> found;
   for (const std::size_t i :
        views.empty() ? std::vector<std::size_t>() : equally_alike(reference, views)) {
-    // Fewer features than the first has may be visible once there is a mistake.
+    // With a mistake, fewer features may be visible than in the first way.
     const auto same = [&](const DrawnWay& way) {
       const Features& a = way.options.features;
       const Features& b = traced[i]->options.features;
@@ -275,13 +275,13 @@ std::string causes_text(const PictureComparison& found) {
   if (found.scene_used && report.share_scene_unlike > most_unlike_reference) {
     text += fmt::format(
         "the scene is not what the reference shows: our picture of it differs in {:.0f} % of the "
-        "pixels; give {} as the reference was made\n",
+        "pixels; give the {} that the reference was made with\n",
         100 * report.share_scene_unlike,
         found.realtime ? "--parameters, --near, --far, --filter and --milestone"
                        : "--profile and --features");
   } else if (report.claims.empty() && found.measures.same_size) {
     text += report.share_different < 0.001
-                ? "cause: none; they differ only at edges and by rounding\n"
+                ? "cause: none; the pictures only differ at edges and by rounding\n"
             : found.scene_used ? "cause: no known mistake explains the difference\n"
                                : "cause: none found from the pictures alone; most causes need "
                                  "--scene SCENE, the scene of the pictures\n";

@@ -23,7 +23,7 @@ namespace scenefile {
 struct DrawnWay {
   RenderOptions options;
   std::string words;  ///< as command line options, such as "--profile course"
-  /// Of the assignment Realtime; `options` are then unused.
+  /// Set for the assignment Realtime; `options` is then unused.
   std::optional<RealtimeOptions> realtime = std::nullopt;
   RealtimeUnknowns unknowns = {};  ///< of `realtime`: settings to find in the reference
 };
@@ -32,9 +32,9 @@ enum class LookForCauses : std::uint8_t { where_broken, always };
 
 struct CompareSettings {
   Thresholds thresholds;       ///< none: the pictures must be equal
-  int pixel_threshold = 8;     ///< larger differences count, in 1/255
+  int pixel_threshold = 8;     ///< only larger differences count, in 1/255
   std::vector<DrawnWay> ways;  ///< the most similar to the reference is used
-  bool ways_fit = false;       ///< all ways show the reference equally, the likeliest first
+  bool ways_fit = false;       ///< `ways` are already the result of ways_drawn()
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
 };
 
@@ -42,7 +42,7 @@ struct CompareSettings {
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
-/// A way of the assignment Realtime.
+/// A way of drawing the assignment Realtime.
 DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns);
 
 /// The ways in which our picture of the scene, with all assets, is most similar to the reference:
@@ -64,7 +64,7 @@ struct PictureComparison {
   /// is right, or if its shape is another.
   std::optional<Texture> scaled;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
-  std::vector<std::string> broken;   ///< thresholds; empty: the same
+  std::vector<std::string> broken;   ///< thresholds that were exceeded; empty: the same
   CauseReport causes;                ///< empty if no causes were looked for
   bool realtime = false;             ///< whether the reference is of the assignment Realtime
   std::string drawn_with;            ///< DrawnWay::words of the reference; empty: unknown
@@ -72,20 +72,20 @@ struct PictureComparison {
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 };
 
-/// Compares the pictures, and looks for causes according to settings.look. A picture of another size
-/// and the same shape is never the same, but is compared after scaling. `scene`: the scene of the
-/// reference with all assets, or null. `go_on` as for find_causes().
+/// Compares the pictures, and looks for causes according to settings.look. A picture of another
+/// size and the same shape is never the same, but is compared after scaling. `scene`: the scene of
+/// the reference with all assets, or null. `go_on` as for find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},
                                    const std::function<bool(double done)>& go_on = {});
 
-/// The causes as text for people.
+/// The causes as human-readable text.
 std::string causes_text(const PictureComparison& found);
 
-/// Where the pictures differ most, as text for people: the region, the object there, and a command
-/// that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is empty, there
-/// is no command.
+/// Where the pictures differ most, as human-readable text: the region, the object there, and a
+/// command that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is
+/// empty, there is no command.
 std::string where_text(const PictureComparison& found, const std::string& scene,
                        const std::string& test);
 

@@ -26,7 +26,7 @@ std::string verdict_text(const std::string& a, const std::string& b, const Scene
   return fmt::format("{}: {} difference{}\n", both, count, count == 1 ? "" : "s");
 }
 
-// One scene's side of a difference; omitted if the scene does not have the object.
+// One scene's side of a difference; omitted if the object does not exist in the scene.
 void add_side(Json& json, std::string_view name, const std::string& text, Location location) {
   if (text.empty()) {
     return;

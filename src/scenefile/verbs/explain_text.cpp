@@ -14,10 +14,10 @@ namespace scenefile {
 
 namespace {
 
-// If there are more samples of a pixel or of a light, they are summarized.
+// The number of samples of a pixel or light above which they are summarized.
 constexpr std::size_t max_listed = 16;
 
-// Rays that change the pixel by less than half a step of an 8-bit value are only named.
+// Rays that change the pixel by less than half an 8-bit step are not described in detail.
 constexpr double half_step = 0.5 / 255;
 
 // A node of the tree.
@@ -26,7 +26,7 @@ struct Item {
   std::vector<Item> below;
 };
 
-// The depth is limited by that of rays, which is at most 64.
+// The depth is that of the ray tree, at most 64.
 void print(const Item& item, const std::string& indent, std::string& text) {
   for (std::size_t i = 0; i < item.below.size(); ++i) {
     const bool last = i + 1 == item.below.size();
@@ -110,7 +110,7 @@ class Explanation {
                             {}});
     }
     if (!yours_->equal && yours_->fits.empty()) {
-      item.below.push_back({"no term left out or changed in a known way gives it", {}});
+      item.below.push_back({"no known mistake in our terms gives this value", {}});
     }
     return item;
   }

@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-// A limit that is a warning and was denied is an ordinary error.
+// A limit reported as a warning becomes an ordinary error if its code is denied.
 bool is_limit(const Diagnostic& d) {
   return d.code->severity == Severity::error && d.severity == Severity::error &&
          d.code->kind == CodeKind::limit;

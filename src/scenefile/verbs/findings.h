@@ -1,6 +1,6 @@
 #pragma once
-// Evaluates the findings about a scene: whether it is usable, and the report for people. For JSON
-// and SARIF, see scene_json.h and sarif.h.
+// Evaluates the findings about a scene: whether it is usable, and the human-readable report. For
+// JSON and SARIF, see scene_json.h and sarif.h.
 
 #include "scenefile/verbs/load_scene.h"
 
@@ -24,8 +24,8 @@ struct FindingPolicy {
 /// Changes severities, and removes allowed findings.
 void apply_policy(const FindingPolicy& policy, Diagnostics& diagnostics);
 
-/// Why the scene is not usable; nullopt if it is: it could not be read, exceeds a limit, or has
-/// errors.
+/// Why the scene is not usable (it could not be read, exceeds a limit, or has errors); nullopt if
+/// it is usable.
 std::optional<ErrorKind> failure_of(const LoadedScene& scene);
 
 enum class SceneVerdict : std::uint8_t { fine, warnings, errors, unreadable };

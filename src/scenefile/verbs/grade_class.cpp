@@ -70,8 +70,8 @@ std::string thumbnail(const Texture& reference, const Texture& picture, int widt
   return encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest, none);
 }
 
-// If no thresholds were given, the kind of difference decides: known mistakes fail at any PSNR, and
-// pictures that differ only by edges and rounding pass.
+// If no thresholds were given, the kind of difference decides: pictures with known mistakes fail at
+// any PSNR, and pictures that differ only at edges or by rounding pass.
 void follow_causes(const PictureComparison& compared, PictureResult& result) {
   const CauseReport& report = compared.causes;
   const bool mistake = std::any_of(report.claims.begin(), report.claims.end(),
@@ -79,8 +79,9 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
   if (mistake) {
     result.verdict = Verdict::differs;
     if (result.reasons.empty()) {
-      result.reasons = {fmt::format("PSNR is {:.2f} dB, and a known mistake explains what differs",
-                                    compared.measures.difference.psnr_db)};
+      result.reasons = {
+          fmt::format("PSNR is {:.2f} dB, and a known mistake explains the difference",
+                      compared.measures.difference.psnr_db)};
     }
   } else if (report.partial.empty() && report.share_different < 0.001 && !compared.scaled) {
     result.verdict = Verdict::passed;
@@ -271,7 +272,7 @@ struct ClassGrader::State {
     }
   }
 
-  // What was expected and what exists, if no picture of the class has a matching name.
+  // The error if no picture of the class has a matching name: what was expected and what exists.
   std::string nothing_matches(std::size_t seen) const {
     return fmt::format(
         "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
@@ -297,7 +298,7 @@ struct ClassGrader::State {
     return {};
   }
 
-  // The ways in which a reference may have been drawn: those of the table replace others.
+  // The ways in which a reference may have been drawn; the table's settings take precedence.
   std::vector<DrawnWay> ways_of(const FoundFile& file) const {
     const RealtimeRow* const row = row_of(table_, file);
     if (row == nullptr || !std::any_of(settings_.ways.begin(), settings_.ways.end(),
@@ -352,7 +353,7 @@ struct ClassGrader::State {
       result.reasons = {"there is no picture with that name"};
       return result;
     }
-    // A link could lead to the reference, or to another student's work.
+    // A link could point to the reference, or to another student's work.
     if (is_link(path)) {
       result.verdict = Verdict::unreadable;
       result.reasons = {"a symbolic link was submitted, not a picture"};
@@ -404,7 +405,7 @@ struct ClassGrader::State {
 
   const GradeRequest& request_;
   CompareSettings settings_;
-  bool by_causes_;  // a picture passes by what is wrong with it, not by a threshold alone
+  bool by_causes_;  // the kind of difference decides, not only a threshold
   std::function<void(const char*)> entering_;
   std::vector<FoundFile> files_;  // the references
   std::vector<RealtimeRow> table_;
@@ -422,7 +423,7 @@ Result<ClassGrader> ClassGrader::open(const GradeRequest& request, const LoadSho
                                       const std::function<void(const char* phase)>& entering) {
   for (const std::string& folder : {request.handed_in, request.references, request.scenes}) {
     if (!folder.empty() && !is_folder(folder)) {
-      return Error{fmt::format("{} is not a folder that can be read", quoted(folder, 400))};
+      return Error{fmt::format("{} is not a readable folder", quoted(folder, 400))};
     }
   }
   auto state = std::make_unique<State>(request, entering);

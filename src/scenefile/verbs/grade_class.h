@@ -18,21 +18,22 @@ struct GradeRequest {
   std::string handed_in;   ///< one folder per student, or the pictures of one student
   std::string references;  ///< a folder with the right pictures
   std::string scenes;      ///< a folder with their scenes; empty: look in `references`
-  /// Without thresholds, the kind of difference decides: known mistakes fail at any PSNR, and
-  /// pictures that differ only by edges and rounding pass.
+  /// Without thresholds, the kind of difference decides: pictures with known mistakes fail at any
+  /// PSNR, and pictures that differ only at edges or by rounding pass.
   CompareSettings compare;
   bool thumbnails = false;    ///< create PictureResult::png for those that differ
-  std::vector<NamePair> map;  ///< names that follow no layout (grade_files.h)
+  std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match
   /// Called for each student as soon as all pictures are graded, with the student's number, from 1,
   /// and the number of pictures of the class. May move PictureResult::png out; an error stops the
   /// grading.
   std::function<Result<void>(StudentResult& student, std::size_t number, std::size_t all)> graded;
 };
 
-/// The pictures of a class larger than this are smaller, and better kept in files than in memory.
+/// Classes with more pictures get smaller thumbnails, which callers should write to files instead
+/// of keeping them in memory.
 inline constexpr std::size_t many_pictures = 200;
 
-/// Loads a scene that references show, and reports what is wrong with it.
+/// Loads the scene of a reference, and reports its findings.
 using LoadShownScene = std::function<LoadedScene(const std::string& path)>;
 
 /// A class whose references are loaded and whose pictures are found, ready to be graded as a whole
@@ -47,7 +48,7 @@ class ClassGrader {
   ~ClassGrader();
 
   std::size_t students() const;
-  /// The number of pictures that are expected of the whole class.
+  /// The number of pictures expected from the whole class.
   std::size_t pictures() const;
 
   /// Fingerprints (base/hash.h) of what the results depend on, except for the options: the names of
@@ -56,7 +57,7 @@ class ClassGrader {
   std::uint64_t references() const;
   std::uint64_t submissions(const StudentRange& range) const;
 
-  /// The results of these students are the same whichever others are graded.
+  /// The results of these students do not depend on which others are graded.
   Result<Gradebook> grade(const StudentRange& range,
                           const std::function<bool(double done)>& go_on = {});
 

@@ -49,7 +49,7 @@ std::string meaning(std::string_view folder) {
   return word;
 }
 
-// The extension of a file name in lower case, with its point; empty if there is none.
+// The extension of a file name in lower case, with the dot; empty if there is none.
 std::string ending_of(std::string_view name) {
   const std::size_t point = name.rfind('.');
   return point == std::string_view::npos ? std::string() : lower_case(name.substr(point));
@@ -89,7 +89,7 @@ std::string_view without_copy_mark(std::string_view stem) {
   return mark ? stem.substr(0, open) : stem;
 }
 
-// The confidence that the names match; 0: they do not.
+// The confidence that the names match; 0 if they do not.
 int name_score(const FoundFile& reference, const FoundFile& picture) {
   if (reference.stem == picture.stem) {
     return 8;

@@ -17,7 +17,7 @@ struct FoundFile {
 };
 
 /// The files below `folder` with suitable names, sorted by name; at most 8 folders deep. Skips
-/// files that systems and archives leave behind (`__MACOSX`, names that start with a point). Does
+/// files that archivers and operating systems add (`__MACOSX`, names that start with a dot). Does
 /// not follow links to folders.
 std::vector<FoundFile> files_below(const std::string& folder,
                                    bool (*wanted)(std::string_view name));
@@ -25,11 +25,11 @@ std::vector<FoundFile> files_below(const std::string& folder,
 /// Whether the name ends like that of a picture: .png, .jpg, ...
 bool is_picture_name(std::string_view name);
 
-/// Whether the path means the file: its whole path, or the end of it from some folder on, with or
-/// without its extension.
+/// Whether the path refers to the file: it is the whole path, or the last folders and the name,
+/// with or without the extension.
 bool is_named(const FoundFile& file, const std::string& name);
 
-/// Says which submitted picture shows which reference. Names may include folders and extensions.
+/// Assigns a submitted picture to a reference. Names may include folders and extensions.
 struct NamePair {
   std::string handed_in;
   std::string reference;

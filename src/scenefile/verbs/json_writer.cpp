@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-// Replaces bytes that are not UTF-8, which the writer would pass on or stop at.
+// Replaces bytes that are not UTF-8; the writer would copy them or fail.
 std::string valid_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {

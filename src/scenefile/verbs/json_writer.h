@@ -50,7 +50,7 @@ class Json {
   void begin_array(std::string_view name);
   void end_array();
 
-  /// The document; everything that was begun must have ended.
+  /// The document. All objects and arrays must have been ended.
   std::string text() const;
 
  private:

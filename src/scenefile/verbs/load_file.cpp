@@ -123,7 +123,7 @@ std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess&
 }
 
 void forget_file(LoadedScene& scene) {
-  std::string().swap(scene.text);  // an assignment would keep the memory
+  std::string().swap(scene.text);  // assignment would not free the memory
   scene.written = {};
   scene.ready.sources = {};
   return_free_memory();

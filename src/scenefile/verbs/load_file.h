@@ -37,14 +37,15 @@ void load_written_file(LoadedScene& scene, const LoadSettings& settings = {},
 /// The picture in a file. The error names the file.
 Result<Texture> load_picture_file(const std::string& path, const Limits& limits = {});
 
-/// Whether the file is a JPEG, by its first bytes: its colors are not exactly those that were stored.
+/// Whether the file is a JPEG, by its first bytes: its colors are not exactly those that were
+/// stored.
 bool is_jpeg_file(const std::string& path, const Limits& limits = {});
 
-/// A fingerprint (base/hash.h) of the bytes of a file, or of why it cannot be read.
+/// A fingerprint (base/hash.h) of the bytes of a file, or of the error if it cannot be read.
 std::uint64_t file_fingerprint(const std::string& path, const Limits& limits = {});
 
-/// The text of the table in the folder of references, or in the folder that contains it
-/// (realtime_table.h); empty without one.
+/// The text of the table (realtime_table.h) in the folder of references or in its parent folder;
+/// empty if there is none.
 Result<std::string> settings_table(const std::string& folder);
 
 /// Where the files of a scene at `path` may be: `access`, and the folder in the environment
@@ -59,8 +60,8 @@ FileContents contents_of(Result<std::string> bytes);
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);
 
-/// Frees what only messages about the file need (text, written scene, sources), for work that needs
-/// the memory.
+/// Frees data that only messages about the file need (text, written scene, sources), before
+/// memory-intensive work.
 void forget_file(LoadedScene& scene);
 
 }  // namespace scenefile

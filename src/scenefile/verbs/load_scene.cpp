@@ -39,7 +39,7 @@ void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& 
   scene.asset_fingerprint = hash.value();
 }
 
-// Checks the view of a scene without errors. Sets the file places in `question`.
+// Checks the view of a scene without errors. Sets the source locations in `question`.
 void ask(LoadedScene& scene, ViewQuestion question) {
   if (scene.written.camera) {
     question.camera = scene.written.camera->location;
@@ -50,7 +50,7 @@ void ask(LoadedScene& scene, ViewQuestion question) {
   check_view(scene.ready.scene, scene.assets, question, scene.diagnostics);
 }
 
-// Whether the course's ray caster would use no light at all.
+// Whether the course's ray caster would use none of the scene's lights.
 bool dark_in_caster(const RenderOptions& options, const RenderScene& scene) {
   return options.profile == Profile::course && options.mode == Mode::intersect &&
          !scene.lights.empty() &&

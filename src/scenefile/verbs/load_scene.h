@@ -52,10 +52,10 @@ LoadedScene load_scene(std::string path, std::string text, const FetchFile& fetc
                        const LoadSettings& settings = {});
 
 /// The part of load_scene() after reading: checks, prepares and loads scene.written, in place of
-/// what was loaded before. Findings come after those that are there already.
+/// what was loaded before. New findings are added after the existing ones.
 void load_written(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings = {});
 
-/// What a picture with these options needs.
+/// Which assets a picture with these options needs.
 LoadDepth depth_for(const RenderOptions& options);
 
 /// Adds findings that concern any picture of a usable scene (placement/check_view.h).

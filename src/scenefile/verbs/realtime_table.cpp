@@ -84,7 +84,7 @@ std::string path_of(const FoundFile& file) {
   return path + file.stem;
 }
 
-// Whether the file is at that path, with any ending, below some folder.
+// Whether the file's path ends with this path, ignoring the extension.
 bool is_at(const FoundFile& file, std::string_view path) {
   const std::size_t slash = path.rfind('/');
   const std::size_t point = path.rfind('.');

@@ -8,8 +8,8 @@
 
 namespace scenefile {
 
-/// Nullopt for RenderStatus::complete. A canceled picture is not an error of the input, so the
-/// caller decides what it means.
+/// nullopt for RenderStatus::complete. Cancellation is not an error of the input, so callers handle
+/// it.
 std::optional<Error> render_error(RenderStatus status);
 
 }  // namespace scenefile

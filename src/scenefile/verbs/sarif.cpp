@@ -31,7 +31,7 @@ std::string uri_of(std::string_view path) {
 }
 
 std::string_view level_of(Severity severity) {
-  return severity_name(severity);  // SARIF has the same three words
+  return severity_name(severity);  // SARIF uses the same three words
 }
 
 void add_text(Json& json, std::string_view name, std::string_view text) {
@@ -210,7 +210,7 @@ std::string SarifLog::text(int exit_status) const {
     json.add("ruleIndex", std::distance(rules_.begin(), rules_.find(name)));
     json.add("level", level_of(result.finding.severity));
     add_text(json, "message", message_of(result.finding));
-    // Findings in a file that was not found again are put on the first line of the scene.
+    // Findings in a file that is no longer found are put on the first line of the scene.
     const bool placed = result.finding.file.empty() || !result.file.empty();
     add_locations(json, result.scene, result.file, placed ? result.finding.location : Location{},
                   result.used_at);

@@ -79,7 +79,7 @@ std::string manual_page() {
   }
   return page + std::string(exit_status) +
          ".SH ENVIRONMENT\n"
-         ".TP\nCS123_DATA\nThe last folder in which textures and meshes are searched.\n"
+         ".TP\nCS123_DATA\nThe last folder that is searched for textures and meshes.\n"
          ".TP\nNO_COLOR\nMessages are not colored.\n";
 }
 

@@ -1,6 +1,6 @@
-// For every code of the program: an input that causes it, and a similar one that does not. Codes
-// that `check` reports for scene files are in codes_test.cpp; here are those of other commands, the
-// limits, and a test that none is missing.
+// For every code of the program: an input that causes it, and a similar one that does not.
+// codes_test.cpp covers the codes that `check` reports for scene files; this file covers other
+// commands and limits, and tests that no code is missing.
 
 #include "app/run_program.h"
 

@@ -15,7 +15,7 @@ using namespace testing_support;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Soft shadows everywhere.
+// A scene with soft shadows everywhere.
 constexpr const char* slow_scene = R"(<scenefile>
   <globaldata>
     <ambientcoeff v="0.5"/> <diffusecoeff v="0.5"/> <specularcoeff v="0.5"/>
@@ -38,7 +38,7 @@ constexpr const char* slow_scene = R"(<scenefile>
 </scenefile>
 )";
 
-// A render that takes much longer than the tests wait.
+// A render that takes much longer than the tests do.
 std::vector<std::string> long_render(const std::string& seed = "0") {
   return {"render",    "s.xml", "-o",           "out.png", "--size",        "1600x1200",
           "--threads", "1",     "--samples",    "256",     "--min-samples", "256",

@@ -119,7 +119,7 @@ TEST(Codes, FilesAreOfCodesThatExist) {
   }
 }
 
-// Near misses have no findings at all.
+// The similar files have no findings at all.
 TEST(Codes, NearMissesAreFine) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(SCENEFILE_FIXTURES "/codes")) {

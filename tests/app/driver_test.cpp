@@ -42,7 +42,7 @@ struct Driver : ::testing::Test {
     return run_program({config}, {.folder = working_folder, .program = projects_ray});
   }
 
-  // The driver's picture equals that of the command line.
+  // The driver's picture equals the command line's picture.
   void compare(const std::string& scene, const std::string& features) const {
     const std::string driven = folder.path("driven.png");
     const std::string asked = folder.path("asked.png");

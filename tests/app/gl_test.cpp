@@ -99,7 +99,7 @@ TEST_F(RenderWithGl, SaysWhereThereIsNoEgl) {
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("--engine gl: there is no EGL (libEGL.so.1)"));
   EXPECT_EQ(run_program({"info", scene}, {.environment = search}).status, 0)
-      << "all else needs none";
+      << "everything else works without EGL";
 }
 
 TEST_F(RenderWithGl, TheCoursesProfileIsThatOfTheTracer) {

@@ -1,4 +1,4 @@
-// Classes in parts: what is merged is what one process writes, and nothing else is.
+// Classes in parts: merging gives the same files as one process, and rejects everything else.
 
 #include "app/run_program.h"
 

@@ -30,7 +30,7 @@ std::string deep_scene(int levels) {
   return text + "</object></scenefile>";
 }
 
-// A scene with ten instances of ten instances of ... a sphere.
+// A scene with ten instances of a group with ten instances of a group ... of a sphere.
 std::string template_bomb(int levels) {
   std::string text = "<scenefile>";
   std::string last = "<object type=\"primitive\" name=\"sphere\"/>";

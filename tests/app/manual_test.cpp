@@ -70,7 +70,7 @@ TEST(Manual, EscapesWhatRoffWouldTakeForRequests) {
   }
 }
 
-// bash's completions for the last of the words.
+// The completions that bash offers for the last word.
 std::string proposals(const std::string& words) {
   const TempFolder folder;
   const std::string script = folder.path("completion.bash");

@@ -47,7 +47,7 @@ TEST(MistakesPage, IsAlsoJson) {
   EXPECT_STREQ(one["name"].GetString(), "shadows");
   EXPECT_EQ(one["title"].GetString(), help_of(Cause::shadows).title);
   EXPECT_EQ(one["where"].GetString(), help_of(Cause::shadows).where);
-  // "camera" is a family of codes as well.
+  // "camera" is also a family of codes.
   for (const char* topic : {"causes", "camera"}) {
     const rapidjson::Document all = parse_json(run_program({"help", topic, "--json"}).out);
     EXPECT_EQ(all["causes"].Size(), cause_count);

@@ -17,7 +17,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A picture, the same with twice the ambient light, and one with a different size.
+// A picture, the same with twice the ambient light, and one of a different size.
 struct Pictures : ::testing::Test {
   Pictures() {
     scene = folder.write("ball.xml", ball("0.2"));
@@ -116,7 +116,7 @@ TEST_F(DiffImages, WritesMaps) {
   EXPECT_EQ(decode_image(folder.read("sheet.png"), limits, budget, error).width, 4 * 64 + 5 * 8);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
-  folder.write("scene.png", ball("0.2"));  // the content decides, not the name
+  folder.write("scene.png", ball("0.2"));  // the type is determined by the content, not by the name
   const ProgramRun scene_lost = in_folder(
       {"diff", "right.png", "wrong.png", "--scene", "scene.png", "--sheet", "./scene.png"});
   EXPECT_EQ(scene_lost.status, 2);

@@ -22,7 +22,7 @@ struct ProgramRun {
   int status = -1;  ///< exit status, or 1000 + the signal that killed it
   std::string out;
   std::string err;
-  double seconds_to_stop = 0;  ///< from the signal to the end
+  double seconds_to_stop = 0;  ///< from the signal to the end of the program
 };
 
 struct RunSettings {
@@ -33,7 +33,7 @@ struct RunSettings {
   std::string program{};                   ///< a link to the program to start instead of it
   int signal = 0;                          ///< sent after `delay_ms`
   int delay_ms = 0;
-  unsigned short columns = 0;         ///< of the terminal; 0: it does not say
+  unsigned short columns = 0;         ///< of the terminal; 0: not reported
   bool terminal = false;              ///< standard output and error are a terminal; read as `out`
   unsigned long megabytes = 0;        ///< of address space; 0: no limit
   unsigned long stack_kilobytes = 0;  ///< of the first thread; 0: no limit of ours

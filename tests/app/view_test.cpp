@@ -1,4 +1,4 @@
-// The window from a user's view, on a virtual screen: a tour of the real program.
+// The window as a user sees it: the real program on a virtual screen.
 
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
@@ -103,7 +103,7 @@ struct View : ::testing::Test {
   ProgramRun view(std::vector<std::string> words) const {
     words.insert(words.begin(), "view");
     words.insert(words.end(), {"--window", "800x600"});
-    // Without a runtime folder, which logins set, libwayland complains.
+    // libwayland complains if there is no runtime folder, which is set at login.
     return run_program(
         words, {.environment = {"DISPLAY=" + screen.name(), "XDG_RUNTIME_DIR=/tmp",
                                 "XDG_CONFIG_HOME=" + folder.path("config"), "LP_NUM_THREADS=2"}});
@@ -236,7 +236,7 @@ TEST_F(View, KeysAndPanels) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(color_at(picture("normals.png"), cube_x, middle_y), '.');
   EXPECT_GT(count(picture("help.png"), 0x3A, 0x3F, 0x47), 2000) << "the keys of the help";
-  EXPECT_EQ(color_at(picture("alone.png"), 400 - 120, 300), 'r') << "the picture has the window";
+  EXPECT_EQ(color_at(picture("alone.png"), 400 - 120, 300), 'r') << "the picture shows the window";
 }
 
 TEST_F(View, WithoutASceneAPanelOpensOne) {

@@ -1,6 +1,6 @@
 // The student's tracer, which shares no code with the model, makes each mistake on generated
-// scenes. Each must be named on nine of ten scenes, and correct pictures must not be blamed for
-// anything.
+// scenes. Each must be named on nine of ten scenes, and no mistake may be named for correct
+// pictures.
 
 #include "scenefile/grade/causes.h"
 

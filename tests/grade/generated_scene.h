@@ -1,5 +1,5 @@
 #pragma once
-// Generated scenes with every feature in which mistakes can be made.
+// Generated scenes with every feature that a mistake can affect.
 
 #include "student/student_tracer.h"
 #include "trace/build_scene.h"
@@ -28,7 +28,7 @@ class GeneratedScene {
 
   trace_test::SceneBuilder builder;
 
-  /// The scene as a file would describe it.
+  /// The scene in its written form, before prepare().
   Scene written() const {
     const RenderScene& ready = builder.scene;
     Scene scene;

@@ -13,7 +13,7 @@ GradePartHead head() {
   return h;
 }
 
-// Every member has a value of its own.
+// Every member has a different value.
 std::vector<StudentResult> students() {
   PictureResult passed;
   passed.name = "ball";

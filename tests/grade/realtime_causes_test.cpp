@@ -1,5 +1,5 @@
 // find_realtime_causes() names the mistakes that a student's program (tests/student/student_gl.h)
-// makes, and nothing else.
+// makes, and no others.
 
 #include "scenefile/grade/realtime_causes.h"
 
@@ -77,7 +77,7 @@ struct Fixture {
     return student::draw_realtime(ready.scene, job);
   }
 
-  // The words of what is named, with commas.
+  // The names of the causes, separated by commas.
   std::string named(const RealtimeOptions& panel, const std::string& mistake) const {
     const CauseReport report =
         find_realtime_causes(right(panel), student(panel, mistake), view(panel));

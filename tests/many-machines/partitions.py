@@ -22,7 +22,7 @@ parser.add_argument("scenes", nargs="+")
 parser.add_argument("--partitions", type=int, default=200)
 parser.add_argument("--kills", type=int, default=50)
 parser.add_argument("--seed", type=int, default=1)
-parser.add_argument("--most", type=int, default=64, help="pixels a side at most")
+parser.add_argument("--most", type=int, default=64, help="maximum pixels per side")
 args = parser.parse_args()
 program = os.path.abspath(args.program)
 scenes = [os.path.abspath(scene) for scene in args.scenes]
@@ -61,7 +61,7 @@ def some_options():
 
 
 def files_of(folder):
-    """All files except hidden temporary ones, which a killed program leaves."""
+    """All files except hidden temporary files, which a killed program leaves behind."""
     return {name: open(os.path.join(folder, name), "rb").read() for name in sorted(os.listdir(folder))
             if os.path.isfile(os.path.join(folder, name)) and not name.endswith(".tmp")}
 
@@ -73,7 +73,7 @@ def part_words(scene, number, count, options):
 def compare(whole, merged, what):
     expected, found = files_of(whole), files_of(merged)
     if not expected or expected != found:
-        failures.append(f"{what}: other bytes")
+        failures.append(f"{what}: the bytes differ")
 
 
 def partition(number):
@@ -102,7 +102,7 @@ def partition(number):
 
 
 def killed(number):
-    """Draws parts one after the other and merges, killing one of these processes halfway; then repeats that."""
+    """Draws all parts and merges them, killing one process halfway; then repeats everything without a kill."""
     scene = scenes[number % len(scenes)]
     options = ["--size", "160x120", "--samples", "16", "--aov", "depth,normal"]
     count = 4

@@ -3,7 +3,7 @@
 
   class.py --build build/release --students 150 --pictures 31 --size 320x240 --out DIR
 
-Prints how long `scenefile grade` takes and how large what it writes is. The pictures of a mistake are drawn once
+Prints how long `scenefile grade` takes and the sizes of its outputs. The pictures of a mistake are drawn once
 and handed in by several students.
 """
 import argparse, os, random, resource, shutil, subprocess, sys, time
@@ -63,7 +63,7 @@ def main():
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     beside = os.path.join(options.out, "report-pictures")
     pictures = sum(os.path.getsize(os.path.join(beside, f)) for f in os.listdir(beside)) if os.path.isdir(beside) else 0
-    print("%d students, %d pictures each, %s: %.1f s, %.1f CPU s; report %.2f MB, %.1f MB of pictures beside it" % (
+    print("%d students, %d pictures each, %s: %.1f s, %.1f CPU s; report %.2f MB, %.1f MB of pictures next to it" % (
         options.students, len(references), options.size, time.time() - start,
         after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime,
         os.path.getsize(os.path.join(options.out, "report.html")) / 1e6, pictures / 1e6))

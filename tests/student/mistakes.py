@@ -4,11 +4,11 @@ mistakes, and counts right, wrong and missing answers.
 
   mistakes.py --build build/release                 every visible mistake over our own scenes
   mistakes.py --build build/release --combinations 40
-  mistakes.py --build build/release --clean 120     pairs from right programs: nothing may be named
-  mistakes.py --build build/release --strange       pictures that are wrong in ways unheard of: the same
+  mistakes.py --build build/release --clean 120     pairs from correct programs: no mistake may be named
+  mistakes.py --build build/release --strange       pictures with mistakes of no known family: no mistake may be named
   CORPUS=DIR mistakes.py ...                        and those of the course (references.tsv)
   mistakes.py --per-mistake 2 --only light          a sample, some mistakes
-  mistakes.py --habit habit-four-samples            every picture is antialiased, too
+  mistakes.py --habit habit-four-samples            every picture also has this harmless difference
   mistakes.py --seed 8 --folder DIR                 other scenes and combinations; keeps the pictures
 """
 import argparse, collections, json, os, random, subprocess, sys, tempfile, time, zlib
@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-UNKNOWN = ("habits", "strange")  # families of what must not be named
+UNKNOWN = ("habits", "strange")  # families for which no mistake may be named
 
 
 def run(words, seconds=None):
@@ -60,7 +60,7 @@ class Bench:
                 size = open(picture, "rb").read(24)
                 size = "%dx%d" % (int.from_bytes(size[16:20], "big"), int.from_bytes(size[20:24], "big"))
             else:
-                # At a smaller size, like the program draws it.
+                # A smaller size, drawn as the reference program does.
                 size = self.options.corpus_size
                 picture = os.path.join(self.folder, reference.replace("/", "_"))
                 run([self.program, "render", "-q", path, "-o", picture, "--profile", "course", "--size", size] +
@@ -69,7 +69,7 @@ class Bench:
                                 size))
 
     def draw(self, scene, mistakes):
-        """The picture; one of an earlier run in the same folder is used again."""
+        """The picture; reuses the file of an earlier run in the same folder."""
         if self.options.habit:
             mistakes = tuple(mistakes) + (self.options.habit,)
         out = os.path.join(self.folder, "%s.%s.%s.png" % (scene[0].replace("/", "_"), "+".join(mistakes) or "clean",
@@ -123,7 +123,7 @@ class Bench:
         wanted = [self.mistakes[m][1] for m in mistakes]
         if any(self.mistakes[m][0] in UNKNOWN for m in mistakes):
             return ("wrong" if found else "right", words, seconds, "; ".join(c["what"] for c in said.get("partial", [])))
-        # All black pictures are equal, whatever the mistake.
+        # All black pictures are equal, whatever the mistake is.
         if found == ["black"]:
             return ("right", words, seconds, "")
         named = [any(f in w for f in found) for w in wanted]
@@ -131,7 +131,7 @@ class Bench:
         if any(c["cause"] == "rounding" for c in said["causes"]):
             strange.append("rounding")
         if strange and len(found) == 1 and any(r in w for r in rivals for w in wanted):
-            verdict = "tie"  # the pictures are the same, and both mistakes are said
+            verdict = "tie"  # the pictures are the same, and the claim names both mistakes
         elif strange:
             verdict = "wrong"
         elif all(named):
@@ -144,22 +144,22 @@ class Bench:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", default="build/release")
-    parser.add_argument("--program", help="another scenefile than that of the build")
+    parser.add_argument("--program", help="a scenefile other than the build's")
     parser.add_argument("--size", default="240x180")
     parser.add_argument("--only", default="", help="parts of names, with commas")
     parser.add_argument("--scene", default="")
-    parser.add_argument("--per-mistake", type=int, default=0, help="scenes a mistake, 0: all")
+    parser.add_argument("--per-mistake", type=int, default=0, help="scenes per mistake; 0: all")
     parser.add_argument("--combinations", type=int, default=0)
-    parser.add_argument("--clean", type=int, default=0, help="so many pairs from right programs")
-    parser.add_argument("--strange", action="store_true", help="mistakes outside of all families")
+    parser.add_argument("--clean", type=int, default=0, help="number of pairs from correct programs")
+    parser.add_argument("--strange", action="store_true", help="mistakes of no known family")
     parser.add_argument("--corpus-size", default="240x180", help="of the course's scenes; own: that of the references")
-    parser.add_argument("--patience", type=float, default=20, help="seconds for a picture of the student")
+    parser.add_argument("--patience", type=float, default=20, help="seconds for one picture of the student's tracer")
     parser.add_argument("--visible", type=float, default=0.005, help="share of pixels that must change")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--verbose", action="store_true")
     parser.add_argument("--seed", type=int, default=7)
-    parser.add_argument("--habit", default="", help="how the student's program differs from ours besides")
-    parser.add_argument("--folder", help="keeps the pictures there")
+    parser.add_argument("--habit", default="", help="a harmless difference that the student's program has in addition")
+    parser.add_argument("--folder", help="folder in which to keep the pictures")
     options = parser.parse_args()
     bench = Bench(options)
     scenes = [s for s in bench.scenes if options.scene in s[0]]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Creates the pictures of docs/mistakes.md: pictures.py BUILD OUT_FOLDER.
 
-For each cause the right picture, and beside it the one with a mistake of that kind.
+For each cause: the correct picture, and next to it one with a mistake of that kind.
 """
 import os, subprocess, sys
 

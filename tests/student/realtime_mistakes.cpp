@@ -1,14 +1,14 @@
 // Asks find_realtime_causes() for the causes of pictures that a student's program for the
 // assignment Realtime (student_gl.h) drew with known mistakes, and counts right, wrong and missing
-// answers. The references come from the software rasterizer of the tests, which shares nothing but
-// the tessellation with the search.
+// answers. The references come from the software rasterizer of the tests, which shares only the
+// tessellation with the search.
 //
 //   scenefile_realtime_mistakes SCENES [--only WORD] [--habits] [--strange] [--unknown]
 //                               [--per-mistake N] [--size WxH] [--pair OUT_FOLDER]
-//
-// SCENES: a folder with the scenes named below. --habits: right programs, of which nothing may be
-// named; --strange: pictures that are wrong in ways outside of all families, the same; --unknown:
-// the settings have to be found; --pair: writes the pictures of docs/mistakes.md.
+//  SCENES: a folder with the scenes named below. --habits: correct programs with harmless
+// differences, for which no mistake may be named; --strange: mistakes of no known family, for which
+// no mistake may be named; --unknown: the settings must be found as well; --pair: writes the
+// pictures of docs/mistakes.md.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/compare/sheet.h"
@@ -69,9 +69,9 @@ constexpr std::array pairs{
 struct Settings {
   std::string folder;
   std::string only;
-  std::string wanted;  // family; empty: those of mistakes that are to be named
+  std::string wanted;  // family; empty: mistakes that must be named
   bool unknown = false;
-  int per_mistake = 0;  // rows for each mistake; 0: all
+  int per_mistake = 0;  // scenes per mistake; 0: all
   int width = 512;
   int height = 384;
   std::string pairs;
@@ -213,8 +213,8 @@ int main(int count, char** words) {
                                                 settings.height)
                        .picture;
     p->clean = student::draw_realtime(p->scene.ready.scene, job_of(row, settings));
-    std::printf("%2zu %-12s the student is off in %.4f %% of the pixels\n", prepared.size(),
-                row.scene, 100 * share_off(p->reference, p->clean));
+    std::printf("%2zu %-12s the student's picture differs in %.4f %% of the pixels\n",
+                prepared.size(), row.scene, 100 * share_off(p->reference, p->clean));
     prepared.push_back(std::move(p));
   }
   if (!settings.pairs.empty()) {

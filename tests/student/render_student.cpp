@@ -1,7 +1,8 @@
-// Draws a scene like the student: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES
-// [MISTAKE]... With --pair before the scene, the correct picture is drawn to the left of it.
-// FEATURES: "all", "intersect", or a comma-separated list of names from the course's configuration.
-// Without arguments: lists the mistakes, their families, and the causes that are correct answers.
+// Draws a scene with the student's tracer: scenefile_student SCENE OUT.png WIDTHxHEIGHT FEATURES
+// [MISTAKE]... With --pair before the scene, OUT.png shows the correct picture to the left of the
+// student's. FEATURES: "all", "intersect", or a comma-separated list of names from the course's
+// configuration. Without arguments: lists the mistakes, their families, and the causes that are
+// correct answers.
 
 #include "scenefile/asset/image_file.h"
 #include "scenefile/compare/sheet.h"

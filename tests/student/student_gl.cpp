@@ -125,7 +125,7 @@ struct Vertex {
   vec3 normal;
 };
 
-// One list of corners, three for a triangle, as in a vertex buffer.
+// One list of vertices, three per triangle, as in a vertex buffer.
 using Buffer = std::vector<Vertex>;
 
 struct Varying {
@@ -467,7 +467,7 @@ class Program {
 
   // ---- fragments -----------------------------------------------------------------------------
 
-  // Edges in units of 1/256 pixel, as a GPU has them.
+  // Edge functions in units of 1/256 pixel, like a GPU.
   void rasterize(const std::array<Varying, 3>& corners, const RenderMaterial& material) {
     const double units = is("habit-subpixel-4") ? 16 : is("habit-no-snapping") ? 1 << 24 : 256;
     std::array<std::array<long long, 2>, 3> p{};

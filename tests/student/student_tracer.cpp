@@ -133,7 +133,7 @@ constexpr KnownMistake table[] = {
     {"output-half", "output", "brightness"},
     {"output-normals", "output", "features"},
     {"output-black", "output", "black"},
-    // Other ways to write the same mistakes.
+    // Other forms of the same mistakes.
     {"camera-pixels-less-one", "camera", "camera|half-pixel-shift"},
     {"camera-backward-turned", "camera", "camera"},
     {"camera-right-edges", "camera", "half-pixel-shift"},
@@ -197,7 +197,7 @@ constexpr KnownMistake table[] = {
     {"output-srgb", "output", "gamma"},
     {"output-blurred", "output", "samples"},
     {"output-gray", "output", "brightness"},
-    // Correct programs that differ from ours: no mistake must be named.
+    // Correct programs that differ from ours: no mistake may be named.
     {"habit-rounds", "habits", "rounding"},
     {"habit-four-samples", "habits", ""},
     {"habit-nine-samples", "habits", ""},
@@ -206,7 +206,7 @@ constexpr KnownMistake table[] = {
     {"habit-bias-along-normal", "habits", ""},
     {"habit-coarse-distances", "habits", ""},
     {"habit-clamped-lights", "habits", ""},
-    // Mistakes outside of all known families: no mistake must be named.
+    // Mistakes of no known family: no mistake may be named.
     {"strange-fog", "strange", ""},
     {"strange-vignette", "strange", ""},
     {"strange-noise", "strange", ""},

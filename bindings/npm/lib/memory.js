@@ -129,7 +129,7 @@ function asBytes(content) {
 /**
  * Runs `scenefile ...words` with access to `files` only. Resolves to its exit status,
  * the contents of both outputs, and all files that exist afterwards. `roots`: folders of this
- * machine in which textures and meshes are searched, too.
+ * machine that are also searched for textures and meshes.
  */
 export async function run(words, { files = {}, stdin = '', roots = [] } = {}) {
   const given = new Map(

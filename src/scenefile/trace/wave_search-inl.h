@@ -127,8 +127,11 @@ void find_among(const std::vector<Part>& parts, int count, const PartOf& part, c
   store(nearest.part, hits.part + at);
 }
 
-/// Finds the nearest hit of each ray of a generation.
+/// Finds the nearest hit of each ray of a generation. Single rays gain nothing from bundles.
 inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hits) {
+  if constexpr (recording) {
+    return find_by_lane(scene, rays, 0, rays.count, hits);
+  }
   const std::vector<Part>& parts = scene.root;
   if (scene.tests_all_parts) {
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
@@ -228,7 +231,9 @@ inline void find_blocked_by_lane(const WaveScene& scene, const WavePoints& point
   RecentBlockers& recent = recent_blockers(light);
   const Chunk chunk = shadow_chunk(points, light, at);
   Shadows shadows{scene, root, chunk, load(points.offset + at), chunk.mask};
-  meet_recent(recent, shadows);
+  if constexpr (!recording) {
+    meet_recent(recent, shadows);
+  }
   unsigned blocked = bits(chunk.mask & !shadows.open);
   for (unsigned rest = light.asks[at / lanes] & ~blocked; rest != 0; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
@@ -286,8 +291,18 @@ void find_blocked_among(const WaveScene& scene, int count, const PartOf& part,
   }
 }
 
+inline void find_all_blocked_by_lane(const WaveScene& scene, const WavePoints& points,
+                                     WaveLight& light) {
+  for (int at = 0; at < points.count; at += lanes) {
+    find_blocked_by_lane(scene, points, at, light);
+  }
+}
+
 /// Finds which of the active points are in shadow.
 inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveLight& light) {
+  if constexpr (recording) {
+    return find_all_blocked_by_lane(scene, points, light);
+  }
   if (scene.tests_all_parts) {
     const auto count = static_cast<int>(scene.root.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
@@ -295,9 +310,7 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
       find_blocked_among(scene, count, each_part, points, at, light);
     }
   } else if (scene.tree.empty() || light.incoherent) {
-    for (int at = 0; at < points.count; at += lanes) {
-      find_blocked_by_lane(scene, points, at, light);
-    }
+    find_all_blocked_by_lane(scene, points, light);
   } else {
     int gave_up = 0;
     search_tree(

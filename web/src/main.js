@@ -45,6 +45,7 @@ const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8));
 const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true };
 
 const checker = new Engine();
+let panel = null; // EditPanel, when it was shown once
 
 const editor = new Editor(byId('editor'), {
   changed: (changes) => {
@@ -66,6 +67,7 @@ const picture = new Picture(byId('canvas'), workers, {
     byId('stop').hidden = true;
     byId('progress').textContent = `drawn in ${seconds.toFixed(2)} s`;
     byId('canvas').dataset.drawn = String(Number(byId('canvas').dataset.drawn ?? 0) + 1);
+    panel?.viewChanged(panelIsShown());
   },
   failed: stopped,
   compared: showComparison,
@@ -74,6 +76,7 @@ const picture = new Picture(byId('canvas'), workers, {
     byId('view-reset').disabled = !elsewhere;
     byId('view-write').disabled = !elsewhere;
     byId('cross').hidden = true;
+    panel?.viewChanged(panelIsShown());
   },
 });
 
@@ -497,7 +500,6 @@ byId('split').addEventListener('input', () => {
 
 // Panels that edit the scene, loaded when they are first shown.
 
-let panel = null;
 let panelIsChanging = false;
 
 const panelIsShown = () => panel !== null && document.body.dataset.left === 'edit';
@@ -517,6 +519,7 @@ async function showPanel() {
           }
         },
         files: () => [...scene.files.keys()].filter((path) => !isSceneName(path)),
+        view: () => picture.view,
         selected: (model, item) => item !== null && item.from >= 0 && editor.selectLine(editor.lineAt(item.from)),
       });
     } catch (error) {
@@ -648,7 +651,10 @@ byId('explain-form').addEventListener('submit', (event) => {
   event.preventDefault();
   explainAt(Number(byId('pixel-x').value), Number(byId('pixel-y').value));
 });
-new ResizeObserver(() => (byId('cross').hidden = true)).observe(canvas);
+new ResizeObserver(() => {
+  byId('cross').hidden = true;
+  panel?.viewChanged(panelIsShown());
+}).observe(canvas);
 
 // Saving and exporting.
 
@@ -837,6 +843,8 @@ function showTab(name) {
   byId('show-edit').setAttribute('aria-pressed', String(name === 'edit'));
   if (name === 'edit') {
     showPanel();
+  } else {
+    panel?.viewChanged(false);
   }
 }
 for (const name of ['text', 'edit', 'picture']) {

@@ -14,6 +14,7 @@ import {
   reorderItem, setPart, targetsFor, whyNotRemoved, wrapItem,
 } from '../src/edit/edits.js';
 import { fieldsOfItem, itemAt, modelOf } from '../src/edit/model.js';
+import { handleOf, moveItem, product, scaleItem, transformed, turnItem, worldOf } from '../src/edit/placing.js';
 import { applied, parseXml } from '../src/edit/text.js';
 
 const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
@@ -497,4 +498,64 @@ test('a long random series of edits leaves a clean scene with all comments', asy
       text = edited;
     }
   }
+});
+
+const near = (a, b, what) => a.forEach((x, i) => assert.ok(Math.abs(x - b[i]) <= 2e-3 * (1 + Math.abs(b[i])), `${what}: ${a} instead of ${b}`));
+
+test('handles move, turn and scale objects in the world as far as they say', async () => {
+  let count = 0;
+  for (const [name, text] of scenes) {
+    const before = model(text);
+    for (const [n, item] of before.all.entries()) {
+      const handle = handleOf(before, item);
+      if (handle === null) {
+        continue;
+      }
+      count += 1;
+      const what = `${name}: ${item.kind} ${item.label}`;
+      for (const axis of [0, 1, 2]) {
+        const delta = [0, 1, 2].map((i) => (i === axis ? 0.625 : 0));
+        const edited = after(text, moveItem(before, handle, delta));
+        const now = model(edited);
+        const moved = handleOf(now, now.all[n]);
+        const by = transformed(handle.space, delta, 0);
+        near(moved.origin, handle.origin.map((x, i) => x + by[i]), `${what} moved\n${edited}`);
+        assert.deepEqual(commentsOf(edited), commentsOf(text), what);
+        if (handle.position !== null) {
+          continue;
+        }
+        const old = worldOf(before, handle.item);
+        const worldNow = (change) => {
+          const again = model(after(text, change));
+          return worldOf(again, handleOf(again, again.all[n]).item);
+        };
+        const linear = (m) => [0, 1, 2, 4, 5, 6, 8, 9, 10].map((i) => m[i]);
+        const [c, s] = [Math.cos(Math.PI / 6), Math.sin(Math.PI / 6)];
+        const turn = [
+          [1, 0, 0, 0, 0, c, -s, 0, 0, s, c, 0, 0, 0, 0, 1],
+          [c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1],
+          [c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        ][axis];
+        const isTop = handle.item.parent.kind === 'root';
+        if (isTop) {
+          near(linear(worldNow(turnItem(before, handle, axis, 30))), linear(product(turn, old)), `${what} turned`);
+        }
+        const own = fieldsOfItem(before, handle.item).filter(({ spec, element }) => ['translate', 'rotate', 'scale', 'matrix'].includes(spec.name) && element !== null);
+        if (own.length === 0 || (before.xml && own.at(-1).spec.name === 'scale') || (before.xml && own.every(({ spec }) => spec.name !== 'scale'))) {
+          const factors = [0, 1, 2].map((i) => (i === axis ? 1.5 : 1));
+          const scale = [factors[0], 0, 0, 0, 0, factors[1], 0, 0, 0, 0, factors[2], 0, 0, 0, 0, 1];
+          near(linear(worldNow(scaleItem(before, handle, axis, 1.5))), linear(product(old, scale)), `${what} scaled`);
+        }
+      }
+    }
+    for (const change of [moveItem, scaleItem, turnItem]) {
+      const item = before.all.find((some) => some.kind === 'primitive' && handleOf(before, some) !== null);
+      if (item && name !== 'smallest.xml') {
+        const argument = change === moveItem ? [[0.1, 0, 0]] : [1, 1.25];
+        const errors = (await findingsOf(after(text, change(before, handleOf(before, item), ...argument)))).filter((finding) => !ofValues.has(finding.split(':')[0]));
+        assert.deepEqual(errors, [], `${name} ${change.name}`);
+      }
+    }
+  }
+  assert.ok(count > 100, String(count));
 });

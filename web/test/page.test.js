@@ -488,6 +488,50 @@ test('a pixel selects its object in the panels, and the object its line', async 
   assert.match(selected, /<transblock>/);
 });
 
+/** Drags a handle of an axis by some pixels of the page. */
+async function dragHandle(axis, dx, dy, shape = 'circle') {
+  const box = await page.locator(`#gizmo .axis-${axis} ${shape}`).boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx / 2, y + dy / 2);
+  await page.mouse.move(x + dx, y + dy);
+  await page.mouse.up();
+}
+
+test('handles in the picture move, scale and turn the selected object, as one step each', async () => {
+  await open();
+  await openPanels();
+  await row('sphere').click();
+  const before = await pixels();
+  await andDraw(() => dragHandle('y', 0, -50));
+  const text = await wholeText();
+  const [, y] = /<translate x="0" y="([\d.]+)" z="0"\/>\n {6}<object type="primitive" name="sphere">/.exec(text);
+  assert.ok(Number(y) > 0.7 && Number(y) < 1.6, y);
+  assert.equal(text.replace(`y="${y}"`, 'y="0.5"'), hello);
+  assert.notEqual(await pixels(), before);
+  await andDraw(() => page.click('#undo'));
+  assert.equal(await wholeText(), hello);
+  await page.selectOption('#edit-handles', 'scale');
+  await andDraw(() => dragHandle('y', 0, -40, 'rect'));
+  const [, scale] = /<translate x="0" y="0.5" z="0"\/>\n {6}<scale x="1" y="([\d.]+)" z="1"\/>/.exec(await wholeText());
+  assert.ok(Number(scale) > 1.1 && Number(scale) < 2.5, scale);
+  await andDraw(() => page.click('#undo'));
+  await row('cube').click();
+  await page.selectOption('#edit-handles', 'turn');
+  const center = await page.locator('#gizmo .axis-y polyline').last().boundingBox();
+  const [x, middle] = [center.x + center.width / 2, center.y + center.height / 2];
+  await page.mouse.move(x + center.width / 2, middle);
+  await page.mouse.down();
+  await page.mouse.move(x + center.width / 3, middle - center.height / 3);
+  await andDraw(() => page.mouse.up());
+  assert.match(await wholeText(), /<translate x="0" y="-0.05" z="0"\/>\n {6}<rotate x="0" y="1" z="0" angle="[1-9][\d.]*"\/>\n {6}<scale x="3"/);
+  await andDraw(() => page.click('#undo'));
+  assert.equal(await wholeText(), hello);
+  await page.selectOption('#edit-handles', 'none');
+  assert.equal(await page.locator('#gizmo *').count(), 0);
+});
+
 test('explains a pixel and selects its line', async () => {
   await open();
   const box = await page.locator('#canvas').boundingBox();

@@ -296,10 +296,13 @@ function renameTemplate(model, field, name) {
 
 // Transforms in XML: any number, in any order.
 
-export function addTransform(model, item, name) {
+/** Adds a transform to an object; `before`: after how many others, -1: after all. */
+export function addTransform(model, item, name, values, before = -1) {
   const spec = model.words.fields.transblock.find((some) => some.name === name);
-  const before = item.block.children[item.block.children.findIndex((child) => child.name.toLowerCase() === 'object') - 1] ?? null;
-  return edit([insertChildren(model.text, item.block, before, [{ xml: newXmlField(spec) }])]);
+  const { children } = item.block;
+  const object = children.findIndex((child) => child.name.toLowerCase() === 'object');
+  const index = before < 0 ? object : Math.min(before, object);
+  return edit([insertChildren(model.text, item.block, children[index - 1] ?? null, [{ xml: newXmlField(spec, values) }])]);
 }
 
 /** Swaps a transform with the one before it (-1) or after it (+1); null if there is none. */

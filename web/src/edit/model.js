@@ -24,16 +24,21 @@ export function modelOf(text, words) {
   const xml = text.trim() === '' || isXml(text);
   const model = { text, xml, words: xml ? words.xml : words.json, shapes: words.json.fields, items: [], lights: [], templates: [], all: [], root: null, problem: -1 };
   (xml ? readXml : readJson)(model);
-  model.items.forEach((item) => collect(model, item));
+  model.items.forEach((item, i) => collect(model, item, i));
   return model;
 }
 
-function collect(model, item) {
+// All items in the order of the text; `path`: where each is in the tree.
+function collect(model, item, index) {
+  item.path = `/${index}`;
   const open = [item];
   while (open.length > 0) {
     const next = open.pop();
     model.all.push(next);
-    open.push(...[...next.children].reverse());
+    for (let i = next.children.length - 1; i >= 0; --i) {
+      next.children[i].path = `${next.path}/${i}`;
+      open.push(next.children[i]);
+    }
   }
 }
 

@@ -8,6 +8,7 @@ import {
   addItem, addTransform, canDuplicate, canWrap, duplicateItem, kindsToAdd, moveInto, moveTransform, neighborOf, numberText,
   removeField, removeItem, reorderItem, setPart, setParts, targetsFor, whyNotRemoved, wrapItem,
 } from './edits.js';
+import { Gizmo } from './gizmo.js';
 import { fieldsOfItem, itemAt, modelOf } from './model.js';
 
 const mostRows = 400;
@@ -47,10 +48,12 @@ export class EditPanel {
   #toggled = new Map();
   #tree = byId('edit-tree');
   #form = byId('edit-fields');
+  #gizmo;
 
-  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item). */
+  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item), view() of the picture. */
   constructor(host) {
     this.#host = host;
+    this.#gizmo = new Gizmo({ view: host.view, apply: (edit) => this.#apply(edit) });
     this.#tree.addEventListener('keydown', (event) => this.#treeKey(event));
     this.#form.addEventListener('submit', (event) => event.preventDefault());
     const actions = {
@@ -92,12 +95,18 @@ export class EditPanel {
   #select(item) {
     this.#item = item;
     for (let above = item?.parent; above; above = above.parent) {
-      this.#toggled.set(this.#pathOf(above), true);
+      this.#toggled.set(above.path, true);
     }
     this.#showTree();
     this.#showActions();
     this.#showFields();
+    this.#gizmo.select(this.#model, item);
     this.#host.selected(this.#model, item);
+  }
+
+  /** The picture is seen from elsewhere, or has another size; `shown`: whether the panels are. */
+  viewChanged(shown) {
+    shown ? this.#gizmo.show() : this.#gizmo.hide();
   }
 
   #apply({ changes, select }, done) {
@@ -134,13 +143,8 @@ export class EditPanel {
 
   // The tree.
 
-  #pathOf(item) {
-    const siblings = item.parent?.children ?? this.#model.items;
-    return `${item.parent ? this.#pathOf(item.parent) : ''}/${siblings.indexOf(item)}`;
-  }
-
   #isOpen(item) {
-    return this.#toggled.get(this.#pathOf(item)) ?? (item.kind === 'root' || (item.kind === 'group' && item.children.length < 20 && this.#model.all.length < 200));
+    return this.#toggled.get(item.path) ?? (item.kind === 'root' || (item.kind === 'group' && item.children.length < 20 && this.#model.all.length < 200));
   }
 
   #visibleRows() {
@@ -196,7 +200,7 @@ export class EditPanel {
   }
 
   #toggle(item, open = !this.#isOpen(item)) {
-    this.#toggled.set(this.#pathOf(item), open);
+    this.#toggled.set(item.path, open);
     this.#showTree();
   }
 

@@ -8,6 +8,16 @@ namespace scenefile {
 
 namespace {
 
+// The edited file; empty if the edit was refused.
+std::string edited(std::string_view bytes, const Camera& camera, const ReadOptions& options) {
+  const Result<std::string> result = edit_camera(bytes, camera, options);
+  return result ? *result : std::string();
+}
+
+std::string refusal(std::string_view bytes, const Camera& camera, const ReadOptions& options) {
+  return error_text(edit_camera(bytes, camera, options));
+}
+
 using ::testing::HasSubstr;
 
 std::string xml_with(const std::string& camera) {
@@ -42,11 +52,11 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(EditCamera, ChangesTheNumbersThatDifferAndNothingElse) {
   const std::string text = xml_with(block);
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3.5F}), {}).bytes, text);
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2.25F, 3.5F}), {}).bytes,
+  EXPECT_EQ(edited(text, camera_at({1, 2, 3.5F}), {}), text);
+  EXPECT_EQ(edited(text, camera_at({1, 2.25F, 3.5F}), {}),
             replaced(text, "y=\"2\" />", "y=\"2.25\" />"));
   EXPECT_EQ(
-      edit_camera(text, camera_at({1, 2, 3.5F}, {-1, 0, 0}, 30), {}).bytes,
+      edited(text, camera_at({1, 2, 3.5F}, {-1, 0, 0}, 30), {}),
       replaced(replaced(text, "<look x=\"0\" y=\"0\" z=\"-1\">", "<look x=\"-1\" y=\"0\" z=\"0\">"),
                "45.0", "30"));
 }
@@ -54,9 +64,8 @@ TEST(EditCamera, ChangesTheNumbersThatDifferAndNothingElse) {
 TEST(EditCamera, FocusIsAPoint) {
   const std::string text = xml_with(replaced(block, "<look x=\"0\" y=\"0\" z=\"-1\"></look>",
                                              "<focus x=\"1\" y=\"2\" z=\"0\"/>"));
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 7}, {0, 0, -7}), {}).bytes,
-            replaced(text, "'3.50'", "'7'"));
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3.5F}, {0, 1, 0.5F}), {}).bytes,
+  EXPECT_EQ(edited(text, camera_at({1, 2, 7}, {0, 0, -7}), {}), replaced(text, "'3.50'", "'7'"));
+  EXPECT_EQ(edited(text, camera_at({1, 2, 3.5F}, {0, 1, 0.5F}), {}),
             replaced(text, "<focus x=\"1\" y=\"2\" z=\"0\"/>", "<focus x=\"1\" y=\"3\" z=\"4\"/>"));
 }
 
@@ -64,31 +73,31 @@ TEST(EditCamera, OtherSpellings) {
   const std::string text = xml_with(
       "<cameradata><pos a=\"1\" b=\"2\" c=\"3\"/><look x=\"0\" y=\"0\" z=\"-1\"/>"
       "<up x=\"0\" y=\"1\" z=\"0\"/><angle value=\"45\"/></cameradata>");
-  const CameraEdit edit = edit_camera(text, camera_at({1, 2, 4}, {0, 0, -1}, 60), {});
-  EXPECT_EQ(edit.bytes, replaced(replaced(text, "c=\"3\"", "c=\"4\""), "\"45\"", "\"60\""));
+  const std::string edit = edited(text, camera_at({1, 2, 4}, {0, 0, -1}, 60), {});
+  EXPECT_EQ(edit, replaced(replaced(text, "c=\"3\"", "c=\"4\""), "\"45\"", "\"60\""));
 }
 
 TEST(EditCamera, TheLastCameraCounts) {
   const std::string text = xml_with(block + "\n" + block);
-  const CameraEdit edit = edit_camera(text, camera_at({1, 9, 3.5F}), {});
-  EXPECT_EQ(edit.bytes, xml_with(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
+  const std::string edit = edited(text, camera_at({1, 9, 3.5F}), {});
+  EXPECT_EQ(edit, xml_with(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
 }
 
 TEST(EditCamera, WhatIsMissingIsAddedLikeItsNeighbors) {
   const std::string text = xml_with(
       "  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look x=\"0\" y=\"0\" "
       "z=\"-1\"></look>\n  </cameradata>");
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3}), {}).bytes, text);
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 3}, {0, 0, -1}, 50), {}).bytes,
+  EXPECT_EQ(edited(text, camera_at({1, 2, 3}), {}), text);
+  EXPECT_EQ(edited(text, camera_at({1, 2, 3}, {0, 0, -1}, 50), {}),
             replaced(text, "</look>", "</look>\n    <heightangle v=\"50\"/>"));
   const std::string empty = xml_with("  <cameradata>\n  </cameradata>");
-  EXPECT_THAT(edit_camera(empty, camera_at({1, 2, 3}), {}).bytes,
+  EXPECT_THAT(edited(empty, camera_at({1, 2, 3}), {}),
               HasSubstr("<cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look"));
 }
 
 TEST(EditCamera, AFileWithoutCameraGetsOne) {
-  const CameraEdit edit = edit_camera(xml_with(""), camera_at({1, 2, 3}), {});
-  EXPECT_EQ(edit.bytes,
+  const std::string edit = edited(xml_with(""), camera_at({1, 2, 3}), {});
+  EXPECT_EQ(edit,
             replaced(xml_with(""), "</globaldata>",
                      "</globaldata>\n  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n"
                      "    <look x=\"0\" y=\"0\" z=\"-1\"/>\n    <up x=\"0\" y=\"1\" z=\"0\"/>\n"
@@ -102,40 +111,36 @@ const std::string camera_json =
     "    {\"primitives\": [{\"type\":\"sphere\"}]}\n  ]\n}\n";
 
 TEST(EditCamera, Json) {
-  EXPECT_EQ(edit_camera(camera_json, camera_at({1, 2, 3}), {}).bytes, camera_json);
-  EXPECT_EQ(edit_camera(camera_json, camera_at({1, -2.5F, 3}, {0, 0, -1}, 20), {}).bytes,
+  EXPECT_EQ(edited(camera_json, camera_at({1, 2, 3}), {}), camera_json);
+  EXPECT_EQ(edited(camera_json, camera_at({1, -2.5F, 3}, {0, 0, -1}, 20), {}),
             replaced(replaced(camera_json, "2 ,", "-2.5 ,"), "4.5e1", "20"));
 }
 
 TEST(EditCamera, JsonFocus) {
   const std::string text = replaced(camera_json, "\"look\": [0.0, 0, -1]", "\"focus\": [1, 2, 0]");
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 5}, {0, 0, -5}), {}).bytes,
-            replaced(text, ",3]", ",5]"));
+  EXPECT_EQ(edited(text, camera_at({1, 2, 5}, {0, 0, -5}), {}), replaced(text, ",3]", ",5]"));
 }
 
 TEST(EditCamera, RefusesWhatItCannotSay) {
   const Camera camera = camera_at({1, 2, 3});
-  EXPECT_THAT(edit_camera("<scenefile>", camera, {}).refused, HasSubstr("errors"));
-  EXPECT_EQ(edit_camera("<scenefile>", camera, {}).bytes, "");
-  EXPECT_THAT(
-      edit_camera("<scenefile><object type=\"tree\" name=\"root\"/></scenefile>", camera, {})
-          .refused,
-      HasSubstr("<globaldata>"));
+  EXPECT_THAT(refusal("<scenefile>", camera, {}), HasSubstr("errors"));
+  EXPECT_EQ(edited("<scenefile>", camera, {}), "");
+  EXPECT_THAT(refusal("<scenefile><object type=\"tree\" name=\"root\"/></scenefile>", camera, {}),
+              HasSubstr("<globaldata>"));
   std::string wide = "\xFF\xFE";
   for (const char c : xml_with(block)) {
     wide += {c, '\0'};
   }
-  EXPECT_THAT(edit_camera(wide, camera, {}).refused, HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(wide, camera, {}), HasSubstr("UTF-16"));
   const std::string repaired = replaced(camera_json, "4.5e1", "45.");
   const ReadOptions compat{.compat_course = true, .limits = {}};
-  EXPECT_THAT(edit_camera(repaired, camera_at({4, 2, 3}), compat).refused,
-              HasSubstr("not valid JSON"));
+  EXPECT_THAT(refusal(repaired, camera_at({4, 2, 3}), compat), HasSubstr("not valid JSON"));
 }
 
 TEST(EditCamera, LatinLettersStay) {
   std::string text = "<?xml version='1.0' encoding='iso-8859-1'?><!-- \xE9 -->" +
                      xml_with(block).substr(xml_with(block).find("<scenefile>"));
-  EXPECT_EQ(edit_camera(text, camera_at({1, 2, 4}), {}).bytes, replaced(text, "3.50", "4"));
+  EXPECT_EQ(edited(text, camera_at({1, 2, 4}), {}), replaced(text, "3.50", "4"));
 }
 
 // The file gets any camera it is given, and setting the old camera restores the same bytes.
@@ -147,15 +152,15 @@ RC_GTEST_PROP(EditCamera, ThereAndBack, ()) {
   RC_PRE(camera.height_angle_deg < 170);
   const std::string text = *rc::gen::element(xml_with(block), camera_json);
   const Camera before = camera_at(text == camera_json ? glm::vec3{1, 2, 3} : glm::vec3{1, 2, 3.5F});
-  const CameraEdit there = edit_camera(text, camera, {});
-  RC_ASSERT(there.refused.empty());
+  const std::string there = edited(text, camera, {});
+  RC_ASSERT(!there.empty());
   Diagnostics found;
-  RC_ASSERT(*read_scene(there.bytes, {}, found).camera == camera);
-  const CameraEdit again = edit_camera(there.bytes, camera, {});
-  RC_ASSERT(again.bytes == there.bytes);
-  const CameraEdit back = edit_camera(there.bytes, before, {});
-  const CameraEdit twice = edit_camera(back.bytes, camera, {});
-  RC_ASSERT(twice.bytes == there.bytes);
+  RC_ASSERT(*read_scene(there, {}, found).camera == camera);
+  const std::string again = edited(there, camera, {});
+  RC_ASSERT(again == there);
+  const std::string back = edited(there, before, {});
+  const std::string twice = edited(back, camera, {});
+  RC_ASSERT(twice == there);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "finding_laws.h"
 #include "law.h"
 #include "read_and_judge.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 #include "support/plain_agreement.h"
 #include "target.h"
 

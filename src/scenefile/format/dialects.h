@@ -17,10 +17,8 @@ Scene read_xml(std::string_view text, const ReadOptions& options, Diagnostics& d
 /// Same as read_scene(), for JSON in UTF-8 without a byte order mark.
 Scene read_json(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics);
 
-/// `scene` must be a result of xml_form().
-std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
-
-/// `scene` must be a result of json_form().
-std::string print_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
+/// Same contract as write_scene().
+std::string write_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
+std::string write_json(const Scene& scene, const Limits& limits, Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -2,7 +2,7 @@
 
 #include "scenefile/base/number.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/syntax.h"
+#include "scenefile/format/scene_text.h"
 #include "scenefile/format/xml_scanner.h"
 #include "scenefile/scene/vocabulary.h"
 
@@ -334,8 +334,8 @@ void write_camera(const Camera& before, const Camera& camera, const WrittenCamer
   }
 }
 
-CameraEdit refuse(std::string why) {
-  return {{}, std::move(why)};
+Error refuse(std::string why) {
+  return {std::move(why), ErrorKind::input};
 }
 
 // Whether the edited bytes are the same scene with the new camera.
@@ -353,7 +353,8 @@ bool is_as_wanted(std::string_view bytes, Scene before, const Camera& camera,
 
 }  // namespace
 
-CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadOptions& options) {
+Result<std::string> edit_camera(std::string_view bytes, const Camera& camera,
+                                const ReadOptions& options) {
   Diagnostics found;
   std::string storage;
   const Scene before = read_scene(bytes, options, found);
@@ -365,7 +366,8 @@ CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadO
   }
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   const std::string_view text = bytes.substr(bytes.starts_with(mark) ? mark.size() : 0);
-  const bool json = syntax_of(text, found) == SceneFormat::json;
+  const std::optional<SceneText> file = open_text(bytes, storage, found);
+  const bool json = file && file->syntax == SceneFormat::json;
   const WrittenCamera written = json ? find_json_camera(text) : find_xml_camera(text);
   if (json && !written.position) {
     return refuse(
@@ -390,7 +392,7 @@ CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadO
         "the camera of this file cannot be changed without changing more; "
         "\"scenefile convert\" writes it cleanly");
   }
-  return {std::move(edited), {}};
+  return edited;
 }
 
 }  // namespace scenefile

@@ -1,6 +1,7 @@
 #pragma once
 // Changes the camera in a scene file, as an author would by hand.
 
+#include "scenefile/base/result.h"
 #include "scenefile/format/read_scene.h"
 #include "scenefile/scene/scene.h"
 
@@ -8,11 +9,6 @@
 #include <string_view>
 
 namespace scenefile {
-
-struct CameraEdit {
-  std::string bytes;    ///< the whole file; empty if the edit was refused
-  std::string refused;  ///< why nothing was changed, in one line; empty on success
-};
 
 /// Returns the scene file with position, look, up and height angle of `camera`. Numbers whose value
 /// does not change keep their spelling, and every other byte is preserved: comments, layout, order,
@@ -23,6 +19,7 @@ struct CameraEdit {
 /// The edit is refused unless reading the result gives the same scene with that camera. Files with
 /// errors and files in UTF-16 are refused too. `camera` must be acceptable to check(); the length
 /// of `look` may change.
-CameraEdit edit_camera(std::string_view bytes, const Camera& camera, const ReadOptions& options);
+Result<std::string> edit_camera(std::string_view bytes, const Camera& camera,
+                                const ReadOptions& options);
 
 }  // namespace scenefile

@@ -2,7 +2,7 @@
 
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,8 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/direction.h"
 #include "scenefile/format/foreign_names.h"
-#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/read_common.h"
 
 #include <fmt/format.h>
 

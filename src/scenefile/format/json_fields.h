@@ -5,7 +5,7 @@
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_repair.h"
+#include "scenefile/format/json_syntax.h"
 #include "scenefile/format/text_places.h"
 #include "scenefile/scene/vocabulary.h"
 

@@ -5,9 +5,8 @@
 #include "scenefile/format/json_blocks.h"
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
-#include "scenefile/format/json_repair.h"
 #include "scenefile/format/json_syntax.h"
-#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/read_common.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>

@@ -5,8 +5,7 @@
 #include "scenefile/format/json_fields.h"
 #include "scenefile/format/json_parser.h"
 #include "scenefile/format/json_syntax.h"
-#include "scenefile/format/syntax.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_reader.h"
@@ -379,22 +378,18 @@ std::string utf16(std::string_view text, bool little_endian) {
 std::optional<std::string> lay_out(std::string_view bytes, const Limits& limits,
                                    Diagnostics& diagnostics) {
   std::string storage;
-  const std::optional<std::string_view> decoded = decode_text(bytes, storage, diagnostics);
-  if (!decoded) {
-    return std::nullopt;
-  }
-  const std::optional<SceneFormat> syntax = syntax_of(*decoded, diagnostics);
-  if (!syntax) {
+  const std::optional<SceneText> file = open_text(bytes, storage, diagnostics);
+  if (!file) {
     return std::nullopt;
   }
   const std::string_view mark = byte_order_mark(bytes);
   const bool wide = is_utf16(bytes);
   std::optional<std::string> text;
-  if (*syntax == SceneFormat::json) {
-    text = lay_out_json(*decoded, limits, diagnostics);
-  } else if (check_xml(*decoded, limits, diagnostics)) {
+  if (file->syntax == SceneFormat::json) {
+    text = lay_out_json(file->text, limits, diagnostics);
+  } else if (check_xml(file->text, limits, diagnostics)) {
     // Formats the original bytes if possible, which works in every superset of ASCII.
-    text = XmlLayout(wide ? *decoded : bytes.substr(mark.size())).make();
+    text = XmlLayout(wide ? file->text : bytes.substr(mark.size())).make();
   }
   if (text) {
     const bool little_endian = wide && bytes[mark.size() + 1] == '\0';
@@ -409,12 +404,12 @@ std::optional<std::string> lay_out(std::string_view bytes, const Limits& limits,
 std::size_t count_comments(std::string_view bytes) {
   std::string storage;
   Diagnostics ignored;
-  const std::optional<std::string_view> decoded = decode_text(bytes, storage, ignored);
-  if (!decoded || syntax_of(*decoded, ignored) != SceneFormat::xml) {
+  const std::optional<SceneText> file = open_text(bytes, storage, ignored);
+  if (!file || file->syntax != SceneFormat::xml) {
     return 0;
   }
   std::size_t count = 0;
-  XmlScanner scanner(*decoded);
+  XmlScanner scanner(file->text);
   for (XmlToken token; scanner.next(token);) {
     count += token.kind == XmlTokenKind::comment ? 1 : 0;
   }

@@ -2,8 +2,7 @@
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
-#include "scenefile/format/syntax.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 
 #include <algorithm>
 #include <string>
@@ -12,18 +11,14 @@ namespace scenefile {
 
 namespace {
 
-Scene read(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics) {
+Scene read(std::string_view bytes, const ReadOptions& options, Diagnostics& diagnostics) {
   std::string storage;
-  const std::optional<std::string_view> decoded = decode_text(text, storage, diagnostics);
-  if (!decoded) {
+  const std::optional<SceneText> file = open_text(bytes, storage, diagnostics);
+  if (!file) {
     return {};
   }
-  const std::optional<SceneFormat> syntax = syntax_of(*decoded, diagnostics);
-  if (!syntax) {
-    return {};
-  }
-  return *syntax == SceneFormat::xml ? read_xml(*decoded, options, diagnostics)
-                                     : read_json(*decoded, options, diagnostics);
+  return file->syntax == SceneFormat::xml ? read_xml(file->text, options, diagnostics)
+                                          : read_json(file->text, options, diagnostics);
 }
 
 // Whether the code was reported after the first `before` findings.

@@ -2,8 +2,7 @@
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/text.h"
-#include "scenefile/format/syntax.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 
 #include <algorithm>
 #include <array>
@@ -71,17 +70,16 @@ bool is_scene_name(std::string_view path) {
 bool may_be_scene(std::string_view bytes) {
   Diagnostics ignored;
   std::string storage;
-  const std::optional<std::string_view> text = decode_text(bytes, storage, ignored);
-  const std::optional<SceneFormat> syntax = text ? syntax_of(*text, ignored) : std::nullopt;
-  if (!syntax) {
+  const std::optional<SceneText> file = open_text(bytes, storage, ignored);
+  if (!file) {
     return true;
   }
-  switch (*syntax) {
+  switch (file->syntax) {
     case SceneFormat::xml:
       return std::any_of(xml_blocks.begin(), xml_blocks.end(),
-                         [&](std::string_view block) { return has_element(*text, block); });
+                         [&](std::string_view block) { return has_element(file->text, block); });
     case SceneFormat::json:
-      return has_key_of_scene(*text);
+      return has_key_of_scene(file->text);
   }
   return true;
 }

@@ -7,7 +7,6 @@
 #include "scenefile/scene/scene.h"
 
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "scenefile/format/write_scene.h"
 
 #include "scenefile/format/dialects.h"
-#include "scenefile/format/write_forms.h"
 
 namespace scenefile {
 
@@ -9,9 +8,9 @@ std::string write_scene(const Scene& scene, SceneFormat format, const Limits& li
                         Diagnostics& diagnostics) {
   switch (format) {
     case SceneFormat::xml:
-      return print_xml(xml_form(scene, limits, diagnostics), limits, diagnostics);
+      return write_xml(scene, limits, diagnostics);
     case SceneFormat::json:
-      return print_json(json_form(scene, diagnostics), limits, diagnostics);
+      return write_json(scene, limits, diagnostics);
   }
   return {};
 }

@@ -1,14 +1,22 @@
+#include "scenefile/base/affine.h"
 #include "scenefile/base/number.h"
+#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
+#include "scenefile/format/write_forms.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/write_values.h"
 #include "scenefile/scene/vocabulary.h"
+#include "scenefile/scene/walk.h"
+#include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -17,6 +25,291 @@
 namespace scenefile {
 
 namespace {
+
+// A direction that gives exactly `wanted` when it is normalized again; for `wanted` itself, the
+// result may differ by rounding.
+glm::vec3 stable_direction(const Light& light, const RenderLight& wanted) {
+  Light trial = light;
+  const auto comes_out = [&](const glm::vec3& direction) {
+    trial.direction = direction;
+    const std::optional<RenderLight> ready = ready_light(trial, DAffine());
+    return ready && ready->direction == wanted.direction;
+  };
+  if (comes_out(light.direction)) {
+    return light.direction;
+  }
+  // Nearly always one of the first few lengths works.
+  constexpr int lengths = 4096;
+  for (int i = 0; i < lengths; ++i) {
+    const glm::vec3 longer = wanted.direction * (1.0f + static_cast<float>(i) / lengths);
+    if (comes_out(longer)) {
+      return longer;
+    }
+  }
+  return wanted.direction;
+}
+
+bool is_finite(const RenderLight& light) {
+  const glm::vec3 sum = glm::abs(light.position) + glm::abs(light.half_u) + glm::abs(light.half_v);
+  return std::isfinite(2 * (sum.x + sum.y + sum.z));
+}
+
+// Every light of a scene in world space, once for each instance of its template, in the order of
+// prepare(). Lights of the root without transforms are unchanged.
+class WorldCopies {
+ public:
+  WorldCopies(const Scene& scene, const Limits& limits, Diagnostics& diagnostics)
+      : scene_(scene), limits_(limits), diagnostics_(diagnostics) {}
+
+  std::vector<Light> make() {
+    world_lights(scene_, [this](const WorldLight& at) { return add(at); });
+    if (moved_ != 0) {
+      diagnostics_.report(write_light_moved, first_moved_,
+                          fmt::format("{} light{} moved from groups to the top of the file", moved_,
+                                      moved_ == 1 ? " is" : "s are"));
+    }
+    return std::move(lights_);
+  }
+
+ private:
+  // Returns false if the limit is reached.
+  bool add(const WorldLight& at) {
+    const Light& light = scene_.nodes[at.node].lights[at.index];
+    if (lights_.size() == limits_.lights) {
+      diagnostics_.report(
+          write_light_limit, light.location,
+          fmt::format("the scene has more lights than the limit of {}", limits_.lights));
+      return false;
+    }
+    const bool at_root = at.node == scene_.root;
+    if (at_root && at.world_from_node == DAffine()) {
+      lights_.push_back(light);
+      return true;
+    }
+    const std::optional<RenderLight> ready = ready_light(light, at.world_from_node);
+    if (!ready || !is_finite(*ready)) {
+      diagnostics_.report(
+          write_light_dark, light.location,
+          fmt::format("the {} light lights nothing and is left out", word_of(light.type)));
+      return true;
+    }
+    lights_.push_back(placed(light, *ready));
+    if (!at_root) {
+      first_moved_ = moved_ == 0 ? light.location : first_moved_;
+      ++moved_;
+    }
+    return true;
+  }
+
+  Light placed(const Light& light, const RenderLight& ready) {
+    Light result = light;
+    if (light_uses(light.type, Field::position)) {
+      result.position = ready.position;
+    }
+    if (light_uses(light.type, Field::direction)) {
+      result.direction = stable_direction(light, ready);
+    }
+    if (has_rectangle(light.type)) {
+      place_rectangle(result, light, ready);
+    }
+    return result;
+  }
+
+  void place_rectangle(Light& result, const Light& light, const RenderLight& wanted) {
+    const auto same_sides = [&] {
+      const std::optional<RenderLight> ready = ready_light(result, DAffine());
+      return ready && alike(wanted, *ready);
+    };
+    if (same_sides()) {
+      return;
+    }
+    result.width = static_cast<float>(2 * glm::length(glm::dvec3(wanted.half_u)));
+    result.height = static_cast<float>(2 * glm::length(glm::dvec3(wanted.half_v)));
+    if (!same_sides()) {
+      diagnostics_.report(
+          write_light_turned, light.location,
+          "the area light is rotated or sheared by its group in a way that XML cannot express");
+    }
+  }
+
+  const Scene& scene_;
+  const Limits& limits_;
+  Diagnostics& diagnostics_;
+  std::vector<Light> lights_;
+  std::size_t moved_ = 0;
+  Location first_moved_;
+};
+
+class XmlForm {
+ public:
+  XmlForm(const Scene& scene, const Limits& limits, Diagnostics& diagnostics)
+      : scene_(tidy_copy(scene)), diagnostics_(diagnostics) {
+    move_lights(limits);
+  }
+
+  Scene make() {
+    if (!scene_.name.empty() && scene_.name != "root") {
+      diagnostics_.report(
+          write_scene_name, {},
+          fmt::format("the name of the scene, {}, is left out", quoted(scene_.name)));
+    }
+    scene_.name.clear();
+    const std::size_t written = scene_.nodes.size();
+    is_head_.assign(written, false);
+    for (const NodeId head : tree_heads(scene_)) {
+      is_head_[head] = true;
+    }
+    for (NodeId node = 0; node < written; ++node) {
+      is_head_[node] ? shape_head(node) : shape_node(node);
+      make_affine(node);
+    }
+    drop_empty_groups(scene_, held_lights_, diagnostics_);
+    make_names_unique(written);
+    return std::move(scene_);
+  }
+
+ private:
+  void move_lights(const Limits& limits) {
+    std::vector<Light> lights = WorldCopies(scene_, limits, diagnostics_).make();
+    for (Node& node : scene_.nodes) {
+      held_lights_.push_back(!node.lights.empty());
+      node.lights.clear();
+    }
+    add_ids(lights);
+    for (Light& light : lights) {
+      clear_unused(light, true);
+      if (!light.name.empty()) {
+        diagnostics_.report(
+            write_light_name, light.location,
+            fmt::format("the name {} of the light is left out", quoted(light.name)));
+        light.name.clear();
+      }
+    }
+    scene_.nodes[scene_.root].lights = std::move(lights);
+  }
+
+  void add_ids(std::vector<Light>& lights) {
+    std::set<int> taken;
+    std::size_t without = 0;
+    for (const Light& light : lights) {
+      light.id ? (void)taken.insert(*light.id) : (void)++without;
+    }
+    int next = 0;
+    for (Light& light : lights) {
+      while (!light.id && taken.contains(next)) {
+        ++next;
+      }
+      light.id = light.id.value_or(next);
+      taken.insert(*light.id);
+    }
+    if (without != 0) {
+      diagnostics_.report(write_light_id, {},
+                          fmt::format("{} light{} got an id", without, without == 1 ? "" : "s"));
+    }
+  }
+
+  // The root and templates are trees without a transblock around them.
+  void shape_head(NodeId id) {
+    if (!scene_.nodes[id].transforms.empty() || !scene_.nodes[id].instance_of.empty()) {
+      std::vector<Light> lights = std::exchange(scene_.nodes[id].lights, {});
+      const NodeId inner = push_down(scene_, id, true);
+      scene_.nodes[id].lights = std::move(lights);
+      shape_node(inner);
+      make_affine(inner);
+      return;
+    }
+    give_primitives_nodes(id);
+  }
+
+  // A transblock has one object: a primitive, an instance or a tree. Only trees have names.
+  void shape_node(NodeId id) {
+    const Node& node = scene_.nodes[id];
+    if (!node.instance_of.empty()) {
+      if (!node.name.empty()) {
+        push_down(scene_, id, false);
+      }
+      return;
+    }
+    const bool alone = node.name.empty() && node.children.empty() && node.primitives.size() == 1;
+    if (!alone) {
+      give_primitives_nodes(id);
+    }
+  }
+
+  void give_primitives_nodes(NodeId id) {
+    std::vector<Primitive> primitives = std::exchange(scene_.nodes[id].primitives, {});
+    const NodeId first = add_front_children(scene_, id, primitives.size());
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      Node& child = scene_.nodes[first + i];
+      child.location = primitives[i].location;
+      child.primitives.push_back(std::move(primitives[i]));
+    }
+  }
+
+  void make_affine(NodeId id) {
+    for (Transform& transform : scene_.nodes[id].transforms) {
+      const auto* const matrix = std::get_if<Matrix>(&transform.map);
+      if (matrix == nullptr) {
+        continue;
+      }
+      glm::mat4 affine = matrix->m();
+      for (int column = 0; column < 4; ++column) {
+        affine[column][3] = column == 3 ? 1.0f : 0.0f;
+      }
+      if (affine != matrix->m()) {
+        transform.map = Matrix(affine);
+        diagnostics_.report(write_matrix_row, transform.location,
+                            "the last row of the matrix is written as 0 0 0 1");
+      }
+    }
+  }
+
+  void make_names_unique(std::size_t written) {
+    NameTable names;
+    names.take("root");
+    scene_.nodes[scene_.root].name = "root";
+    for (const NodeId head : scene_.templates) {
+      names.take(scene_.nodes[head].name);
+    }
+    free_the_root(names);
+    for (NodeId id = 0; id < written; ++id) {
+      RareText& name = scene_.nodes[id].name;
+      if (is_head_[id] || name.empty() || scene_.nodes[id].children.empty() || names.take(name)) {
+        continue;
+      }
+      std::string free = names.make_free(name);
+      diagnostics_.report(
+          write_renamed, scene_.nodes[id].location,
+          fmt::format("the name {} is taken; the group is called {}", quoted(name), quoted(free)));
+      name = std::move(free);
+    }
+  }
+
+  // JSON has no reserved names: a template can be called root there.
+  void free_the_root(NameTable& names) {
+    const auto root =
+        std::find_if(scene_.templates.begin(), scene_.templates.end(),
+                     [this](NodeId head) { return scene_.nodes[head].name == "root"; });
+    if (root == scene_.templates.end()) {
+      return;
+    }
+    const std::string free = names.make_free("root");
+    diagnostics_.report(
+        write_renamed, scene_.nodes[*root].location,
+        fmt::format("root is the scene itself in XML; the template is called {}", quoted(free)));
+    scene_.nodes[*root].name = free;
+    for (Node& node : scene_.nodes) {
+      if (node.instance_of == "root") {
+        node.instance_of = free;
+      }
+    }
+  }
+
+  Scene scene_;
+  Diagnostics& diagnostics_;
+  std::vector<bool> is_head_;  // of the nodes of the tidy copy
+  std::vector<bool> held_lights_;
+};
 
 // The attribute names of a value with three parts.
 std::span<const std::string_view> part_names(ValueKind kind) {
@@ -225,8 +518,6 @@ class TreePrinter {
   std::vector<Frame> frames_;
 };
 
-}  // namespace
-
 std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
   XmlPrinter to(limits, diagnostics);
   to.begin("scenefile").children();
@@ -247,6 +538,16 @@ std::string print_xml(const Scene& scene, const Limits& limits, Diagnostics& dia
     return {};
   }
   return to.take();
+}
+
+}  // namespace
+
+Scene xml_form(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
+  return XmlForm(scene, limits, diagnostics).make();
+}
+
+std::string write_xml(const Scene& scene, const Limits& limits, Diagnostics& diagnostics) {
+  return print_xml(xml_form(scene, limits, diagnostics), limits, diagnostics);
 }
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/read_common.h"
 #include "scenefile/format/xml_blocks.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/text_encoding.h"
+#include "scenefile/format/scene_text.h"
 #include "scenefile/format/xml_judge.h"
 #include "scenefile/format/xml_syntax.h"
 

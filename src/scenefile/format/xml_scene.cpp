@@ -2,7 +2,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"
-#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/read_common.h"
 #include "scenefile/format/xml_blocks.h"
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_fields.h"

@@ -4,7 +4,7 @@
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
-#include "scenefile/format/syntax.h"
+#include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
 #include "scenefile/format/xml_scanner.h"
 
@@ -259,8 +259,8 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
   }
   const bool closing = tag.starts_with("</");
   return fmt::format("the tag <{}{}> of line {} lacks its >{}", closing ? "/" : "",
-                     escaped(name_at(tag.substr(closing ? 2 : 1)), 40),
-                     line_of(text, open), closing ? "" : " or />");
+                     escaped(name_at(tag.substr(closing ? 2 : 1)), 40), line_of(text, open),
+                     closing ? "" : " or />");
 }
 
 // A hint from the characters before the offset; empty if there is none.

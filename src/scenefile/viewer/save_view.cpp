@@ -28,17 +28,17 @@ SavedView save_view(const std::string& path, std::string_view known, const Camer
   if (!now) {
     return {{}, now.error().text};
   }
-  CameraEdit edit = edit_camera(*now, camera, options);
-  if (!edit.refused.empty()) {
-    return {{}, std::move(edit.refused)};
+  Result<std::string> edited = edit_camera(*now, camera, options);
+  if (!edited) {
+    return {{}, edited.error().text};
   }
-  if (edit.bytes == *now) {
-    return {std::move(edit.bytes), {}};
+  if (*edited == *now) {
+    return {*std::move(edited), {}};
   }
-  if (const Result<void> written = write_file(path, edit.bytes); !written) {
+  if (const Result<void> written = write_file(path, *edited); !written) {
     return {{}, written.error().text};
   }
-  return {std::move(edit.bytes), {}};
+  return {*std::move(edited), {}};
 }
 
 SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,

@@ -1,8 +1,17 @@
-#include "scenefile/format/reader_memory.h"
+#include "scenefile/format/read_common.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace scenefile {
+
+glm::vec3 direction_to(const glm::vec3& to, const glm::vec3& from) {
+  const glm::vec3 direction = to - from;
+  const bool finite = glm::length(glm::dvec3(direction)) < std::numeric_limits<float>::max();
+  return finite ? direction : to * 0.25f - from * 0.25f;
+}
 
 void reserve_nodes(std::vector<Node>& nodes, double progress) {
   constexpr std::size_t small = 4096;

@@ -201,11 +201,11 @@ const char* page_edit_camera(const char* path, const double* values) {
     camera.look = vector(3);
     camera.up = vector(6);
     camera.height_angle_deg = static_cast<float>(values[9]);
-    const CameraEdit edit = edit_camera(*text, camera, {});
-    if (!edit.refused.empty()) {
-      return error_json(edit.refused);
+    const Result<std::string> edited = edit_camera(*text, camera, {});
+    if (!edited) {
+      return error_json(edited.error().text);
     }
-    write_out("scene", edit.bytes);
+    write_out("scene", *edited);
     return std::string(R"({"files":["scene"]})");
   });
 }

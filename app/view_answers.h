@@ -8,7 +8,7 @@
 
 namespace scenefile::app {
 
-/// As `explain` prints it, with the value of the picture beside ours as --mine.
+/// As `explain` prints it, with the value of the other picture as --mine.
 std::string explain_for_view(const viewer::PixelQuestion& question);
 
 /// As `diff --scene` prints it, with our picture as the reference. Draws our picture first.

@@ -200,7 +200,7 @@ const char* page_explain(int profile, int mode, int features, int width, int hei
   });
 }
 
-/// The same as text for people.
+/// The same as human-readable text.
 const char* page_explain_text(int profile, int mode, int features, int width, int height,
                               int samples, int max_depth, int x, int y) {
   return answered([&] {

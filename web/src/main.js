@@ -829,7 +829,7 @@ addEventListener('pointerdown', ({ target }) => {
   document.querySelectorAll('.menu[open]').forEach((menu) => menu.contains(target) || (menu.open = false));
 });
 
-// `name`: text, edit or picture. Wide pages show the picture beside the text or the panels.
+// `name`: text, edit or picture. Wide pages show the picture next to the text or the panels.
 function showTab(name) {
   document.body.dataset.tab = name;
   for (const other of ['text', 'edit', 'picture']) {

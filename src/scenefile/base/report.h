@@ -1,5 +1,5 @@
 #pragma once
-// Diagnostics as text for people.
+// Diagnostics as human-readable text.
 
 #include "scenefile/base/diagnostics.h"
 

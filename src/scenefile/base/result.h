@@ -28,7 +28,7 @@ enum class ErrorKind : std::uint8_t {
 };
 
 struct Error {
-  std::string text;  ///< one line for people, without the name of the program
+  std::string text;  ///< a message of one line, without the name of the program
   ErrorKind kind = ErrorKind::environment;
   std::vector<std::string> notes = {};  ///< more lines, such as the places searched
 };

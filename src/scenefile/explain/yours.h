@@ -12,7 +12,7 @@
 
 namespace scenefile {
 
-/// A change of our terms that gives the other value.
+/// A change of our terms, such as a known mistake, that gives the other value.
 struct YoursFit {
   std::string what;     ///< completes "yours equals ours ...": "without the ambient term"
   glm::dvec3 value{0};  ///< the changed value of ours, in 1/255, not clamped

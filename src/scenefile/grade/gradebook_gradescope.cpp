@@ -7,7 +7,7 @@ namespace scenefile {
 
 namespace {
 
-// A JSON string; bytes that are not UTF-8 are escaped for people by the caller.
+// A JSON string. Callers escape bytes that are not UTF-8.
 std::string quoted_json(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {

@@ -342,8 +342,8 @@ class Maker {
     add_frame("width and height of the viewport are swapped",
               {dvec2(picture_.y, picture_.x), picture_, {}});
     add_frame("the viewport is a square: as wide as high", {dvec2(picture_.y), picture_, {}});
-    add_frame("the viewport is 800 x 600, whatever the frame", {dvec2(800, 600), picture_, {}});
-    add_frame("the viewport is 640 x 480, whatever the frame", {dvec2(640, 480), picture_, {}});
+    add_frame("the viewport is always 800 x 600", {dvec2(800, 600), picture_, {}});
+    add_frame("the viewport is always 640 x 480", {dvec2(640, 480), picture_, {}});
   }
 
   // ---- tessellation --------------------------------------------------------------------------
@@ -414,7 +414,7 @@ class Maker {
       });
     };
     turned("wedges follow each other from the x axis toward +z, not toward -z", 0, false, true);
-    turned("the first wedge begins half a wedge beside the x axis", 0, true, false);
+    turned("the first wedge begins half a wedge off the x axis", 0, true, false);
     turned("the first wedge begins at the -z axis, not at the x axis", 1, false, false);
     turned("the first wedge begins at the z axis, not at the x axis", 3, false, false);
     turned("the first wedge begins at the -x axis, not at the x axis", 2, false, false);

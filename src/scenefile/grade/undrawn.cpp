@@ -17,7 +17,7 @@ namespace {
 constexpr int off_by = 8;                  // more is visible
 constexpr double nearly_all_pixels = 0.9;  // of those that differ
 constexpr double least_share = 0.01;       // of the picture
-constexpr std::size_t least_at_cut = 8;    // pixels where the reference continues behind the cut
+constexpr std::size_t least_at_cut = 8;    // pixels where the reference continues beyond the cut
 
 using Bytes = std::array<int, 3>;
 
@@ -156,7 +156,8 @@ std::string missing_lines(const Undrawn& u, bool rows) {
              : gaps_text(gaps, missing, rows ? "row" : "column");
 }
 
-// From the first to behind the last line with at least a quarter of the most pixels of any line.
+// From the first line to one past the last line that has at least a quarter as many pixels as the
+// fullest line.
 std::pair<int, int> full_lines(const std::vector<std::size_t>& pixels) {
   const std::size_t most = *std::max_element(pixels.begin(), pixels.end());
   const auto full = [most](std::size_t count) { return 4 * count >= most; };
@@ -184,7 +185,8 @@ std::string missing_box(const Undrawn& u) {
       static_cast<double>(u.count_in(box)) < nearly_all_pixels * static_cast<double>(u.count)) {
     return {};
   }
-  // The edge of an object is no cut: each side must cut what the reference shows.
+  // The edge of an object is not a cut: each side must cut through something that the reference
+  // shows.
   const auto side = [&](bool inside, int length, const auto& cut_at) {
     std::size_t cuts = 0;
     for (int k = 0; inside && k < length; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 // Parts of a picture that were never drawn: rows, columns or a rectangle of one color, while the
-// rest is right. Internal to the room.
+// rest is correct. Internal to grade.
 
 #include "scenefile/grade/causes.h"
 
@@ -10,8 +10,9 @@
 
 namespace scenefile {
 
-/// Says which part of the test picture is not drawn. Only where the reference continues across its
-/// border, so that a missing object is not taken for one. `different`: Pixels::different.
+/// A claim about the part of the test picture that is not drawn. Requires that the reference
+/// continues across the border of that part, so that a missing object is not mistaken for one.
+/// `different`: Pixels::different.
 std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Texture& test,
                                            const std::vector<std::uint32_t>& different);
 

@@ -30,7 +30,7 @@ Camera camera_at(std::span<const CameraView> views, double time);
 Camera camera_around(const Camera& camera, const glm::dvec3& center, double turns);
 
 /// The values of the camera as text, which is the same for two cameras only if all values are: for
-/// keys, not for people.
+/// keys, not for display.
 std::string camera_key(const Camera& camera);
 
 }  // namespace scenefile

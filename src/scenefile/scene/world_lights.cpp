@@ -115,7 +115,7 @@ class LitNodes {
   std::vector<NodeId> pending_;
 };
 
-// The root or a template with its nodes folded, keeping only what leads to lights.
+// The root or a template with its nodes folded, keeping only nodes that contain lights.
 struct LitTree {
   struct Use {
     std::uint32_t tree;

@@ -11,11 +11,11 @@
 
 namespace scenefile {
 
-/// What is known about a file that should be a part.
+/// A file that should be a part, as far as it can be read.
 struct PartCandidate {
   PartHead head;
   bool has_head = false;
-  std::string damage;  ///< an error text for people; empty if the part is intact
+  std::string damage;  ///< an error message; empty if the part is intact
 };
 
 /// What such a file says about its place.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array action_rows{
     ActionRow{Action::scene_camera, "Home", "Camera", "the scene's own camera"},
-    ActionRow{Action::frame, "F", "Camera", "frame what is selected, or everything"},
+    ActionRow{Action::frame, "F", "Camera", "frame the selection, or everything"},
     ActionRow{Action::side_front, "Ctrl+1", "Camera", "from the front (with Shift: from behind)"},
     ActionRow{Action::side_right, "Ctrl+3", "Camera", "from the right (Shift: left)"},
     ActionRow{Action::side_top, "Ctrl+7", "Camera", "from above (Shift: below)"},
@@ -29,12 +29,13 @@ constexpr std::array action_rows{
     ActionRow{Action::next_light, "L", "Show", "one light at a time"},
     ActionRow{Action::all_lights, "Shift+L", "Show", "all lights"},
     ActionRow{Action::axes, "N", "Show", "axes, lights and the scene's camera"},
-    ActionRow{Action::hide_selected, "H", "Show", "hide what is selected, or show it again"},
+    ActionRow{Action::hide_selected, "H", "Show", "hide the selection, or show it again"},
     ActionRow{Action::show_all, "Shift+H", "Show", "show everything"},
     ActionRow{Action::trace, "R", "Picture", "ray tracing when the camera rests"},
     ActionRow{Action::realtime, "G", "Picture", "the assignment Realtime, with its panel"},
     ActionRow{Action::split, "X", "Picture", "ours next to the reference"},
-    ActionRow{Action::difference, "M", "Picture", "where they differ: heat map, FLIP, reference"},
+    ActionRow{Action::difference, "M", "Picture",
+              "differences: heat map, FLIP; then the reference"},
     ActionRow{Action::screenshot, "F12", "Picture", "screenshot of the window"},
     ActionRow{Action::open, "Ctrl+O", "Scene", "open a scene: recent files, folders"},
     ActionRow{Action::reload, "F5", "Scene", "read the file again"},
@@ -49,7 +50,7 @@ constexpr std::array action_rows{
     ActionRow{Action::smaller_text, "Ctrl+-", "Window", "smaller text"},
     ActionRow{Action::full_screen, "F11", "Window", "full screen"},
     ActionRow{Action::help, "F1", "Window", "this help"},
-    ActionRow{Action::escape, "Escape", "Window", "close what is open, or select nothing"},
+    ActionRow{Action::escape, "Escape", "Window", "close a panel, or clear the selection"},
     ActionRow{Action::quit, "Ctrl+Q", "Window", "quit"},
 };
 

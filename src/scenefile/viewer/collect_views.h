@@ -18,11 +18,11 @@ struct CollectedViews {
 /// chess-views.json.
 std::string views_file(const std::string& scene);
 
-/// Adds the camera to the file, one second after the last view, or creates the file. Views that are
-/// there stay as they are.
+/// Adds the camera to the file, one second after the last view, or creates the file. Existing views
+/// do not change.
 CollectedViews collect_view(const std::string& path, const Camera& camera, const Limits& limits);
 
-/// Removes the last view; the file is removed with its only one.
+/// Removes the last view. If it was the only one, removes the file.
 CollectedViews drop_view(const std::string& path, const Limits& limits);
 
 }  // namespace scenefile::viewer

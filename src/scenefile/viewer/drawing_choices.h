@@ -9,7 +9,7 @@
 
 namespace scenefile::viewer {
 
-/// The assignment Realtime counts as a profile here, as on the command line.
+/// The profiles; the assignment Realtime is one of them, as on the command line.
 enum class DrawnAs : std::uint8_t { fine, course, realtime };
 
 DrawnAs drawn_as(const Session& session);
@@ -21,7 +21,7 @@ void draw_as(Session& session, DrawnAs drawn);
 bool has_feature(const Session& session, std::string_view word);
 void toggle_feature(Session& session, std::string_view word);
 
-/// Sets of features that have a name: all, none, and the course's projects intersect and
+/// Named sets of features: all, none, and the course's projects intersect and
 /// illuminate.
 std::span<const std::string_view> feature_sets();
 void use_feature_set(Session& session, std::string_view word);

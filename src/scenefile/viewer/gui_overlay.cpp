@@ -139,7 +139,7 @@ class Projection {
     ImGui::GetBackgroundDrawList()->AddLine(vec(point(a)), vec(point(b)), color, width);
   }
 
-  // Writes beside a point in front of the camera.
+  // Writes text next to a point in front of the camera.
   void write(const glm::dvec3& at, const char* text, ImU32 color) const {
     if (depth(at) > 0) {
       const float gap = 0.3F * ImGui::GetFontSize();

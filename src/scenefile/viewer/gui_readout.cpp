@@ -40,7 +40,7 @@ void build_answers(const Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   if (!session.reference.empty()) {
-    ImGui::TextDisabled("%s", "why the picture beside differs, with ours as the reference:");
+    ImGui::TextDisabled("%s", "why the other picture differs, with ours as the reference:");
     build_lines(cause_text(session));
     ImGui::Spacing();
   }

@@ -190,7 +190,7 @@ std::string build_folder(Session& session, const GuiFrame& frame) {
   return chosen;
 }
 
-// What is wrong with the last choice, where the eyes are.
+// What is wrong with the last choice, shown next to it.
 void build_news(const Session& session) {
   if (session.loading.busy()) {
     ImGui::TextDisabled("%s", ("reading " + escaped(scene_name(session), 200)).c_str());

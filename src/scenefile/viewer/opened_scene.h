@@ -20,8 +20,7 @@ struct OpenedScene {
   Prepared ready;  ///< empty if there are errors
   Assets assets;
   Diagnostics diagnostics;
-  std::vector<std::string>
-      files;  ///< paths of textures and meshes, whether they could be used or not
+  std::vector<std::string> files;  ///< paths of textures and meshes, even of unusable ones
 
   /// Whether it can be drawn.
   bool usable() const { return unreadable.empty() && !diagnostics.has_errors(); }

@@ -1,6 +1,6 @@
 #pragma once
 // Questions about a picture that the program answers on another thread: how the color of a pixel
-// is computed, and why the picture beside ours differs.
+// is computed, and why the picture next to ours differs.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/trace/render_options.h"
@@ -24,7 +24,7 @@ struct PixelQuestion {
   RenderScene drawn;      ///< the scene with the window's camera, without what is hidden
   RenderOptions options;  ///< of the picture, with its size
   glm::ivec2 pixel{0};
-  std::optional<PixelValue> other;  ///< of the picture beside ours
+  std::optional<PixelValue> other;  ///< of the picture next to ours
 };
 
 struct CauseQuestion {
@@ -32,11 +32,11 @@ struct CauseQuestion {
   RenderOptions options;
   std::optional<RealtimeOptions> realtime;  ///< of the assignment; `options` are then unused
   Texture ours;                             ///< as drawn for the assignment; otherwise empty
-  Texture other;                            ///< the picture beside ours
+  Texture other;                            ///< the picture next to ours
   std::string other_path;
 };
 
-/// Both return text of several lines, also if there is no answer.
+/// Both return text of several lines, even if there is no answer.
 using ExplainPixel = std::function<std::string(const PixelQuestion&)>;
 /// Stops soon after `go_on` returns false.
 using FindCause =

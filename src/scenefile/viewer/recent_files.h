@@ -1,12 +1,12 @@
 #pragma once
-// The scenes opened last, kept between runs.
+// The recently opened scenes, kept between runs.
 
 #include <string>
 #include <vector>
 
 namespace scenefile::viewer {
 
-/// At most this many are kept.
+/// The maximum number of paths in the list.
 inline constexpr std::size_t most_recent_files = 12;
 
 /// The path in the state folder: `xdg_state_home` if it is an absolute path, otherwise .local/state
@@ -17,9 +17,9 @@ std::string recent_files_path(const char* xdg_state_home, const char* home);
 /// that is not an absolute path, or more lines than are kept. A file that is too long is damaged.
 std::vector<std::string> load_recent_files(const std::string& path);
 
-/// Puts `scene`, an absolute path, in front, and saves the list. The file is replaced completely or
-/// not at all; a damaged file is replaced. Nothing is saved if `path` is empty, or if the scene's
-/// path has a line break. Returns why the file cannot be written; empty on success.
+/// Puts `scene`, an absolute path, in front, and saves the list. The file is replaced atomically,
+/// even if it is damaged. Nothing is saved if `path` is empty, or if the scene's path has a line
+/// break. Returns why the file cannot be written; empty on success.
 std::string add_recent_file(const std::string& path, const std::string& scene);
 
 }  // namespace scenefile::viewer

@@ -4,7 +4,7 @@
 // One step per line; empty lines and lines that begin with # are ignored. Positions are in pixels
 // of the window, from its top left.
 //
-//     key Ctrl+S            press and release a key that does something
+//     key Ctrl+S            press and release a key that has an effect
 //     hold W 10             hold a key for so many frames
 //     move 400 300          the pointer goes there
 //     press left            or middle, right
@@ -12,9 +12,9 @@
 //     drag left 400 300 500 320 10      from, to, in so many frames
 //     click 400 300
 //     wheel -2
-//     drop PATH             a file or folder falls into the window
+//     drop PATH             drop a file or folder into the window
 //     frames 5              draw so many frames
-//     settle                draw until nothing is on its way: files, rays, comparisons
+//     settle                draw until nothing is pending: files, rays, comparisons
 //     screenshot OUT.png
 //     copy FROM TO          as an editor would that saves the scene
 //     copied OUT.txt        write what the window copied last

@@ -22,8 +22,8 @@ std::vector<NamedValue> selection_values(const Session& session);
 /// Of the window's camera, as the scene file names them.
 std::vector<NamedValue> camera_values(const ViewCamera& camera);
 
-/// What the key for copying copies, and in a word what it is: the readout of the clicked pixel, or
-/// the selection, or the camera. Lines of text.
+/// The text that the key for copying copies, and a name for it: the readout of the clicked pixel,
+/// or the selection, or the camera. Lines of text.
 struct CopiedText {
   std::string what;
   std::string text;

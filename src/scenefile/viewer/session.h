@@ -33,7 +33,7 @@
 
 namespace scenefile::viewer {
 
-inline constexpr double watch_interval = 0.25;  ///< seconds between looks at the watched files
+inline constexpr double watch_interval = 0.25;  ///< seconds between checks of the watched files
 
 /// Set by the program before the window opens.
 struct SessionSetup {
@@ -44,7 +44,7 @@ struct SessionSetup {
   std::function<void()> wake{};               ///< called from other threads when tick() has work
   ExplainPixel explain_pixel{};               ///< empty: pixels are not explained
   FindCause find_cause{};                     ///< empty: causes are not looked for
-  std::string recent_files{};                 ///< path of the list; empty: none is kept
+  std::string recent_files{};                 ///< path of the recent files; empty: not kept
 };
 
 /// A drawable scene, with derived data.
@@ -176,8 +176,8 @@ void open_scene(Session& session, const std::string& path);
 /// Shows the panel that opens scenes, at the folder of the scene.
 void open_start_panel(Session& session);
 void close_start_panel(Session& session);
-/// Opens what was chosen in the panel, or typed: a folder is listed, a picture becomes the
-/// reference, anything else is opened as a scene. Says so if there is no such file.
+/// Opens the path that was chosen in the panel, or typed: a folder is listed, a picture becomes the
+/// reference, anything else is opened as a scene. Shows a notice if there is no such file.
 void choose(Session& session, const std::string& path);
 /// Opens a picture as the reference. Returns false, with a notice, if it is not a picture.
 bool open_reference(Session& session, const std::string& path);
@@ -224,11 +224,12 @@ void say(Session& session, std::string text, bool bad = false);
 /// Opens the readout of a pixel, given by fractions of the picture's width and height, or closes
 /// it.
 void read_pixel(Session& session, const std::optional<glm::dvec2>& at);
-/// Finds the pixel of the readout in the current picture, and its value in the picture beside.
+/// Finds the pixel of the readout in the current picture, and its value in the picture next to
+/// ours.
 void locate_pixel(Session& session);
 /// Call after any change of the pictures or how they are drawn, except of the camera.
 void forget_cause(Session& session);
-/// Why the picture beside ours differs, or that it is not known yet.
+/// Why the picture next to ours differs, or that it is not known yet.
 std::string cause_text(const Session& session);
 /// The readout as text for copying: values, terms and cause, as far as they are known.
 std::string readout_text(const Session& session);

@@ -24,15 +24,15 @@ void frame(Session& session) {
 
 void save(Session& session) {
   if (session.shown->opened.path != session.path) {
-    say(session,
-        fmt::format("the view is not saved: the picture is not of {}", scene_name(session)), true);
+    say(session, fmt::format("cannot save the view: the picture is not of {}", scene_name(session)),
+        true);
     return;
   }
   const Camera camera = camera_of(session.camera, session.shown->camera);
   SavedView saved = save_view(session.path, session.known_text, camera, session.setup.read);
   const std::string name = scene_name(session);
   if (!saved.refused.empty()) {
-    say(session, fmt::format("the view is not saved: {}", saved.refused), true);
+    say(session, fmt::format("cannot save the view: {}", saved.refused), true);
   } else if (saved.text == session.known_text) {
     say(session, fmt::format("{} already has this view", name));
   } else {
@@ -45,13 +45,13 @@ void save(Session& session) {
 
 void undo_save(Session& session) {
   if (!session.saved_over || session.saved_over->path != session.path) {
-    say(session, "no view has been saved into this scene");
+    say(session, "no view has been saved to this scene");
     return;
   }
   SavedView restored =
       restore_text(session.path, session.known_text, session.saved_over->text, session.setup.read);
   if (!restored.refused.empty()) {
-    say(session, fmt::format("the save is not undone: {}", restored.refused), true);
+    say(session, fmt::format("cannot undo the save: {}", restored.refused), true);
     return;
   }
   session.known_text = std::move(restored.text);
@@ -69,7 +69,7 @@ void change_views(Session& session, Action action) {
           ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
           : drop_view(path, limits);
   if (!views.refused.empty()) {
-    say(session, fmt::format("the path of views is not changed: {}", views.refused), true);
+    say(session, fmt::format("cannot change the path of views: {}", views.refused), true);
   } else if (action == Action::collect_view) {
     say(session, fmt::format("view {} is added to {}", views.count, escaped(path)));
   } else {

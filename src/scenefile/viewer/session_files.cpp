@@ -201,14 +201,14 @@ void close_opened_panel(Session& session, const std::string& not_remembered) {
   if (session.start.opening) {
     close_start_panel(session);
     if (!not_remembered.empty()) {
-      say(session, "the list of recent files is not saved: " + not_remembered, true);
+      say(session, "cannot save the list of recent files: " + not_remembered, true);
     }
   }
 }
 
 void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   if (scene->opened.path != session.path) {
-    return;  // another one was requested in the meantime
+    return;  // another scene was requested in the meantime
   }
   watch_files(session, *scene);
   if (scene->opened.usable()) {

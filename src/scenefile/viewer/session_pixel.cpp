@@ -22,7 +22,7 @@ void ask_for_terms(Session& session) {
     return;
   }
   if (session.realtime) {
-    readout.terms = "The terms are those of ray tracing; the assignment Realtime has none.";
+    readout.terms = "Terms exist only for ray tracing, not for the assignment Realtime.";
     return;
   }
   PixelQuestion question{
@@ -39,7 +39,7 @@ void ask_for_terms(Session& session) {
 }
 
 bool wants_cause(const Session& session) {
-  // Of the assignment, only what the comparison has drawn can be compared.
+  // For the assignment Realtime, only a picture that the comparison has drawn can be compared.
   const bool drawn =
       !session.realtime || (!session.compared.empty() && session.camera == session.home);
   return session.readout.at && !session.reference.empty() && session.setup.find_cause &&
@@ -132,10 +132,10 @@ std::string cause_text(const Session& session) {
     return session.cause.text;
   }
   if (session.realtime && session.camera != session.home) {
-    return "the cause is looked for at the scene's own camera: Home\n";
+    return "the cause is only determined at the scene's own camera: press Home\n";
   }
   if (session.realtime && session.compare == CompareView::off) {
-    return "the cause is looked for while the pictures are compared: X\n";
+    return "the cause is determined while the pictures are compared: press X\n";
   }
   return "looking for the cause ...\n";
 }
@@ -152,7 +152,7 @@ std::string readout_text(const Session& session) {
   }
   if (readout.other) {
     const auto& [r, g, b] = *readout.other;
-    text += fmt::format("the picture beside has {} {} {}\n", r, g, b);
+    text += fmt::format("the other picture has {} {} {}\n", r, g, b);
   }
   text += readout.terms.empty() ? "" : '\n' + readout.terms;
   text += session.cause.text.empty() ? "" : '\n' + session.cause.text;

@@ -29,17 +29,17 @@ struct StartPanel {
   bool opening = false;             ///< closes when the requested scene can be drawn
 };
 
-/// What a folder holds: folders, scenes and pictures, each in natural order. Names that start with
-/// a dot are left out. Returns whether everything fitted.
+/// The contents of a folder: folders, scenes and pictures, each in natural order. Names that start
+/// with a dot are left out. Returns whether all entries fit.
 bool list_choices(const std::string& folder, std::vector<Choice>& choices);
 
 /// Lists this folder; an empty path is the working directory.
 void go_to_folder(StartPanel& panel, const std::string& folder);
 
-/// The folder above; the root is above itself.
+/// The parent folder; the root is its own parent.
 std::string parent_folder(const std::string& folder);
 
-/// The path that a typed text means: absolute, or below the panel's folder, or below `home` if it
+/// The path for a typed text: absolute, or below the panel's folder, or below `home` if it
 /// starts with "~/".
 std::string typed_path(const StartPanel& panel, const char* home);
 

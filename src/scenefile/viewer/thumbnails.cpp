@@ -112,7 +112,7 @@ bool Thumbnails::tick(const LoadScene& load, const std::function<void()>& wake) 
       return thumbnail;
     });
   }
-  wanted_.clear();  // what is still visible is wanted again when the next frame is drawn
+  wanted_.clear();  // visible thumbnails are requested again when the next frame is drawn
   return news;
 }
 

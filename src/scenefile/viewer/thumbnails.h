@@ -17,9 +17,9 @@ namespace scenefile::viewer {
 
 inline constexpr int thumbnail_width = 128;
 inline constexpr int thumbnail_height = 96;
-/// A picture that takes longer to trace, in seconds, stays as coarse as it is then.
+/// A picture that takes longer to trace, in seconds, is kept as coarse as it is at that time.
 inline constexpr double thumbnail_seconds = 1.5;
-/// Larger files, in bytes, get no thumbnail: reading them would hold up the others.
+/// Larger files, in bytes, get no thumbnail: reading them would delay the others.
 inline constexpr std::uint64_t thumbnail_file_bytes = std::uint64_t{8} << 20;
 
 struct Thumbnail {
@@ -37,17 +37,17 @@ class Thumbnails {
  public:
   ~Thumbnails() { stop(); }
 
-  /// The thumbnail of a file; null if it does not exist yet, and then it is wanted: tick() starts
-  /// it.
+  /// The thumbnail of a file; null if it does not exist yet: then it is requested, and tick()
+  /// starts it.
   const Thumbnail* find(const std::string& path);
 
-  /// Takes a finished thumbnail, and starts the first of those that were wanted since the last
-  /// call. Returns true if there is a new one.
+  /// Takes a finished thumbnail, and starts the first of those requested since the last call.
+  /// Returns true if there is a new one.
   bool tick(const LoadScene& load, const std::function<void()>& wake);
 
   bool busy() const { return job_.busy() || !wanted_.empty(); }
 
-  /// Ends the current work early, and forgets what was wanted. Does not wait.
+  /// Ends the current work early, and drops all requests. Does not wait.
   void stop();
 
   /// Forgets thumbnails of files that have changed.

@@ -1,5 +1,7 @@
 #include "scenefile/grade/model.h"
 
+#include "scenefile/base/shape_traits.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -411,9 +413,9 @@ dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
 }
 
 bool Model::counts(const RenderLight& light) const {
-  const bool directional_alone =
+  const bool only_intersect =
       options_.mode == Mode::intersect && options_.profile == Profile::course && !m_.all_lights;
-  return !directional_alone || light.type == LightType::directional;
+  return !only_intersect || is_in_intersect(light.type);
 }
 
 double Model::transparency() const {
@@ -522,7 +524,7 @@ double Model::written_length(const RenderLight& light) const {
 bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& on_light,
                     Arrival& arriving) const {
   const LightVectorMistake mistake = m_.light_vector;
-  if (light.type == LightType::directional) {
+  if (!has_position(light.type)) {
     arriving.toward = -dvec3(light.direction);
     if (mistake == LightVectorMistake::position_as_direction) {
       arriving.toward = unit(-dvec3(light.position));
@@ -540,7 +542,7 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
     return true;
   }
   dvec3 from(light.position);
-  if (light.type == LightType::area) {
+  if (has_rectangle(light.type)) {
     from += (2 * on_light.x - 1) * dvec3(light.half_u) + (2 * on_light.y - 1) * dvec3(light.half_v);
   }
   const dvec3 way = from - point;
@@ -550,14 +552,14 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
   }
   arriving.toward = way / arriving.distance;
   const double cosine = -glm::dot(arriving.toward, dvec3(light.direction));
-  if (light.type == LightType::area && cosine <= 0) {
+  if (has_rectangle(light.type) && cosine <= 0) {
     return false;
   }
   const double fading = faded(light.attenuation, arriving.distance, m_.attenuation);
   const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
                           mistake == LightVectorMistake::as_long_as_written;
   const double along = as_written ? cosine * written_length(light) : cosine;
-  const double spot = light.type == LightType::spot ? spot_share(light, along, m_.spot) : 1;
+  const double spot = has_cone(light.type) ? spot_share(light, along, m_.spot) : 1;
   arriving.factor = fading * spot;
   arriving.specular_factor = arriving.factor;
   if (m_.attenuation == AttenuationMistake::diffuse_only) {
@@ -598,7 +600,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
        (m_.shadow == ShadowMistake::only_camera_rays || m_.mirror == MirrorMistake::no_shadows))) {
     return false;
   }
-  const bool directional = light.type == LightType::directional;
+  const bool directional = !has_position(light.type);
   ModelRay ray{s.position, arriving.toward};
   // A wrong light vector is used for shading and for shadow rays.
   if (m_.light_vector == LightVectorMistake::reversed ||
@@ -616,7 +618,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
       end = infinity;
       break;
     case ShadowMistake::spot_along_axis:
-      if (light.type == LightType::spot) {
+      if (has_cone(light.type)) {
         ray.direction = -dvec3(light.direction);
       }
       break;
@@ -861,7 +863,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     if (!counts(light)) {
       continue;
     }
-    const std::uint32_t side = light.type == LightType::area ? area_side : 1;
+    const std::uint32_t side = has_rectangle(light.type) ? area_side : 1;
     dvec3 of_light(0);
     bool lit = false;
     for (std::uint32_t i = 0; i < side * side; ++i) {

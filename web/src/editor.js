@@ -51,6 +51,7 @@ export class Editor {
   #view;
   #language = new Compartment();
   #isXml = false;
+  #hasCarriageReturns = false;
   #extensions;
 
   constructor(parent, { changed, moved }) {
@@ -136,9 +137,15 @@ export class Editor {
     return this.#view.state.doc.toString();
   }
 
+  /** The text with the line ends of the file, which are the same everywhere in it. */
+  get fileText() {
+    return this.#hasCarriageReturns ? this.text.replaceAll('\n', '\r\n') : this.text;
+  }
+
   /** Opens another document, with an empty undo history. */
   open(text) {
     this.#isXml = isXml(text.slice(0, 2000));
+    this.#hasCarriageReturns = text.includes('\r\n') && !/[^\r]\n|^\n/.test(text);
     this.#view.setState(this.#stateOf(text));
   }
 

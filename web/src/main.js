@@ -659,10 +659,10 @@ new ResizeObserver(() => {
 // Saving and exporting.
 
 const stem = () => baseName(scene.path).replace(/\.(xml|json)$/i, '');
-const allFiles = () => new Map([...scene.files, [scene.path, editor.text]]);
+const allFiles = () => new Map([...scene.files, [scene.path, editor.fileText]]);
 
 const saves = {
-  'save-scene': () => download(baseName(scene.path), [editor.text], 'text/plain'),
+  'save-scene': () => download(baseName(scene.path), [editor.fileText], 'text/plain'),
   'save-zip': () => download(`${stem()}.zip`, [packed(allFiles())], 'application/zip'),
   'save-png': async () => {
     if (picture.pixels === null) {
@@ -706,7 +706,7 @@ for (const button of document.querySelectorAll('[data-format]')) {
 
 byId('share').addEventListener('click', async () => {
   const { profile, mode, features, width, height } = picture.options;
-  const link = linkOf({ name: baseName(scene.path), text: editor.text, options: { profile, mode, features, width, height } });
+  const link = linkOf({ name: baseName(scene.path), text: editor.fileText, options: { profile, mode, features, width, height } });
   const named = [...scene.files].length;
   history.replaceState(null, '', link);
   const words = named > 0 ? ' Textures and meshes are not part of the link; send a zip of the scene and its files instead.' : '';
@@ -746,7 +746,7 @@ const saveSoon = afterPause(400, async () => {
   try {
     const files = filesSaved ? null : scene.files;
     scene.filesSaved = true;
-    await store.save({ id, path, text: editor.text, options: { profile, mode, features, width, height }, unsafe }, files);
+    await store.save({ id, path, text: editor.fileText, options: { profile, mode, features, width, height }, unsafe }, files);
     clearNotice('saving');
     document.body.dataset.saved = String(scene.version);
   } catch (error) {
@@ -777,12 +777,14 @@ function openLink() {
   try {
     linked = sceneOf(location.hash);
   } catch (error) {
-    failed(new Error(`The link cannot be opened: ${error.message}.`));
+    // Stays when a stored scene is opened instead.
+    notice('link', `The link cannot be opened: ${error.message}.`, { kind: 'error' });
     return false;
   }
   if (linked === null) {
     return false;
   }
+  clearNotice('link');
   setDocument({ path: baseName(linked.name), content: linked.text, options: linked.options ?? null });
   return true;
 }

@@ -388,6 +388,20 @@ test('panels edit camera, lights, materials and transforms, and keep the rest of
   assert.equal(await field('Diffuse color: green').inputValue(), '0.3');
 });
 
+test('the line ends of Windows stay', async () => {
+  const windows = hello.replaceAll('\n', '\r\n');
+  await open();
+  await giveAndDraw({ 'windows.xml': windows });
+  await openPanels();
+  await row('Camera').click();
+  await andDraw(() => field('Height angle').fill('50').then(() => page.keyboard.press('Tab')));
+  assert.equal(await wholeText(), windows.replace('heightangle v="35"', 'heightangle v="50"'));
+  await page.waitForTimeout(900);
+  await page.reload();
+  await drawn();
+  assert.equal(await wholeText(), windows.replace('heightangle v="35"', 'heightangle v="50"'));
+});
+
 test('panels refuse values that are not possible', async () => {
   await open();
   await openPanels();

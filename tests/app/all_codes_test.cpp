@@ -155,7 +155,7 @@ bool has_check_fixture(const std::string& code) {
   return false;
 }
 
-TEST_F(AllCodes, OfOtherCommandsAndLimitsAreGivenAndNearlyGiven) {
+TEST_F(AllCodes, EachIsTriggeredByACommandAndNotByASimilarOne) {
   const auto special = recipes();
   for (const std::string& code : all_codes()) {
     const auto recipe = special.find(code);
@@ -169,7 +169,7 @@ TEST_F(AllCodes, OfOtherCommandsAndLimitsAreGivenAndNearlyGiven) {
   }
 }
 
-TEST_F(AllCodes, FilesAreOfCodesThatExist) {
+TEST_F(AllCodes, EachFileBelongsToAnExistingCode) {
   const std::vector<std::string> codes = all_codes();
   for (const auto& entry : fs::recursive_directory_iterator(fixtures / "commands")) {
     std::string name = entry.path().stem().string();

@@ -50,13 +50,13 @@ TEST_F(AssetRules, AbsoluteInsideARoot) {
   EXPECT_THAT(told(folder.path("fun/sub/a.obj")), HasSubstr(found("as written", "fun/sub/a.obj")));
 }
 
-TEST_F(AssetRules, BesideTheScene) {
+TEST_F(AssetRules, NextToTheScene) {
   EXPECT_THAT(told("sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
   EXPECT_THAT(told("sub\\a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
   EXPECT_THAT(told(":/sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
 }
 
-TEST_F(AssetRules, BesideTheScenesFolder) {
+TEST_F(AssetRules, InTheParentFolder) {
   folder.write("mesh/b.obj", triangle);
   folder.write("other/c.obj", triangle);
   EXPECT_THAT(told("mesh/b.obj"), HasSubstr(found("beside the scene's folder", "mesh/b.obj")));
@@ -87,7 +87,7 @@ TEST_F(AssetRules, TheCoursesFolder) {
               HasSubstr(found("by the end of its path", "data/image/g.obj")));
 }
 
-TEST_F(AssetRules, TheEndOfThePathThenAnyCase) {
+TEST_F(AssetRules, TheTailOfThePathThenIgnoringCase) {
   EXPECT_THAT(told("/home/someone/sub/a.obj"),
               HasSubstr(found("by the end of its path", "fun/sub/a.obj")));
   EXPECT_THAT(told("C:\\Projects\\sub\\a.obj"),
@@ -95,13 +95,13 @@ TEST_F(AssetRules, TheEndOfThePathThenAnyCase) {
   EXPECT_THAT(told("Sub/A.OBJ"), HasSubstr(found("by the end of its path", "fun/sub/a.obj")));
 }
 
-TEST_F(AssetRules, TheNameAloneWhereItIsUnique) {
+TEST_F(AssetRules, OnlyTheNameIfUnique) {
   EXPECT_THAT(told("elsewhere/a.obj"), HasSubstr(found("by its name alone", "fun/sub/a.obj")));
   folder.write("fun/other/a.obj", triangle);
   EXPECT_THAT(told("elsewhere/a.obj"), HasSubstr("2 files have its name"));
 }
 
-TEST_F(AssetRules, OutsideOnlyWhereItIsAllowed) {
+TEST_F(AssetRules, OutsideOnlyIfAllowed) {
   const std::string secret = folder.write("secret/h.obj", triangle);
   ASSERT_EQ(::symlink("../secret/h.obj", folder.path("fun/link.obj").c_str()), 0);
   for (const std::string& name :

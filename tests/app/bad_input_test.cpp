@@ -28,7 +28,7 @@ ProgramRun check(const std::string& text) {
   return run_program({"check", "-"}, {.input = text});
 }
 
-TEST(BadInput, AMatrixWithARowTwiceIsCalledThat) {
+TEST(BadInput, AMatrixWithADuplicateRowIsReported) {
   const std::string row = R"(<row a="1" b="2" c="0" d="0"/>)";
   const std::string third = R"(<row a="0" b="0" c="1" d="0"/>)";
   const std::string last = R"(<row a="0" b="0" c="0" d="1"/>)";
@@ -76,7 +76,7 @@ TEST(BadInput, APrimitiveWithAnEmptyNameIsAnError) {
   EXPECT_THAT(check(replaced("\"sphere\"", "\"torus\"")).out, HasSubstr("[xml.unknown-shape]"));
 }
 
-TEST(BadInput, AnIorOfZeroIsNamed) {
+TEST(BadInput, AnIorOfZeroIsReported) {
   const std::string glass = R"(<transparent r="1" g="1" b="1"/>)";
   const ProgramRun zero = check(scene_with(glass + R"(<ior v="0"/>)"));
   EXPECT_EQ(zero.status, 0);
@@ -119,7 +119,7 @@ TEST(BadInput, AMissingFileIsAShortLineAndAListOfPlaces) {
                                  "    files elsewhere need --asset-root DIR or --allow-outside\n"));
 }
 
-TEST(BadInput, WordsInOddOrder) {
+TEST(BadInput, MisorderedArguments) {
   const auto told = [](const std::vector<std::string>& words) {
     const ProgramRun run = run_program(words);
     EXPECT_EQ(run.status, 2);

@@ -22,7 +22,7 @@ struct Check : ::testing::Test {
   TempFolder folder;
 };
 
-TEST_F(Check, AFineSceneIsSaidToBeFine) {
+TEST_F(Check, AFineSceneIsReportedAsFine) {
   const std::string scene = folder.write("good.xml", good_scene);
   const ProgramRun run = run_program({"check", scene});
   EXPECT_EQ(run.status, 0);
@@ -56,7 +56,7 @@ TEST_F(Check, ReadsStandardInput) {
   EXPECT_EQ(run_program({"check", "-"}, {.input = good_scene}).out, "<stdin>: fine\n");
 }
 
-TEST_F(Check, TheWorstOfSeveralInputsCounts) {
+TEST_F(Check, TheWorstInputDeterminesTheStatus) {
   const std::string good = folder.write("good.xml", good_scene);
   const std::string bad = folder.write("bad.xml", "<scenefile>");
   const ProgramRun two = run_program({"check", good, bad});
@@ -68,7 +68,7 @@ TEST_F(Check, TheWorstOfSeveralInputsCounts) {
   EXPECT_THAT(three.out, HasSubstr(good + ": fine"));
 }
 
-TEST_F(Check, WhatCannotBeReadIsStatusThree) {
+TEST_F(Check, UnreadableFilesAreStatus3) {
   for (const std::string& path :
        {folder.path("none.xml"), folder.path(), std::string("/dev/zero")}) {
     const ProgramRun run = run_program({"check", path});
@@ -108,7 +108,7 @@ TEST_F(Check, AFolderWithoutScenesCannotBeRead) {
   EXPECT_THAT(run.err, HasSubstr("class: there is no scene in this folder"));
 }
 
-TEST_F(Check, LimitsAreStatusFour) {
+TEST_F(Check, LimitsAreStatus4) {
   std::string deep = "<scenefile>";
   for (int i = 0; i < 2000; ++i) {
     deep += "<object type=\"tree\"><transblock>";
@@ -116,7 +116,7 @@ TEST_F(Check, LimitsAreStatusFour) {
   EXPECT_EQ(run_program({"check", "-"}, {.input = deep}).status, 4);
 }
 
-TEST_F(Check, FindsTexturesAsTheRulesSay) {
+TEST_F(Check, FindsTexturesByTheRules) {
   const std::string scene = folder.write("scenes/s.xml", scene_with(textured));
   const ProgramRun missing = run_program({"check", scene});
   EXPECT_EQ(missing.status, 0);
@@ -191,7 +191,7 @@ TEST_F(Check, FindingsAreSortedByPlace) {
   EXPECT_STREQ(report["scenes"][0]["verdict"].GetString(), "warnings");
 }
 
-TEST_F(Check, StrictRefusesDialects) {
+TEST_F(Check, StrictRejectsDialects) {
   const std::string scene = folder.write("s.xml", scene_with(R"(<shininess value="3"/>)"));
   EXPECT_EQ(run_program({"check", scene}).status, 0);
   EXPECT_EQ(run_program({"check", "--strict", scene}).status, 1);
@@ -211,7 +211,7 @@ TEST_F(Check, CompatCourseReadsWhatTheCourseRead) {
   EXPECT_THAT(run.out, HasSubstr("warning"));
 }
 
-TEST_F(Check, JsonIsOneDocumentAndAllThereIs) {
+TEST_F(Check, JsonIsOneCompleteDocument) {
   const std::string good = folder.write("good.xml", good_scene);
   const std::string bad = folder.write("bad.xml", scene_with("<difuse r=\"\xff\x1b[31m\"/>"));
   const std::string none = folder.path("no\nne.xml");
@@ -235,7 +235,7 @@ TEST_F(Check, NamesCannotForgeLines) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("a\\nforged.xml: fine"), Not(HasSubstr("\x1b"))));
 }
 
-TEST_F(Check, LeavesNothingBehind) {
+TEST_F(Check, LeavesNoFiles) {
   folder.write("s.xml", scene_with(textured));
   run_program({"check", "s.xml"}, {.folder = folder.path()});
   EXPECT_THAT(folder.list(), ::testing::ElementsAre("s.xml"));

@@ -73,7 +73,7 @@ class CheckpointTest : public ::testing::Test {
   TempFolder folder_;
 };
 
-TEST_F(CheckpointTest, AnInterruptedRenderGoesOn) {
+TEST_F(CheckpointTest, AnInterruptedRenderContinues) {
   interrupt();
   const ProgramRun again = run(long_render(), SIGTERM, interrupted_after_ms);
   EXPECT_EQ(again.status, 143);
@@ -83,7 +83,7 @@ TEST_F(CheckpointTest, AnInterruptedRenderGoesOn) {
   EXPECT_THAT(folder_.list(), ElementsAre("ck", "s.xml"));
 }
 
-TEST_F(CheckpointTest, TakesNoFileOfAnother) {
+TEST_F(CheckpointTest, NeverReplacesOtherFiles) {
   const auto words = [](const std::string& checkpoint) {
     return std::vector<std::string>{"render", "s.xml",        "-o",       "out.png",   "--size",
                                     "8x8",    "--checkpoint", checkpoint, "--preview", "./ck.png"};
@@ -98,14 +98,14 @@ TEST_F(CheckpointTest, TakesNoFileOfAnother) {
   EXPECT_THAT(folder_.list(), ElementsAre("ck.png", "out.png", "s.xml"));
 }
 
-TEST_F(CheckpointTest, GoesAwayWithTheEndOfTheWork) {
+TEST_F(CheckpointTest, IsRemovedAtTheEnd) {
   const std::vector<std::string> words{"render", "s.xml", "-o",           "out.png",
                                        "--size", "8x8",   "--checkpoint", "ck"};
   ASSERT_EQ(run(words).status, 0);
   EXPECT_THAT(folder_.list(), ElementsAre("out.png", "s.xml"));
 }
 
-TEST_F(CheckpointTest, WhatIsNotOfThisRenderIsRefused) {
+TEST_F(CheckpointTest, CheckpointsOfOtherRendersAreRejected) {
   interrupt();
   const std::string good = folder_.read("ck");
   const ProgramRun other_options = run(long_render("1"));
@@ -129,7 +129,7 @@ TEST_F(CheckpointTest, WhatIsNotOfThisRenderIsRefused) {
   EXPECT_EQ(folder_.read("ck"), good);
 }
 
-TEST_F(CheckpointTest, PlacesThatCannotHoldOneAreFoundAtOnce) {
+TEST_F(CheckpointTest, UnwritablePathsAreReportedImmediately) {
   const auto with = [&](const std::string& checkpoint) {
     return run({"render", "s.xml", "-o", "out.png", "--size", "8x8", "--checkpoint", checkpoint});
   };

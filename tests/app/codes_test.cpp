@@ -94,18 +94,18 @@ void expect_given(const std::vector<std::string>& codes, const std::vector<std::
 
 const std::string of_compat = "xml.after-object-used";
 
-TEST(Codes, EachIsGivenByAFileAndNotByItsNearMiss) {
+TEST(Codes, EachIsTriggeredByAFileAndNotByASimilarOne) {
   std::vector<std::string> codes = codes_of_check();
   std::erase(codes, of_compat);
   EXPECT_GE(codes.size(), 140u);
   expect_given(codes, {});
 }
 
-TEST(Codes, ThoseOfCompatCourse) {
+TEST(Codes, CodesOfCompatCourse) {
   expect_given({of_compat}, {"--compat", "course"});
 }
 
-TEST(Codes, FilesAreOfCodesThatExist) {
+TEST(Codes, EachFileBelongsToAnExistingCode) {
   const std::vector<std::string> codes = codes_of_check();
   for (const auto& entry : fs::directory_iterator(SCENEFILE_FIXTURES "/codes")) {
     std::string name = entry.path().stem().string();
@@ -120,7 +120,7 @@ TEST(Codes, FilesAreOfCodesThatExist) {
 }
 
 // The similar files have no findings at all.
-TEST(Codes, NearMissesAreFine) {
+TEST(Codes, SimilarFilesHaveNoFindings) {
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(SCENEFILE_FIXTURES "/codes")) {
     if (entry.path().stem().string().ends_with(".ok") && entry.path().extension() != ".obj") {

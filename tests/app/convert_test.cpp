@@ -26,7 +26,7 @@ struct Convert : ::testing::Test {
   }
 };
 
-TEST_F(Convert, ThereAndBackMeansTheSame) {
+TEST_F(Convert, RoundTripsKeepTheMeaning) {
   const std::string xml = folder.write("a.xml", good_scene);
   const std::string json = folder.path("a.json");
   const std::string back = folder.path("back.xml");
@@ -64,7 +64,7 @@ TEST_F(Convert, StandardStreamsNeedAFormat) {
 }
 
 // In JSON, each transform needs a separate nested group.
-TEST_F(Convert, ManyTransformsCostNoMoreThanTheyAre) {
+TEST_F(Convert, CostIsLinearInTheTransforms) {
   std::string moves;
   for (int i = 0; i < 50'000; ++i) {
     moves += "<translate x=\"1\" y=\"0\" z=\"0\"/>";
@@ -94,7 +94,7 @@ TEST_F(Convert, TheSceneIsNotReplaced) {
   EXPECT_EQ(run_program({"convert", xml, folder.path("none/a.json")}).status, 3);
 }
 
-TEST_F(Convert, TheCoursesReadingIsWrittenApart) {
+TEST_F(Convert, CompatCourseWritesEachObjectSeparately) {
   std::string twice = good_scene;
   const std::string end = "</object>\n    </transblock>";
   ASSERT_NE(twice.find(end), std::string::npos);
@@ -120,7 +120,7 @@ TEST_F(Convert, FilesAreFoundFromTheOutputsFolder) {
   EXPECT_THAT(folder.read("b.xml"), HasSubstr(R"(file="in/image/map.png")"));
 }
 
-TEST_F(Convert, FilesThatStayBehindAreNamed) {
+TEST_F(Convert, FilesLeftBehindAreReported) {
   make_folder("in");
   make_folder("in/image");
   make_folder("out");
@@ -135,7 +135,7 @@ TEST_F(Convert, FilesThatStayBehindAreNamed) {
   EXPECT_THAT(root.err, Not(HasSubstr("left-behind")));
 }
 
-TEST_F(Convert, FilesBesideTheOutputDoNotReplaceWhatWasRead) {
+TEST_F(Convert, FilesNextToTheOutputDoNotReplaceInputs) {
   const std::string triangle = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
   const std::string model = folder.write("scene-1.obj", triangle);
   const ProgramRun run = run_program({"convert", model, folder.path("scene.xml")});
@@ -147,7 +147,7 @@ TEST_F(Convert, FilesBesideTheOutputDoNotReplaceWhatWasRead) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("other-1.obj")));
 }
 
-TEST_F(Convert, FilesBesideTheOutputDoNotReplaceTheModelsMaterials) {
+TEST_F(Convert, FilesNextToTheOutputDoNotReplaceTheModelsMaterials) {
   const std::string model =
       folder.write("model.obj", "mtllib scene-1.obj\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
   folder.write("scene-1.obj", "newmtl red\nKd 1 0 0\n");
@@ -156,7 +156,7 @@ TEST_F(Convert, FilesBesideTheOutputDoNotReplaceTheModelsMaterials) {
   EXPECT_EQ(folder.read("scene-1.obj"), "newmtl red\nKd 1 0 0\n");
 }
 
-TEST_F(Convert, FilesBesideAnObjDoNotReplaceTheScenesMeshes) {
+TEST_F(Convert, FilesNextToAnObjDoNotReplaceTheScenesMeshes) {
   const std::string mesh = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
   folder.write("out.mtl", mesh);  // a mesh, whatever its name
   const std::string xml =
@@ -174,7 +174,7 @@ TEST_F(Convert, CommentsAreCounted) {
               HasSubstr("1 comment is not carried over [convert.comments]"));
 }
 
-TEST_F(Convert, AnswersPrograms) {
+TEST_F(Convert, AnswersInJson) {
   const std::string xml = folder.write("a.xml", good_scene);
   const ProgramRun run = run_program({"convert", "--json", xml, folder.path("b.json")});
   const rapidjson::Document document = parse_json(run.out);

@@ -25,7 +25,7 @@ TEST_F(DiffScenes, EqualScenesHaveNoDifference) {
   EXPECT_EQ(piped.status, 0) << piped.err;
 }
 
-TEST_F(DiffScenes, ADifferenceHasAPlaceInBoth) {
+TEST_F(DiffScenes, DifferencesHavePlacesInBothFiles) {
   folder.write("a.xml", scene_with(R"(<diffuse r="1" g="0.5" b="0"/>)"));
   std::string b = scene_with(R"(<diffuse r="1" g="0.25" b="0"/>)");
   b.insert(0, 1, '\n');
@@ -37,7 +37,7 @@ TEST_F(DiffScenes, ADifferenceHasAPlaceInBoth) {
                              HasSubstr("a.xml and b.xml: 1 difference\n")));
 }
 
-TEST_F(DiffScenes, WhatCannotBeReadIsNoDifference) {
+TEST_F(DiffScenes, UnreadableFilesAreErrorsNotDifferences) {
   const std::string a = folder.write("a.xml", good_scene);
   EXPECT_EQ(run_program({"diff", a, folder.path("none.xml")}).status, 3);
   const ProgramRun bad = run_program({"diff", folder.write("bad.xml", "<scenefile>"), a});
@@ -48,7 +48,7 @@ TEST_F(DiffScenes, WhatCannotBeReadIsNoDifference) {
   EXPECT_EQ(run_program({"diff", a}).status, 2);
 }
 
-TEST_F(DiffScenes, SaysWhatTheReadersWarnOf) {
+TEST_F(DiffScenes, PrintsTheReadersWarnings) {
   const std::string a = folder.write("a.xml", good_scene);
   const std::string b = folder.write("b.xml", scene_with(R"(<ior value="1"/>)"));
   EXPECT_THAT(run_program({"diff", a, b}).err, HasSubstr("[xml.alias-attribute]"));
@@ -56,7 +56,7 @@ TEST_F(DiffScenes, SaysWhatTheReadersWarnOf) {
   EXPECT_THAT(run_program({"diff", a, a}).err, "");
 }
 
-TEST_F(DiffScenes, AnswersPrograms) {
+TEST_F(DiffScenes, AnswersInJson) {
   const std::string a = folder.write("a.xml", good_scene);
   const std::string b = folder.write("b.xml", scene_with(R"(<ior v="2"/>)"));
   const rapidjson::Document document = parse_json(run_program({"diff", "--json", a, b}).out);

@@ -189,7 +189,7 @@ TEST_F(Driver, DepthAndNormalsAreSettings) {
   EXPECT_EQ(shallow, asked({"--max-depth", "0"}));
 }
 
-TEST_F(Driver, MistakesHaveAPlace) {
+TEST_F(Driver, ErrorsHaveAPlace) {
   const std::string config = folder.write("c.ini", "[IO]\nscene = a.xml\nouput = a.png\n");
   const ProgramRun run = drive(config);
   EXPECT_EQ(run.status, 1);
@@ -199,7 +199,7 @@ TEST_F(Driver, MistakesHaveAPlace) {
                              HasSubstr("lacks [Canvas] height")));
 }
 
-TEST_F(Driver, UnknownKeysAreNoObstacle) {
+TEST_F(Driver, UnknownKeysAreWarnings) {
   const std::string scene = folder.write("scene.xml", good_scene);
   const std::string text =
       config_text(scene, folder.path("out.png"), "") + "post-process = false\nnum-samples = 1\n";
@@ -208,7 +208,7 @@ TEST_F(Driver, UnknownKeysAreNoObstacle) {
   EXPECT_THAT(run.err, HasSubstr("config.unknown-key"));
 }
 
-TEST_F(Driver, OtherEndingsBecomePng) {
+TEST_F(Driver, OtherExtensionsBecomePng) {
   const std::string scene = folder.write("scene.xml", good_scene);
   const ProgramRun run =
       drive(folder.write("c.ini", config_text(scene, folder.path("out.jpg"), "")));
@@ -217,7 +217,7 @@ TEST_F(Driver, OtherEndingsBecomePng) {
   EXPECT_EQ(folder.read("out.jpg").substr(1, 3), "PNG");
 }
 
-TEST_F(Driver, ASceneInPlaceOfAConfigurationIsCalledOne) {
+TEST_F(Driver, ASceneInsteadOfAConfigurationIsReported) {
   const std::string large = std::string(good_scene) + std::string(100'000, ' ');
   for (const std::string& scene :
        {folder.write("scene.xml", good_scene), folder.write("large.xml", large),

@@ -27,7 +27,7 @@ struct Explain : ::testing::Test {
   std::string scene;
 };
 
-TEST_F(Explain, TellsOfThePixel) {
+TEST_F(Explain, DescribesThePixel) {
   const ProgramRun run = explain("16,12", {"--profile", "course"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
@@ -37,7 +37,7 @@ TEST_F(Explain, TellsOfThePixel) {
                              HasSubstr("no occluder"), HasSubstr("sum "), Not(HasSubstr("\x1b"))));
 }
 
-TEST_F(Explain, AMissHasAnExplanationToo) {
+TEST_F(Explain, AMissIsExplainedToo) {
   const ProgramRun run = explain("0,0");
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, AllOf(HasSubstr("the background is black"), HasSubstr("= 0 0 0 of 255")));
@@ -48,7 +48,7 @@ TEST_F(Explain, NormalsAreColors) {
   EXPECT_THAT(explain("16,12", {"--mode", "intersect"}).out, HasSubstr("mode intersect"));
 }
 
-TEST_F(Explain, NeedsAPixelOfThePicture) {
+TEST_F(Explain, NeedsAPixelInsideThePicture) {
   const auto misuse = [&](const ProgramRun& run, const std::string& words) {
     EXPECT_EQ(run.status, 2) << run.out;
     EXPECT_THAT(run.err, HasSubstr(words));
@@ -63,7 +63,7 @@ TEST_F(Explain, NeedsAPixelOfThePicture) {
          "--samples is for the profile fine");
 }
 
-TEST_F(Explain, ShowsTheSampleThatWasAsked) {
+TEST_F(Explain, ShowsTheRequestedSample) {
   EXPECT_THAT(explain("16,12", {"--min-samples", "4", "--sample", "3"}).out,
               HasSubstr("sample 3: "));
 }
@@ -80,7 +80,7 @@ TEST_F(Explain, ColorsAreForTerminals) {
   EXPECT_THAT(explain("16,12", {}, settings).out, Not(HasSubstr("\x1b")));
 }
 
-TEST_F(Explain, NamesOfTheFileCannotPlayWithTheTerminal) {
+TEST_F(Explain, NamesInTheFileCannotControlTheTerminal) {
   std::string odd = good_scene;
   odd.replace(odd.find("<transblock>"), 0, "<object type=\"tree\" name=\"a&#x9b;31m\">");
   odd.replace(odd.rfind("</object>"), 0, "</object></transblock>");

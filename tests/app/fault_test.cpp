@@ -18,7 +18,7 @@ using namespace testing_support;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(Faults, AFullStandardOutputIsStatusThree) {
+TEST(Faults, AFullStandardOutputIsStatus3) {
   const TempFolder folder;
   const std::string scene = folder.write("s.xml", good_scene);
   const std::vector<std::vector<std::string>> all{
@@ -32,7 +32,7 @@ TEST(Faults, AFullStandardOutputIsStatusThree) {
   }
 }
 
-TEST(Faults, AFullDeviceIsStatusThree) {
+TEST(Faults, AFullDeviceIsStatus3) {
   const TempFolder folder;
   const std::string scene = folder.write("s.xml", good_scene);
   const ProgramRun run = run_program({"render", scene, "-o", "/dev/full", "--size", "8x8"});
@@ -40,7 +40,7 @@ TEST(Faults, AFullDeviceIsStatusThree) {
   EXPECT_THAT(run.err, HasSubstr("/dev/full: cannot write: No space left on device"));
 }
 
-TEST(Faults, AnInterruptedRenderLeavesNothing) {
+TEST(Faults, AnInterruptedRenderLeavesNoOutput) {
   const TempFolder folder;
   folder.write("s.xml", good_scene);
   folder.write("out.png", "old");
@@ -56,7 +56,7 @@ TEST(Faults, AnInterruptedRenderLeavesNothing) {
   }
 }
 
-TEST(Faults, EveryLongCommandStopsAtOnce) {
+TEST(Faults, EveryLongCommandStopsImmediately) {
   const TempFolder folder;
   folder.write("s.xml", good_scene);
   std::string huge = good_scene;
@@ -96,7 +96,7 @@ TEST(Faults, EveryLongCommandStopsAtOnce) {
   }
 }
 
-TEST(Faults, EveryCommandKeepsToItsTime) {
+TEST(Faults, EveryCommandObeysItsTimeout) {
   const TempFolder folder;
   std::string huge = good_scene;
   const std::string block = "<transblock><object type=\"primitive\" name=\"cube\"/></transblock>\n";
@@ -124,7 +124,7 @@ TEST(Faults, EveryCommandKeepsToItsTime) {
   }
 }
 
-TEST(Faults, MemoryThatRunsOutIsStatusThree) {
+TEST(Faults, OutOfMemoryIsStatus3) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need additional address space";
 #endif

@@ -22,7 +22,7 @@ struct Format : ::testing::Test {
   TempFolder folder;
 };
 
-TEST_F(Format, LaysOutInPlace) {
+TEST_F(Format, FormatsInPlace) {
   const std::string a = folder.write("a.xml", untidy);
   const std::string b = folder.write("b.json", "{\"groups\":[]}");
   const std::string c = folder.write("c.xml", tidy);
@@ -39,7 +39,7 @@ TEST_F(Format, LaysOutInPlace) {
   EXPECT_EQ(folder.list().size(), 3U);
 }
 
-TEST_F(Format, ChecksWithoutTouching) {
+TEST_F(Format, CheckDoesNotChangeFiles) {
   folder.write("a.xml", untidy);
   folder.write("c.xml", tidy);
   const auto in_folder = [&](std::vector<std::string> words) {
@@ -56,7 +56,7 @@ TEST_F(Format, ChecksWithoutTouching) {
   EXPECT_FALSE(document["files"][1]["changed"].GetBool());
 }
 
-TEST_F(Format, BrokenFilesAreLeftAlone) {
+TEST_F(Format, BrokenFilesAreNotChanged) {
   const std::string bad = folder.write("bad.xml", "<scenefile>\n<a></scenefile>");
   const std::string good = folder.write("good.xml", untidy);
   const ProgramRun run = run_program({"format", bad, good});
@@ -67,7 +67,7 @@ TEST_F(Format, BrokenFilesAreLeftAlone) {
   EXPECT_EQ(run_program({"format", folder.path("none.xml")}).status, 3);
 }
 
-TEST_F(Format, OfAFolderOnlyTheScenesAreTouched) {
+TEST_F(Format, OnlyScenesInAFolderAreChanged) {
   const std::string package = R"({"name":"tool","version":"1"})";
   const std::string results = "<testsuites><testsuite/></testsuites>";
   folder.write("in/a.xml", untidy);

@@ -75,7 +75,7 @@ TEST_F(FramesTest, TheFirstOfATurnIsTheCameraOfTheFile) {
   EXPECT_FALSE(std::filesystem::exists(folder.path("f2.png")));
 }
 
-TEST_F(FramesTest, WhatIsThereIsSkipped) {
+TEST_F(FramesTest, ExistingFramesAreSkipped) {
   const Words words{"--turntable", "3", "-o", "f%d.png", "--json"};
   const auto counts = [&] {
     const rapidjson::Document answer = parse_json(frames(words).out);
@@ -182,7 +182,7 @@ TEST_F(FramesTest, AVideoNeedsFfmpeg) {
   EXPECT_THAT(none.err, HasSubstr("ffmpeg is not installed"));
 }
 
-TEST_F(FramesTest, WrongUseIsSaidAtOnce) {
+TEST_F(FramesTest, UsageErrorsAreReportedImmediately) {
   EXPECT_EQ(frames({"-o", "f%d.png"}).status, 2);
   EXPECT_EQ(frames({"-o", "f%d.png", "--turntable", "3", "--path", "views.json"}).status, 2);
   EXPECT_EQ(frames({"--turntable", "3"}).status, 2);
@@ -193,7 +193,7 @@ TEST_F(FramesTest, WrongUseIsSaidAtOnce) {
   EXPECT_EQ(frames({"--path", "none.json", "-o", "f%d.png"}).status, 3);
 }
 
-TEST_F(FramesTest, MistakesOfAPathHaveAPlace) {
+TEST_F(FramesTest, ErrorsInAPathHaveAPlace) {
   const auto complaint = [&](const std::string& text) {
     folder.write("views.json", text);
     const ProgramRun refused = frames({"--path", "views.json", "-o", "f%d.png"});

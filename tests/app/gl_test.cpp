@@ -57,7 +57,7 @@ TEST_F(RenderWithGl, AnswersInJson) {
   EXPECT_STREQ(parse_json(render({"--json"}).out)["engine"].GetString(), "trace");
 }
 
-TEST_F(RenderWithGl, HasNoOptionsOfRays) {
+TEST_F(RenderWithGl, RejectsOptionsOfTheRayTracer) {
   for (const std::vector<std::string>& option :
        std::vector<std::vector<std::string>>{{"--max-depth", "2"},
                                              {"--seed", "1"},
@@ -78,7 +78,7 @@ TEST_F(RenderWithGl, HasNoOptionsOfRays) {
   EXPECT_EQ(folder.list(), std::vector<std::string>{"scene.xml"});
 }
 
-TEST_F(RenderWithGl, SaysWhereThereIsNoOpenGl) {
+TEST_F(RenderWithGl, ReportsMissingOpenGl) {
   const ProgramRun run =
       run_program({"render", scene, "--engine", "gl", "-o", folder.path("gl.png")},
                   {.environment = {"__EGL_VENDOR_LIBRARY_DIRS=/none", "DISPLAY="}});
@@ -90,7 +90,7 @@ TEST_F(RenderWithGl, SaysWhereThereIsNoOpenGl) {
   EXPECT_EQ(folder.list(), std::vector<std::string>{"scene.xml"});
 }
 
-TEST_F(RenderWithGl, SaysWhereThereIsNoEgl) {
+TEST_F(RenderWithGl, ReportsMissingEgl) {
   const std::string libraries = folder.path("lib");
   folder.write("lib/libEGL.so.1", "no library");
   const std::vector<std::string> search{"LD_LIBRARY_PATH=" + libraries};
@@ -102,7 +102,7 @@ TEST_F(RenderWithGl, SaysWhereThereIsNoEgl) {
       << "everything else works without EGL";
 }
 
-TEST_F(RenderWithGl, TheCoursesProfileIsThatOfTheTracer) {
+TEST_F(RenderWithGl, TheCourseProfileIsTheTracers) {
   if (const ProgramRun run = draw({"--profile", "course"}); !has_gl(run)) {
     GTEST_SKIP() << run.err;
   }
@@ -183,7 +183,7 @@ std::string bomb(int levels) {
                     levels);
 }
 
-TEST_F(RenderWithGl, ABombOfTemplatesComesToAnEnd) {
+TEST_F(RenderWithGl, ATemplateBombEnds) {
   folder.write("scene.xml", bomb(40));
   const ProgramRun run = draw({});
   if (!has_gl(run)) {

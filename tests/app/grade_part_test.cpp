@@ -144,7 +144,7 @@ TEST_F(GradePartTest, AllPassedIsStatus0AndGradescopeIsForOneStudent) {
   EXPECT_THAT(two.err, HasSubstr("the class has 2"));
 }
 
-TEST_F(GradePartTest, WhatIsThereIsSkippedAndAnotherClassIsRefused) {
+TEST_F(GradePartTest, ExistingPartsAreSkippedAndOtherClassesRejected) {
   grade_parts(2);
   const std::string bytes = folder.read("parts/1.part");
   const auto written = std::filesystem::last_write_time(folder.path("parts/1.part"));
@@ -174,7 +174,7 @@ TEST_F(GradePartTest, WhatIsThereIsSkippedAndAnotherClassIsRefused) {
   EXPECT_EQ(folder.read("parts/1.part"), "my notes");
 }
 
-TEST_F(GradePartTest, MergeSaysWhatIsWrongAndWritesNothing) {
+TEST_F(GradePartTest, MergeListsErrorsAndWritesNothing) {
   grade_parts(4);
   ASSERT_EQ(grade({"-o", "parts/foreign", "--part", "1/4", "--min-psnr", "20"}).status, 0);
   ASSERT_EQ(grade({"-o", "parts/other", "--part", "1/3"}).status, 0);
@@ -210,7 +210,7 @@ TEST_F(GradePartTest, MergeSaysWhatIsWrongAndWritesNothing) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("r.csv")));
 }
 
-TEST_F(GradePartTest, WrongUseIsSaidAtOnce) {
+TEST_F(GradePartTest, UsageErrorsAreReportedImmediately) {
   EXPECT_EQ(grade({"--part", "1/2"}).status, 2);
   EXPECT_EQ(grade({"-o", "x.part"}).status, 2);
   EXPECT_EQ(grade({"--part", "1/2", "-o", "-"}).status, 2);

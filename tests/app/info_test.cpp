@@ -28,7 +28,7 @@ TEST_F(Info, CountsAndMeasures) {
   }
 }
 
-TEST_F(Info, SaysWhereFilesAreAndWhereNot) {
+TEST_F(Info, ListsFoundAndMissingFiles) {
   folder.write("image/there.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   std::string text = scene_with(R"(<blend v="1"/><texture file="image/no.png" u="1" v="1"/>)");
   text.replace(text.find("name=\"sphere\""), 13, "name=\"mesh\" filename=\"/course/there.obj\"");
@@ -58,7 +58,7 @@ TEST_F(Info, JsonIsOneDocument) {
   EXPECT_FALSE(report.HasMember("tree"));
 }
 
-TEST_F(Info, ABrokenSceneHasNoFigures) {
+TEST_F(Info, ABrokenSceneHasNoSummary) {
   const ProgramRun run = run_program({"info", "-"}, {.input = "<scenefile>"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.out, "");

@@ -30,7 +30,7 @@ struct RenderLayers : ::testing::Test {
   std::string scene;
 };
 
-TEST_F(RenderLayers, ArePngsBesideThePng) {
+TEST_F(RenderLayers, AreSeparatePngFiles) {
   EXPECT_EQ(render({"--aov", "normal,object-id,light-1"}).status, 0);
   EXPECT_THAT(folder.list(), ElementsAre("out.light-1.png", "out.normal.png", "out.object-id.png",
                                          "out.png", "scene.xml"));
@@ -66,16 +66,16 @@ TEST_F(RenderLayers, ACropHasItsOwnSize) {
   }
 }
 
-TEST_F(RenderLayers, ThePreviewEndsAsThePicture) {
+TEST_F(RenderLayers, TheLastPreviewIsThePicture) {
   EXPECT_EQ(render({"--preview", folder.path("preview.png")}).status, 0);
   EXPECT_TRUE(folder.read("preview.png") == folder.read("out.png"));
 }
 
-TEST_F(RenderLayers, NoiseCanBeTakenAway) {
+TEST_F(RenderLayers, DenoiseRemovesNoise) {
   EXPECT_EQ(render({"--denoise", "--samples", "8"}).status, 0);
 }
 
-TEST_F(RenderLayers, MistakesAreUsageErrors) {
+TEST_F(RenderLayers, InvalidOptionsAreUsageErrors) {
   const struct {
     std::vector<std::string> words;
     const char* says;

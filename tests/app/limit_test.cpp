@@ -81,7 +81,7 @@ std::vector<std::vector<std::string>> all_uses(const std::string& scene) {
           {"render", scene, "-o", "o.png", "--size", "4x3", "--engine", "gl"}};
 }
 
-TEST(Limits, NestingUpToThemNeedsNoStack) {
+TEST(Limits, NestingUpToTheLimitNeedsNoStack) {
   const TempFolder folder;
   folder.write("good.xml", good_scene);
   // 1,024 nested elements, and 1,000 nested templates.
@@ -132,7 +132,7 @@ TEST(Limits, AreListedWithTheirDefaults) {
   EXPECT_THAT(run.out, HasSubstr("  file-bytes                1G  "));
 }
 
-TEST(Limits, MistakesInThemAreUsageErrors) {
+TEST(Limits, InvalidLimitsAreUsageErrors) {
   const auto mistake = [](const std::string& option, const std::string& value) {
     const ProgramRun run = run_program({"check", "a.xml", option, value});
     EXPECT_EQ(run.status, 2) << value;
@@ -158,7 +158,7 @@ TEST(Limits, TemplateBombsAreCountedAndRenderedAsInstances) {
   EXPECT_THAT((std::set{0, 4}), ::testing::Contains(run.status)) << run.err;
 }
 
-TEST(Limits, TheTimeoutLeavesNothing) {
+TEST(Limits, TheTimeoutLeavesNoOutput) {
   const TempFolder folder;
   folder.write("s.xml", good_scene);
   folder.write("out.png", "old");
@@ -177,7 +177,7 @@ TEST(Limits, AGenerousTimeoutChangesNothing) {
   EXPECT_EQ(run_program({"check", scene, "--timeout", "100", "--max-memory", "2G"}).status, 0);
 }
 
-TEST(Limits, MemoryBeyondTheLimitIsStatusFour) {
+TEST(Limits, ExceedingTheMemoryLimitIsStatus4) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers need additional memory";
 #endif

@@ -58,7 +58,7 @@ TEST(Manual, HasAPageForEachCommandWithAllItsOptions) {
   }
 }
 
-TEST(Manual, EscapesWhatRoffWouldTakeForRequests) {
+TEST(Manual, EscapesTextThatRoffWouldReadAsRequests) {
   for (const auto& [command, options] : commands()) {
     const std::string page = run_program({"help", "--man", command}).out;
     for (std::size_t at = page.find('\n'); at != std::string::npos; at = page.find('\n', at + 1)) {

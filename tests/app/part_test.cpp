@@ -80,7 +80,7 @@ TEST_F(PartTest, MergeToTheBytesOfOneProcess) {
   }
 }
 
-TEST_F(PartTest, WhatIsThereIsSkipped) {
+TEST_F(PartTest, ExistingPartsAreSkipped) {
   ASSERT_EQ(part(2, 3).status, 0);
   const std::string bytes = folder.read("parts/2.part");
   const auto written = std::filesystem::last_write_time(folder.path("parts/2.part"));
@@ -94,7 +94,7 @@ TEST_F(PartTest, WhatIsThereIsSkipped) {
   EXPECT_EQ(folder.read("parts/2.part"), bytes);
 }
 
-TEST_F(PartTest, WhatIsAnotherPictureIsRefused) {
+TEST_F(PartTest, PartsOfOtherPicturesAreRejected) {
   ASSERT_EQ(part(2, 3).status, 0);
   const std::string bytes = folder.read("parts/2.part");
   const auto expect_refused = [&](const ProgramRun& refused, const std::string& why) {
@@ -128,7 +128,7 @@ TEST_F(PartTest, ADamagedPartIsDrawnAgain) {
   }
 }
 
-TEST_F(PartTest, MergeSaysWhatIsWrongAndWritesNothing) {
+TEST_F(PartTest, MergeListsErrorsAndWritesNothing) {
   draw_parts(4);
   ASSERT_EQ(run({"render", "scene.xml", "--size", "70x50", "-o", "parts/foreign", "--part", "1/4",
                  "--samples", "3"})
@@ -159,7 +159,7 @@ TEST_F(PartTest, MergeSaysWhatIsWrongAndWritesNothing) {
   EXPECT_FALSE(answer["written"].GetBool());
 }
 
-TEST_F(PartTest, NothingIsMissingWhereAllIsThere) {
+TEST_F(PartTest, NothingIsMissingFromACompleteSet) {
   draw_parts(2);
   const ProgramRun missing = run({"merge", "parts", "--missing"});
   EXPECT_EQ(missing.status, 0);
@@ -167,7 +167,7 @@ TEST_F(PartTest, NothingIsMissingWhereAllIsThere) {
   EXPECT_THAT(missing.err, IsEmpty());
 }
 
-TEST_F(PartTest, WrongUseIsSaidAtOnce) {
+TEST_F(PartTest, UsageErrorsAreReportedImmediately) {
   draw_parts(2, {"--aov", "depth"});
   EXPECT_EQ(run({"merge", "parts"}).status, 2);
   EXPECT_EQ(run({"merge", "parts", "-o", "out.pfm"}).status, 2);
@@ -182,7 +182,7 @@ TEST_F(PartTest, WrongUseIsSaidAtOnce) {
   EXPECT_THAT(folder.list(), ElementsAre("parts", "scene.xml"));
 }
 
-TEST_F(PartTest, AKilledMergeLeavesNothingUnderTheName) {
+TEST_F(PartTest, AKilledMergeLeavesNoOutput) {
   draw_parts(2, {"--size", "1200x900", "--samples", "1"});
   for (const int delay_ms : {1, 5, 20, 60}) {
     const ProgramRun killed =

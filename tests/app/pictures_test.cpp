@@ -57,7 +57,7 @@ TEST_F(DiffImages, EqualPictures) {
   EXPECT_EQ(in_folder({"diff", "-q", "right.png", "right.png"}).out, "");
 }
 
-TEST_F(DiffImages, TheSceneTellsTheCause) {
+TEST_F(DiffImages, TheCauseIsNamedWithAScene) {
   const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
   EXPECT_EQ(alone.status, 1);
   EXPECT_THAT(alone.out, AllOf(HasSubstr("different: the pictures are not equal\n"),
@@ -68,7 +68,7 @@ TEST_F(DiffImages, TheSceneTellsTheCause) {
   EXPECT_EQ(run.err, "");
 }
 
-TEST_F(DiffImages, ASceneThatCannotBeUsedIsNotPassedOver) {
+TEST_F(DiffImages, AnUnusableSceneIsAnError) {
   for (const std::string second : {"right.png", "wrong.png"}) {
     const ProgramRun run = in_folder({"diff", "right.png", second, "--scene", "none.xml"});
     EXPECT_EQ(run.status, 3);
@@ -87,7 +87,7 @@ TEST_F(DiffImages, ASceneThatCannotBeUsedIsNotPassedOver) {
               HasSubstr("none.xml: cannot open"));
 }
 
-TEST_F(DiffImages, WithoutASceneSaysThatOneHelps) {
+TEST_F(DiffImages, SuggestsASceneIfNoneIsGiven) {
   const ProgramRun alone = in_folder({"diff", "right.png", "wrong.png"});
   EXPECT_THAT(alone.out, HasSubstr("most causes need --scene SCENE"));
   const ProgramRun with = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
@@ -160,7 +160,7 @@ TEST_F(DiffImages, ASceneIsNotAPicture) {
   }
 }
 
-TEST_F(DiffImages, SaysWhereToLook) {
+TEST_F(DiffImages, NamesTheWorstRegion) {
   const ProgramRun run = in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml"});
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("worst: "), HasSubstr("it shows root"),
@@ -198,7 +198,7 @@ TEST_F(DiffImages, ExplainComparesWithMine) {
   EXPECT_EQ(in_folder({"explain", "ball.xml", "--pixel", "64,0", "--mine", "right.png"}).status, 2);
 }
 
-TEST_F(DiffImages, AnswersPrograms) {
+TEST_F(DiffImages, AnswersInJson) {
   const ProgramRun run =
       in_folder({"diff", "--json", "right.png", "wrong.png", "--scene", "ball.xml"});
   const rapidjson::Document document = parse_json(run.out);
@@ -237,7 +237,7 @@ TEST_F(Grade, AClass) {
   EXPECT_STREQ(document["students"][1]["pictures"][0]["causes"][0]["cause"].GetString(), "ambient");
 }
 
-TEST_F(Grade, ALinkIsNoPicture) {
+TEST_F(Grade, SymbolicLinksAreNotFollowed) {
   for (const char* name : {"references", "class", "class/eve"}) {
     std::filesystem::create_directory(folder.path(name));
   }
@@ -266,7 +266,7 @@ TEST_F(Grade, OneStudentWhoPasses) {
   EXPECT_THAT(alike.err, HasSubstr("the CSV table would replace the JUnit file"));
 }
 
-TEST_F(Grade, FoldersAndNamesInUse) {
+TEST_F(Grade, CommonFoldersAndNames) {
   for (const char* name : {"right/LIGHT", "right/INTERSECT", "mine/illuminate/required",
                            "mine/intersect/required", "mine/__MACOSX/illuminate"}) {
     std::filesystem::create_directories(folder.path(name));
@@ -281,7 +281,7 @@ TEST_F(Grade, FoldersAndNamesInUse) {
   EXPECT_THAT(run.out, HasSubstr("mine  2 of 2 passed\n"));
 }
 
-TEST_F(Grade, AMapAndAllKindsOfResults) {
+TEST_F(Grade, MapsAndAllReports) {
   for (const char* name : {"right", "mine/results"}) {
     std::filesystem::create_directories(folder.path(name));
   }
@@ -322,7 +322,7 @@ TEST_F(Grade, GradescopeIsForOneStudent) {
   EXPECT_THAT(run.err, HasSubstr("--gradescope is for one student, and \"class\" has 2"));
 }
 
-TEST_F(Grade, AnotherSizeIsScaledAndSaid) {
+TEST_F(Grade, AnotherSizeIsScaledAndReported) {
   for (const char* name : {"right", "mine"}) {
     std::filesystem::create_directories(folder.path(name));
   }
@@ -356,7 +356,7 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
   EXPECT_THAT(in_folder(words).out, Not(HasSubstr("matches no reference")));
 }
 
-TEST_F(Grade, AJpegIsNamed) {
+TEST_F(Grade, AJpegIsReported) {
   for (const char* name : {"right", "mine"}) {
     std::filesystem::create_directories(folder.path(name));
   }
@@ -371,7 +371,7 @@ TEST_F(Grade, AJpegIsNamed) {
   EXPECT_THAT(in_folder({"diff", "right.png", "small.png"}).out, Not(HasSubstr("JPEG")));
 }
 
-TEST_F(Grade, ThePictureOfAnotherReferenceIsNamed) {
+TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
   for (const char* name : {"right", "mine"}) {
     std::filesystem::create_directories(folder.path(name));
   }
@@ -389,7 +389,7 @@ TEST_F(Grade, ThePictureOfAnotherReferenceIsNamed) {
                              HasSubstr("box: differs: it is the picture of ball\n")));
 }
 
-TEST_F(Grade, NothingMatchesIsAnErrorAndNoZeros) {
+TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
   for (const char* name : {"right", "class/anna"}) {
     std::filesystem::create_directories(folder.path(name));
   }
@@ -401,7 +401,7 @@ TEST_F(Grade, NothingMatchesIsAnErrorAndNoZeros) {
   EXPECT_THAT(run.err, HasSubstr("none of 1 pictures in \"class\" is one of the 1 references"));
 }
 
-TEST_F(Grade, WhatIsMissing) {
+TEST_F(Grade, MissingArguments) {
   EXPECT_EQ(in_folder({"grade", "."}).status, 2);
   EXPECT_EQ(in_folder({"grade", "nowhere", "--references", "."}).status, 3);
   std::filesystem::create_directory(folder.path("empty"));

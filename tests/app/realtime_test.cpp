@@ -70,7 +70,7 @@ TEST_F(RealtimeProgram, AnswersInJson) {
   EXPECT_GT(json["lights_skipped"][0]["line"].GetInt(), 1);
 }
 
-TEST_F(RealtimeProgram, TheMilestoneSaysWhichLightsShine) {
+TEST_F(RealtimeProgram, TheMilestoneSelectsTheLights) {
   const std::string scene = fixture("realtime.light-skipped");
   if (const ProgramRun run = render(scene, {}); !has_gl(run)) {
     GTEST_SKIP() << run.err;
@@ -109,7 +109,7 @@ TEST_F(RealtimeProgram, EachOptionReachesThePicture) {
   EXPECT_TRUE(pixels() == plain) << "the defaults";
 }
 
-TEST_F(RealtimeProgram, InfoAndCheckKnowTheMilestone) {
+TEST_F(RealtimeProgram, InfoAndCheckFollowTheMilestone) {
   const std::string scene = fixture("realtime.light-skipped");
   const ProgramRun info = run_program({"info", scene, "--profile", "realtime"});
   EXPECT_THAT(info.out, HasSubstr("lights-camera: 1 light is used, 40 triangles"));
@@ -125,7 +125,7 @@ TEST_F(RealtimeProgram, InfoAndCheckKnowTheMilestone) {
   EXPECT_THAT(run_program({"check", scene}).out, Not(HasSubstr("[realtime.")));
 }
 
-TEST_F(RealtimeProgram, RefusesWhatDoesNotGoTogether) {
+TEST_F(RealtimeProgram, RejectsIncompatibleOptions) {
   const auto words = [](std::vector<std::string> more) {
     std::vector<std::string> result{"render", "a.xml", "-o", "b.png", "--profile", "realtime"};
     result.insert(result.end(), more.begin(), more.end());
@@ -184,7 +184,7 @@ TEST_F(RealtimePictures, DiffNamesTheCause) {
                                  "--milestone action"));
 }
 
-TEST_F(RealtimePictures, GradeSaysWhatIsWrongInTheTableOfSettings) {
+TEST_F(RealtimePictures, GradeReportsErrorsInTheTableOfSettings) {
   folder.write("references/references.tsv",
                "reference\tparameter1\tfilter\naction/still_blur.png\t5\tblurr\n");
   folder.write("class/readme.txt", "");

@@ -52,7 +52,7 @@ TEST_F(Render, WritesAPictureOfTheSize) {
   EXPECT_THAT(folder.list(), ElementsAre("out.png", "scene.xml"));
 }
 
-TEST_F(Render, QuietSaysNothing) {
+TEST_F(Render, QuietPrintsNothing) {
   const ProgramRun run = render({"--quiet"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out + run.err, "");
@@ -70,7 +70,7 @@ TEST_F(Render, OptionsReachTheTracer) {
   EXPECT_GT(decode(normals).texel(16, 12)[2], 200);
 }
 
-TEST_F(Render, StandardOutputHoldsThePictureAlone) {
+TEST_F(Render, StandardOutputContainsOnlyThePicture) {
   const ProgramRun run =
       run_program({"render", "-", "-o", "-", "--size", "16x16"}, {.input = good_scene});
   EXPECT_EQ(run.status, 0);
@@ -99,7 +99,7 @@ TEST_F(Render, JsonIsOneDocument) {
   EXPECT_GE(report["primary_rays"].GetInt(), 32 * 24);
 }
 
-TEST_F(Render, JsonOfAFailureIsADocumentToo) {
+TEST_F(Render, FailuresHaveAJsonDocumentToo) {
   folder.write("scene.xml", "<scenefile>");
   const ProgramRun run = render({"--json"});
   EXPECT_EQ(run.status, 1);
@@ -119,7 +119,7 @@ TEST_F(Render, ABrokenSceneKeepsTheOldPicture) {
   EXPECT_THAT(folder.list(), ElementsAre("out.png", "scene.xml"));
 }
 
-TEST_F(Render, TheTargetIsJudgedBeforeTheScene) {
+TEST_F(Render, TheOutputIsCheckedBeforeTheScene) {
   const ProgramRun missing =
       run_program({"render", folder.path("none.xml"), "-o", folder.path("no/such/out.png")});
   EXPECT_EQ(missing.status, 3);
@@ -138,7 +138,7 @@ TEST_F(Render, NeverReplacesTheScene) {
   EXPECT_EQ(folder.read("scene.png"), good_scene);
 }
 
-TEST_F(Render, WarnsOfDarkness) {
+TEST_F(Render, WarnsAboutBlackPictures) {
   std::string dark = good_scene;
   dark.replace(dark.find("\"directional\""), 13, "\"point\"");
   dark.replace(dark.find("direction"), 9, "position");
@@ -153,7 +153,7 @@ TEST_F(Render, WarnsOfDarkness) {
   EXPECT_THAT(render({}).err, HasSubstr("[scene.no-light]"));
 }
 
-TEST_F(Render, WarnsOfAGuessedCoefficient) {
+TEST_F(Render, WarnsAboutADefaultCoefficient) {
   folder.write("scene.xml", scene_with(R"(<transparent r="1" g="1" b="1"/>)"));
   const std::string code = "[global.transparent-default]";
   EXPECT_THAT(render({}).err, HasSubstr(code));

@@ -119,7 +119,7 @@ TEST_F(Sarif, FollowsThePolicy) {
   EXPECT_EQ(check({"--allow", code, "s.xml"}, 0)["runs"][0]["results"].Size(), 0u);
 }
 
-TEST_F(Sarif, WhatIsInAMeshStandsThereAndNamesTheScene) {
+TEST_F(Sarif, FindingsInAMeshArePlacedThereAndNameTheScene) {
   folder.write("meshes/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
   std::string text = scene_with("");
   const std::string sphere = R"(name="sphere")";

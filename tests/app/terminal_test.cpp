@@ -24,7 +24,7 @@ ProgramRun at_terminal(const std::vector<std::string>& words,
   return run_program(words, settings);
 }
 
-TEST(Terminal, FindingsAreColoredUnlessNotWanted) {
+TEST(Terminal, FindingsAreColoredUnlessDisabled) {
   const TempFolder folder;
   const std::vector<std::string> check{"check", folder.write("s.xml", "<scenefile>")};
   EXPECT_THAT(at_terminal(check).out, HasSubstr("\x1b[1;31merror:\x1b[0m"));
@@ -32,7 +32,7 @@ TEST(Terminal, FindingsAreColoredUnlessNotWanted) {
   EXPECT_THAT(at_terminal(check, {"TERM=dumb"}).out, Not(HasSubstr("\x1b")));
 }
 
-TEST(Terminal, ProgressIsShownToPeopleAlone) {
+TEST(Terminal, ProgressIsOnlyShownOnATerminal) {
   const TempFolder folder;
   const std::string scene = folder.write("s.xml", good_scene);
   const std::vector<std::string> render{"render", scene,    "-o", folder.path("o.png"),

@@ -27,14 +27,14 @@ void is_misuse(const std::vector<std::string>& arguments, const std::string& wor
   EXPECT_EQ(run.out, "");
 }
 
-TEST(Usage, SuggestsTheCommandThatWasMeant) {
+TEST(Usage, SuggestsASimilarCommand) {
   is_misuse({"chekc", "a.xml"}, R"(unknown command "chekc"; did you mean check?)");
   is_misuse({"qqqqqq"}, R"(unknown command "qqqqqq")");
   is_misuse({"re\x1b[31mnder"}, R"("re\u{1b}[31mnder")");
   is_misuse({}, "scenefile render SCENE");
 }
 
-TEST(Usage, TakesTheOldSpellingOfCodes) {
+TEST(Usage, AcceptsTheOldSpellingOfCodes) {
   const ProgramRun today = run_program({"help", "xml.misspelled-element"});
   EXPECT_THAT(today.out, HasSubstr("xml.misspelled-element: "));
   EXPECT_EQ(run_program({"help", "xml.misspelt-element"}).out, today.out);
@@ -48,13 +48,13 @@ TEST(Usage, TakesTheOldSpellingOfCodes) {
   EXPECT_EQ(run_program({"check", scene, "--deny", "xml.misspelt-transblock"}).status, 1);
 }
 
-TEST(Usage, SuggestsTheOptionThatWasMeant) {
+TEST(Usage, SuggestsASimilarOption) {
   is_misuse({"render", "a.xml", "-o", "b.png", "--sise=3x4"},
             "render has no option --sise; did you mean --size?");
   is_misuse({"check", "a.xml", "--size", "3x4"}, "check has no option --size");
 }
 
-TEST(Usage, TakesFilesWithADashInFrontAfterTwoDashes) {
+TEST(Usage, AcceptsFileNamesWithADashAfterTwoDashes) {
   const ProgramRun run = run_program({"check", "--quiet", "--", "-no-such-file.xml"});
   EXPECT_EQ(run.status, 3);
   EXPECT_THAT(run.err, HasSubstr("-no-such-file.xml: cannot open"));
@@ -62,13 +62,13 @@ TEST(Usage, TakesFilesWithADashInFrontAfterTwoDashes) {
   is_misuse({"check", "--nosuch", "--", "a.xml"}, "check has no option --nosuch");
 }
 
-TEST(Usage, GivesOneAnswerOnStandardOutput) {
+TEST(Usage, RejectsTwoOutputsOnStandardOutput) {
   is_misuse({"render", "a.xml", "-o", "-", "--json"}, "cannot both go to standard output");
   is_misuse({"render", "a.xml", "-o", "/dev/stdout", "--json"},
             "cannot both go to standard output");
 }
 
-TEST(Usage, JudgesValues) {
+TEST(Usage, ValidatesValues) {
   const auto render = [](const std::string& option, const std::string& value) {
     return std::vector<std::string>{"render", "a.xml", "-o", "b.png", option, value};
   };
@@ -101,7 +101,7 @@ TEST(Usage, JudgesValues) {
   is_misuse({"check", "a.xml", "--allow", "xml.nosuch"}, R"(unknown code "xml.nosuch")");
 }
 
-TEST(Usage, ListsHaveNoBlanks) {
+TEST(Usage, ListsContainNoSpaces) {
   const std::vector<std::string> start{"render", "a.xml", "-o", "b.png"};
   const auto render = [&](std::vector<std::string> words) {
     words.insert(words.begin(), start.begin(), start.end());
@@ -116,7 +116,7 @@ TEST(Usage, ListsHaveNoBlanks) {
   is_misuse({"explain", "a.xml", "--pixel", "3,", "4"}, "such as 320,240");
 }
 
-TEST(Usage, MissesWhatIsMissing) {
+TEST(Usage, ReportsMissingArguments) {
   is_misuse({"check"}, "check needs a scene");
   is_misuse({"render", "-o", "b.png"}, "render needs a scene");
   is_misuse({"render", "a.xml"}, "render needs an output");
@@ -127,7 +127,7 @@ TEST(Usage, MissesWhatIsMissing) {
   is_misuse({"render", "a.xml", "-o", "picture"}, "the name must end in .png, .exr or .pfm");
 }
 
-TEST(Usage, TheCourseHasSamplesOfItsOwn) {
+TEST(Usage, TheCourseProfileRejectsSamples) {
   const std::vector<std::string> course{"render", "a.xml", "-o", "b.png", "--profile", "course"};
   for (const std::string option : {"--samples", "--min-samples", "--seed"}) {
     std::vector<std::string> words = course;
@@ -136,12 +136,12 @@ TEST(Usage, TheCourseHasSamplesOfItsOwn) {
   }
 }
 
-TEST(Usage, TheCourseKnowsNoFresnel) {
+TEST(Usage, TheCourseProfileRejectsFresnel) {
   is_misuse({"render", "a.xml", "-o", "b.png", "--profile", "course", "--fresnel"},
             "--fresnel is for the profile fine");
 }
 
-TEST(Usage, VersionIsAnAnswer) {
+TEST(Usage, VersionGoesToStandardOutput) {
   for (const std::string word : {"--version", "version"}) {
     const ProgramRun run = run_program({word});
     EXPECT_EQ(run.status, 0);
@@ -170,7 +170,7 @@ TEST(Usage, HelpListsTheCodesOfAFamily) {
   is_misuse({"help", "camra"}, "did you mean camera?");
 }
 
-TEST(Usage, HelpHasNoDoubleBlanksInItsFirstLine) {
+TEST(Usage, HelpHasNoDoubleSpacesInItsFirstLine) {
   EXPECT_TRUE(run_program({"help", "version"}).out.starts_with("scenefile version [options]\n"));
 }
 
@@ -233,7 +233,7 @@ TEST(Usage, HelpIsAsWideAsTheTerminal) {
             90U);
 }
 
-TEST(Usage, OptionsStandUnderHeadings) {
+TEST(Usage, OptionsAreUnderHeadings) {
   const std::string render = run_program({"help", "render"}).out;
   std::size_t last = 0;
   for (const char* heading : {"\nPicture:\n", "\nQuality:\n", "\nLayers:\n", "\nInput:\n",

@@ -216,7 +216,7 @@ TEST_F(View, ComparesWithAReference) {
   EXPECT_EQ(color_at(difference, sphere_x + 20, middle_y), '.');
 }
 
-TEST_F(View, StaysWholeWhileOpenGlIsCompared) {
+TEST_F(View, TheWindowIsCompleteWhileOpenGlIsCompared) {
   const std::string reference = folder.path("reference.png");
   ASSERT_EQ(run_program({"render", path, "--size", "320x240", "-o", reference, "--quiet"}).status,
             0);
@@ -239,7 +239,7 @@ TEST_F(View, KeysAndPanels) {
   EXPECT_EQ(color_at(picture("alone.png"), 400 - 120, 300), 'r') << "the picture shows the window";
 }
 
-TEST_F(View, WithoutASceneAPanelOpensOne) {
+TEST_F(View, OpensScenesFromAPanel) {
   folder.write("b.xml", "<scenefile>");
   // The files are in natural order: tiles from left to right.
   const ProgramRun run = run_program(
@@ -289,7 +289,7 @@ TEST_F(View, ExplainsAClickedPixelAndItsCause) {
   EXPECT_THAT(copied, HasSubstr(said.substr(at, said.find('\n', at) - at)));
 }
 
-TEST_F(View, SaysWhatIsWrong) {
+TEST_F(View, ReportsErrors) {
   folder.write("empty/readme.txt");
   EXPECT_THAT(view({folder.path("none.xml")}).err, HasSubstr("no such file"));
   EXPECT_THAT(view({path, folder.path("none.png")}).err, HasSubstr("no such file"));
@@ -308,12 +308,12 @@ TEST_F(View, SaysWhatIsWrong) {
   EXPECT_EQ(nowhere.err.find("script"), std::string::npos) << nowhere.err;
 }
 
-TEST_F(View, AScriptWithoutStepsIsAtItsEnd) {
+TEST_F(View, AnEmptyScriptEndsImmediately) {
   const ProgramRun run = tour("# nothing\n");
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
-TEST(ViewWithoutItsProgram, IsSaid) {
+TEST(ViewWithoutItsProgram, IsReported) {
   const TempFolder folder;
   const std::string alone = folder.path("scenefile");
   std::filesystem::copy_file(SCENEFILE_PROGRAM, alone);
@@ -327,7 +327,7 @@ TEST(ViewWithoutItsProgram, IsSaid) {
   EXPECT_EQ(run_program({"info", path}, {.program = alone}).status, 0);
 }
 
-TEST(ViewWithoutScreen, IsSaid) {
+TEST(ViewWithoutScreen, IsReported) {
   const std::string path = std::string(SCENEFILE_SCENES) + "/hello.xml";
   const ProgramRun run =
       run_program({"view", path}, {.environment = {"DISPLAY=", "WAYLAND_DISPLAY="}});

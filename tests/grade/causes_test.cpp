@@ -88,7 +88,7 @@ void expect_named_if_changed(Cause cause, const std::function<void(RenderScene&)
 
 const Mistakes nothing;
 
-TEST(Causes, RightPicturesAreNotBlamed) {
+TEST(Causes, CorrectPicturesHaveNoCauses) {
   for (std::uint32_t seed = 1; seed <= 2 * scenes; ++seed) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
@@ -103,7 +103,7 @@ TEST(Causes, RightPicturesAreNotBlamed) {
   }
 }
 
-TEST(Causes, OtherSamplesAreNotBlamed) {
+TEST(Causes, OtherSamplesHaveNoCauses) {
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
     const GeneratedScene scene(seed);
     const SceneView view = view_of(scene);
@@ -116,7 +116,7 @@ TEST(Causes, OtherSamplesAreNotBlamed) {
   }
 }
 
-TEST(Causes, NoiseIsNotBlamed) {
+TEST(Causes, NoiseHasNoCauses) {
   std::mt19937 random(7);
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
     const GeneratedScene scene(seed);
@@ -232,7 +232,7 @@ Change each_value(const std::function<int(const std::uint8_t* pixel, int channel
   };
 }
 
-TEST(Causes, ANumberAddedToAllValues) {
+TEST(Causes, AConstantAddedToAllValues) {
   for (const int step : {20, -15}) {
     expect_named(
         Cause::brightness, nothing,
@@ -240,7 +240,7 @@ TEST(Causes, ANumberAddedToAllValues) {
   }
 }
 
-TEST(Causes, OneChannelAlone) {
+TEST(Causes, OnlyOneChannel) {
   expect_named(Cause::swapped_channels, nothing,
                each_value([](const std::uint8_t* pixel, int channel) {
                  return channel == 0 ? pixel[0] : 0;
@@ -358,7 +358,7 @@ TEST(Causes, TwoAtOnce) {
       << said(turned_too);
 }
 
-TEST(Causes, TheViewOfTheReferenceIsFound) {
+TEST(Causes, FindsTheViewOfTheReference) {
   const GeneratedScene scene(4);
   const SceneView right = view_of(scene);
   SceneView plain = right;
@@ -369,7 +369,7 @@ TEST(Causes, TheViewOfTheReferenceIsFound) {
   EXPECT_EQ(found.options.features, right.options.features);
 }
 
-TEST(Causes, AnotherSceneNamesNothingOfTheScene) {
+TEST(Causes, NamesNoSceneMistakesForAnotherScene) {
   const GeneratedScene scene(1);
   const GeneratedScene other(2);
   const SceneView view = view_of(other);
@@ -379,7 +379,7 @@ TEST(Causes, AnotherSceneNamesNothingOfTheScene) {
   EXPECT_TRUE(report.claims.empty()) << said(report);
 }
 
-TEST(Causes, StopsWhenTold) {
+TEST(Causes, StopsOnRequest) {
   const GeneratedScene scene(1);
   const SceneView view = view_of(scene);
   const Texture picture = scene.drawn_by_student({"shadow-none"});

@@ -34,7 +34,7 @@ std::vector<StudentResult> students() {
   return {{"anna", {passed, failed}}, {"", {}}};
 }
 
-TEST(GradePart, IsReadAsItWasWritten) {
+TEST(GradePart, RoundTrips) {
   const std::string bytes = encode_grade_part(head(), students());
   GradePartHead found;
   std::vector<StudentResult> read;
@@ -53,7 +53,7 @@ TEST(GradePart, IsReadAsItWasWritten) {
   EXPECT_TRUE(is_grade_part(bytes));
 }
 
-TEST(GradePart, NoChangedByteGoesUnnoticed) {
+TEST(GradePart, EveryChangedByteIsDetected) {
   const std::string bytes = encode_grade_part(head(), students());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     GradePartHead found;

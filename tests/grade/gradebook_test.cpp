@@ -49,13 +49,13 @@ TEST(Gradebook, Text) {
             "2 students: 2 pictures passed, 1 differs, 1 missing, 0 unreadable\n");
 }
 
-TEST(Gradebook, NoNameMakesALine) {
+TEST(Gradebook, NamesCannotForgeLines) {
   EXPECT_EQ(gradebook_text({{{"eve\nanna  1 of 1 passed", {}}}}),
             "eve\\nanna  1 of 1 passed  0 of 0 passed\n"
             "1 student: 0 pictures passed, 0 differ, 0 missing, 0 unreadable\n");
 }
 
-TEST(Gradebook, HtmlStandsAloneAndEscapes) {
+TEST(Gradebook, HtmlIsSelfContainedAndEscaped) {
   const std::string html = gradebook_html(two_students(), "Ray <1>");
   EXPECT_THAT(html, AllOf(HasSubstr("<title>Ray &lt;1&gt;</title>"), HasSubstr("ben &amp; co"),
                           HasSubstr("a&lt;b"), HasSubstr("data:image/png;base64,UE5H"),
@@ -67,7 +67,7 @@ TEST(Gradebook, HtmlStandsAloneAndEscapes) {
   EXPECT_GT(html.find("<script"), html.find("</main>"));
 }
 
-TEST(Gradebook, NoNameRunsInThePage) {
+TEST(Gradebook, NamesCannotInjectScripts) {
   Gradebook book = two_students();
   book.students[1].name = "<script>alert(1)</script>";
   book.students[1].pictures[1].name = "\"><img src=x onerror=alert(1)>";
@@ -77,7 +77,7 @@ TEST(Gradebook, NoNameRunsInThePage) {
   EXPECT_THAT(student_html(book.students[1], "t"), Not(HasSubstr("<script")));
 }
 
-TEST(Gradebook, PicturesMayLieBesideThePage) {
+TEST(Gradebook, PicturesMayBeSeparateFiles) {
   Gradebook book = two_students();
   book.students[1].pictures[1].png.clear();
   book.students[1].pictures[1].png_file = "report-pictures/2-2.png";
@@ -142,7 +142,7 @@ TEST(Gradebook, Base64) {
   EXPECT_EQ(base64("\xff\xfe"), "//4=");
 }
 
-TEST(Gradebook, MarkupHoldsNothingThatXmlCannot) {
+TEST(Gradebook, MarkupContainsOnlyValidXmlCharacters) {
   EXPECT_EQ(markup("a&\"\x01\n"), "a&amp;&quot;?\n");
 }
 

@@ -94,7 +94,7 @@ RealtimeOptions panel_of(Milestone milestone, Filter filter = Filter::none) {
   return {{4, 6}, 0.1, 100, filter, milestone};
 }
 
-TEST(RealtimeCauses, NamesWhatIsWrong) {
+TEST(RealtimeCauses, NamesMistakes) {
   const Fixture fixture;
   const RealtimeOptions panel = panel_of(Milestone::action);
   for (const auto& [mistake, cause] :
@@ -108,7 +108,7 @@ TEST(RealtimeCauses, NamesWhatIsWrong) {
   }
 }
 
-TEST(RealtimeCauses, NamesPlanesAndCulling) {
+TEST(RealtimeCauses, NamesClippingAndCulling) {
   const Fixture fixture;
   RealtimeOptions panel = panel_of(Milestone::lights_camera);
   panel.near = 6.2;
@@ -126,7 +126,7 @@ TEST(RealtimeCauses, NamesFilters) {
   }
 }
 
-TEST(RealtimeCauses, NamesNothingOfRightProgramsAndUnheardOfMistakes) {
+TEST(RealtimeCauses, NamesNothingForCorrectProgramsAndUnknownMistakes) {
   const Fixture fixture;
   const RealtimeOptions panel = panel_of(Milestone::action);
   for (const char* mistake : {"", "habit-subpixel-4", "habit-other-edges", "habit-no-snapping",
@@ -146,7 +146,7 @@ TEST(RealtimeCauses, FindsTheSettingsOfAReference) {
   }
 }
 
-TEST(RealtimeCauses, SettingsThatAreGivenStay) {
+TEST(RealtimeCauses, KeepsGivenSettings) {
   const Fixture fixture;
   const RealtimeOptions panel = panel_of(Milestone::action);
   RealtimeOptions given = panel;
@@ -157,7 +157,7 @@ TEST(RealtimeCauses, SettingsThatAreGivenStay) {
   EXPECT_EQ(found.milestone, given.milestone);
 }
 
-TEST(RealtimeCauses, WordsAreOptions) {
+TEST(RealtimeCauses, SettingsAreCommandLineOptions) {
   EXPECT_EQ(realtime_words({{1, 3}, 9.5, 12, Filter::sharpen, Milestone::action}),
             "--profile realtime --parameters 1,3 --near 9.5 --far 12 --filter sharpen "
             "--milestone action");

@@ -15,7 +15,7 @@ bool same_drawing(const RenderOptions& a, const RenderOptions& b) {
          upload_options(a).flat_meshes == upload_options(b).flat_meshes;
 }
 
-TEST(DrawOptions, HoldWhatOpenGlKnowsOfTheFeatures) {
+TEST(DrawOptions, ContainTheFeaturesOfOpenGl) {
   // Together the profiles cover all options: only the course has super-sampling.
   const RenderOptions course = default_options(Profile::course);
   for (std::size_t n = 0;; ++n) {
@@ -47,7 +47,7 @@ TEST(DrawOptions, HoldTheProfile) {
   EXPECT_EQ(draw_options(fine).samples, 0) << "by the size of the objects";
 }
 
-TEST(DrawOptions, TheCastersPictureHasDirectionalLightsAlone) {
+TEST(DrawOptions, IntersectUsesOnlyDirectionalLights) {
   RenderOptions options = default_options(Profile::course);
   options.mode = Mode::intersect;
   const DrawOptions draw = draw_options(options);

@@ -14,7 +14,7 @@ DrawOptions one_sample() {
   return options;
 }
 
-TEST_F(Drawn, AnObjectStandsWhereTheCameraSeesIt) {
+TEST_F(Drawn, AnObjectIsWhereTheCameraSeesIt) {
   SceneBuilder builder;
   builder.add(Shape::sphere, place({1, 1, -4}), builder.glowing({1, 0.5f, 0.25f}));
   builder.scene.camera.fov_y = glm::radians(90.0);
@@ -30,7 +30,7 @@ TEST_F(Drawn, AnObjectStandsWhereTheCameraSeesIt) {
   EXPECT_EQ(stats.objects, 1u);
 }
 
-TEST_F(Drawn, TheNearerObjectCovers) {
+TEST_F(Drawn, TheNearerObjectIsVisible) {
   SceneBuilder builder;
   builder.add(Shape::cube, place({0, 0, -3}), builder.glowing({1, 0, 0}));
   builder.add(Shape::cube, place({0, 0, -6}, 4), builder.glowing({0, 1, 0}));
@@ -103,7 +103,7 @@ TEST_F(Drawn, TheFarthestAreLeftOutWhereThePictureIsCoveredTooOften) {
   EXPECT_EQ(stats.left_out, 0u);
 }
 
-TEST_F(Drawn, SmallObjectsHaveMoreSamplesWhereNobodySaysHowMany) {
+TEST_F(Drawn, SmallObjectsGetMoreSamplesByDefault) {
   const auto image_with = [&](float size, int samples) {
     SceneBuilder builder;
     const std::uint32_t material = builder.glowing({1, 1, 1});
@@ -122,7 +122,7 @@ TEST_F(Drawn, SmallObjectsHaveMoreSamplesWhereNobodySaysHowMany) {
   EXPECT_NE(image_with(4, 0), image_with(4, 16));
 }
 
-TEST_F(Drawn, WhatOnlyTheTracerDrawsIsNoted) {
+TEST_F(Drawn, TracerOnlyEffectsAreNoted) {
   SceneBuilder builder;
   builder.add(Shape::cube, place({0, 0, -3}), builder.glowing({1, 1, 1}));
   uploaded(builder);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace view_test;
 
-TEST(Expand, MultipliesTransformsAndRemembersWhoPlacedWhat) {
+TEST(Expand, MultipliesTransformsAndKeepsTheInstances) {
   SceneBuilder builder;
   const std::uint32_t material = builder.glowing({1, 1, 1});
   builder.add(Shape::sphere, place({1, 0, 0}), material);  // source 0

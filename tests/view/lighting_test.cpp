@@ -78,7 +78,7 @@ TEST_F(Lit, AreaLightShinesToOneSide) {
   EXPECT_EQ(middle(builder), 0);
 }
 
-TEST_F(Lit, HighlightStandsWhereTheMirroredLightMeetsTheEye) {
+TEST_F(Lit, HighlightIsInTheMirrorDirection) {
   SceneBuilder builder = wall();
   builder.scene.materials[0].diffuse = glm::vec3(0);
   builder.scene.materials[0].specular = glm::vec3(0.5f);
@@ -105,7 +105,7 @@ TEST_F(Lit, LightsAreSwitched) {
   EXPECT_NEAR(middle(builder, options), 0.25, step);
 }
 
-TEST_F(Lit, WhatStandsBetweenThrowsAShadow) {
+TEST_F(Lit, OccludersCastShadows) {
   for (const LightType type :
        {LightType::directional, LightType::point, LightType::spot, LightType::area}) {
     SceneBuilder builder = wall();
@@ -125,7 +125,7 @@ TEST_F(Lit, WhatStandsBetweenThrowsAShadow) {
   }
 }
 
-TEST_F(Lit, WhatIsSeenThroughColorsWhatIsBehind) {
+TEST_F(Lit, TransparentObjectsTintWhatIsBehind) {
   SceneBuilder builder = wall();
   builder.scene.lights.push_back(light(LightType::directional, {}));
   RenderMaterial glass;

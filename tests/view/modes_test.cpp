@@ -44,7 +44,7 @@ TEST_F(Mode, NearIsBrighterThanFar) {
   EXPECT_GT(at(image, 16, 16).r, at(image, 4, 16).r);
 }
 
-TEST_F(Mode, ObjectsHaveColorsOfTheirOwn) {
+TEST_F(Mode, ObjectsHaveDifferentColors) {
   builder.add(Shape::cube, place({0, 0, -9}, 4), 0);
   const Image image = drawn(DrawMode::object_id);
   EXPECT_NE(at(image, 16, 16), at(image, 8, 16));
@@ -79,7 +79,7 @@ TEST_F(Mode, TheHighlightedObjectIsTinted) {
   EXPECT_EQ(at(draw_square(drawing, builder.scene.camera, options), 16, 16), glm::vec3(1));
 }
 
-TEST(Vertices, EachEdgeComesOnce) {
+TEST(Vertices, EachEdgeOccursOnce) {
   EXPECT_EQ(edges({0, 1, 2, 2, 1, 3}).size(), 2u * 5);
   EXPECT_EQ(bent_edges(shape_vertices(Shape::cube, 8)).size(), 2u * 12) << "no diagonals";
   EXPECT_EQ(bent_edges(shape_vertices(Shape::cylinder, 8)).size(), 2u * 3 * 8);

@@ -108,7 +108,7 @@ TEST_F(Realtime, AgreesWithASoftwareRasterizer) {
   }
 }
 
-TEST_F(Realtime, NearAndFarCutTheShapesOpen) {
+TEST_F(Realtime, NearAndFarClipShapes) {
   const SceneBuilder builder = everything();
   const RealtimeOptions whole{{5, 5}, 0.1, 100};
   const RealtimeOptions cut{{5, 5}, 5.2, 6};
@@ -120,7 +120,7 @@ TEST_F(Realtime, NearAndFarCutTheShapesOpen) {
 }
 
 // A square whose edges pass through pixel centers: which side covers them depends on the driver.
-TEST_F(Realtime, EdgesThroughPixelCentersAreTheDrivers) {
+TEST_F(Realtime, EdgesThroughPixelCentersDependOnTheDriver) {
   SceneBuilder builder;
   builder.scene.camera.fov_y = 2 * std::atan(1.0);
   // 16 x 16 pixels; at depth 1, a pixel is an eighth of a world unit high.
@@ -151,7 +151,7 @@ TEST_F(Realtime, EdgesThroughPixelCentersAreTheDrivers) {
   EXPECT_TRUE(ours.rgb == upper.rgb || ours.rgb == lower.rgb);
 }
 
-TEST_F(Realtime, LightsCameraKnowsDirectionalLightsAlone) {
+TEST_F(Realtime, LightsCameraUsesOnlyDirectionalLights) {
   SceneBuilder builder = everything();
   const Texture all = drawn(builder, {}, 64, 48);
   const RenderLight directional = builder.scene.lights[0];
@@ -159,7 +159,7 @@ TEST_F(Realtime, LightsCameraKnowsDirectionalLightsAlone) {
   EXPECT_EQ(all.rgb, drawn(builder, {}, 64, 48).rgb);
 }
 
-TEST_F(Realtime, ActionKnowsAllTypesButAreas) {
+TEST_F(Realtime, ActionUsesAllTypesButAreaLights) {
   SceneBuilder builder = everything();
   RealtimeOptions action;
   action.milestone = Milestone::action;
@@ -244,7 +244,7 @@ TEST_F(Realtime, CountsItsTriangles) {
 }
 
 // The pixels next to an edge reveal the weights of the kernels.
-TEST_F(Realtime, KernelsAreABoxOfFiveAndASharpenOfThree) {
+TEST_F(Realtime, FilterKernels) {
   SceneBuilder builder;
   // The left half is lit, up to the center of the picture.
   builder.add(Shape::cube, place({-10, 0, -12}, 20), builder.glowing(glm::vec3(1)));

@@ -20,7 +20,7 @@ TEST(Actions, EachKeyAndEachActionOnce) {
   EXPECT_EQ(all.size(), static_cast<std::size_t>(Action::quit) + 1);
 }
 
-TEST(Actions, GroupsStandTogether) {
+TEST(Actions, ActionsOfAGroupAreAdjacent) {
   std::set<std::string_view> seen;
   std::string_view group;
   for (const ActionRow& row : actions()) {
@@ -31,13 +31,13 @@ TEST(Actions, GroupsStandTogether) {
   }
 }
 
-TEST(Actions, NoKeyOfFlyingIsTaken) {
+TEST(Actions, FlyingKeysHaveNoOtherAction) {
   for (const char* key : {"W", "A", "S", "D", "Q", "E", "Shift+W"}) {
     EXPECT_EQ(action_of(parse_key(key)), nullptr) << key;
   }
 }
 
-TEST(Actions, ShiftIsForTheOtherSideAndNotForEverything) {
+TEST(Actions, ShiftShowsTheOppositeSideAndNothingElse) {
   EXPECT_EQ(action_of(parse_key("Ctrl+Shift+1"))->action, Action::side_front);
   EXPECT_EQ(action_of(parse_key("?"))->action, Action::help);
   EXPECT_EQ(action_of(parse_key("Shift+R")), nullptr);

@@ -29,7 +29,7 @@ double distance(const ViewCamera& view) {
   return glm::length(view.pivot - view.position);
 }
 
-TEST(CameraControl, TheSceneCameraIsWhatIsDrawn) {
+TEST(CameraControl, StartsAtTheScenesCamera) {
   const Camera camera = some_camera();
   const RenderCamera drawn = render_camera(view_of(camera, 7));
   expect_near(drawn.position, camera.position);
@@ -41,19 +41,19 @@ TEST(CameraControl, TheSceneCameraIsWhatIsDrawn) {
   EXPECT_NEAR(distance(view_of(camera, 7)), 7, 1e-12);
 }
 
-TEST(CameraControl, UpAlongLookIsNoTrap) {
+TEST(CameraControl, UpParallelToLook) {
   Camera camera = some_camera();
   camera.look = {0, -1, 0};
   const ViewCamera view = view_of(camera, 1);
   EXPECT_LT(std::abs(glm::dot(view.up, glm::dvec3(0, 1, 0))), 0.1);
 }
 
-TEST(CameraControl, UntouchedItSaysWhatTheFileSaid) {
+TEST(CameraControl, AnUnmovedCameraKeepsTheFilesValues) {
   const Camera camera = some_camera();
   EXPECT_EQ(camera_of(view_of(camera, 7), camera), camera);
 }
 
-TEST(CameraControl, WhatIsSavedHasFewDigits) {
+TEST(CameraControl, SavedValuesHaveFewDigits) {
   const Camera camera = some_camera();
   const Camera saved = camera_of(zoomed(view_of(camera, 7), 0.37123456789, {0, 0, 0}), camera);
   EXPECT_EQ(saved.look, camera.look);
@@ -61,7 +61,7 @@ TEST(CameraControl, WhatIsSavedHasFewDigits) {
   EXPECT_EQ(saved.position, glm::vec3(0.37123F, 0.74247F, 1.85617F));
 }
 
-TEST(CameraControl, OrbitTurnsTheSceneByHand) {
+TEST(CameraControl, OrbitFollowsTheDrag) {
   ViewCamera view;  // at z = 5
   const ViewCamera right = orbited(view, 90, 0);
   expect_near(right.position, {-5, 0, 0});
@@ -78,7 +78,7 @@ TEST(CameraControl, OrbitStopsAtThePoles) {
   EXPECT_NEAR(axes.right.x, 1, 1e-9);
 }
 
-TEST(CameraControl, LookingAroundStays) {
+TEST(CameraControl, LookingAroundKeepsThePosition) {
   const ViewCamera view = turned(ViewCamera{}, 90, 0);
   expect_near(view.position, {0, 0, 5});
   expect_near(axes_of(view).ahead, {1, 0, 0});
@@ -91,14 +91,14 @@ TEST(CameraControl, ThePictureFollowsThePointer) {
   expect_near(panned_view.pivot, {-1, -2, 0});
 }
 
-TEST(CameraControl, ZoomGoesToWhatIsMeant) {
+TEST(CameraControl, ZoomMovesTowardThePointer) {
   const ViewCamera view = zoomed(ViewCamera{}, 0.5, {1, 0, 0});
   expect_near(view.position, {0.5, 0, 2.5});
   expect_near(axes_of(view).ahead, {0, 0, -1});
   EXPECT_NEAR(distance(view), 2.5, 1e-12);
 }
 
-TEST(CameraControl, SidesShowWhatTheySay) {
+TEST(CameraControl, ViewsFromTheSides) {
   const ViewCamera view;
   expect_near(seen_from(view, Side::front).position, {0, 0, 5});
   expect_near(seen_from(view, Side::back).position, {0, 0, -5});
@@ -125,7 +125,7 @@ TEST(CameraControl, FramingFillsThePicture) {
   EXPECT_EQ(framing(ViewCamera{}, {}, 1), ViewCamera{});
 }
 
-TEST(CameraControl, ThePivotLiesInTheScene) {
+TEST(CameraControl, ThePivotIsInTheScene) {
   const Bounds box{{-1, -1, -1}, {1, 1, 1}};
   Camera camera;
   camera.position = {0, 0, 10};

@@ -29,7 +29,7 @@ struct CollectViews : ::testing::Test {
   CameraPath read() const { return *read_cameras(folder.read("a-views.json"), Camera{}, limits); }
 };
 
-TEST_F(CollectViews, AreReadAsTheyWereAdded) {
+TEST_F(CollectViews, RoundTrip) {
   for (const int i : {1, 2, 3}) {
     const CollectedViews views =
         collect_view(path, camera_at(0.1F * static_cast<float>(i)), limits);
@@ -45,7 +45,7 @@ TEST_F(CollectViews, AreReadAsTheyWereAdded) {
   }
 }
 
-TEST_F(CollectViews, WhatAUserWroteStays) {
+TEST_F(CollectViews, KeepsTheUsersText) {
   folder.write("a-views.json", R"({"fps": 12, "views": [{"time": 4.5, "position": [1, 2, 3],
       "focus": [0, 0.5, 0], "aperture": 0.25, "focalLength": 2}]})");
   const CameraPath before = read();
@@ -58,7 +58,7 @@ TEST_F(CollectViews, WhatAUserWroteStays) {
   EXPECT_FALSE(after.views[1].focus.has_value());
 }
 
-TEST_F(CollectViews, TheLastIsDropped) {
+TEST_F(CollectViews, RemovesTheLastView) {
   collect_view(path, camera_at(1), limits);
   const std::string one = folder.read("a-views.json");
   collect_view(path, camera_at(2), limits);
@@ -69,7 +69,7 @@ TEST_F(CollectViews, TheLastIsDropped) {
   EXPECT_EQ(drop_view(path, limits).refused, "there are no views");
 }
 
-TEST_F(CollectViews, NoOtherFileIsChanged) {
+TEST_F(CollectViews, NeverChangesOtherFiles) {
   folder.write("a-views.json", "my notes");
   EXPECT_THAT(collect_view(path, camera_at(1), limits).refused, HasSubstr("a-views.json:1:1"));
   EXPECT_NE(drop_view(path, limits).refused, "");

@@ -15,7 +15,7 @@ namespace {
 using testing_support::TempFolder;
 namespace fs = std::filesystem;
 
-TEST(FileWatch, SaysOnceThatAFileHasChangedAndOnlyWhenItRests) {
+TEST(FileWatch, ReportsAChangeOnceWhenTheFileIsStable) {
   const TempFolder folder;
   const std::string path = folder.write("a.xml", "one");
   FileWatch watch;
@@ -42,7 +42,7 @@ TEST(FileWatch, AFileOfTheSameSizeAndTimeIsAnotherFile) {
   EXPECT_TRUE(watch.changed());
 }
 
-TEST(FileWatch, AFileThatIsAwayForAMomentHasNotChanged) {
+TEST(FileWatch, ABrieflyMissingFileHasNotChanged) {
   const TempFolder folder;
   const std::string path = folder.write("a.xml", "one");
   FileWatch watch;
@@ -64,7 +64,7 @@ TEST(FileWatch, MissingFilesMayAppear) {
   EXPECT_TRUE(watch.changed());
 }
 
-TEST(Playlist, IsInTheOrderOfPeople) {
+TEST(Playlist, IsInNaturalOrder) {
   const TempFolder folder;
   for (const char* name : {"a10.xml", "a9.XML", "B1.json", "a09b.xml", "notes.txt", "c.png"}) {
     folder.write(name);

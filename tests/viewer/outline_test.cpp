@@ -49,7 +49,7 @@ TEST_F(OutlineTest, ShowsTheSceneInTheOrderOfTheFile) {
             "      cone\n");
 }
 
-TEST_F(OutlineTest, RowsKnowTheirPlaceAndTheirSource) {
+TEST_F(OutlineTest, RowsHaveAPlaceAndASource) {
   const OutlineRow& sphere = outline.rows[row("sphere")];
   EXPECT_EQ(sphere.location.line, 19U);
   ASSERT_NE(sphere.source, no_index);
@@ -62,13 +62,13 @@ TEST_F(OutlineTest, RowsKnowTheirPlaceAndTheirSource) {
   EXPECT_EQ(outline.rows[row("templates")].end, outline.rows.size());
 }
 
-TEST_F(OutlineTest, OnlyOpenRowsShowWhatTheyHold) {
+TEST_F(OutlineTest, OnlyOpenRowsShowTheirContents) {
   EXPECT_EQ(visible_rows(outline, {}),
             (std::vector<std::uint32_t>{row("camera"), row("root"), row("templates")}));
   EXPECT_EQ(visible_rows(outline, {row("root")}).size(), 9U);
 }
 
-TEST_F(OutlineTest, HidingTakesAwayWhatARowHolds) {
+TEST_F(OutlineTest, HidingARowHidesItsContents) {
   const RenderScene& scene = opened.ready.scene;
   EXPECT_EQ(count_virtual_primitives(scene), 4);
   EXPECT_EQ(count_virtual_primitives(without_hidden(scene, sources_in(outline, row("sphere")))), 3);
@@ -82,7 +82,7 @@ TEST_F(OutlineTest, HidingTakesAwayWhatARowHolds) {
   EXPECT_EQ(green.lights[0].type, LightType::point);
 }
 
-TEST(OutlineOfGroups, SaysWhatTheyHold) {
+TEST(OutlineOfGroups, ShowsTheirContents) {
   const testing_support::TempFolder folder;
   const auto group = [](const std::string& objects) { return R"({"groups":[)" + objects + "]},"; };
   const std::string cone = R"({"primitives":[{"type":"cone"}]})";
@@ -122,7 +122,7 @@ TEST_F(OutlineTest, RowsAreFoundInAnotherVersion) {
   EXPECT_EQ(match_rows(outline, {})[row("root")], no_index);
 }
 
-TEST_F(OutlineTest, BoundsOfWhatIsSelected) {
+TEST_F(OutlineTest, BoundsOfTheSelection) {
   const Bounds sphere = bounds_of(opened.ready.scene, {}, sources_in(outline, row("sphere")));
   EXPECT_NEAR(sphere.min.x, -1.5, 1e-6);
   EXPECT_NEAR(sphere.max.y, 0.5, 1e-6);

@@ -101,7 +101,7 @@ TEST_F(PixelTest, AClickReadsItsPixel) {
   EXPECT_EQ(readout_text(session), "");
 }
 
-TEST_F(PixelTest, FollowsTheCameraAndWhatIsHidden) {
+TEST_F(PixelTest, FollowsTheCameraAndHiddenObjects) {
   click(140, 150);
   settle();
   wheel_turned(session, 3);
@@ -113,7 +113,7 @@ TEST_F(PixelTest, FollowsTheCameraAndWhatIsHidden) {
   EXPECT_THAT(session.readout.terms, HasSubstr("1 lights"));
 }
 
-TEST_F(PixelTest, ThePictureBesideGivesItsValueAndTheCause) {
+TEST_F(PixelTest, TheReferenceGivesItsValueAndTheCause) {
   compare_with_gray();
   session.compare = CompareView::off;
   click(200, 150);
@@ -132,7 +132,7 @@ TEST_F(PixelTest, ThePictureBesideGivesItsValueAndTheCause) {
   EXPECT_EQ(searched, 2);
 }
 
-TEST_F(PixelTest, OfTheAssignmentTheDrawnPictureIsCompared) {
+TEST_F(PixelTest, RealtimeComparesTheDrawnPicture) {
   compare_with_gray();
   session.compare = CompareView::off;
   perform(session, Action::realtime);

@@ -22,7 +22,7 @@ TEST(RecentFiles, AreInTheStateFolder) {
   EXPECT_EQ(recent_files_path(nullptr, nullptr), "");
 }
 
-TEST(RecentFiles, TheLastIsFirstAndEachIsThereOnce) {
+TEST(RecentFiles, LatestFirstWithoutDuplicates) {
   const TempFolder folder;
   const std::string path = folder.path("state/scenefile/recent");
   EXPECT_THAT(load_recent_files(path), IsEmpty());
@@ -43,7 +43,7 @@ TEST(RecentFiles, AreBounded) {
   EXPECT_EQ(files.front(), "/29");
 }
 
-TEST(RecentFiles, ADamagedListCountsAsNoneAndIsReplaced) {
+TEST(RecentFiles, ADamagedListCountsAsEmptyAndIsReplaced) {
   const TempFolder folder;
   const std::string path = folder.path("recent");
   for (const std::string& text :
@@ -56,7 +56,7 @@ TEST(RecentFiles, ADamagedListCountsAsNoneAndIsReplaced) {
   }
 }
 
-TEST(RecentFiles, WhatCannotBeKeptIsNot) {
+TEST(RecentFiles, SkipsUnsuitablePaths) {
   const TempFolder folder;
   const std::string path = folder.path("recent");
   EXPECT_EQ(add_recent_file("", "/a.xml"), "");

@@ -30,13 +30,13 @@ TEST_F(SaveView, ChangesTheCameraAndNothingElse) {
   EXPECT_EQ(folder.list().size(), 1U);
 }
 
-TEST_F(SaveView, LeavesAFileAloneThatIsNotTheOneOnTheScreen) {
+TEST_F(SaveView, DoesNotChangeAFileThatIsNotShown) {
   folder.write("a.xml", testing::scene_text + "<!-- more -->");
   EXPECT_THAT(save_view(path, testing::scene_text, camera, {}).refused, HasSubstr("has changed"));
   EXPECT_EQ(folder.read("a.xml"), testing::scene_text + "<!-- more -->");
 }
 
-TEST_F(SaveView, WhatHasNoFile) {
+TEST_F(SaveView, ScenesWithoutAFile) {
   EXPECT_THAT(save_view("-", testing::scene_text, camera, {}).refused, HasSubstr("standard input"));
   EXPECT_NE(save_view(folder.path("gone.xml"), testing::scene_text, camera, {}).refused, "");
 }

@@ -32,13 +32,13 @@ TEST(Script, ADragIsManySteps) {
   EXPECT_EQ(script.steps[4].kind, StepKind::release);
 }
 
-TEST(Script, KeysAreThoseOfTheWindow) {
+TEST(Script, AcceptsTheKeysOfTheWindow) {
   for (const char* line : {"key Page Down", "key Ctrl+Q", "key ?", "hold W 3", "hold Shift 2"}) {
     EXPECT_EQ(parse_script(line).wrong, "");
   }
 }
 
-TEST(Script, WhatIsNoStep) {
+TEST(Script, InvalidSteps) {
   for (const char* line : {"jump", "frames", "frames 0", "frames x", "wheel 1 2", "move 3",
                            "press thumb", "key", "key Foo", "key PageDown", "hold Foo 3",
                            "key Ctrl+", "screenshot x.jpg", "copy a", "drag left 1 2 3 4"}) {

@@ -86,7 +86,7 @@ TEST_F(SessionTest, OpensAtTheCameraOfTheScene) {
   EXPECT_EQ(scene_name(session), "a.xml");
 }
 
-TEST_F(SessionTest, AClickSelectsWhatIsThere) {
+TEST_F(SessionTest, AClickSelectsTheObject) {
   click(140, 150);
   EXPECT_EQ(selected(), "sphere");
   EXPECT_THAT(session.selected_path, HasSubstr("root"));
@@ -103,7 +103,7 @@ TEST_F(SessionTest, AClickSelectsWhatIsThere) {
   EXPECT_EQ(selected(), "");
 }
 
-TEST_F(SessionTest, WhatIsHiddenIsNotPicked) {
+TEST_F(SessionTest, HiddenObjectsAreNotPicked) {
   click(140, 150);
   perform(session, Action::hide_selected);
   EXPECT_FALSE(session.hidden.empty());
@@ -115,7 +115,7 @@ TEST_F(SessionTest, WhatIsHiddenIsNotPicked) {
   EXPECT_EQ(selected(), "sphere");
 }
 
-TEST_F(SessionTest, HandsMoveTheCamera) {
+TEST_F(SessionTest, MouseGesturesMoveTheCamera) {
   drag(50, 0);
   EXPECT_LT(session.camera.position.x, -1);
   EXPECT_NEAR(glm::length(session.camera.position - session.home.pivot), 6, 1);
@@ -134,7 +134,7 @@ TEST_F(SessionTest, HandsMoveTheCamera) {
   EXPECT_LT(session.camera.position.z, 6);
 }
 
-TEST_F(SessionTest, AHandThatTremblesClicks) {
+TEST_F(SessionTest, SmallMovementsStillClick) {
   pointer_moved(session, {140, 150});
   pointer_pressed(session, 0, {});
   pointer_moved(session, {142, 151});
@@ -143,7 +143,7 @@ TEST_F(SessionTest, AHandThatTremblesClicks) {
   EXPECT_EQ(session.camera, session.home);
 }
 
-TEST_F(SessionTest, KeysFlyAsLongAsTheyAreDown) {
+TEST_F(SessionTest, KeysFlyWhileHeld) {
   EXPECT_TRUE(key_pressed(session, parse_key("W")));
   pass(0.5);
   const double z = session.camera.position.z;
@@ -168,7 +168,7 @@ TEST_F(SessionTest, AChangedFileKeepsTheCameraAndTheSelection) {
   EXPECT_TRUE(session.selected.has_value());
 }
 
-TEST_F(SessionTest, WhatWasSetUpStaysWithItsObjectWhenOthersCome) {
+TEST_F(SessionTest, StateStaysWithItsObjectWhenOthersAreAdded) {
   click(260, 150);
   ASSERT_EQ(selected(), "cube");
   perform(session, Action::hide_selected);
@@ -181,7 +181,7 @@ TEST_F(SessionTest, WhatWasSetUpStaysWithItsObjectWhenOthersCome) {
   EXPECT_THAT(session.selected_path, HasSubstr("#3")) << session.selected_path;
 }
 
-TEST_F(SessionTest, WhatIsGoneIsNotSelected) {
+TEST_F(SessionTest, RemovedObjectsAreDeselected) {
   click(140, 245);
   ASSERT_EQ(selected(), "cone");
   ASSERT_FALSE(session.selected_copy.empty());
@@ -197,7 +197,7 @@ TEST_F(SessionTest, WhatIsGoneIsNotSelected) {
   EXPECT_FALSE(session.selected.has_value() && session.selected_copy.size() > 0);
 }
 
-TEST_F(SessionTest, TheLightThatIsAloneStays) {
+TEST_F(SessionTest, TheSingleShownLightStays) {
   perform(session, Action::next_light);
   perform(session, Action::next_light);
   ASSERT_EQ(draw_options(session).lights, (std::vector<bool>{false, true}));
@@ -223,7 +223,7 @@ TEST_F(SessionTest, ABrokenFileKeepsTheLastGoodPicture) {
   EXPECT_NE(session.shown, before);
 }
 
-TEST_F(SessionTest, AFileThatIsGoneAndComesBack) {
+TEST_F(SessionTest, AFileThatIsRemovedAndRestored) {
   std::filesystem::rename(path, path + "~");
   settle();
   ASSERT_NE(session.broken, nullptr);
@@ -248,7 +248,7 @@ TEST_F(SessionTest, SavesTheView) {
   EXPECT_EQ(session.known_text, folder.read("a.xml"));
 }
 
-TEST_F(SessionTest, DoesNotSaveOverTheWorkOfOthers) {
+TEST_F(SessionTest, DoesNotOverwriteChangedFiles) {
   wheel_turned(session, 2);
   folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
   perform(session, Action::save_view);
@@ -271,7 +271,7 @@ TEST_F(SessionTest, ASavedViewIsUndone) {
   EXPECT_FALSE(session.saved_over.has_value());
 }
 
-TEST_F(SessionTest, UndoingASaveSparesTheWorkOfOthers) {
+TEST_F(SessionTest, UndoDoesNotOverwriteChangedFiles) {
   wheel_turned(session, 2);
   perform(session, Action::save_view);
   folder.write("a.xml", testing::scene_text + "<!-- an hour of work -->");
@@ -280,7 +280,7 @@ TEST_F(SessionTest, UndoingASaveSparesTheWorkOfOthers) {
   EXPECT_THAT(folder.read("a.xml"), HasSubstr("an hour of work"));
 }
 
-TEST_F(SessionTest, TheAssignmentIsDrawnAsItsPanelSays) {
+TEST_F(SessionTest, RealtimeIsDrawnWithThePanelsSettings) {
   EXPECT_FALSE(draw_options(session).realtime.has_value());
   session.settings.ray_tracing = true;
   perform(session, Action::realtime);
@@ -294,7 +294,7 @@ TEST_F(SessionTest, TheAssignmentIsDrawnAsItsPanelSays) {
   EXPECT_THAT(mode_text(session), HasSubstr("Realtime"));
 }
 
-TEST_F(SessionTest, ClicksMeetTheAssignmentsPicture) {
+TEST_F(SessionTest, ClicksHitTheRealtimePicture) {
   click(140, 150);
   ASSERT_TRUE(session.selected.has_value());
   const std::uint32_t sphere = *session.selected;
@@ -354,7 +354,7 @@ TEST_F(SessionTest, ModesOfTheTable) {
   }
 }
 
-TEST_F(SessionTest, DrawsWhatTheProgramsOpenGlPictureShows) {
+TEST_F(SessionTest, DrawsLikeRenderWithOpenGl) {
   RenderOptions& asked = session.setup.trace;
   asked = default_options(Profile::course);
   EXPECT_TRUE(draw_options(session).course);
@@ -370,7 +370,7 @@ TEST_F(SessionTest, DrawsWhatTheProgramsOpenGlPictureShows) {
   EXPECT_TRUE(draw_options(session).directional_only);
 }
 
-TEST_F(SessionTest, RaysAreTracedWhenTheCameraRests) {
+TEST_F(SessionTest, TracesRaysWhenTheCameraRests) {
   perform(session, Action::trace);
   EXPECT_FALSE(shows_traced(session));
   settle();
@@ -385,7 +385,7 @@ TEST_F(SessionTest, RaysAreTracedWhenTheCameraRests) {
   EXPECT_FALSE(shows_traced(session));
 }
 
-TEST_F(SessionTest, ComparesWhatIsTracedWithTheReference) {
+TEST_F(SessionTest, ComparesTheTracedPicture) {
   const std::string reference = write_picture("right.png", 32, 24);
   drop(session, {reference});
   EXPECT_EQ(session.compare, CompareView::split);
@@ -404,7 +404,7 @@ TEST_F(SessionTest, ComparesWhatIsTracedWithTheReference) {
   EXPECT_EQ(session.comparison->difference.width, 30);
 }
 
-TEST_F(SessionTest, ComparesWhatOpenGlDraws) {
+TEST_F(SessionTest, ComparesTheOpenGlPicture) {
   open_reference(session, write_picture("right.png", 16, 16));
   pass(1);
   ASSERT_TRUE(wants_picture(session));
@@ -441,7 +441,7 @@ TEST_F(SessionTest, PicturesAndFoldersAreDropped) {
   EXPECT_TRUE(session.notice->bad);
 }
 
-TEST_F(SessionTest, EndsInTheMiddleOfEverything) {
+TEST_F(SessionTest, CanBeDestroyedAtAnyTime) {
   const std::string reference = write_picture("right.png", 32, 24);
   for (int i = 0; i < 30; ++i) {
     Session other;
@@ -466,7 +466,7 @@ TEST_F(SessionTest, EndsInTheMiddleOfEverything) {
   EXPECT_TRUE(settled(session));
 }
 
-TEST_F(SessionTest, NoticesGoAway) {
+TEST_F(SessionTest, NoticesDisappear) {
   say(session, "hello");
   pass(1);
   EXPECT_TRUE(session.notice.has_value());
@@ -474,7 +474,7 @@ TEST_F(SessionTest, NoticesGoAway) {
   EXPECT_FALSE(session.notice.has_value());
 }
 
-TEST_F(SessionTest, ANoticeIsOfWhatWasDroppedLast) {
+TEST_F(SessionTest, TheNoticeIsAboutTheLastDrop) {
   folder.write("empty/readme.txt");
   drop(session, {folder.path("empty")});
   ASSERT_TRUE(session.notice.has_value());
@@ -483,7 +483,7 @@ TEST_F(SessionTest, ANoticeIsOfWhatWasDroppedLast) {
   EXPECT_FALSE(session.notice.has_value());
 }
 
-TEST_F(SessionTest, TheSceneThatIsSeenKeepsItsName) {
+TEST_F(SessionTest, TheVisibleSceneKeepsItsName) {
   drop(session, {folder.path("none.xml")});
   settle();
   EXPECT_EQ(scene_name(session), "none.xml");
@@ -506,7 +506,7 @@ TEST_F(SessionTest, TheSelectionStaysWithItsGroup) {
   EXPECT_TRUE(session.selected_box.empty());
 }
 
-TEST_F(SessionTest, FramesWhatIsSelected) {
+TEST_F(SessionTest, FramesTheSelection) {
   click(260, 150);
   perform(session, Action::frame);
   EXPECT_NEAR(session.camera.pivot.x, 1, 1e-5);

@@ -36,7 +36,7 @@ TEST(Settings, DamageIsAllOrNothing) {
   }
 }
 
-TEST(Settings, OfNewerVersionsAndOutOfRange) {
+TEST(Settings, NewerVersionsAndValuesOutOfRange) {
   Settings settings;
   EXPECT_TRUE(
       parse_settings("# note\r\n\r\nnew_thing = 7\nwindow_width = 1e9\nsamples=-4\n", settings));

@@ -120,7 +120,7 @@ TEST_F(StartPanelTest, AChosenSceneIsShownAndRemembered) {
   EXPECT_FALSE(session.start.open);
 }
 
-TEST_F(StartPanelTest, ABadFileGivesItsMessageAndThePanelStays) {
+TEST_F(StartPanelTest, AnInvalidFileIsReportedInThePanel) {
   const std::string broken = folder.write("scenes/broken.xml", "<scenefile>");
   open_start_panel(session);
   choose(session, broken);

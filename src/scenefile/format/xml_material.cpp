@@ -50,7 +50,7 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   }
   to.context.report(xml_texture_blend, attribute,
                     fmt::format("attribute {} of <texture> was read as <blend>", name));
-  const float blend = read_number(to.context, to.tag, attribute);
+  const float blend = read_number(to.context, to.tag, attribute).value_or(not_known);
   if (!to.seen.has(index_of(material_rows, Field::blend))) {
     to.primitive.material.blend = blend;
   }
@@ -103,9 +103,9 @@ Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
       continue;
     }
     if (attribute.name == "u") {
-      texture.repeat_u = read_number(to.context, to.tag, attribute);
+      texture.repeat_u = read_number(to.context, to.tag, attribute).value_or(not_known);
     } else if (attribute.name == "v") {
-      texture.repeat_v = read_number(to.context, to.tag, attribute);
+      texture.repeat_v = read_number(to.context, to.tag, attribute).value_or(not_known);
     } else if (is_blend_name(attribute.name)) {
       read_bare_blend(to, attribute, is_texture);
     } else {

@@ -14,10 +14,6 @@ namespace {
 constexpr AttributeForm rotate_forms[] = {{{"x", "y", "z", "angle"}}, {{"x", "y", "z", "a"}, true}};
 constexpr Signature rotate_signature{rotate_forms, 4, true, true};
 
-float read_part(const XmlContext& context, const XmlTag& tag, const XmlAttribute* part) {
-  return part == nullptr ? 0 : read_number(context, tag, *part);
-}
-
 bool is_finite(const glm::mat4& m) {
   const float* const first = &m[0][0];
   return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
@@ -86,15 +82,9 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     context.report(xml_rotate_angle, tag,
                    "<rotate> has no angle, so it has no effect; write its degrees as angle");
   }
-  Rotate rotate;
-  for (int i = 0; i < 3; ++i) {
-    rotate.axis[i] = read_part(context, tag, parts[static_cast<std::size_t>(i)]);
-  }
-  rotate.angle_deg = read_part(context, tag, parts[3]);
-  if (std::isnan(rotate.axis.x + rotate.axis.y + rotate.axis.z + rotate.angle_deg)) {
-    return std::nullopt;
-  }
-  return Transform{rotate, tag.location};
+  const std::optional<glm::vec4> numbers = read_numbers(context, tag, parts);
+  return numbers ? std::optional(Transform{Rotate{glm::vec3(*numbers), numbers->w}, tag.location})
+                 : std::nullopt;
 }
 
 void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft& draft) {

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -432,7 +431,8 @@ void report_order(const XmlContext& context, const XmlTag& tag,
                              element_text(tag.name), fmt::join(names, ", ")));
 }
 
-float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
+std::optional<float> read_number(const XmlContext& context, const XmlTag& tag,
+                                 const XmlAttribute& attribute) {
   const ParsedNumber number = parse_number(attribute.value);
   if (number.error == NumberError::none) {
     const auto value = static_cast<float>(number.value);
@@ -470,13 +470,26 @@ float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribu
                                              value, number_text(static_cast<float>(number.value))));
       return static_cast<float>(number.value);
   }
-  return not_known;
+  return std::nullopt;
+}
+
+std::optional<glm::vec4> read_numbers(const XmlContext& context, const XmlTag& tag,
+                                      const Parts& parts) {
+  glm::vec4 numbers(0);
+  bool all_known = true;
+  for (int i = 0; i < 4; ++i) {
+    if (const XmlAttribute* const part = parts[static_cast<std::size_t>(i)]) {
+      const std::optional<float> number = read_number(context, tag, *part);
+      numbers[i] = number.value_or(0);
+      all_known = all_known && number;
+    }
+  }
+  return all_known ? std::optional(numbers) : std::nullopt;
 }
 
 std::optional<float> read_single(const XmlContext& context, const XmlTag& tag) {
   const std::optional<Parts> parts = find_parts(context, tag, single_signature);
-  const float value = parts ? read_number(context, tag, *(*parts)[0]) : not_known;
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+  return parts ? read_number(context, tag, *(*parts)[0]) : std::nullopt;
 }
 
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
@@ -486,28 +499,14 @@ std::optional<std::string_view> read_word(const XmlContext& context, const XmlTa
 
 std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind) {
   const std::optional<Parts> parts = find_parts(context, tag, signature_of_three(kind));
-  if (!parts) {
-    return std::nullopt;
-  }
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) {
-    result[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
-  }
-  const bool known = !std::isnan(result.x) && !std::isnan(result.y) && !std::isnan(result.z);
-  return known ? std::optional(result) : std::nullopt;
+  const std::optional<glm::vec4> numbers =
+      parts ? read_numbers(context, tag, *parts) : std::nullopt;
+  return numbers ? std::optional(glm::vec3(*numbers)) : std::nullopt;
 }
 
 std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag) {
   const std::optional<Parts> parts = find_parts(context, tag, row_signature);
-  if (!parts) {
-    return std::nullopt;
-  }
-  glm::vec4 row;
-  for (int i = 0; i < 4; ++i) {
-    row[i] = read_number(context, tag, *(*parts)[static_cast<std::size_t>(i)]);
-  }
-  const bool known = !std::isnan(row.x + row.y + row.z + row.w);
-  return known ? std::optional(row) : std::nullopt;
+  return parts ? read_numbers(context, tag, *parts) : std::nullopt;
 }
 
 }  // namespace scenefile

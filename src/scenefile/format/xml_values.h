@@ -47,10 +47,12 @@ void report_missing(const XmlContext& context, const XmlTag& tag, const Signatur
 void report_order(const XmlContext& context, const XmlTag& tag,
                   std::span<const XmlAttribute* const> in_order);
 
-/// The value of a numeric attribute. Reports invalid numbers; `not_known` after an error.
-float read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute);
-
 /// Each of these returns nullopt, after an error, if an attribute is missing or not a number.
+std::optional<float> read_number(const XmlContext& context, const XmlTag& tag,
+                                 const XmlAttribute& attribute);
+/// The numbers of the parts; 0 for null ones.
+std::optional<glm::vec4> read_numbers(const XmlContext& context, const XmlTag& tag,
+                                      const Parts& parts);
 std::optional<float> read_single(const XmlContext& context, const XmlTag& tag);
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
 /// A vector, a color or coefficients.

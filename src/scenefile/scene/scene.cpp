@@ -1,7 +1,13 @@
 #include "scenefile/scene/scene.h"
 
+#include "scenefile/scene/vocabulary.h"
+
+#include <algorithm>
+#include <iterator>
 #include <tuple>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace scenefile {
 
@@ -63,6 +69,22 @@ class TreeComparison {
   std::vector<std::pair<NodeId, NodeId>> pending_;
 };
 
+// Everything but the places.
+template <typename Owner, std::size_t N>
+bool same_values(const ValueRow<Owner> (&rows)[N], const Owner& a, const Owner& b) {
+  return std::all_of(std::begin(rows), std::end(rows), [&](const ValueRow<Owner>& row) {
+    return std::visit(
+        [&](const auto& member) {
+          if constexpr (std::is_same_v<decltype(member), const std::monostate&>) {
+            return true;
+          } else {
+            return a.*member == b.*member;
+          }
+        },
+        row.member);
+  });
+}
+
 NodeId append(Scene& scene) {
   scene.nodes.emplace_back();
   return static_cast<NodeId>(scene.nodes.size() - 1);
@@ -71,13 +93,11 @@ NodeId append(Scene& scene) {
 }  // namespace
 
 bool operator==(const Global& a, const Global& b) {
-  return std::tie(a.ambient, a.diffuse, a.specular, a.transparent) ==
-         std::tie(b.ambient, b.diffuse, b.specular, b.transparent);
+  return same_values(global_rows, a, b);
 }
 
 bool operator==(const Camera& a, const Camera& b) {
-  return std::tie(a.position, a.look, a.up, a.height_angle_deg, a.aperture, a.focal_length) ==
-         std::tie(b.position, b.look, b.up, b.height_angle_deg, b.aperture, b.focal_length);
+  return same_values(camera_rows, a, b);
 }
 
 bool operator==(const TextureUse& a, const TextureUse& b) {
@@ -89,11 +109,7 @@ bool operator==(const Primitive& a, const Primitive& b) {
 }
 
 bool operator==(const Light& a, const Light& b) {
-  const auto values = [](const Light& l) {
-    return std::tie(l.type, l.color, l.position, l.direction, l.attenuation, l.angle_deg,
-                    l.penumbra_deg, l.width, l.height, l.id, l.name);
-  };
-  return values(a) == values(b);
+  return a.type == b.type && same_values(light_rows, a, b);
 }
 
 bool operator==(const Scene& a, const Scene& b) {

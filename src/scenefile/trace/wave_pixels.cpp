@@ -98,9 +98,7 @@ WaveSampler::WaveSampler(const WaveScene& scene, WavePool& pool, const SurfaceWi
       pool_(pool),
       wish_(wish),
       counts_(counts),
-      memory_(pool.take()),
-      surfaces_(wish.wanted ? wave_samples : 0),
-      light_colors_(surfaces_.size() * wish.lights.size()) {}
+      memory_(pool.take()) {}
 
 WaveSampler::~WaveSampler() {
   pool_.give(std::move(memory_));
@@ -108,6 +106,10 @@ WaveSampler::~WaveSampler() {
 
 // Traces samples_.
 void WaveSampler::trace(int count, bool recorded) {
+  if (recorded && surfaces_.size() < static_cast<std::size_t>(count)) {
+    surfaces_.resize(static_cast<std::size_t>(count));
+    light_colors_.resize(surfaces_.size() * wish_.lights.size());
+  }
   const WaveRecord record{surfaces_.data(), light_colors_.data(), wish_.lights};
   trace_wave(scene_, samples_.data(), count, *memory_, sights_.data(), counts_,
              recorded ? &record : nullptr);

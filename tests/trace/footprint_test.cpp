@@ -135,10 +135,12 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
       surface = static_cast<std::uint16_t>(random() % 2);
     }
     int rows = 0;
-    std::vector<float> found(std::size_t(width) * height);
+    std::vector<Contrast> found(std::size_t(width) * height);
     std::vector<int> seen(static_cast<std::size_t>(height));
-    for_each_row_of_contrasts(image, surfaces, [&](int y, std::span<const float> row) {
-      std::copy(row.begin(), row.end(), found.begin() + std::ptrdiff_t(y) * width);
+    for_each_row_of_contrasts(image, surfaces, [&](int y, const RowOfContrasts& row) {
+      for (std::size_t x = 0; x < row.most.size(); ++x) {
+        found[std::size_t(y) * width + x] = {row.most[x], row.edges[x]};
+      }
       seen[std::size_t(y)] = 1;
     });
     for (const int s : seen) {
@@ -147,15 +149,17 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
     EXPECT_EQ(rows, height);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
-        float most = 0;
+        Contrast expected;
         for (int y1 = std::max(0, y - 1); y1 <= std::min(y + 1, height - 1); ++y1) {
           for (int x1 = std::max(0, x - 1); x1 <= std::min(x + 1, width - 1); ++x1) {
             const bool one_surface =
                 surfaces[std::size_t(y) * width + x] == surfaces[std::size_t(y1) * width + x1];
-            most = std::max(most, contrast(image.pixel(x, y), image.pixel(x1, y1), one_surface));
+            raise(expected, image.pixel(x, y), image.pixel(x1, y1), one_surface);
           }
         }
-        EXPECT_EQ(found[std::size_t(y) * width + x], most) << x << " " << y;
+        const Contrast& contrast = found[std::size_t(y) * width + x];
+        EXPECT_EQ(contrast.most, expected.most) << x << " " << y;
+        EXPECT_EQ(contrast.edges, expected.edges) << x << " " << y;
       }
     }
   }

@@ -334,7 +334,7 @@ Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
 }
 
 void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
-                  int y, std::uint8_t mark, PixelSamples& samples, ScalarCounts& counts) {
+                  int y, std::uint16_t mark, PixelSamples& samples, ScalarCounts& counts) {
   do {
     for (const std::uint32_t count = sampler.next_count(samples.count); samples.count < count;) {
       const std::uint64_t penumbras = counts.penumbras;

@@ -19,6 +19,6 @@ Color course_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y,
 
 /// Takes pattern samples of a pixel of the fine profile, round by round, until it has enough.
 void take_samples(const Tracer& tracer, const CameraRays& camera, const FineSampler& sampler, int x,
-                  int y, std::uint8_t mark, PixelSamples& samples, ScalarCounts& counts);
+                  int y, std::uint16_t mark, PixelSamples& samples, ScalarCounts& counts);
 
 }  // namespace scenefile

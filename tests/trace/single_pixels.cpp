@@ -40,7 +40,7 @@ std::vector<DrawnPixel> SingleSampler::take_middles(const FineSampler& sampler,
 
 std::vector<DrawnPixel> SingleSampler::take(const FineSampler& sampler,
                                             std::span<const glm::ivec2> places,
-                                            std::span<const std::uint8_t> marks) {
+                                            std::span<const std::uint16_t> marks) {
   std::size_t i = 0;
   return draw(places, [&](DrawnPixel& pixel, ScalarCounts& counts) {
     take_samples(tracer_, camera_, sampler, pixel.at.x, pixel.at.y, marks[i++], pixel.samples,

@@ -17,7 +17,7 @@ class SingleSampler {
   std::vector<DrawnPixel> take_middles(const FineSampler& sampler,
                                        std::span<const glm::ivec2> pixels);
   std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
-                               std::span<const std::uint8_t> marks);
+                               std::span<const std::uint16_t> marks);
 
  private:
   template <typename Draw>

@@ -310,9 +310,9 @@ TEST(WavePixels, FineSamplesAndWhatTheirRaysMeet) {
     expect_same_pixels(
         b, options,
         [](auto& sampler, const Tracer& tracer, const CameraRays& camera, const auto& places) {
-          std::vector<std::uint8_t> marks;
+          std::vector<std::uint16_t> marks;
           for (std::size_t i = 0; i < places.size(); ++i) {
-            marks.push_back(static_cast<std::uint8_t>(1 + i % 255));
+            marks.push_back(static_cast<std::uint16_t>(1 + i % 255));
           }
           return sampler.take(FineSampler(tracer, camera), places, marks);
         });

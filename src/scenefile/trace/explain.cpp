@@ -27,15 +27,15 @@ std::vector<glm::ivec2> neighborhood(const RenderOptions& options, const glm::iv
   return pixels;
 }
 
-float largest_contrast(std::span<const WaveSight> sights, const WaveSight& middle) {
+Contrast largest_contrast(std::span<const WaveSight> sights, const WaveSight& middle) {
   const auto kept = [](const WaveSight& s) { return kept_signature(s.signature); };
   const glm::vec3 color(middle.color);
-  float most = 0;
+  Contrast contrast;
   for (const WaveSight& sight : sights) {
     const glm::vec3 beside(sight.color);
-    most = std::max(most, contrast(&color.x, &beside.x, kept(sight) == kept(middle)));
+    raise(contrast, &color.x, &beside.x, kept(sight) == kept(middle));
   }
-  return most;
+  return contrast;
 }
 
 // Links samples of the adaptive pattern to those that replace them.
@@ -85,7 +85,7 @@ struct Explainer::Impl {
     if (tracer.course()) {
       return std::move(drawn.course(only).front());
     }
-    std::uint8_t mark = 0;
+    std::uint16_t mark = 0;
     if (sampler.plan().two_passes()) {
       const std::vector<glm::ivec2> pixels = neighborhood(tracer.options, at);
       const std::span<const WaveSight> sights = drawn.middles(sampler, pixels);

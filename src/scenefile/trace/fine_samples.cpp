@@ -32,10 +32,15 @@ constexpr double variance_of_contrast = 1.0 / 12;
 // The variance estimated from the contrast counts as much as this many samples: many, because a
 // pixel whose own samples decide when to stop is biased. Where most of it is dark, those that miss
 // what is bright agree, and stop.
-constexpr double weight_of_contrast = 64;
+constexpr double weight_of_contrast = 150;
+
+// A pixel is refined even if its first round gains only this share of what a sample must gain
+// later: next to fine geometry a center that misses it agrees with its neighbors, so that keeping
+// many centers would darken the picture.
+constexpr double share_for_first_round = 0.25;
 
 // Marks are square roots of contrasts, in these units.
-constexpr double mark_unit = 1.0 / 255;
+constexpr double mark_unit = 1.0 / 65535;
 
 // From this many samples on, every pixel gets at least 1 / share_for_exactness of them.
 constexpr std::uint32_t samples_for_exactness = 256;
@@ -65,7 +70,7 @@ double gain_of_last(std::uint32_t count) {
   return gain(count / 2, count);
 }
 
-double expected_variance(std::uint8_t mark) {
+double expected_variance(std::uint16_t mark) {
   const double difference = mark * mark_unit;
   return variance_of_contrast * difference * difference;
 }
@@ -172,7 +177,7 @@ bool FineSampler::worth(double variance, std::uint32_t count, std::uint32_t more
   return variance * gain(count, more) > least_gain_;
 }
 
-bool FineSampler::enough(const PixelSamples& samples, std::uint8_t mark) const {
+bool FineSampler::enough(const PixelSamples& samples, std::uint16_t mark) const {
   if (samples.count >= plan_.most) {
     return true;
   }
@@ -190,13 +195,15 @@ bool FineSampler::enough(const PixelSamples& samples, std::uint8_t mark) const {
   return !worth(variance, samples.count, next_count(samples.count));
 }
 
-std::uint8_t FineSampler::mark_of(float contrast) const {
-  const double rounded = std::ceil(std::sqrt(double(contrast)) / mark_unit);
-  const auto mark = static_cast<std::uint8_t>(std::clamp(rounded, 0.0, 255.0));
+std::uint16_t FineSampler::mark_of(const Contrast& contrast) const {
   // The center sample is discarded, so the first round must gain what is left to gain.
   const std::uint32_t first = next_count(0);
-  const double all = expected_variance(mark) * (1 - error_of(first)) / first;
-  return all > least_gain_ ? mark : 0;
+  const double all = variance_of_contrast * contrast.edges * (1 - error_of(first)) / first;
+  if (all <= share_for_first_round * least_gain_) {
+    return 0;
+  }
+  const double rounded = std::ceil(std::sqrt(double(contrast.most)) / mark_unit);
+  return static_cast<std::uint16_t>(std::clamp(rounded, 1.0, 1 / mark_unit));
 }
 
 }  // namespace scenefile

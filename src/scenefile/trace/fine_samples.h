@@ -10,6 +10,7 @@
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/edges.h"
 #include "scenefile/trace/tracer.h"
 
 namespace scenefile {
@@ -73,10 +74,10 @@ class FineSampler {
   std::uint32_t next_count(std::uint32_t count) const;
   /// Whether a pixel has enough pattern samples. `mark`: see mark_of(); 0 if there is only one
   /// pass.
-  bool enough(const PixelSamples& samples, std::uint8_t mark) const;
+  bool enough(const PixelSamples& samples, std::uint16_t mark) const;
   /// The contrast of a pixel with its neighbors, quantized for storage until the second pass; 0 if
-  /// the center sample is enough. `contrast`: the largest with any neighbor (edges.h).
-  std::uint8_t mark_of(float contrast) const;
+  /// the center sample is enough. `contrast`: with the eight neighbors.
+  std::uint16_t mark_of(const Contrast& contrast) const;
 
  private:
   bool worth(double variance, std::uint32_t count, std::uint32_t more) const;

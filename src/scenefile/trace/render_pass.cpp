@@ -152,7 +152,7 @@ class Renderer {
 
   void take_all(const FineSampler& fine) {
     for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
-      const std::vector<std::uint8_t> marks(pixels.size());
+      const std::vector<std::uint16_t> marks(pixels.size());
       put_pixels(sampler.take(fine, pixels, marks));
     });
   }
@@ -160,9 +160,9 @@ class Renderer {
   void take_marked(const FineSampler& fine, double from) {
     for_each_sampler({from, 1}, [&](WaveSampler& sampler, std::vector<glm::ivec2>& pixels) {
       std::erase_if(pixels, [&](const glm::ivec2& at) { return !marked(at); });
-      std::vector<std::uint8_t> marks;
+      std::vector<std::uint16_t> marks;
       for (const glm::ivec2& at : pixels) {
-        marks.push_back(static_cast<std::uint8_t>(picture_.marked[index(at)]));
+        marks.push_back(picture_.marked[index(at)]);
       }
       put_pixels(sampler.take(fine, pixels, marks));
     });
@@ -200,10 +200,10 @@ class Renderer {
   void mark_uneven(const FineSampler& fine) {
     const std::vector<std::uint16_t> surfaces = picture_.marked;
     for_each_row_of_contrasts(
-        picture_.image, surfaces, [&](int y, std::span<const float> contrasts) {
-          std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.size()];
-          for (std::size_t x = 0; x < contrasts.size(); ++x) {
-            marks[x] = fine.mark_of(contrasts[x]);
+        picture_.image, surfaces, [&](int y, const RowOfContrasts& contrasts) {
+          std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.most.size()];
+          for (std::size_t x = 0; x < contrasts.most.size(); ++x) {
+            marks[x] = fine.mark_of({contrasts.most[x], contrasts.edges[x]});
           }
         });
   }

@@ -260,7 +260,7 @@ std::vector<DrawnPixel> WaveSampler::take_middles(const FineSampler& sampler,
 
 std::vector<DrawnPixel> WaveSampler::take(const FineSampler& sampler,
                                           std::span<const glm::ivec2> places,
-                                          std::span<const std::uint8_t> marks) {
+                                          std::span<const std::uint16_t> marks) {
   std::vector<DrawnPixel> pixels = pixels_at(places);
   std::vector<DrawnPixel*> left = pointers_to(pixels);
   for (std::uint32_t count = 0; !left.empty();) {

@@ -44,7 +44,7 @@ class WaveSampler {
                                        std::span<const glm::ivec2> pixels);
   /// Takes pattern samples of each pixel, with its mark, round by round, until it has enough.
   std::vector<DrawnPixel> take(const FineSampler& sampler, std::span<const glm::ivec2> pixels,
-                               std::span<const std::uint8_t> marks);
+                               std::span<const std::uint16_t> marks);
 
  private:
   template <typename SampleOf, typename Keep>

@@ -64,7 +64,7 @@ std::vector<Case> cases() {
   };
 }
 
-TEST(AssetCodes, EachHasAnInputThatGivesItAndANearMiss) {
+TEST(AssetCodes, EachIsTriggeredByAnInputAndNotByASimilarOne) {
   std::set<const Code*> seen = {&texture_missing, &mesh_missing};
   for (const Case& c : cases()) {
     EXPECT_TRUE(gives(load(c.mesh, c.gives, false), *c.code)) << c.code->name;

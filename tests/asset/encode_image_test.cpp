@@ -29,7 +29,7 @@ Image gradient(int width, int height) {
   return image;
 }
 
-TEST(EncodeImage, Png8HoldsTheQuantizedPixels) {
+TEST(EncodeImage, Png8ContainsTheQuantizedPixels) {
   for (const Rounding rounding : {Rounding::truncate, Rounding::nearest}) {
     const Image image = gradient(31, 17);
     const test::Decoded d = test::decode(encode(image, ImageFormat::png8, rounding));
@@ -42,7 +42,7 @@ TEST(EncodeImage, Png8HoldsTheQuantizedPixels) {
 
 // Each allocation that is kept moves the addresses of the next call; with ISA-L's lower levels,
 // that changed the bytes of one picture in a thousand.
-TEST(EncodeImage, PngIsTheSameWhereverItsMemoryLies) {
+TEST(EncodeImage, PngDoesNotDependOnMemoryAddresses) {
   std::string error;
   const Image image(40, 30);
   const std::string first = encode(image, ImageFormat::png8);

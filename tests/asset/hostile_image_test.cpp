@@ -64,7 +64,7 @@ std::string png_header(unsigned width, unsigned height, int depth, int color_typ
                                                  static_cast<char>(color_type), 0, 0, 0});
 }
 
-TEST(HostileImage, PngThatLiesAboutItsSize) {
+TEST(HostileImage, PngWithAWrongSize) {
   const std::string end = test::png_chunk("IDAT", "\x78\x9c\x63\x60") + test::png_chunk("IEND", "");
   const struct {
     unsigned width, height;
@@ -150,12 +150,12 @@ std::string png_with_surplus(std::size_t surplus) {
          test::png_chunk("IEND", "");
 }
 
-TEST(HostileImage, PngDataBehindTheLastPixelIsNotUnpacked) {
+TEST(HostileImage, PngDataAfterTheLastPixelIsNotDecompressed) {
   EXPECT_EQ(decode(png_with_surplus(1000)).error, "");
   EXPECT_THAT(decode(png_with_surplus(200'000)).error, HasSubstr("far more data than pixels"));
 }
 
-TEST(HostileImage, JpegThatLiesAboutItsSize) {
+TEST(HostileImage, JpegWithAWrongSize) {
   std::string bytes = fixture("rgb.jpg");
   const std::size_t frame = bytes.find("\xff\xc0");
   ASSERT_NE(frame, std::string::npos);

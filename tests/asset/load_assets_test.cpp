@@ -92,7 +92,7 @@ TEST(LoadAssets, ATextureThatCannotBeUsedIsAWarning) {
   EXPECT_FALSE(assets.textures[2].empty());
 }
 
-TEST(LoadAssets, TheTextureLimitHoldsForAllTogether) {
+TEST(LoadAssets, TheTextureLimitAppliesToTheTotal) {
   Folder folder;
   folder.files = {{"a.png", test::fixture("rgb.png")}, {"b.png", test::fixture("rgba.png")}};
   LoadOptions options;
@@ -182,7 +182,7 @@ TEST(LoadAssets, WarningsInsideAMeshDoNotSpoilIt) {
   EXPECT_EQ(diagnostics.list()[0].file, "m.obj");
 }
 
-TEST(LoadAssets, TheMeshLimitHoldsForAllTogether) {
+TEST(LoadAssets, TheMeshLimitAppliesToTheTotal) {
   Folder folder;
   folder.files = {{"m.obj", good_mesh}, {"n.obj", good_mesh}};
   LoadOptions options;

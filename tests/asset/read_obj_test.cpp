@@ -48,7 +48,7 @@ TEST(ReadObj, NegativeIndicesCountFromTheLastSoFar) {
               HasSubstr("4:9 mesh.index there is no vertex -4: 3 come before this face"));
 }
 
-TEST(ReadObj, FacesMayStandBeforeTheirVertices) {
+TEST(ReadObj, FacesMayPrecedeTheirVertices) {
   const ReadObj r = read("f 1/1 2/1 3/1\n" + triangle + "vt 0 0\n");
   EXPECT_EQ(findings(r.diagnostics), "");
   EXPECT_EQ(r.mesh.triangles.size(), 1u);
@@ -142,7 +142,7 @@ TEST(ReadObj, UnknownKeywordsAreReportedOnce) {
   EXPECT_EQ(r.mesh.triangles.size(), 1u);
 }
 
-TEST(ReadObj, OtherFilesAreRefused) {
+TEST(ReadObj, OtherFilesAreRejected) {
   const std::string files[] = {
       test::fixture("rgb.png"),
       test::fixture("rgb.jpg"),
@@ -196,7 +196,7 @@ TEST(ReadObj, ManyErrorsEndTheReading) {
   EXPECT_EQ(read(text).diagnostics.count(Severity::error), 100u);
 }
 
-TEST(ReadObj, UvsAndNormalsThatNoFaceUsesAreNoIndexLists) {
+TEST(ReadObj, UnusedUvsAndNormalsHaveNoIndices) {
   const ReadObj r = read(triangle + "vt 0 0\nvn 0 0 1\nf 1 2 3\nf 1/1 2/1 3\n");
   EXPECT_TRUE(r.mesh.triangle_uvs.empty());
   EXPECT_TRUE(r.mesh.triangle_normals.empty());

@@ -37,7 +37,7 @@ TEST(Number, AcceptsWhatPeopleWrite) {
   }
 }
 
-TEST(Number, RefusesWhatIsNoDecimalNumber) {
+TEST(Number, RejectsOtherThanDecimalNumbers) {
   for (const char* text :
        {"nan", "inf", "-inf", "nan(1)", "0x10", "0x1p3", "1,5", "1 2", "--1", "1e",
         "1e+", "one", "1f",   "1%",     "..7",  ".",     "+",   "-",   "1;",  "\xd9\xa1"}) {

@@ -8,7 +8,7 @@
 namespace scenefile {
 namespace {
 
-TEST(Rare, HoldsNothingOrAValue) {
+TEST(Rare, IsEmptyOrHasAValue) {
   Rare<std::string> none;
   EXPECT_FALSE(none);
   EXPECT_FALSE(none.has_value());

@@ -76,7 +76,7 @@ TEST(Report, ColorsOnlyOnRequest) {
   EXPECT_THAT(report_text(d, "s.xml", "x", {.color = true}), HasSubstr("\033[1;31merror:"));
 }
 
-TEST(Report, SaysWhatWasDropped) {
+TEST(Report, ReportsDroppedFindings) {
   Diagnostics d;
   for (int i = 0; i < 130; ++i) {
     d.report(odd, {}, "again");

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 8> words = {
     "diffuse", "specular", "shininess", "transblock", "position", "angle", "id", "heightangle"};
 
-TEST(Suggest, FindsWhatWasMeant) {
+TEST(Suggest, FindsTheIntendedWord) {
   EXPECT_EQ(nearest_name("difuse", words), "diffuse");
   EXPECT_EQ(nearest_name("shinyness", words), "shininess");
   EXPECT_EQ(nearest_name("tranblock", words), "transblock");
@@ -23,7 +23,7 @@ TEST(Suggest, FindsWhatWasMeant) {
   EXPECT_EQ(nearest_name("ID", words), "id");
 }
 
-TEST(Suggest, SaysNothingWhenNothingIsNear) {
+TEST(Suggest, SuggestsNothingIfNothingIsSimilar) {
   EXPECT_EQ(nearest_name("frobnicate", words), "");
   EXPECT_EQ(nearest_name("", words), "");
   EXPECT_EQ(nearest_name("x", words), "");

@@ -58,7 +58,7 @@ TEST(Sheet, ReducedPicturesAreAverages) {
   EXPECT_EQ(half.texel(2, 1)[2], 7);
 }
 
-TEST(Sheet, PicturesStandAtTheirTops) {
+TEST(Sheet, PicturesAreAlignedAtTheTop) {
   const Texture a = blank(3, 2, {1, 2, 3});
   const Texture b = blank(4, 5, {7, 8, 9});
   const std::array<const Texture*, 2> both{&a, &b};

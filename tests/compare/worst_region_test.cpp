@@ -30,7 +30,7 @@ TEST(WorstRegion, IsTheRectangleThatDiffers) {
   EXPECT_NEAR(region->share, 90.0 * 1600 / (90.0 * 1600 + 255.0 * 9), 1e-9);
 }
 
-TEST(WorstRegion, ThePixelLiesInsideNotOnTheEdge) {
+TEST(WorstRegion, ThePixelIsInsideNotOnTheEdge) {
   const Texture a = blank(120, 90);
   Texture b = a;
   fill(b, 20, 20, 60, 60, 60);

@@ -58,7 +58,7 @@ TEST(ObjectNames, GoThroughEveryCopy) {
 }
 
 // Enough instances that the tracer does not flatten the template.
-TEST(ObjectNames, GoThroughTemplatesThatAreKeptApart) {
+TEST(ObjectNames, GoThroughUnmergedTemplates) {
   Scene scene = empty_scene();
   const NodeId wall = add_template(scene, "wall");
   for (int i = 0; i < 3000; ++i) {

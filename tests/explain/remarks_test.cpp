@@ -188,7 +188,7 @@ TEST(Remarks, ShadowAcne) {
   EXPECT_THAT(remarks(b.scene, pixel), IsEmpty());
 }
 
-TEST(Remarks, LightsThatGiveNothing) {
+TEST(Remarks, LightsWithoutContribution) {
   SceneBuilder b = ball(gray());
   b.scene.lights[0].attenuation = {1000, 0, 0};
   EXPECT_THAT(said(b), Contains("light-faded"));

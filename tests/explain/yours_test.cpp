@@ -49,7 +49,7 @@ auto names(const char* what) {
   return Contains(Field(&YoursFit::what, StrEq(what)));
 }
 
-TEST(Yours, EqualIsSaid) {
+TEST(Yours, EqualityIsReported) {
   const Yours yours = compared(value_of(ball()));
   EXPECT_TRUE(yours.equal);
   EXPECT_THAT(yours.fits, IsEmpty());
@@ -84,7 +84,7 @@ TEST(Yours, SubsetsAreTheLastResort) {
   EXPECT_THAT(compared(value_of(b)).fits, names("with only these terms: diffuse"));
 }
 
-TEST(Yours, NothingIsSaidOfAnythingElse) {
+TEST(Yours, UnknownDifferencesAreNotExplained) {
   const Yours yours = compared({250, 3, 130});
   EXPECT_FALSE(yours.equal);
   EXPECT_THAT(yours.fits, IsEmpty());

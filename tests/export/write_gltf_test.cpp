@@ -122,7 +122,7 @@ TEST(WriteGltf, DescribesItsBytes) {
   EXPECT_EQ(w.json["accessors"][0]["max"][1].GetDouble(), 0.5);
 }
 
-TEST(WriteGltf, SaysOnceWhatOnlyComesNear) {
+TEST(WriteGltf, ReportsEachApproximationOnce) {
   Written w;
   write(scene_of(block(cube), light + light), w);
   EXPECT_EQ(w.json["extensions"]["KHR_lights_punctual"]["lights"].Size(), 2u);
@@ -147,7 +147,7 @@ TEST(WriteGltf, ReportsWhatIsLost) {
   EXPECT_NEAR(w.json["cameras"][0]["perspective"]["yfov"].GetDouble(), 0.785398, 1e-5);
 }
 
-TEST(WriteGltf, RefusesMoreNodesThanAllowed) {
+TEST(WriteGltf, RejectsMoreNodesThanAllowed) {
   Diagnostics diagnostics;
   const Scene scene = read_scene(scene_of(block(cube) + block(cube)), {}, diagnostics);
   EXPECT_EQ(write_gltf(scene, prepare(scene, {}), {}, {.most_nodes = 1}, diagnostics), "");
@@ -173,7 +173,7 @@ TEST(WriteGltf, BakesBlendAndEncodesForTheScreen) {
   EXPECT_THAT(baked.rgb, testing::ElementsAre(188, 0, 137));
 }
 
-TEST(Decompose, GivesTheMapBackWhateverItIs) {
+TEST(Decompose, ReproducesAnyMap) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> value(-3, 3);
   for (int i = 0; i < 1000; ++i) {

@@ -39,7 +39,7 @@ TEST(WriteObj, IsReadBackByOurReader) {
   EXPECT_THAT(obj.obj, HasSubstr("mtllib scene.mtl\n"));
 }
 
-TEST(WriteObj, WhatIsMirroredStaysOutside) {
+TEST(WriteObj, MirroredMeshesKeepTheirFacesOutward) {
   SceneBuilder scene;
   scene.add(Shape::cube, trace_test::scale({-1, 1, 2}), scene.material({}));
   Diagnostics diagnostics;
@@ -83,15 +83,15 @@ TEST(WriteObj, KeepsPhongMaterialsAndReportsTheRestOnce) {
   Diagnostics diagnostics;
   const ObjScene obj = write_obj(scene.scene, scene.assets, {}, diagnostics);
   for (const char* const part :
-       {"newmtl m1\n", "newmtl m2\n", "Ka 0.25 0 0\n", "Kd 0.5 0.25 0\n", "Ks 0 0 1\n",
-        "Ns 12.5\n", "Tf 1 1 1\n", "d 0.75\n", "Ni 1.5\n", "illum 9\n"}) {
+       {"newmtl m1\n", "newmtl m2\n", "Ka 0.25 0 0\n", "Kd 0.5 0.25 0\n", "Ks 0 0 1\n", "Ns 12.5\n",
+        "Tf 1 1 1\n", "d 0.75\n", "Ni 1.5\n", "illum 9\n"}) {
     EXPECT_THAT(obj.mtl, HasSubstr(part));
   }
   ASSERT_EQ(diagnostics.list().size(), 1u);
   EXPECT_EQ(diagnostics.list()[0].code, &export_lost);
 }
 
-TEST(WriteObj, PicturesHoldLinearValuesWithBlendBaked) {
+TEST(WriteObj, TexturesAreLinearWithBlendBakedIn) {
   SceneBuilder scene;
   RenderMaterial m;
   m.diffuse = {0, 0, 1};

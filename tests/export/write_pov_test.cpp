@@ -34,7 +34,7 @@ bool says(const WrittenPov& w, const Code& code) {
   return false;
 }
 
-TEST(WritePov, SaysNothingOfWhatItSaysExactly) {
+TEST(WritePov, DoesNotReportExactConversions) {
   SceneBuilder scene;
   RenderMaterial m;
   m.specular = glm::vec3(.5f);
@@ -46,7 +46,7 @@ TEST(WritePov, SaysNothingOfWhatItSaysExactly) {
   EXPECT_THAT(w.text, HasSubstr("light_source { <1, 2, 3> rgb <1, 1, 1> }"));
 }
 
-TEST(WritePov, ReportsWhatItOnlyApproaches) {
+TEST(WritePov, ReportsApproximations) {
   SceneBuilder scene;
   RenderMaterial m;
   m.specular = {1, 0, 0};
@@ -55,7 +55,7 @@ TEST(WritePov, ReportsWhatItOnlyApproaches) {
   EXPECT_TRUE(says(write(scene), pov_approximate));
 }
 
-TEST(WritePov, SaysAThingOnceForAScene) {
+TEST(WritePov, ReportsEachKindOncePerScene) {
   SceneBuilder scene;
   scene.add(Shape::cube, {}, scene.material({}));
   for (int i = 0; i < 3; ++i) {

@@ -50,19 +50,19 @@ std::vector<const Code*> xml_codes() {
 
 class FormatCode : public ::testing::TestWithParam<const Code*> {};
 
-TEST_P(FormatCode, IsGivenByItsFixture) {
+TEST_P(FormatCode, IsTriggeredByItsFixture) {
   const std::string path = fixture_of(*GetParam(), ".xml");
   ASSERT_TRUE(std::filesystem::exists(path)) << path;
   EXPECT_TRUE(gives(path, *GetParam()));
 }
 
-TEST_P(FormatCode, IsNotGivenByItsNearMiss) {
+TEST_P(FormatCode, IsNotTriggeredByASimilarFile) {
   const std::string path = fixture_of(*GetParam(), ".ok.xml");
   ASSERT_TRUE(std::filesystem::exists(path)) << path;
   EXPECT_FALSE(gives(path, *GetParam()));
 }
 
-TEST_P(FormatCode, SaysWhatItIs) {
+TEST_P(FormatCode, HasASummary) {
   EXPECT_FALSE(GetParam()->summary.empty());
   EXPECT_FALSE(GetParam()->help.empty());
   EXPECT_EQ(GetParam()->name.find_first_not_of("abcdefghijklmnopqrstuvwxyz.-"),

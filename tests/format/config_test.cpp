@@ -95,7 +95,7 @@ struct ConfigCase {
 
 class ConfigCode : public ::testing::TestWithParam<ConfigCase> {};
 
-TEST_P(ConfigCode, IsGivenAtItsPlace) {
+TEST_P(ConfigCode, IsReportedAtItsPlace) {
   const ConfigReading read(GetParam().gives);
   ASSERT_TRUE(read.gives(*GetParam().code));
   for (const Diagnostic& d : read.diagnostics.list()) {
@@ -106,7 +106,7 @@ TEST_P(ConfigCode, IsGivenAtItsPlace) {
   }
 }
 
-TEST_P(ConfigCode, IsNotGivenByANearMiss) {
+TEST_P(ConfigCode, IsNotTriggeredByASimilarFile) {
   EXPECT_TRUE(ConfigReading(GetParam().near_miss).diagnostics.list().empty());
 }
 
@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                    good + "[Settings]\nmaximum-recursive-depth = 64\n",
                    {18, 27}}));
 
-TEST(Config, SaysWhatWasMeant) {
+TEST(Config, SuggestsCorrections) {
   const ConfigReading read(replaced("shadows =", "shadow ="));
   ASSERT_EQ(read.diagnostics.list().size(), 1U);
   EXPECT_THAT(read.diagnostics.list().front().message,

@@ -83,7 +83,7 @@ TEST(EditCamera, TheLastCameraCounts) {
   EXPECT_EQ(edit, xml_with(block + "\n" + replaced(block, "y=\"2\"", "y=\"9\"")));
 }
 
-TEST(EditCamera, WhatIsMissingIsAddedLikeItsNeighbors) {
+TEST(EditCamera, MissingValuesAreAddedInTheStyleOfTheirNeighbors) {
   const std::string text = xml_with(
       "  <cameradata>\n    <pos x=\"1\" y=\"2\" z=\"3\"/>\n    <look x=\"0\" y=\"0\" "
       "z=\"-1\"></look>\n  </cameradata>");
@@ -121,7 +121,7 @@ TEST(EditCamera, JsonFocus) {
   EXPECT_EQ(edited(text, camera_at({1, 2, 5}, {0, 0, -5}), {}), replaced(text, ",3]", ",5]"));
 }
 
-TEST(EditCamera, RefusesWhatItCannotSay) {
+TEST(EditCamera, RejectsWhatItCannotExpress) {
   const Camera camera = camera_at({1, 2, 3});
   EXPECT_THAT(refusal("<scenefile>", camera, {}), HasSubstr("errors"));
   EXPECT_EQ(edited("<scenefile>", camera, {}), "");

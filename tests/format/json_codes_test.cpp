@@ -26,7 +26,7 @@ bool gives(const Diagnostics& diagnostics, const Code& code) {
                      [&](const Diagnostic& d) { return d.code == &code; });
 }
 
-TEST(JsonCodes, EachIsGivenByItsFixture) {
+TEST(JsonCodes, EachIsTriggeredByItsFixture) {
   for (const Code* code : codes_of("json.")) {
     const std::string text = fixture(*code, ".json");
     Diagnostics diagnostics;
@@ -41,7 +41,7 @@ TEST(JsonCodes, EachIsGivenByItsFixture) {
   }
 }
 
-TEST(JsonCodes, NoneIsGivenByItsNearMiss) {
+TEST(JsonCodes, NoneIsTriggeredByASimilarFile) {
   for (const Code* code : codes_of("json.")) {
     Diagnostics diagnostics;
     read_scene(fixture(*code, ".ok.json"), {}, diagnostics);

@@ -146,7 +146,7 @@ TEST(JsonReader, PrimitiveDefaults) {
   EXPECT_EQ(r.child(0).primitives.at(0).shape, Shape::sphere);
 }
 
-TEST(JsonReader, LightsStandAtTheOriginOfTheirGroup) {
+TEST(JsonReader, LightsAreAtTheOriginOfTheirGroup) {
   const JsonReading r = read_group(R"({"translate": [1, 2, 3], "lights": [
     {"type": "point", "name": "lamp", "color": [1, 2, 3], "attenuationCoeff": [0.1, 0.2, 0.3]},
     {"type": "directional", "color": [1, 1, 1], "direction": [1, -1, 0]},
@@ -186,7 +186,7 @@ TEST(JsonReader, LightsWithoutATypeArePointLights) {
   EXPECT_EQ(r.child(0).lights.at(0).color, glm::vec3(1, 0, 1));
 }
 
-TEST(JsonReader, WhatIsNoLightIsLeftOut) {
+TEST(JsonReader, NonLightsAreIgnored) {
   const JsonReading r = read_light(R"({"translate": [1, 2, 3], "lights": []})");
   EXPECT_EQ(r.count(json_no_light), 1u);
   EXPECT_TRUE(r.child(0).lights.empty());
@@ -278,7 +278,7 @@ TEST(JsonReader, MisspelledKeysAreSuggested) {
   EXPECT_TRUE(r.diagnostics.has_errors());
 }
 
-TEST(JsonReader, AKeyBesideItsLikeIsAnExtension) {
+TEST(JsonReader, AKeyNextToASimilarOneIsAnExtension) {
   const JsonReading r =
       read_primitive(R"({"type": "cube", "diffuse2": [1, 1, 1], "diffuse": [1, 0, 0]})");
   EXPECT_EQ(r.count(json_unknown_key), 1u);
@@ -307,13 +307,13 @@ TEST(JsonReader, KeysOfOtherProgramsAreTranslated) {
   EXPECT_TRUE(light.diagnostics.has_errors());
 }
 
-TEST(JsonReader, NoTranslationOfWhatIsThere) {
+TEST(JsonReader, ExistingKeysAreNotSuggested) {
   const JsonReading r =
       read_primitive(R"({"type": "cube", "color": [1, 0, 0], "diffuse": [1, 0, 0]})");
   EXPECT_EQ(r.all_messages(), "6:18 unknown key \"color\" in a primitive is ignored\n");
 }
 
-TEST(JsonReader, TemplatesMayStandBehindTheGroups) {
+TEST(JsonReader, TemplatesMayFollowTheGroups) {
   const JsonReading r = read_with_head(R"("groups": [{"name": "a"}],
       "templateGroups": [{"name": "a", "primitives": [{"type": "cube"}]}])");
   EXPECT_EQ(r.all_messages(), "");

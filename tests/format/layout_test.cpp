@@ -70,7 +70,7 @@ TEST(LayoutXml, ValuesAndTextStayAsWritten) {
             "</scenefile>\n");
 }
 
-TEST(LayoutXml, InstructionsAndTextStandInTheirLines) {
+TEST(LayoutXml, InstructionsAndTextGetTheirOwnLines) {
   EXPECT_EQ(laid_out("<scenefile><?php echo \"<x/>\" ?>text <!-- c --><![CDATA[ <a>\n ]]>"
                      "<a/><?q?></scenefile>"),
             "<scenefile>\n"
@@ -121,7 +121,7 @@ TEST(LayoutXml, TheEncodingStays) {
   }
 }
 
-TEST(LayoutXml, WhatIsNoSceneIsRefused) {
+TEST(LayoutXml, RejectsOtherFiles) {
   EXPECT_THAT(faults("<scenefile>\n<a></scenefile>"), ElementsAre("2:4 error xml.syntax"));
   EXPECT_THAT(faults("<svg/>"), ElementsAre("1:1 error xml.root-element"));
   EXPECT_THAT(faults("<scenefile/><b/>"), ElementsAre("1:13 error xml.syntax"));
@@ -164,7 +164,7 @@ TEST(LayoutJson, LongListsAreBroken) {
   EXPECT_EQ(laid_out("{\"a\": [" + list + "]}"), "{\n  \"a\": [\n" + lines + "\n  ]\n}\n");
 }
 
-TEST(LayoutJson, WhatIsNoSceneIsRefused) {
+TEST(LayoutJson, RejectsOtherFiles) {
   EXPECT_THAT(faults("{\"a\": .6}"), ElementsAre("1:7 error json.number"));
   EXPECT_THAT(faults("{\"a\": 1"), ElementsAre("1:8 error json.truncated"));
   EXPECT_THAT(faults("[1]"), ElementsAre("1:1 error json.wrong-type"));

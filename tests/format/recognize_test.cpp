@@ -37,7 +37,7 @@ TEST(Recognize, FilesOfOtherPrograms) {
   }
 }
 
-TEST(Recognize, WhatIsBrokenIsForTheReaderToReport) {
+TEST(Recognize, BrokenFilesAreLeftToTheReader) {
   for (const std::string_view text :
        {""sv, " \n"sv, "scenefile>"sv, "<!DOCTYPE html><html>"sv, "\xff\xff<"sv,
         "version https://git-lfs.github.com/spec/v1"sv}) {

@@ -279,7 +279,7 @@ TEST(WriteScene, LightsOfATemplateAreWrittenForEachCopy) {
   EXPECT_EQ(lights[1].id, 1);
 }
 
-TEST(WriteScene, TemplatesStandBehindThoseTheyUse) {
+TEST(WriteScene, TemplatesFollowTheTemplatesTheyUse) {
   Scene scene = plain_scene();
   const NodeId a = add_template(scene, "a");
   const NodeId b = add_template(scene, "b");
@@ -487,7 +487,7 @@ std::vector<CodeCase> code_cases() {
   };
 }
 
-TEST(WriteCodes, EachIsGivenAndNearlyGiven) {
+TEST(WriteCodes, EachIsTriggeredByASceneAndNotByASimilarOne) {
   std::vector<const Code*> given;
   for (const CodeCase& c : code_cases()) {
     Scene scene = plain_scene();

@@ -107,7 +107,7 @@ TEST(XmlDialect, ASceneWithoutARootIsNotCalledEmptyToo) {
   EXPECT_FALSE(read(in_root("")).scene.incomplete);
 }
 
-TEST(XmlDialect, AnotherOrderOfEqualValuesIsNoMatter) {
+TEST(XmlDialect, TheOrderOfEqualValuesDoesNotMatter) {
   EXPECT_THAT(findings(read(with_transforms("<scale z=\"2\" y=\"2\" x=\"2\"/>"
                                             "<rotate y=\"0\" x=\"0\" z=\"1\" angle=\"9\"/>"))
                            .diagnostics),
@@ -165,7 +165,7 @@ TEST(XmlDialect, ValuesInAWrongPlaceSayWhereTheyBelong) {
   EXPECT_THAT(of(in_root("scale x=\"1\"/>")), HasSubstr("is the < of an element missing?"));
 }
 
-TEST(XmlDialect, AMasterAfterTheRootSaysWhereItIsUsed) {
+TEST(XmlDialect, AMasterAfterTheRootReportsItsUse) {
   const std::string late = "<object type=\"tree\" name=\"late\"/></scenefile>";
   const std::string used =
       "<scenefile><object type=\"tree\" name=\"root\">\n<transblock><object type=\"master\" "
@@ -380,7 +380,7 @@ TEST(XmlDialect, FalseCommentsAreForCompatCourse) {
 }
 
 // Only in comments: elsewhere the same characters keep their meaning.
-TEST(XmlDialect, DashesElsewhereAreNoComments) {
+TEST(XmlDialect, DashesElsewhereAreNotComments) {
   for (const std::string inside :
        {"<transblock><object type=\"tree\" name=\"a -- <!-- b\"><transblock><object "
         "type=\"primitive\" name=\"cube\"/></transblock></object></transblock>",

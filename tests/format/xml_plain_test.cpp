@@ -22,7 +22,7 @@ bool is_read_without_expat(std::string_view text, const Limits& limits = {}) {
   return reading.complete && !reading.asked_expat;
 }
 
-TEST(XmlPlain, WhatIsPlain) {
+TEST(XmlPlain, PlainTexts) {
   for (const std::string_view text :
        {"<a/>", "<a></a>", "<a ></a\n>", " \r\n<a b = '1'\tc=\"\"/>\n", "<!-- x - > --><a/><!---->",
         "<?xml version=\"1.0\"?><a/>", "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<a/>",
@@ -32,7 +32,7 @@ TEST(XmlPlain, WhatIsPlain) {
   }
 }
 
-TEST(XmlPlain, WhatIsNotIsLeftToExpat) {
+TEST(XmlPlain, OtherTextsAreLeftToExpat) {
   for (const std::string_view text : {"",
                                       " ",
                                       "<",
@@ -101,7 +101,7 @@ TEST(XmlPlain, LimitsHold) {
   }
 }
 
-TEST(XmlPlain, TheHandlerMayStop) {
+TEST(XmlPlain, TheHandlerCanStop) {
   const Told told = events_of("<a><stop></a>", {});
   EXPECT_FALSE(told.reading.complete);
   EXPECT_FALSE(told.reading.asked_expat);

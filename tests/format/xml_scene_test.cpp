@@ -34,7 +34,7 @@ TEST(XmlScene, Globals) {
   EXPECT_EQ(reading.scene.global.transparent, 0.4f);
 }
 
-TEST(XmlScene, ASecondGlobaldataChangesWhatItGives) {
+TEST(XmlScene, ASecondGlobaldataReplacesItsValues) {
   const Reading reading =
       read(with_top("<globaldata><ambientcoeff v=\"0.1\"/><diffusecoeff v=\"0.2\"/></globaldata>\n"
                     "<globaldata><ambientcoeff v=\"0.9\"/></globaldata>"));
@@ -60,7 +60,7 @@ TEST(XmlScene, Camera) {
   EXPECT_EQ(camera.focal_length, 7);
 }
 
-TEST(XmlScene, FocusIsAPointWhereverItStands) {
+TEST(XmlScene, FocusIsAPointInAnyPosition) {
   const Reading reading =
       read(with_top("<cameradata><focus x=\"1\" y=\"1\" z=\"1\"/><pos x=\"1\" y=\"2\" z=\"3\"/><up "
                     "x=\"0\" y=\"1\" z=\"0\"/>"
@@ -99,7 +99,7 @@ Light only_light(const Reading& reading) {
   return reading.scene.nodes.at(reading.scene.root).lights.at(0);
 }
 
-TEST(XmlScene, LightsStandAtTheRootWithTheirDefaults) {
+TEST(XmlScene, LightsAreAtTheRootWithTheirDefaults) {
   const Reading reading = read(with_top("<lightdata/>"));
   const Light light = only_light(reading);
   EXPECT_EQ(light.type, LightType::point);
@@ -437,7 +437,7 @@ TEST(XmlScene, AnObjectWithoutATransblockThatIsLeftOut) {
   EXPECT_EQ(reading.scene.nodes[reading.scene.root].children.size(), 2u);
 }
 
-TEST(XmlScene, WhatIsLeftOutIsLeftOutWithAllInIt) {
+TEST(XmlScene, IgnoredElementsAreIgnoredWithTheirContents) {
   const Reading reading = read(with_transforms(
       "<keyframe><translate x=\"q\"/><object><object/></object>text</keyframe><scale x=\"2\" "
       "y=\"2\" z=\"2\"/>"));
@@ -445,7 +445,7 @@ TEST(XmlScene, WhatIsLeftOutIsLeftOutWithAllInIt) {
   EXPECT_EQ(only_child(reading.scene).transforms.size(), 1u);
 }
 
-TEST(XmlScene, OnlyTreesStandAtTheTop) {
+TEST(XmlScene, OnlyTreesAreAllowedAtTheTop) {
   EXPECT_THAT(found(read(with_top("<object type=\"primitive\" name=\"cube\"/>"))),
               ElementsAre("2:1 warning xml.misplaced-element"));
   EXPECT_THAT(found(read(with_top("<object type=\"tree\"/>"))),

@@ -116,7 +116,7 @@ TEST(XmlSyntax, ShapesAreObjects) {
                                  "name=\"sphere\"/>")));
 }
 
-TEST(XmlSyntax, TheEndOfACommentHasNoGap) {
+TEST(XmlSyntax, TheEndOfACommentHasNoSpaces) {
   const std::string gap = "4:8 a comment ends with -->, without spaces in it; remove them";
   EXPECT_THAT(said(with_transforms("<!-- a -- >")), ElementsAre(gap));
   EXPECT_THAT(said(with_transforms("<!-- a -- >\n<!-- b -->")), ElementsAre(gap));
@@ -136,7 +136,7 @@ TEST(XmlSyntax, NothingFollowsTheScene) {
       ElementsAre("6:1 nothing may follow the closing tag of the scene; found \"<transblock/>\""));
 }
 
-TEST(XmlSyntax, ConflictMarkersAreNamedWhereverTheyStand) {
+TEST(XmlSyntax, ConflictMarkersAreReportedAnywhere) {
   EXPECT_THAT(said(in_root("<<<<<<< HEAD\n<transblock/>\n=======\n>>>>>>> theirs")),
               ElementsAre("3:1 an unresolved git conflict: \"<<<<<<< HEAD\""));
   // Here the first < of the marker is taken as part of the tag before it.
@@ -210,7 +210,7 @@ TEST(XmlLimits, NestingOfElementsThatAreIgnoredCountsToo) {
   EXPECT_THAT(found(text).back(), HasSubstr("error xml.nesting-limit"));
 }
 
-TEST(XmlLimits, ALongTagIsRefusedBeforeItsEnd) {
+TEST(XmlLimits, ALongTagIsRejectedBeforeItsEnd) {
   Limits limits;
   // These tags do not end: only the limit can stop the reader early.
   EXPECT_THAT(found("<scenefile><a b=\"" + std::string(2'000'000, 'x'), limits),

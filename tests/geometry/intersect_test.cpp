@@ -118,7 +118,7 @@ TEST(Intersect, SeesTheFarSideFromInsideAndBetweenLimits) {
   }
 }
 
-TEST(Intersect, LeavesTheHitAloneOnAMiss) {
+TEST(Intersect, AMissDoesNotChangeTheHit) {
   ShapeHit hit{7, Face::top};
   EXPECT_FALSE(intersect(Shape::sphere, {{0, 2, 0}, {0, 1, 0}}, 0, 10, hit));
   EXPECT_FALSE(intersect(Shape::mesh, {{0, 0, 2}, {0, 0, -1}}, 0, 10, hit));
@@ -288,7 +288,7 @@ TEST(Intersect, DirectionsOfAnyLength) {
   }
 }
 
-TEST(Intersect, WhatIsNotFiniteHitsNothing) {
+TEST(Intersect, NonFiniteRaysHitNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Shape shape : analytic_shapes) {
     for (const double bad : {nan, infinity, -infinity}) {

@@ -112,7 +112,7 @@ TEST(MeshSurface, NoUvNoTangents) {
   EXPECT_EQ(surface_at(mesh, 0, 0.25, 0.5, false).uv, dvec2(0));
 }
 
-TEST(MeshBounds, HoldTheTrianglesAlone) {
+TEST(MeshBounds, ContainOnlyTheTriangles) {
   const Bounds box = bounds(right_triangle());
   EXPECT_EQ(box.min, dvec3(0));
   EXPECT_EQ(box.max, dvec3(2, 3, 0));

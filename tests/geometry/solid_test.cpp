@@ -53,7 +53,7 @@ TEST(Solid, NoPointInsideIsBeyondTheSupport) {
   });
 }
 
-TEST(Solid, InsideIsWhereEveryRayMeetsTheSurface) {
+TEST(Solid, EveryRayFromInsideHitsTheSurface) {
   holds("contains(p) iff rays both ways hit", [] {
     const Shape shape = *rc::gen::elementOf(shapes);
     const Ray ray{vector(0.7), vector(1)};

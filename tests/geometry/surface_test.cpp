@@ -128,7 +128,7 @@ TEST(SurfaceAt, PolesAndApexAreFinite) {
   EXPECT_EQ(apex.uv.y, 1);
 }
 
-TEST(SurfaceAt, AnglesAreThoseOfTheStandardLibrary) {
+TEST(SurfaceAt, AnglesAgreeWithTheStandardLibrary) {
   std::mt19937_64 random(3);
   for (int i = 0; i < 100000; ++i) {
     const double x = test::uniform(random, -1, 1);

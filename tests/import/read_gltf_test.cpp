@@ -146,7 +146,7 @@ const Code* first_error(const std::string& bytes, const Limits& limits = {}) {
   return nullptr;
 }
 
-TEST(ReadGltf, AddsWhatIsNeededToSeeAModel) {
+TEST(ReadGltf, AddsACameraAndALight) {
   Diagnostics diagnostics;
   const ImportedScene scene = read_gltf(triangle(), {}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
@@ -157,7 +157,7 @@ TEST(ReadGltf, AddsWhatIsNeededToSeeAModel) {
   EXPECT_THAT(scene.files[0].bytes, HasSubstr("f 1 2 3"));
 }
 
-TEST(ReadGltf, RefusesWhatIsNoModel) {
+TEST(ReadGltf, RejectsOtherFiles) {
   EXPECT_EQ(first_error(""), &import_not_a_model);
   EXPECT_EQ(first_error("{}"), &import_not_a_model);
   EXPECT_EQ(first_error("glTF"), &import_not_a_model);
@@ -185,7 +185,7 @@ TEST(ReadGltf, ChecksTheTreeOfNodes) {
       &import_value);
 }
 
-TEST(ReadGltf, HoldsItsLimits) {
+TEST(ReadGltf, EnforcesItsLimits) {
   Limits limits;
   limits.mesh_triangles = 0;
   EXPECT_EQ(first_error(triangle(), limits), &import_limit);
@@ -197,13 +197,13 @@ TEST(ReadGltf, HoldsItsLimits) {
   EXPECT_EQ(first_error(triangle(), limits), &import_limit);
 }
 
-TEST(ReadGltf, RefusesRequiredExtensionsThatChangeTheData) {
+TEST(ReadGltf, RejectsRequiredExtensionsThatChangeTheData) {
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])")),
             &import_unsupported);
   EXPECT_EQ(first_error(triangle("3", R"(,"extensionsRequired":["KHR_materials_ior"])")), nullptr);
 }
 
-TEST(ReadGltf, AMaterialThatWasChangedGoesByItsNewValues) {
+TEST(ReadGltf, AChangedMaterialUsesItsNewValues) {
   const std::string extras =
       R"("extras":{"scenefile":{"ambient":[0,0,0],"diffuse":[1,0,0],"specular":[0,0,0],"reflective":[0,0,0],"transparent":[0,0,0],"shininess":7,"ior":1}})";
   const auto diffuse_of = [&](const std::string& base) {

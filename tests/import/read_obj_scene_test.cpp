@@ -65,7 +65,7 @@ TEST(ReadObjScene, ReadsWithoutItsFiles) {
   EXPECT_EQ(diagnostics.list()[0].code, &import_missing_file);
 }
 
-TEST(ReadObjScene, RefusesWhatIsNoMesh) {
+TEST(ReadObjScene, RejectsOtherFiles) {
   for (const char* const text : {"", "v 0 0 0\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"}) {
     Diagnostics diagnostics;
     EXPECT_TRUE(read_obj_scene(text, {}, diagnostics).files.empty());
@@ -73,7 +73,7 @@ TEST(ReadObjScene, RefusesWhatIsNoMesh) {
   }
 }
 
-TEST(ReadObjScene, HoldsTheLimitOfMeshes) {
+TEST(ReadObjScene, EnforcesTheLimitOfMeshes) {
   Diagnostics diagnostics;
   ImportOptions options;
   options.limits.mesh_bytes = 500;
@@ -82,7 +82,7 @@ TEST(ReadObjScene, HoldsTheLimitOfMeshes) {
   EXPECT_EQ(diagnostics.list().back().code, &import_limit);
 }
 
-TEST(ReadObjScene, ReadsWhatIsWritten) {
+TEST(ReadObjScene, RoundTrips) {
   Diagnostics diagnostics;
   const Scene scene = read_scene(
       R"(<scenefile><globaldata><ambientcoeff v="1"/><diffusecoeff v="0.5"/><specularcoeff v="1"/><transparentcoeff v="1"/></globaldata><object type="tree" name="root"><transblock><object type="primitive" name="cube"><diffuse r="1" g="0" b="0.5"/><ambient r="0.1" g="0.2" b="0.3"/><specular r="1" g="0.5" b="1"/><shininess v="20"/></object></transblock><transblock><object type="primitive" name="sphere"><blend v="1"/><texture file="a.png" u="1" v="1"/></object></transblock></object></scenefile>)",

@@ -65,7 +65,7 @@ struct Layout : ::testing::Test {
   TempFolder home;
 };
 
-TEST_F(Layout, BesideTheScene) {
+TEST_F(Layout, NextToTheScene) {
   home.write("scenes/a.png", "a");
   home.write("scenes/sub/b.png", "b");
   finds("a.png", "scenes/a.png", AssetRule::scene_folder);
@@ -73,7 +73,7 @@ TEST_F(Layout, BesideTheScene) {
   finds("sub/../a.png", "scenes/a.png", AssetRule::scene_folder);
 }
 
-TEST_F(Layout, BesideTheScenesFolderInTheCoursesFoldersOnly) {
+TEST_F(Layout, InTheParentOnlyInTheCoursesFolders) {
   for (const std::string folder :
        {"image", "images", "texture", "textures", "mesh", "meshes", "model", "models"}) {
     home.write(folder + "/" + folder + ".png", folder);
@@ -141,7 +141,7 @@ TEST_F(Layout, AssetRootsInTheirOrder) {
   finds(roots, "b.png", "two/b.png", AssetRule::asset_root);
 }
 
-TEST_F(Layout, TheNameAloneWhereItIsUnique) {
+TEST_F(Layout, OnlyTheNameIfUnique) {
   home.write("scenes/x/y/a.png");
   home.write("image/deep/b.png");
   finds("elsewhere/a.png", "scenes/x/y/a.png", AssetRule::base_name);
@@ -150,7 +150,7 @@ TEST_F(Layout, TheNameAloneWhereItIsUnique) {
   EXPECT_THAT(misses("elsewhere/a.png"), HasSubstr("2 files have its name"));
 }
 
-TEST_F(Layout, AnyCaseComesLast) {
+TEST_F(Layout, IgnoringCaseIsTriedLast) {
   home.write("scenes/image/Wood.PNG", "upper");
   finds("image/wood.png", "scenes/image/Wood.PNG", AssetRule::path_suffix);
   finds("other/WOOD.png", "scenes/image/Wood.PNG", AssetRule::base_name);
@@ -182,7 +182,7 @@ TEST_F(Layout, ALargeFolderIsNotSearched) {
   EXPECT_THAT(some.skipped(), ::testing::ElementsAre(home.path("large")));
 }
 
-TEST_F(Layout, LinksAreJudgedByWhereTheyLead) {
+TEST_F(Layout, LinksAreCheckedByTheirTarget) {
   home.write("secret/key.pem");
   home.write("scenes/sub/a.png");
   ASSERT_EQ(::symlink("../secret/key.pem", home.path("scenes/link.png").c_str()), 0);
@@ -234,7 +234,7 @@ TEST_F(Layout, OutsideOnDemand) {
   finds(roots, "loose.png", "loose.png", AssetRule::scene_parent);
 }
 
-TEST_F(Layout, TheWorkingDirectoryWhereItLiesInsideARoot) {
+TEST_F(Layout, TheWorkingDirectoryIfInsideARoot) {
   home.write("scenes/work/sub/a.png");
   home.write("secret/b.png");
   const std::filesystem::path old = std::filesystem::current_path();
@@ -245,7 +245,7 @@ TEST_F(Layout, TheWorkingDirectoryWhereItLiesInsideARoot) {
   std::filesystem::current_path(old);
 }
 
-TEST_F(Layout, StandardInputHasTheGivenRootsAlone) {
+TEST_F(Layout, StandardInputHasOnlyTheGivenRoots) {
   home.write("given/a.png");
   AssetRootsOptions options;
   options.scene_path = "-";
@@ -256,7 +256,7 @@ TEST_F(Layout, StandardInputHasTheGivenRootsAlone) {
   finds(roots, "a.png", "given/a.png", AssetRule::asset_root);
 }
 
-TEST_F(Layout, TheMessageDoesNotTellWhatLiesOutside) {
+TEST_F(Layout, TheMessageDoesNotRevealFilesOutside) {
   home.write("secret/key.pem");
   const std::string there = misses(home.path("secret/key.pem"));
   std::string absent = misses(home.path("secret/kex.pem"));
@@ -266,7 +266,7 @@ TEST_F(Layout, TheMessageDoesNotTellWhatLiesOutside) {
   EXPECT_EQ(there, absent);
 }
 
-TEST_F(Layout, SaysWhereItLooked) {
+TEST_F(Layout, ListsTheSearchedPlaces) {
   const ResolvedAsset asset = roots_of(home).resolve("image/no.png");
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("scenes/image/no.png")));
   EXPECT_THAT(asset.tried, ::testing::Contains(home.path("image/no.png")));

@@ -19,7 +19,7 @@ std::string complaint(std::string_view bytes, const CheckpointKey& wanted = key)
   return why;
 }
 
-TEST(Checkpoint, GivesTheStateBack) {
+TEST(Checkpoint, RoundTrips) {
   std::string state;
   EXPECT_EQ(decode_checkpoint(good, key, state), "");
   EXPECT_EQ(state, "the state of the work");
@@ -44,7 +44,7 @@ TEST(Checkpoint, EveryDamagedBitIsRecognized) {
   }
 }
 
-TEST(Checkpoint, SaysWhatItIsOf) {
+TEST(Checkpoint, DescribesItsKey) {
   EXPECT_THAT(complaint(good, {9, 2, 3, 4}), HasSubstr("another build"));
   EXPECT_THAT(complaint(good, {1, 9, 3, 4}), HasSubstr("another scene"));
   EXPECT_THAT(complaint(good, {1, 2, 9, 4}), HasSubstr("other textures or meshes"));

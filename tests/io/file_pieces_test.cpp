@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using testing_support::TempFolder;
 
-TEST(FileWriter, TheFileAppearsWhole) {
+TEST(FileWriter, TheFileAppearsAtomically) {
   const TempFolder folder;
   Result<FileWriter> file = FileWriter::create(folder.path("a"));
   ASSERT_TRUE(file);
@@ -41,7 +41,7 @@ TEST(FileWriter, WithoutCommitNothingHappened) {
   EXPECT_THAT(folder.list(), ElementsAre("a"));
 }
 
-TEST(FileWriter, PlacesThatCannotHoldOneAreRefused) {
+TEST(FileWriter, UnwritablePathsAreRejected) {
   const TempFolder folder;
   EXPECT_FALSE(FileWriter::create(folder.path()));
   EXPECT_FALSE(FileWriter::create(folder.path("no/such")));
@@ -58,7 +58,7 @@ TEST(FileReader, ReadsPieces) {
   EXPECT_EQ(*file->read(20, 4), "");
 }
 
-TEST(FileReader, RefusesWhatIsNoFile) {
+TEST(FileReader, RejectsOtherThanRegularFiles) {
   const TempFolder folder;
   EXPECT_FALSE(FileReader::open(folder.path()));
   EXPECT_FALSE(FileReader::open(folder.path("no")));

@@ -13,7 +13,7 @@ namespace {
 
 using testing_support::TempFolder;
 
-TEST(Folder, StampsTellVersionsApart) {
+TEST(Folder, StampsDistinguishVersions) {
   const TempFolder folder;
   const std::string path = folder.write("a", "one");
   const FileStamp stamp = stamp_of(path);
@@ -25,7 +25,7 @@ TEST(Folder, StampsTellVersionsApart) {
   EXPECT_EQ(stamp_of(folder.path("none")), FileStamp());
 }
 
-TEST(Folder, ListsFilesAlone) {
+TEST(Folder, ListsOnlyFiles) {
   const TempFolder folder;
   folder.write("b");
   folder.write("a/inner");
@@ -52,7 +52,7 @@ TEST(Folder, FilesBelowAreInNaturalOrder) {
   EXPECT_TRUE(errors.empty());
 }
 
-TEST(Folder, WhatCannotBeListedIsReported) {
+TEST(Folder, UnreadableFoldersAreReported) {
   const TempFolder folder;
   std::vector<Error> errors;
   EXPECT_TRUE(files_below(folder.path("none"), errors).empty());

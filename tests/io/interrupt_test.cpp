@@ -36,7 +36,7 @@ TEST(HandleSignals, EndsWithTheStatusOfTheSignal) {
   }
 }
 
-TEST(HandleSignals, TimeIsUpThoughTheStarterHeldTheSignalBack) {
+TEST(HandleSignals, TheTimeoutWorksIfTheParentBlockedItsSignal) {
   EXPECT_EXIT(
       {
         sigset_t alarm;
@@ -57,7 +57,7 @@ void allow_cpu_seconds(rlim_t seconds) {
   ::setrlimit(RLIMIT_CPU, &limit);
 }
 
-TEST(HandleSignals, HearsOfTheLimitOfCpuTimeBeforeItKills) {
+TEST(HandleSignals, TheLimitOnCpuTimeIsReportedBeforeItKills) {
   EXPECT_EXIT(
       {
         allow_cpu_seconds(2);
@@ -76,7 +76,7 @@ void begin(Temporary& temporary, const TempFolder& folder) {
   std::ofstream(temporary.path()) << "half";
 }
 
-TEST(HandleSignals, RemovesTheTemporariesOfWrites) {
+TEST(HandleSignals, RemovesTemporaryFiles) {
   const TempFolder folder;
   folder.write("other");
   EXPECT_EXIT(
@@ -198,7 +198,7 @@ TEST(DeferredSignals, LiveInsideEachOther) {
 
 // The signal is sent as soon as the temporary file exists; if it comes too late, the write has
 // succeeded.
-TEST(DeferredSignals, AWriteIsFinishedAndSaidToBe) {
+TEST(DeferredSignals, AWriteIsFinishedAndReported) {
   const TempFolder folder;
   const std::string file = folder.path("output");
   const std::string bytes(std::size_t{8} << 20, 'x');

@@ -36,12 +36,12 @@ TEST(MemoryLimit, ReadsControlGroupsOfVersionOne) {
   EXPECT_EQ(cgroup_memory_limit("5:cpu:/a\n", root.path()), none);
 }
 
-TEST(MemoryLimit, TextThatIsNoMembershipSetsNone) {
+TEST(MemoryLimit, InvalidGroupMembershipSetsNoLimit) {
   EXPECT_EQ(cgroup_memory_limit("", "/nowhere"), none);
   EXPECT_EQ(cgroup_memory_limit("::\n:\nx\n\n", "/nowhere"), none);
 }
 
-TEST(MemoryLimit, TheDefaultIsWhatAMachineHas) {
+TEST(MemoryLimit, TheDefaultDependsOnTheMachine) {
   EXPECT_GT(default_memory_limit(), std::uint64_t{1} << 26);
   EXPECT_LT(default_memory_limit(), std::uint64_t{1} << 50);
 }

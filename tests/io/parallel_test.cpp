@@ -40,7 +40,7 @@ TEST(ForEachIndex, OneThreadIsTheCallers) {
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(ForEachIndex, WhatIsThrownReachesTheCaller) {
+TEST(ForEachIndex, ExceptionsReachTheCaller) {
   const auto fail = [](std::size_t i) {
     if (i == 3) {
       throw std::bad_alloc();

@@ -25,14 +25,14 @@ std::string why_not(const std::string& path) {
   return error_text(read_file(path, plenty));
 }
 
-TEST(ReadFile, GivesTheBytesAsTheyAre) {
+TEST(ReadFile, ReturnsTheBytesUnchanged) {
   const TempFolder folder;
   const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(200'000, 'z');
   EXPECT_EQ(bytes_of(folder.write("a file", bytes)), bytes);
   EXPECT_EQ(bytes_of(folder.write("empty", "")), "");
 }
 
-TEST(ReadFile, SaysWhyNotAndLeavesNothing) {
+TEST(ReadFile, ReportsErrorsAndReturnsNothing) {
   const TempFolder folder;
   EXPECT_THAT(why_not(folder.path("nosuch")),
               ::testing::AllOf(HasSubstr(folder.path("nosuch")), HasSubstr("No such file")));
@@ -47,7 +47,7 @@ TEST(ReadFile, DoesNotBlockOnAPipe) {
   EXPECT_THAT(why_not(folder.path("pipe")), HasSubstr("is a pipe"));
 }
 
-TEST(ReadFile, RefusesMoreThanTheLimit) {
+TEST(ReadFile, RejectsFilesBeyondTheLimit) {
   const TempFolder folder;
   const std::string file = folder.write("f", "12345");
   EXPECT_EQ(bytes_of(file, 5), "12345");
@@ -57,7 +57,7 @@ TEST(ReadFile, RefusesMoreThanTheLimit) {
   EXPECT_THAT(refused.error().text, HasSubstr("limit of 4 bytes"));
 }
 
-TEST(ReadFile, RefusesASparseGiantWithoutReading) {
+TEST(ReadFile, RejectsAHugeSparseFileWithoutReading) {
   const TempFolder folder;
   const std::string file = folder.write("giant");
   ASSERT_EQ(::truncate(file.c_str(), off_t{1} << 36), 0);
@@ -91,7 +91,7 @@ TEST(ReadFile, ReadsStandardInputEvenFromAPipe) {
   }
 }
 
-TEST(ReadFile, BoundsStandardInputToo) {
+TEST(ReadFile, LimitsStandardInputToo) {
   with_standard_input("hello", [] {
     const Result<std::string> refused = read_file("-", 4);
     ASSERT_FALSE(refused);

@@ -79,7 +79,7 @@ TEST(WriteFiles, WritesNoneWhereOneCannotBe) {
   }
 }
 
-TEST(WriteFiles, TakesNoDevices) {
+TEST(WriteFiles, RejectsDevices) {
   const TempFolder folder;
   const std::string bytes = "new";
   const std::vector<OutputFile> files{{folder.path("a"), &bytes}, {"/dev/null", &bytes}};

@@ -18,7 +18,7 @@ TEST(SceneBounds, AreTightOutsideTemplates) {
   EXPECT_NEAR(box.max.y, 0.5, 1e-6);
 }
 
-TEST(SceneBounds, HoldInstancesAndMeshes) {
+TEST(SceneBounds, ContainInstancesAndMeshes) {
   SceneBuilder b;
   b.scene.groups.clear();
   RenderGroup inner;

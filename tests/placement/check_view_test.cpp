@@ -56,13 +56,13 @@ struct Ball : SceneBuilder {
   void add_ball(const glm::vec3& at) { add(Shape::sphere, translate(at), plain); }
 };
 
-TEST(CheckView, SaysNothingOfAGoodScene) {
+TEST(CheckView, AGoodSceneHasNoFindings) {
   Ball b;
   b.add_ball({0, 0, 0});
   EXPECT_THAT(codes(judge(b)), IsEmpty());
 }
 
-TEST(CheckView, SaysNothingMoreOfAnEmptyScene) {
+TEST(CheckView, AnEmptySceneHasNoFurtherFindings) {
   Ball b;
   EXPECT_THAT(codes(judge(b)), IsEmpty());
 }
@@ -111,7 +111,7 @@ TEST(CheckView, CameraInsideMeshesThatAreClosedAndFaceOutward) {
   EXPECT_THAT(with(room), IsEmpty());
 }
 
-TEST(CheckView, NothingInViewBehindAndBeside) {
+TEST(CheckView, NothingInViewBehindAndToTheSide) {
   for (const glm::vec3 at :
        {glm::vec3{0, 0, 7}, glm::vec3{0, 6, 0}, glm::vec3{0, -6, 0}, glm::vec3{30, 0, 0}}) {
     Ball b;
@@ -202,7 +202,7 @@ TEST(CheckView, MaterialsThatShowNoLight) {
   EXPECT_THAT(codes(judge(b)), IsEmpty());
 }
 
-TEST(CheckView, SaysWhetherMaterialsOrCoefficientsShowNoLight) {
+TEST(CheckView, DistinguishesMaterialsFromCoefficientsWithoutLight) {
   Ball b;
   b.add_ball({0, 0, 0});
   b.scene.global.diffuse = 0;

@@ -66,7 +66,7 @@ TEST(CameraPath, NeitherPlaceNorSpeedJumps) {
   }
 }
 
-TEST(CameraPath, LooksAtThePointThatItIsGiven) {
+TEST(CameraPath, LooksAtTheFocus) {
   const std::vector<CameraView> views = some_views(true);
   for (double t = 0; t < views.back().time; t += 0.1) {
     const Camera camera = camera_at(views, t);

@@ -485,7 +485,7 @@ TEST(Check, FineScenesHaveNoFindings) {
   EXPECT_EQ(listed(checked(camera([](Camera& c) { c.height_angle_deg = 179; }))), "");
 }
 
-TEST(Check, EveryCaseGivesItsFindingAndItsNearMissDoesNot) {
+TEST(Check, EveryCaseTriggersItsFindingAndASimilarOneDoesNot) {
   for (const Case& c : all_cases()) {
     SCOPED_TRACE(std::string(c.code->name) + " with " + c.word);
     const Diagnostics given = checked(c.gives);
@@ -521,7 +521,7 @@ TEST(Check, CodesAreListedByNameAndExplained) {
   }
 }
 
-TEST(Check, FindingsStandWhereTheValueStands) {
+TEST(Check, FindingsAreAtThePlaceOfTheValue) {
   Scene scene = fine_scene();
   Primitive& p = scene.nodes[0].primitives[0];
   p.location = {7, 1};

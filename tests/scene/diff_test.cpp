@@ -170,11 +170,11 @@ std::vector<std::string> regrouped_texts(Change change) {
 
 }  // namespace
 
-TEST(DiffMeaning, GroupingIsNoDifference) {
+TEST(DiffMeaning, GroupingIsNotADifference) {
   EXPECT_THAT(regrouped_texts([](Scene&) {}), IsEmpty());
 }
 
-TEST(DiffMeaning, NamesOneChangeBetweenScenesThatAreGroupedApart) {
+TEST(DiffMeaning, NamesOneChangeBetweenScenesWithDifferentGroups) {
   EXPECT_THAT(regrouped_texts([](Scene& s) {
                 s.nodes[5].primitives[0].material.diffuse = {1, 0, 0};
               }),

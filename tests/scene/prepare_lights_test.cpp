@@ -134,7 +134,7 @@ TEST(PrepareLights, AreaLightIsTransformedAsARectangle) {
   expect_near(sheared.direction, {0, 0, -1});
 }
 
-TEST(PrepareLights, TemplatesGiveOneLightACopy) {
+TEST(PrepareLights, EachInstanceHasItsOwnLights) {
   Scene scene;
   const NodeId lamp = add_template(scene, "lamp");
   scene.nodes[lamp].lights = {point_light({0, 1, 0})};
@@ -164,7 +164,7 @@ TEST(PrepareLights, FlattenedSpaceKeepsItsPointLights) {
   EXPECT_TRUE(got.materials.empty());
 }
 
-TEST(PrepareLights, WhatHasNoDirectionOrPlaceIsLeftOut) {
+TEST(PrepareLights, LightsWithoutDirectionOrPositionAreLeftOut) {
   Scene scene;
   scene.nodes[0].lights = {light_of(LightType::directional, {0, 0, 0}),
                            light_of(LightType::spot, {0, 0, 0}), point_light({INFINITY, 0, 0})};

@@ -278,7 +278,7 @@ TEST(PrepareLaws, IdentityGroupsDoNotMatter) {
   });
 }
 
-TEST(PrepareLaws, WhereTransformsStandDoesNotMatter) {
+TEST(PrepareLaws, TheNodeOfATransformDoesNotMatter) {
   holds("a list of transforms means the same in one node and in two",
         [](const Scene& scene, Random& random) {
           Scene cut = scene;

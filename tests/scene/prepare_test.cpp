@@ -100,7 +100,7 @@ TEST(Prepare, OrderOfDeclarationDoesNotMatter) {
   EXPECT_TRUE(same_meaning(make(false), make(true)));
 }
 
-TEST(Prepare, LeavesOutWhatDrawsNothing) {
+TEST(Prepare, LeavesOutInvisibleObjects) {
   Scene scene;
   add_template(scene, "empty");
   add_instance(scene, add_template(scene, "holds empty"), "empty");

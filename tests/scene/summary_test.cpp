@@ -7,7 +7,7 @@
 using namespace scenefile;
 using namespace scenefile::test;
 
-TEST(Summary, CountsWhatTheFileHolds) {
+TEST(Summary, CountsTheContentsOfTheFile) {
   Scene scene = fine_scene();
   const NodeId chair = add_template(scene, "chair");
   add_primitive(scene, chair, {translate(1, 0, 0), scale(1, 2, 1)}, Shape::cube);

@@ -64,7 +64,7 @@ TEST(Transforms, CuttingAListDoesNotChangeABit) {
   }
 }
 
-TEST(Storable, RefusesWhatCannotBeDrawn) {
+TEST(Storable, RejectsValuesThatCannotBeDrawn) {
   const auto ok = [](const std::vector<Transform>& list) {
     return storable(composed(DAffine(), list)).has_value();
   };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;
 
-TEST(Optics, MirrorsAboutTheNormal) {
+TEST(Optics, ReflectsAboutTheNormal) {
   const glm::dvec3 d = glm::normalize(glm::dvec3(1, -2, 0.5));
   EXPECT_LT(glm::length(reflect_direction(d, {0, 1, 0}) - d * glm::dvec3(1, -1, 1)), 1e-15);
   EXPECT_EQ(reflect_direction(d, {0, 1, 0}), reflect_direction(d, {0, -1, 0}));
@@ -35,7 +35,7 @@ TEST(Optics, ReflectsTotallyBeyondTheCriticalAngle) {
   EXPECT_FALSE(refract_direction(at(critical + 1e-6), {0, 1, 0}, 1.5, out));
 }
 
-TEST(Optics, MirrorsByFresnelsEquations) {
+TEST(Optics, ReflectsByFresnelsEquations) {
   EXPECT_NEAR(fresnel_reflectance(1, 1 / 1.5), 0.04, 1e-15);
   EXPECT_NEAR(fresnel_reflectance(1, 1.5), 0.04, 1e-15);
   EXPECT_NEAR(fresnel_reflectance(0, 1 / 1.5), 1, 1e-15);
@@ -49,7 +49,7 @@ TEST(Optics, MirrorsByFresnelsEquations) {
   EXPECT_EQ(fresnel_reflectance(std::cos(critical + 1e-4), 1.5), 1);
 }
 
-TEST(Optics, MirrorsAsMuchFromBothSides) {
+TEST(Optics, ReflectsEquallyFromBothSides) {
   for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
     const double in = glm::radians(degrees);
     const double out = std::asin(std::sin(in) / 1.33);
@@ -99,7 +99,7 @@ TEST(Fresnel, NoLightIsLostOrGainedInAFurnace) {
   }
 }
 
-TEST(Fresnel, TheCourseKnowsNone) {
+TEST(Fresnel, TheCourseProfileHasNone) {
   RenderOptions options = default_options(Profile::course);
   options.fresnel = true;
   EXPECT_EQ(glass_between(Shape::cube, 1, 0.5).seen(options),
@@ -164,7 +164,7 @@ TEST(Mirror, CourseClampsEachRayAndFineOnlyThePicture) {
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.75, tolerance);
 }
 
-TEST(Mirror, ShowsWhatLiesInTheMirrorDirection) {
+TEST(Mirror, ShowsTheMirrorDirection) {
   // A mirror at 45 degrees reflects -z to +x.
   SceneBuilder b;
   b.add(Shape::cube, Affine{rotate(45, {0, 1, 0}).linear, glm::vec3(0, 0, -3)},
@@ -259,7 +259,7 @@ TEST(Glass, LocalLightIsNotScaledDown) {
   EXPECT_NEAR(b.seen().x, 0.25 + 0.5 * 0.5, tolerance);
 }
 
-TEST(Glass, CoefficientNotGivenIsOfTheProfile) {
+TEST(Glass, TheDefaultCoefficientDependsOnTheProfile) {
   SceneBuilder b;
   RenderMaterial m = glass(1);
   m.transparent = glm::vec3(1);
@@ -271,7 +271,7 @@ TEST(Glass, CoefficientNotGivenIsOfTheProfile) {
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.5, tolerance);
 }
 
-TEST(Glass, WhatIsInsideShows) {
+TEST(Glass, ObjectsInsideAreVisible) {
   SceneBuilder b;
   b.add(Shape::sphere, Affine{glm::mat3(2), glm::vec3(0, 0, -3)}, b.material(glass(1.5)));
   b.add(Shape::cube, Affine{glm::mat3(0.25), glm::vec3(0, 0, -3)}, b.glowing(glm::vec3(1)));
@@ -280,7 +280,7 @@ TEST(Glass, WhatIsInsideShows) {
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.5, tolerance);
 }
 
-TEST(Glass, InGlassIsLeftInTheOppositeOrder) {
+TEST(Glass, NestedGlassIsLeftInReverseOrder) {
   SceneBuilder b;
   b.add(Shape::sphere, Affine{glm::mat3(2), glm::vec3(0, 0, -3)}, b.material(glass(1)));
   b.add(Shape::sphere, Affine{glm::mat3(1), glm::vec3(0, 0, -3)}, b.material(glass(1)));
@@ -292,7 +292,7 @@ TEST(Glass, InGlassIsLeftInTheOppositeOrder) {
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.125 + 0.5 * (0.125 + 0.5), tolerance);
 }
 
-TEST(Bounces, MoreThanTheyGetStillEnd) {
+TEST(Bounces, MaterialsThatGainLightEnd) {
   // Lossless mirrors and glass, 64 deep: 2^64 rays without a bound.
   SceneBuilder b;
   RenderMaterial m = mirror(1, 0.01f);

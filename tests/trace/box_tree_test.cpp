@@ -127,7 +127,7 @@ TEST(BoxTree, ManyBoxesInOnePlaceNestNoDeeperThanHalving) {
   EXPECT_EQ(offered, 100000);
 }
 
-TEST(BoxTree, NoBoxesAreNoHits) {
+TEST(BoxTree, AnEmptyTreeHasNoHits) {
   const BoxTree tree({});
   tree.search(
       {{0, 0, 5}, {0, 0, -1}}, 0, [] { return infinity; }, [](std::uint32_t) { FAIL(); });

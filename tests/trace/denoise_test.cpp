@@ -109,7 +109,7 @@ TEST(DenoiseBounds, WithoutNoiseNothingChanges) {
   EXPECT_EQ(b.picture(80, 60, options).rgb, image.rgb);
 }
 
-TEST(DenoiseBounds, HardShadowsStaySharpBesideAreaLights) {
+TEST(DenoiseBounds, HardShadowsStaySharpNextToAreaLights) {
   SceneBuilder b = table();
   b.light(LightType::point, {1, 4, 0}, glm::vec3(0.8f));
   b.light(LightType::area, {0, -8, -4}, glm::vec3(0.8f)).direction = {0, -1, 0};

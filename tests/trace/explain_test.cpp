@@ -70,7 +70,7 @@ TEST_P(ExplainedPixel, AddsUpWhereColorsAreNormals) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ExplainedPixel, testing::Range(1u, 9u));
 
-TEST(ExplainedPicture, HasNoDenormalNumbersEither) {
+TEST(ExplainedPicture, HasNoDenormalNumbers) {
   RenderMaterial faint;
   faint.ambient = {1e-30f, 0.5f, 1e-25f};
   SceneBuilder b;
@@ -95,7 +95,7 @@ SceneBuilder lit_ball(const RenderMaterial& material) {
   return b;
 }
 
-TEST(Explain, TellsOfTheRayAndTheSurface) {
+TEST(Explain, DescribesTheRayAndTheSurface) {
   const SceneBuilder b = lit_ball({});
   const PixelRecord pixel = middle(b);
   ASSERT_EQ(pixel.samples.size(), 1u);
@@ -127,7 +127,7 @@ TEST(Explain, AMissIsOneBlackRay) {
   EXPECT_EQ(pixel.color, Color(0));
 }
 
-TEST(Explain, NamesWhatThrowsTheShadow) {
+TEST(Explain, NamesTheOccluder) {
   SceneBuilder b = lit_ball({});
   b.scene.lights[0].position = {0, 3, -4};
   b.add(Shape::cube, translate({0, 2, -4}), b.material({}));

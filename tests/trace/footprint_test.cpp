@@ -102,7 +102,7 @@ void expect_as_neighbor(const OneShape& scene, const glm::dvec2& pixel, const gl
 
 class Footprint : public testing::TestWithParam<Shape> {};
 
-TEST_P(Footprint, IsWhatThePixelsBesideSee) {
+TEST_P(Footprint, AgreesWithTheNeighboringPixels) {
   std::mt19937 random(static_cast<unsigned>(GetParam()) + 1);
   const auto in = [&](double low, double high) {
     return low + (high - low) * double(random() % 10001) / 10000;
@@ -165,7 +165,7 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
   }
 }
 
-TEST(SamplePlan, BeginsInTheMiddleUnlessMoreIsAsked) {
+TEST(SamplePlan, StartsAtTheCenterUnlessMoreSamplesAreRequested) {
   RenderOptions options;
   EXPECT_TRUE(sample_plan(options, false).two_passes());
   EXPECT_FALSE(sample_plan(options, true).middles) << "a lens";

@@ -62,7 +62,7 @@ const float* value(const RenderResult& result, const RenderOptions& options, std
   return &l.values[l.channels.size() * (std::size_t(y) * options.width + x)];
 }
 
-TEST(Layers, HoldWhatTheCameraSees) {
+TEST(Layers, ContainWhatTheCameraSees) {
   for (const Profile profile : {Profile::course, Profile::fine}) {
     const RenderOptions options = with_layers(profile, all_words);
     const SceneBuilder b = wall();
@@ -125,7 +125,7 @@ TEST(Layers, LightsAddUpToThePicture) {
   }
 }
 
-TEST(Layers, LeaveThePictureAsItIs) {
+TEST(Layers, DoNotChangeThePicture) {
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = with_layers(profile, all_words);
     options.features.super_sample = true;

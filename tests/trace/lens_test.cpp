@@ -34,7 +34,7 @@ TEST(Lens, CircleOfConfusionGrowsWithTheDistanceFromFocus) {
   EXPECT_NEAR(share(b, 0.005, options), half, 0.02);
 }
 
-TEST(Lens, WhatIsInFocusIsSharp) {
+TEST(Lens, ObjectsInFocusAreSharp) {
   const SceneBuilder b = edge_scene(0.01, 6);
   for (const Profile profile : {Profile::course, Profile::fine}) {
     EXPECT_EQ(share(b, -1e-4, default_options(profile)), 0);

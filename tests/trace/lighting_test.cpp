@@ -213,7 +213,7 @@ TEST(Lighting, MissingTextureShadesWithTheDiffuseColor) {
   EXPECT_NEAR(b.seen(Profile::fine).x, 0.5, light_tolerance);
 }
 
-TEST(Lighting, CourseIntersectModeKnowsOnlyDirectionalLights) {
+TEST(Lighting, CourseIntersectModeUsesOnlyDirectionalLights) {
   SceneBuilder b = floor_scene(white());
   b.light(LightType::point, {0, 2, 0}, glm::vec3(0.25));
   b.light(LightType::directional, {0, -1, 0}, glm::vec3(0.5));

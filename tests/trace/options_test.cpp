@@ -57,7 +57,7 @@ std::pair<RenderOptions, OptionField> with_changed(int n) {
   return result;
 }
 
-TEST(Options, TheKeyTellsPicturesApart) {
+TEST(Options, TheKeyDistinguishesPictures) {
   std::set<std::string> keys{picture_key({})};
   for (int n = 0;; ++n) {
     const auto [options, field] = with_changed(n);
@@ -69,7 +69,7 @@ TEST(Options, TheKeyTellsPicturesApart) {
   }
 }
 
-TEST(Options, TheKeyTellsLayersAndRegionsApart) {
+TEST(Options, TheKeyDistinguishesLayersAndRegions) {
   RenderOptions a;
   RenderOptions b;
   a.crop = {0, 0, 5, 5};
@@ -82,14 +82,14 @@ TEST(Options, TheKeyTellsLayersAndRegionsApart) {
   EXPECT_NE(picture_key(a), picture_key(b));
 }
 
-TEST(Options, OnlyThreadsLeaveThePictureAsItIs) {
+TEST(Options, OnlyThreadsDoNotAffectThePicture) {
   const RenderOptions options;
   visit_options(options, [](const OptionField& field, const auto&) {
     EXPECT_EQ(field.changes_pixels, field.name != "threads") << field.name;
   });
 }
 
-TEST(Options, WhoKnowsThem) {
+TEST(Options, EnginesAndProfilesOfEachOption) {
   EXPECT_TRUE(knows_option(Engine::gl, who_knows("samples")));
   EXPECT_FALSE(knows_option(Profile::course, who_knows("samples")));
   EXPECT_FALSE(knows_option(Engine::gl, who_knows("seed")));

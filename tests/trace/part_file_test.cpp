@@ -38,7 +38,7 @@ std::string complaint(std::string_view bytes) {
   return decode_part_head(bytes, head, before_rows);
 }
 
-TEST(PartFile, GivesTheHeadBack) {
+TEST(PartFile, RoundTripsTheHead) {
   const std::string bytes = encode_part_head(some_head());
   PartHead head;
   std::size_t before_rows = 0;
@@ -67,7 +67,7 @@ TEST(PartFile, EveryDamagedBitIsRecognized) {
   }
 }
 
-TEST(PartFile, SaysWhatItIsInstead) {
+TEST(PartFile, DescribesOtherFiles) {
   EXPECT_THAT(complaint("<scenefile/>"), HasSubstr("not a part"));
   EXPECT_THAT(complaint("scenefile part 9\n"), HasSubstr("another version"));
   EXPECT_TRUE(is_part_file("scenefile part 9\n"));
@@ -81,7 +81,7 @@ TEST(PartFile, SaysWhatItIsInstead) {
 }
 
 // With a valid checksum.
-TEST(PartFile, WhatCannotBeIsRefused) {
+TEST(PartFile, ImpossibleHeadersAreRejected) {
   const auto refused = [](auto change) {
     PartHead head = some_head();
     change(head);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(PartFile, PartsCoverTheRegionOnce, ()) {
   RC_ASSERT(std::all_of(covered.begin(), covered.end(), [](int n) { return n == 1; }));
 }
 
-TEST(PartFile, RowsOfPartsMakeTheWhole) {
+TEST(PartFile, RowsOfPartsMakeThePicture) {
   SceneBuilder b;
   b.add(Shape::sphere, translate({0, 0, -3}), b.material({}));
   b.light(LightType::point, {0, 2, 0}, glm::vec3(1));
@@ -165,7 +165,7 @@ PartCandidate candidate(std::uint32_t index, std::uint64_t scene = 2, std::strin
   return c;
 }
 
-TEST(PartSet, KnowsWhatIsWrong) {
+TEST(PartSet, FindsDefects) {
   const std::vector<PartCandidate> files{
       candidate(1), candidate(3), candidate(1), candidate(0, 9), candidate(2, 2, "truncated"), {}};
   std::vector<PartCandidate> with_unreadable = files;
@@ -190,7 +190,7 @@ TEST(PartSet, IsCompleteWithAllParts) {
   EXPECT_THAT(sort_parts(unknown).damaged, ElementsAre(0, 1));
 }
 
-TEST(PartSet, NumbersArePutTogether) {
+TEST(PartSet, NumbersAreListedAsRanges) {
   const std::vector<std::uint32_t> none;
   EXPECT_THAT(part_numbers(none), IsEmpty());
   const std::vector<std::uint32_t> some{2, 6, 7, 8, 11, 12};

@@ -53,7 +53,7 @@ TEST(Render, ThreadsDoNotChangeABit) {
   }
 }
 
-TEST(Render, GroupsAreNotNeededOnceTheStructureStands) {
+TEST(Render, GroupsAreNotNeededOnceTheStructureIsBuilt) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = default_options(profile);
@@ -82,7 +82,7 @@ TEST(Render, ACanvasOfAnySizeChangesNoPixel) {
 }
 
 // Progress, states and previews are read while other threads write; intended for ThreadSanitizer.
-TEST(Render, WatchersDisturbNoNumberOfThreads) {
+TEST(Render, ProgressWorksWithAnyNumberOfThreads) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = default_options(profile);
@@ -199,7 +199,7 @@ TEST(Render, ProgressIsCalledByOneThreadAtATime) {
          }});
 }
 
-TEST(Render, StopsWhenToldTo) {
+TEST(Render, StopsOnRequest) {
   const SceneBuilder b = busy_scene();
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = default_options(profile);
@@ -248,7 +248,7 @@ TEST(Render, ImageCoordinatesRunRightAndDown) {
   EXPECT_EQ(image.pixel(12, 47)[1], 1);
 }
 
-TEST(Render, FieldOfViewIsTheWholeVerticalAngle) {
+TEST(Render, FieldOfViewIsTheFullVerticalAngle) {
   // A wall at distance 2 whose top edge is at 45 degrees: exactly the upper edge of the picture.
   SceneBuilder b;
   b.add(Shape::cube, Affine{glm::mat3(4), glm::vec3(0, 0, -4)}, b.glowing(glm::vec3(1)));

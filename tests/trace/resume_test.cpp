@@ -75,7 +75,7 @@ TEST(Resume, GivesTheSameBytes) {
   }
 }
 
-TEST(Resume, GoesOnWhereItWas) {
+TEST(Resume, ContinuesWhereItStopped) {
   const SceneBuilder b = uneven_scene();
   RenderOptions options = options_of(Profile::course);
   options.width = 400;
@@ -99,7 +99,7 @@ TEST(Resume, GoesOnWhereItWas) {
   EXPECT_GE(stopped_at, 0.3);
 }
 
-TEST(Resume, StatesOfOtherPicturesAreRefused) {
+TEST(Resume, StatesOfOtherPicturesAreRejected) {
   PictureState state = empty_state(40, 30, true);
   PictureState narrow = empty_state(39, 30, true);
   PictureState one_pass = empty_state(40, 30, false);
@@ -121,7 +121,7 @@ TEST(Resume, StatesOfOtherPicturesAreRefused) {
       RenderStatus::not_resumed);
 }
 
-TEST(Resume, AStateHoldsWhatIsDone) {
+TEST(Resume, AStateContainsTheFinishedWork) {
   PictureState state = empty_state(20, 2, true);
   for (int x = 0; x < 20; ++x) {
     state.image.pixel(x, 0)[0] = float(x + 1);

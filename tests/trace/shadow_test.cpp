@@ -33,7 +33,7 @@ struct Floor {
   }
 };
 
-TEST(Shadow, EdgeLiesWhereThePointLightSeesIt) {
+TEST(Shadow, TheEdgeIsProjectedFromThePointLight) {
   // A plate up to x = 0.5 at height 1, under a light at height 3: the edge is at 0.5 * 3 / 2.
   for (const Profile profile : {Profile::course, Profile::fine}) {
     Floor floor;
@@ -52,7 +52,7 @@ TEST(Shadow, DirectionalLightsThrowParallelShadows) {
   EXPECT_NEAR(floor.edge(0.3, 0.7, 0.1, default_options(Profile::course)), 0.5, 1e-5);
 }
 
-TEST(Shadow, NothingBehindALightShades) {
+TEST(Shadow, ObjectsBehindALightCastNoShadow) {
   Floor floor;
   floor.b.add(Shape::cube, translate({0, 5, 0}), floor.b.material({}));
   floor.b.light(LightType::point, {0, 3, 0}, glm::vec3(0.5));

@@ -101,7 +101,7 @@ TEST(State, PartsMergeToTheSameBytes) {
   }
 }
 
-TEST(State, PartsOfOtherPicturesAreRefused) {
+TEST(State, PartsOfOtherPicturesAreRejected) {
   const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   const RenderOptions course = all_kinds()[0];
@@ -120,7 +120,7 @@ TEST(State, PartsOfOtherPicturesAreRefused) {
   EXPECT_FALSE(merge(other, part));
 }
 
-TEST(State, ShortCallsGoOnWhereTheyWere) {
+TEST(State, ShortCallsContinue) {
   const SceneBuilder b = many_spheres();
   const TraceScene traced(b.scene, b.assets);
   for (const RenderOptions& options : all_kinds()) {
@@ -151,7 +151,7 @@ TEST(State, OneStructureServesOtherCamerasLightsMaterialsAndOptions) {
   }
 }
 
-TEST(State, AStructureThatCannotBeBuiltSaysSo) {
+TEST(State, AStructureThatCannotBeBuiltIsReported) {
   const SceneBuilder b = many_spheres();
   EXPECT_EQ(TraceScene(b.scene, b.assets).status(), RenderStatus::complete);
   EXPECT_GE(TraceScene(b.scene, b.assets).build_seconds(), 0);

@@ -172,7 +172,7 @@ void expect_equal(const SceneBuilder& b) {
 
 class Wave : public testing::TestWithParam<int> {};
 
-TEST_P(Wave, SeesWhatEachRaySeesAlone) {
+TEST_P(Wave, AgreesWithSingleRays) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(seed);
     expect_equal(some_scene(seed, GetParam()));
@@ -196,7 +196,7 @@ TEST(WaveOptions, FeaturesMayBeOff) {
   }
 }
 
-TEST(WaveOptions, MoreRaysThanThereIsRoomFor) {
+TEST(WaveOptions, MoreRaysThanFit) {
   SceneBuilder b = some_scene(3, 12);
   for (RenderMaterial& m : b.scene.materials) {
     m.reflective = m.transparent = glm::vec3(0.8f);
@@ -287,7 +287,7 @@ void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, con
   EXPECT_EQ(counts.primary, expected_counts.primary);
 }
 
-TEST(WavePixels, TheCoursesPatternsAndWhatTheirRaysMeet) {
+TEST(WavePixels, TheCoursesPatternsAndTheirHits) {
   SceneBuilder b = some_scene(8, 40);
   const auto draw = [](auto& sampler, const Tracer&, const CameraRays&, const auto& places) {
     return sampler.course(places);
@@ -301,7 +301,7 @@ TEST(WavePixels, TheCoursesPatternsAndWhatTheirRaysMeet) {
   expect_same_pixels(b, options, draw);
 }
 
-TEST(WavePixels, FineSamplesAndWhatTheirRaysMeet) {
+TEST(WavePixels, FineSamplesAndTheirHits) {
   const SceneBuilder b = some_scene(8, 40);
   for (const bool fresnel : {false, true}) {
     RenderOptions options = small(Profile::fine);

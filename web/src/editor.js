@@ -137,7 +137,7 @@ export class Editor {
     return this.#view.state.doc.toString();
   }
 
-  /** The text with the line ends of the file, which are the same everywhere in it. */
+  /** The text with the file's line endings, which are uniform. */
   get fileText() {
     return this.#hasCarriageReturns ? this.text.replaceAll('\n', '\r\n') : this.text;
   }

@@ -45,7 +45,7 @@ const workers = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 8));
 const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, version: 0, unsafe: false, filesSaved: true };
 
 const checker = new Engine();
-let panel = null; // EditPanel, when it was shown once
+let panel = null; // EditPanel, once it has been shown
 
 const editor = new Editor(byId('editor'), {
   changed: (changes) => {
@@ -777,7 +777,7 @@ function openLink() {
   try {
     linked = sceneOf(location.hash);
   } catch (error) {
-    // Stays when a stored scene is opened instead.
+    // The notice stays when a stored scene is opened instead.
     notice('link', `The link cannot be opened: ${error.message}.`, { kind: 'error' });
     return false;
   }

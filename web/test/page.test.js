@@ -402,13 +402,13 @@ test('the line ends of Windows stay', async () => {
   assert.equal(await wholeText(), windows.replace('heightangle v="35"', 'heightangle v="50"'));
 });
 
-test('panels refuse values that are not possible', async () => {
+test('panels reject values out of range', async () => {
   await open();
   await openPanels();
   await row('Camera').click();
   await field('Height angle').fill('200');
   await page.keyboard.press('Tab');
-  await page.waitForSelector('text=200 is not possible: from 0 to 180, exclusive');
+  await page.waitForSelector('text=200 is out of range: it must be from 0 to 180, exclusive');
   assert.equal(await wholeText(), hello);
 });
 

@@ -1,12 +1,12 @@
-// Handles over the picture that move, turn or scale the selected object by dragging. The outline follows the
-// pointer; the text changes once, when the pointer is released.
+// Handles over the picture that move, rotate or scale the selected object by dragging. The outline
+// follows the pointer; the text changes once, when the pointer is released.
 
 import { byId } from '../dom.js';
 import { handleOf, moveItem, scaleItem, transformed, turnItem, worldOf } from './placing.js';
 
 const svgName = 'http://www.w3.org/2000/svg';
 const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-const size = 0.22; // of a handle, as a share of the height of the picture
+const size = 0.22; // length of a handle, as a fraction of the picture's height
 const circle = Array.from({ length: 49 }, (_, i) => [Math.cos((i * Math.PI) / 24), Math.sin((i * Math.PI) / 24)]);
 const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [(i & 1) - 0.5, ((i >> 1) & 1) - 0.5, (i >> 2) - 0.5]);
 const edges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
@@ -24,7 +24,7 @@ function element(name, attributes, parent) {
   return made;
 }
 
-/** Places of the picture, in pixels; null: behind the camera. */
+/** Positions in the picture, in pixels; null if behind the camera. */
 export function projection({ position, u, v, w, fov_y: angle }, width, height) {
   const scale = height / 2 / Math.tan(angle / 2);
   return (point) => {
@@ -65,7 +65,7 @@ export class Gizmo {
     return byId('edit-handles').value;
   }
 
-  /** Draws the handles where the picture is now. */
+  /** Draws the handles at the current position of the picture. */
   show() {
     if (this.#drag !== null) {
       return;
@@ -104,7 +104,7 @@ export class Gizmo {
     }
     const depth = -dot(along(origin, view.position, -1), view.w);
     const length = 2 * size * depth * Math.tan(view.fov_y / 2);
-    // Scaling acts along the object's own axes, the others along those of what it is in.
+    // Scaling acts along the object's own axes; moving and rotating use the axes of its parent.
     const space = this.#how === 'scale' ? worldOf(this.#model, handle.item) : handle.space;
     axes.forEach((axis, i) => {
       const world = transformed(space, axis, 0);

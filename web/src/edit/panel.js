@@ -116,7 +116,8 @@ export class EditPanel {
     byId('edit-status').textContent = done ? `${label}: ${done}` : '';
   }
 
-  // After the event of a field, when the focus is where it goes: the fields are made anew, and Firefox would lose it.
+  // After the event of a field, when the focus is where it goes: the fields are rebuilt, and
+  // Firefox would lose the focus.
   #later(field, edit) {
     const item = this.#item;
     const at = fieldsOfItem(this.#model, item).findIndex(({ spec, element }) => spec.name === field.spec.name && element === field.element);
@@ -186,7 +187,7 @@ export class EditPanel {
         }
         return row;
       }),
-      ...(rows.length > shown.length ? [h('div', { className: 'help' }, `${rows.length - shown.length} more; close groups to see them`)] : []),
+      ...(rows.length > shown.length ? [h('div', { className: 'help' }, `${rows.length - shown.length} more rows; close groups to see them`)] : []),
     );
     const selected = this.#tree.querySelector('[aria-selected="true"]');
     selected?.scrollIntoView({ block: 'nearest' });
@@ -372,7 +373,7 @@ export class EditPanel {
         }
         const wrong = outside(part, Number(text));
         target.setAttribute('aria-invalid', String(wrong !== ''));
-        remark.textContent = wrong === '' ? '' : `${text} is not possible: ${wrong}`;
+        remark.textContent = wrong === '' ? '' : `${text} is out of range: it must be ${wrong}`;
         if (wrong === '') {
           set(text);
         }

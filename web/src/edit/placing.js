@@ -1,4 +1,4 @@
-// Where objects are in the world, and edits that move, turn and scale them.
+// World-space placement of objects, and edits that move, rotate and scale them.
 
 import { addTransform, setPart, setParts } from './edits.js';
 import { fieldsOfItem, topOf } from './model.js';
@@ -64,21 +64,22 @@ function matrixOf({ spec, values }) {
 const order = ['translate', 'rotate', 'scale', 'matrix'];
 const isPlacing = ({ spec }) => order.includes(spec.name);
 
-/** The transforms of an item that the file gives, the outermost first. */
+/** The transforms of an item in the file, outermost first. */
 function transformsOf(model, item) {
   const fields = fieldsOfItem(model, item).filter((field) => isPlacing(field) && field.element !== null);
   return model.xml ? fields : fields.sort((a, b) => order.indexOf(a.spec.name) - order.indexOf(b.spec.name));
 }
 
-/** From an item's own space to that of the world. */
+/** The transform from an item's object space to world space. */
 export function worldOf(model, item) {
   const own = ['group', 'primitive', 'instance', 'template'].includes(item.kind) ? transformsOf(model, item).map(matrixOf) : [];
   return own.reduce(product, item.parent === null ? identity : worldOf(model, item.parent));
 }
 
 /**
- * What is moved with an item: { item, space, origin }. In JSON transforms are those of the group that an object is in.
- * `space`: from the space in which it is moved to the world. Null: it cannot be moved, or is at several places.
+ * The handle to move an item: { item, space, origin }. In JSON, an object is moved by the
+ * transforms of its group. `space`: the transform to world space from the space in which it is
+ * moved. Null if it cannot be moved, or has several instances.
  */
 export function handleOf(model, item) {
   if (item === null || model.problem >= 0 || topOf(item).kind === 'template') {
@@ -97,18 +98,18 @@ export function handleOf(model, item) {
 
 const known = (handle) => ([...handle.space, ...handle.origin].every(Number.isFinite) ? handle : null);
 
-/** A number as people write it. */
+/** A number with few digits. */
 export const tidy = (number) => String(Number(number.toPrecision(6)));
 
 const fieldOf = (model, item, name) => fieldsOfItem(model, item).find(({ spec }) => spec.name === name);
 
-// Sets the values of a new transform of XML, which is added after `before` others: -1: after all.
+// Adds a transform in XML with these values, after `before` others; -1: after all.
 function withNew(model, item, name, values, before) {
   const spec = model.words.fields.transblock.find((some) => some.name === name);
   return addTransform(model, item, name, values ?? spec.start, before);
 }
 
-/** Moves by `delta` in the space of the handle. `step`: what the values are rounded to. */
+/** Moves by `delta` in the space of the handle; rounds values to multiples of `step`. */
 export function moveItem(model, handle, delta, step = 1e-6) {
   const rounded = (number) => tidy(Math.round(number / step) * step);
   const changed = (field) =>
@@ -132,7 +133,7 @@ export function scaleItem(model, handle, axis, factor) {
   return setPart(model, field, axis, scaled(field.values[axis]));
 }
 
-/** Turns about an axis of the space that the item is in, where its first translations put it. */
+/** Rotates about an axis of the parent's space, through the position given by the leading translations. */
 export function turnItem(model, handle, axis, degrees) {
   const { item } = handle;
   const turn = [0, 1, 2].map((i) => (i === axis ? 1 : 0)).concat(degrees);

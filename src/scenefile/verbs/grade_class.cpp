@@ -112,7 +112,7 @@ double mean_square(const Texture& a, const Texture& b) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.rgb.size(); i += step) {
-    const double d = double{a.rgb[i]} - b.rgb[i];
+    const double d = static_cast<double>(a.rgb[i]) - b.rgb[i];
     sum += d * d;
     ++count;
   }

@@ -559,3 +559,20 @@ test('handles move, turn and scale objects in the world as far as they say', asy
   }
   assert.ok(count > 100, String(count));
 });
+
+test('several objects in a transblock are edited one by one, but not copied or moved', () => {
+  const text = '<scenefile>\n<object type="tree" name="root">\n<transblock>\n<scale x="1" y="2" z="1"/>\n<object type="primitive" name="cube"/>\n<object type="primitive" name="cone"/>\n</transblock>\n</object>\n</scenefile>\n';
+  const before = model(text);
+  const [cube, cone] = before.all.filter(({ kind }) => kind === 'primitive');
+  for (const item of [cube, cone]) {
+    assert.equal(canDuplicate(before, item) || canWrap(before, item) || neighborOf(before, item, 1) !== undefined || targetsFor(before, item).length > 0, false);
+  }
+  const shape = fieldsOfItem(before, cone).find(({ spec }) => spec.name === 'name');
+  assert.equal(after(text, setPart(before, shape, 0, 'sphere')), text.replace('"cone"', '"sphere"'));
+  assert.equal(after(text, removeItem(before, cone)), text.replace('<object type="primitive" name="cone"/>\n', ''));
+});
+
+test('a template without a name has no instances', () => {
+  const text = '{"globalData": {}, "templateGroups": [{"primitives": []}], "groups": [{"primitives": [{"type": "cube"}]}]}';
+  assert.deepEqual(model(text).all.map(({ kind }) => kind), ['globals', 'camera', 'template', 'root', 'group', 'primitive']);
+});

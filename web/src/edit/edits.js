@@ -385,7 +385,7 @@ function freeId(model) {
   return id;
 }
 
-export const canDuplicate = (model, item) => !isFixed(item);
+export const canDuplicate = (model, item) => !isFixed(item) && !item.shared;
 
 /** Inserts a copy after the item; a copied light gets a new id, a copied template a new name. */
 export function duplicateItem(model, item) {
@@ -499,7 +499,8 @@ export function moveInto(model, item, target) {
   return edit([...removalOf(model, item), change], change, change.select);
 }
 
-export const canWrap = (model, item) => targetsFor(model, item).length > 0 || (item.kind === 'group' && !item.shared) || item.kind === 'primitive' && !item.shared || item.kind === 'instance' && !item.shared || (item.kind === 'light' && !model.xml);
+export const canWrap = (model, item) =>
+  ['group', 'primitive', 'instance'].includes(item.kind) ? !item.shared : item.kind === 'light' && !model.xml;
 
 /** Wraps an item in a new group, at the same place. */
 export function wrapItem(model, item) {

@@ -68,7 +68,7 @@ function readXml(model) {
     add(item);
   }
   const trees = scene.children.filter(called('object'));
-  const names = new Set(trees.map((element) => wordOf(element, 'name')).filter((name) => name !== 'root'));
+  const names = new Set(trees.map((element) => wordOf(element, 'name')).filter((name) => name !== 'root' && name !== ''));
   for (const element of trees) {
     const name = wordOf(element, 'name');
     const isRoot = name === 'root';
@@ -122,7 +122,7 @@ function readJson(model) {
     model.items.push(itemOf(kind, label, element, { element, fields: key }));
   }
   const templates = entriesOf(top, 'templateGroups');
-  const names = new Set(templates.map((object) => wordIn(object, 'name')));
+  const names = new Set(templates.map((object) => wordIn(object, 'name')).filter((name) => name !== ''));
   const open = [];
   const listed = (object, kind, label, rest) => itemOf(kind, label, object, { element: object, list: object.parent, ...rest });
   for (const object of templates) {

@@ -254,7 +254,7 @@ export class EditPanel {
       byId(id).title = why ?? '';
     };
     const none = !usable || item === null ? 'the text has errors' : null;
-    off('edit-duplicate', none ?? (canDuplicate(model, item) ? null : 'every scene has one'));
+    off('edit-duplicate', none ?? (canDuplicate(model, item) ? null : item.shared ? 'its transblock has several objects' : 'every scene has one'));
     off('edit-delete', none ?? whyNotRemoved(model, item));
     off('edit-up', none ?? (neighborOf(model, item, -1) === undefined ? 'it is the first' : null));
     off('edit-down', none ?? (neighborOf(model, item, 1) === undefined ? 'it is the last' : null));

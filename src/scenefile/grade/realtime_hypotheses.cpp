@@ -431,7 +431,7 @@ class Maker {
     if (shapes_.contains(Shape::cone)) {
       add_mesh(Cause::normals, "the normal at the tip of cones points up", &MeshMistakes::tip_up);
       add_mesh(Cause::normals,
-               "the normal at the tip of cones is that of the wedge's edge, not of its middle",
+               "the normal at the tip of cones is that of the wedge's edge, not of its center line",
                &MeshMistakes::tip_of_first);
     }
   }

@@ -29,8 +29,12 @@ bool operator==(const RenderInstance& a, const RenderInstance& b) {
 
 bool operator==(const RenderLight& a, const RenderLight& b) {
   const auto values = [](const RenderLight& l) {
-    return std::tie(l.type, l.color, l.position, l.direction, l.attenuation, l.inner_angle,
-                    l.outer_angle, l.half_u, l.half_v);
+    // Names all members, so that a new one cannot be forgotten.
+    const auto& [type, color, position, direction, attenuation, inner_angle, outer_angle, half_u,
+                 half_v, source] = l;
+    (void)source;
+    return std::tie(type, color, position, direction, attenuation, inner_angle, outer_angle, half_u,
+                    half_v);
   };
   return values(a) == values(b);
 }

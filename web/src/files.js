@@ -2,8 +2,8 @@
 
 import { strToU8, unzipSync, zipSync } from 'fflate';
 
-const mostFiles = 10_000;
-const mostBytes = 512 * 1024 * 1024;
+const maxFiles = 10_000;
+const maxBytes = 512 * 1024 * 1024;
 
 export const isSceneName = (path) => /\.(xml|json)$/i.test(path);
 export const isPictureName = (path) => /\.(png|jpe?g|gif|bmp|tga)$/i.test(path);
@@ -33,7 +33,7 @@ function unpacked(bytes, name) {
   const filter = ({ name: path, originalSize }) => {
     count += 1;
     size += originalSize;
-    return count <= mostFiles && size <= mostBytes && !path.endsWith('/') && cleanPath(path) !== null;
+    return count <= maxFiles && size <= maxBytes && !path.endsWith('/') && cleanPath(path) !== null;
   };
   let files;
   try {
@@ -41,7 +41,7 @@ function unpacked(bytes, name) {
   } catch (error) {
     throw new Error(`${name} cannot be unpacked: ${error.message}`);
   }
-  if (count > mostFiles || size > mostBytes) {
+  if (count > maxFiles || size > maxBytes) {
     throw new Error(`${name} is larger than a page can handle`);
   }
   return Object.entries(files).map(([path, content]) => [cleanPath(path), content]);
@@ -51,9 +51,9 @@ function unpacked(bytes, name) {
 export async function readAll(list) {
   const files = new Map();
   let size = 0;
-  for (const [path, file] of list.slice(0, mostFiles)) {
+  for (const [path, file] of list.slice(0, maxFiles)) {
     size += file.size;
-    if (size > mostBytes) {
+    if (size > maxBytes) {
       throw new Error('these files are larger than a page can handle');
     }
     const bytes = new Uint8Array(await file.arrayBuffer());
@@ -82,7 +82,7 @@ async function belowEntry(entry, list) {
   const reader = entry.createReader();
   for (;;) {
     const entries = await new Promise((resolve, reject) => reader.readEntries(resolve, reject));
-    if (entries.length === 0 || list.length > mostFiles) {
+    if (entries.length === 0 || list.length > maxFiles) {
       return;
     }
     for (const below of entries) {

@@ -2,7 +2,7 @@
 
 import { deflateSync, Inflate, strFromU8, strToU8 } from 'fflate';
 
-const mostText = 64 * 1024 * 1024;
+const maxText = 64 * 1024 * 1024;
 const piece = 16 * 1024;
 
 // In pieces, so that a small link cannot expand to fill the memory.
@@ -15,7 +15,7 @@ function inflated(bytes) {
   });
   for (let at = 0; at < bytes.length; at += piece) {
     inflate.push(bytes.subarray(at, at + piece), at + piece >= bytes.length);
-    if (size > mostText) {
+    if (size > maxText) {
       throw new Error('too large');
     }
   }

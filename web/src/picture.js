@@ -4,7 +4,7 @@
 import { Engine, Stopped } from './engine.js';
 
 const stripTime = 200; // milliseconds that a strip should take
-const fewestRows = 8; // of a strip: each also traces rows around it
+const minRows = 8; // of a strip: each also traces rows around it
 const frameTime = 45; // milliseconds for a preview
 const patience = 120; // milliseconds for canceled work to finish, before its worker is terminated
 
@@ -224,7 +224,7 @@ export class Picture {
     const work = async (engine) => {
       await this.#prepared(engine);
       while (job === this.#job && next < height) {
-        const rows = perRow === 0 ? fewestRows : Math.max(fewestRows, Math.min(most, Math.round(stripTime / perRow)));
+        const rows = perRow === 0 ? minRows : Math.max(minRows, Math.min(most, Math.round(stripTime / perRow)));
         const y0 = next;
         const y1 = Math.min(height, y0 + rows);
         next = y1;

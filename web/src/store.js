@@ -2,7 +2,7 @@
 // two tabs never write the same one.
 
 const name = 'scenefile';
-const mostRecent = 12;
+const maxRecent = 12;
 
 let database = null;
 
@@ -68,16 +68,16 @@ export async function load(id) {
 /** `files`: null if they have not changed. */
 export async function save({ id, path, text, options, unsafe }, files) {
   const to = await stores('readwrite');
-  const wishes = [result(to.documents.put({ id, path, text, options, unsafe, time: Date.now() }))];
+  const requests = [result(to.documents.put({ id, path, text, options, unsafe, time: Date.now() }))];
   if (files !== null) {
-    wishes.push(result(to.files.put([...files], id)));
+    requests.push(result(to.files.put([...files], id)));
   }
-  await Promise.all(wishes);
+  await Promise.all(requests);
 }
 
 /** Deletes the oldest documents, except those that a tab holds. */
 export async function tidy() {
-  const old = (await list()).slice(mostRecent);
+  const old = (await list()).slice(maxRecent);
   const held = new Set(((await navigator.locks?.query())?.held ?? []).map((lock) => lock.name));
   const { documents, files } = await stores('readwrite');
   for (const { id } of old.filter(({ id: some }) => !held.has(`${name}-${some}`))) {

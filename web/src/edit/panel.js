@@ -11,7 +11,7 @@ import {
 import { Gizmo } from './gizmo.js';
 import { fieldsOfItem, itemAt, modelOf } from './model.js';
 
-const mostRows = 400;
+const maxRows = 400;
 
 const partNames = {
   attenuationCoeff: ['constant', 'linear', 'quadratic'],
@@ -164,8 +164,8 @@ export class EditPanel {
     const hadFocus = this.#tree.contains(document.activeElement);
     const rows = this.#visibleRows();
     const at = rows.findIndex(({ item }) => item === this.#item);
-    const first = Math.max(0, Math.min(at - mostRows / 2, rows.length - mostRows));
-    const shown = rows.slice(first, first + mostRows);
+    const first = Math.max(0, Math.min(at - maxRows / 2, rows.length - maxRows));
+    const shown = rows.slice(first, first + maxRows);
     this.#tree.replaceChildren(
       ...shown.map(({ item, level }) => {
         const isSelected = item === this.#item;

@@ -250,7 +250,7 @@ bool is_plain_comment(std::string_view comment) {
   return true;
 }
 
-// The most common spelling; only Expat can tell of others.
+// The most common spelling; Expat must judge others.
 bool is_plain_declaration(std::string_view text) {
   constexpr std::string_view version = "<?xml version=\"1.0\"";
   if (!text.starts_with(version)) {

@@ -42,7 +42,7 @@ struct XmlToken {
   XmlTokenKind kind = XmlTokenKind::text;
   std::string_view written;  ///< with its brackets; text without white space around it
   /// Well-formed without a doubt, as far as one token shows: ASCII names, at most 16 attributes,
-  /// values without references and line breaks. Only Expat can tell of other tokens.
+  /// values without references and line breaks. Expat must judge other tokens.
   bool plain = false;
   // Of a tag:
   std::string_view name;

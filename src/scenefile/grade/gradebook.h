@@ -71,7 +71,7 @@ std::string gradebook_html(const Gradebook& book, std::string_view title);
 std::string student_html(const StudentResult& student, std::string_view title);
 
 /// One line per picture of each student, as CSV (RFC 4180) with a header line. An apostrophe is put
-/// before text that a spreadsheet would take for a formula.
+/// before text that a spreadsheet would interpret as a formula.
 std::string gradebook_csv(const Gradebook& book);
 
 /// The results of one student in Gradescope's format (results.json): one test and one point per

@@ -30,27 +30,28 @@ constexpr std::uint32_t usual_samples = 16;
 constexpr double variance_of_contrast = 1.0 / 12;
 
 // The variance estimated from the contrast counts as much as this many samples: many, because a
-// pixel whose own samples decide when to stop is biased. Where most of it is dark, those that miss
-// what is bright agree, and stop.
+// pixel whose own samples decide when to stop is biased. In a mostly dark pixel, for example, the
+// first samples may all miss a small bright area, agree, and end the sampling.
 constexpr double weight_of_contrast = 150;
 
-// A pixel is refined even if its first round gains only this share of what a sample must gain
-// later: next to fine geometry a center that misses it agrees with its neighbors, so that keeping
-// many centers would darken the picture.
+// A pixel is refined even if its first round gains only this share of what samples must gain later:
+// near fine geometry, center samples that miss it agree with their neighbors, and keeping too many
+// of them would darken the picture.
 constexpr double share_for_first_round = 0.25;
 
 // Marks are square roots of contrasts, in these units.
 constexpr double mark_unit = 1.0 / 65535;
 
-// From this many samples on, every pixel gets at least 1 / share_for_exactness of them.
+// If at least this many samples are allowed, every pixel gets at least 1 / share_for_exactness of
+// them.
 constexpr std::uint32_t samples_for_exactness = 256;
 constexpr std::uint32_t share_for_exactness = 32;
 
 // The first round, for pictures in which every pixel starts with pattern samples.
 constexpr std::uint32_t first_samples = 4;
 
-// Where a lens blurs the background by more pixels than this (the radius), four samples that agree
-// tell too little.
+// If a lens blurs the background by a radius of more pixels than this, agreement of four samples
+// says too little.
 constexpr double strong_blur = 8;
 
 // Behind a lens, a pixel has enough samples if the standard error of its mean is below this.

@@ -41,10 +41,10 @@ bool has_lens(const RenderScene& scene, const RenderOptions& options);
 /// Whether lenses or area lights leave noise.
 bool is_soft(const RenderScene& scene, const RenderOptions& options);
 
-/// Whether the camera has a lens that blurs so strongly that a few samples tell nothing.
+/// Whether the camera has a lens that blurs so strongly that a few samples are not representative.
 bool blurs_strongly(const RenderScene& scene, const RenderOptions& options);
 
-/// How the samples of a picture are shared out among its pixels.
+/// How the samples of a picture are distributed among its pixels.
 struct SamplePlan {
   bool middles = true;      ///< start with one sample at the center of each pixel
   std::uint32_t first = 1;  ///< otherwise at least this many samples per pixel

@@ -1,5 +1,6 @@
 #pragma once
-// The file format for one part of a picture: what it is a part of, and its pixels.
+// The file format for one part of a picture: a description of the whole, and the pixels of the
+// part.
 //
 //   scenefile part 1        a line; the number is the version of the layout
 //   length of the header    4 bytes

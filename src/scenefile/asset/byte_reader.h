@@ -1,5 +1,5 @@
 #pragma once
-// Little-endian numbers out of bytes. Private to the room.
+// Little-endian numbers out of bytes. Internal to asset.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// The decoders used by decode_image(). Private to the room.
+// The decoders used by decode_image(). Internal to asset.
 
 #include "scenefile/asset/image.h"
 

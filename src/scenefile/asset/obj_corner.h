@@ -1,5 +1,5 @@
 #pragma once
-// The corners of OBJ faces. Private to the room.
+// The corners of OBJ faces. Internal to asset.
 
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-// The words of an OBJ file. Private to the room.
+// Splits an OBJ file into words. Internal to asset.
 
 #include "scenefile/base/location.h"
 

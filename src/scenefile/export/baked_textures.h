@@ -1,5 +1,5 @@
 #pragma once
-// Textures with the material's blend and colors baked in. Private to the room.
+// Textures with the material's blend and colors baked in. Internal to export.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/export/phong_pbr.h"

@@ -1,6 +1,6 @@
 #pragma once
 // Meshes as graphics hardware and glTF expect them: one index for all attributes of a vertex.
-// Private to the room.
+// Internal to export.
 
 #include "scenefile/geometry/mesh.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The binary part of a glTF file, and the JSON that describes it. Private to the room.
+// The binary part of a glTF file, and the JSON that describes it. Internal to export.
 
 #include "scenefile/export/flat_mesh.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The lights of a glTF file. Private to the room.
+// The lights of a glTF file. Internal to export.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The materials of a glTF file. Private to the room.
+// The materials of a glTF file. Internal to export.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/export/baked_textures.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Materials in POV-Ray's language. Private to the room.
+// Materials in POV-Ray's language. Internal to export.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/export/write_pov.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Shapes in POV-Ray's language. Private to the room.
+// Shapes in POV-Ray's language. Internal to export.
 
 #include "scenefile/export/pov_material.h"
 #include "scenefile/geometry/mesh.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Values in POV-Ray's language. Private to the room.
+// Values in POV-Ray's language. Internal to export.
 
 #include "scenefile/base/affine.h"
 

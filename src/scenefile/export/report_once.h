@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room.
+// Internal to export.
 
 #include "scenefile/base/diagnostics.h"
 

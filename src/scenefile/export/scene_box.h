@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room.
+// Internal to export.
 
 #include "scenefile/geometry/mesh.h"
 #include "scenefile/scene/render_scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Affine maps as translation, rotation and scale. Private to the room.
+// Affine maps as translation, rotation and scale. Internal to export.
 
 #include "scenefile/base/affine.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What read_scene() and write_scene() do in each dialect. Private to the room.
+// The implementations of read_scene() and write_scene() for XML and JSON. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

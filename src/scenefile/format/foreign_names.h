@@ -1,5 +1,5 @@
 #pragma once
-// Translates names of other formats and programs. Internal to the room.
+// Translates names of other formats and programs. Internal to format.
 
 #include <span>
 #include <string_view>

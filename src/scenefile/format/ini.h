@@ -7,7 +7,7 @@
 //     key = "a; b"          quotes keep blanks and semicolons
 //     key = caf\xe9 \\ \"   escapes, quoted or not: \\ \" \' \? and \x with hexadecimal digits
 //
-// Private to the room.
+// Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of a JSON scene: global data, camera, lights, primitives. Private to the room.
+// The parts of a JSON scene: global data, camera, lights, primitives. Internal to format.
 
 #include "scenefile/format/json_fields.h"
 #include "scenefile/scene/scene.h"

@@ -1,6 +1,6 @@
 #pragma once
 // The building blocks of the JSON reader: keys of objects, and typed values. Everything here
-// reports errors and continues. Private to the room.
+// reports errors and continues. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

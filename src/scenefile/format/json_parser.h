@@ -1,5 +1,5 @@
 #pragma once
-// Parses JSON, without recursion, into a flat list of places in the text. Private to the room; only
+// Parses JSON, without recursion, into a flat list of places in the text. Internal to format; only
 // json_parser.cpp uses the JSON library.
 
 #include <cstddef>

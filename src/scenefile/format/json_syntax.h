@@ -1,6 +1,6 @@
 #pragma once
 // Explains why a text is not valid JSON, and repairs it: numbers that the course's programs accept,
-// and faults that should not hide what comes after them. Private to the room.
+// and faults that should not hide what comes after them. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

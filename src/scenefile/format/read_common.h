@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of XML and JSON share. Private to the room.
+// Shared by the readers of XML and JSON. Internal to format.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Opens the bytes of a scene file: converts them to UTF-8, the only encoding that the readers
-// handle, and detects the syntax. Internal to the room.
+// handle, and detects the syntax. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/write_scene.h"

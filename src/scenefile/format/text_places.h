@@ -1,6 +1,6 @@
 #pragma once
 // Converts byte offsets in a text to lines and columns. Lines end with LF, CR or CR LF; columns
-// count code points. Private to the room.
+// count code points. Internal to format.
 
 #include "scenefile/base/location.h"
 

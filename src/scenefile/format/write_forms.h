@@ -1,6 +1,6 @@
 #pragma once
-// Rearranges a scene into what a format can represent, with the same meaning. Idempotent. Private
-// to the room.
+// Rearranges a scene into what a format can represent, with the same meaning. Idempotent. Internal
+// to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Escaping of text for both writers. Private to the room.
+// Escaping of text for both writers. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

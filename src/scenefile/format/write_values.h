@@ -1,5 +1,5 @@
 #pragma once
-// Writes values by the rows of the vocabulary, for both formats. Private to the room. A Printer has
+// Writes values by the rows of the vocabulary, for both formats. Internal to format. A Printer has
 // name_of(row), which is empty for what its format cannot represent, value(name, float),
 // three(name, kind, vec3), id(name, int, place), text(name, text, place) and image(row, use).
 

@@ -1,5 +1,5 @@
 #pragma once
-// The parts of an XML scene: a reader for each block, element and tag. Internal to the room.
+// The parts of an XML scene: a reader for each block, element and tag. Internal to format.
 
 #include "scenefile/base/shape.h"
 #include "scenefile/format/xml_context.h"

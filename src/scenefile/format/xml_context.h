@@ -1,5 +1,5 @@
 #pragma once
-// The context passed to every part of the XML reader. Internal to the room.
+// The context passed to every part of the XML reader. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"

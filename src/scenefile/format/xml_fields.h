@@ -1,5 +1,5 @@
 #pragma once
-// Looks up the children of a block by name. Internal to the room.
+// Looks up the children of a block by name. Internal to format.
 
 #include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_values.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Asks Expat whether a text is well-formed XML. Internal to the room.
+// Asks Expat whether a text is well-formed XML. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"

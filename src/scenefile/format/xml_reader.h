@@ -1,5 +1,5 @@
 #pragma once
-// Reads well-formed XML as a sequence of events. Independent of scenes. Internal to the room.
+// Reads well-formed XML as a sequence of events. Independent of scenes. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"

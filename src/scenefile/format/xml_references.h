@@ -1,5 +1,5 @@
 #pragma once
-// Names of trees: declarations and uses, resolved at the end of the file. Internal to the room.
+// Names of trees: declarations and uses, resolved at the end of the file. Internal to format.
 
 #include "scenefile/format/xml_context.h"
 #include "scenefile/scene/scene.h"

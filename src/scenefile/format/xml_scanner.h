@@ -1,6 +1,6 @@
 #pragma once
 // Splits XML, as written, into tags, comments and text: the only code that walks XML. Internal to
-// the room.
+// format.
 
 #include "scenefile/base/location.h"
 

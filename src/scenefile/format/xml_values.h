@@ -1,5 +1,5 @@
 #pragma once
-// Reads numbers and text from the attributes of a tag, in all dialects. Internal to the room.
+// Reads numbers and text from the attributes of a tag, in all dialects. Internal to format.
 
 #include "scenefile/format/xml_context.h"
 #include "scenefile/scene/vocabulary.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What both ways to make meshes of shapes share. Internal to the room.
+// Shared by both tessellations of shapes. Internal to geometry.
 
 #include "scenefile/geometry/mesh.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room.
+// Internal to import.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/geometry/shapes.h"

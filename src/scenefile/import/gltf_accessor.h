@@ -1,5 +1,5 @@
 #pragma once
-// Arrays of numbers in a glTF file. Private to the room.
+// Arrays of numbers in a glTF file. Internal to import.
 
 #include "scenefile/import/gltf_file.h"
 

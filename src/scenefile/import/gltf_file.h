@@ -1,5 +1,5 @@
 #pragma once
-// A parsed glTF file: its JSON, buffers, and tables. Private to the room.
+// A parsed glTF file: its JSON, buffers, and tables. Internal to import.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/import/imported_scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Materials and pictures of a glTF file. Private to the room.
+// Materials and pictures of a glTF file. Internal to import.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/import/gltf_file.h"

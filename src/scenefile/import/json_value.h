@@ -1,5 +1,5 @@
 #pragma once
-// A value in a parsed JSON document. Private to the room.
+// A value in a parsed JSON document. Internal to import.
 
 #include "scenefile/format/json_parser.h"
 

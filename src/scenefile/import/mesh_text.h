@@ -1,5 +1,5 @@
 #pragma once
-// Triangles as the text of an OBJ file. Private to the room.
+// Triangles as the text of an OBJ file. Internal to import.
 
 #include <glm/glm.hpp>
 

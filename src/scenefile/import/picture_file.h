@@ -1,5 +1,5 @@
 #pragma once
-// Private to the room.
+// Internal to import.
 
 #include "scenefile/asset/image.h"
 #include "scenefile/import/imported_scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Materials of OBJ files. Private to the room.
+// Materials of OBJ files. Internal to import.
 
 #include "scenefile/scene/scene.h"
 

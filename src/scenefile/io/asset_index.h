@@ -1,5 +1,5 @@
 #pragma once
-// Private to the io room: an index of files in some folders, by base name.
+// Internal to io: an index of files in some folders, by base name.
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Private to the io room: file names as written in scenes.
+// Internal to io: file names as written in scenes.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-// Private to the io room: an open file.
+// Internal to io: an open file.
 
 #include "scenefile/io/file.h"
 

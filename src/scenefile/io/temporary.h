@@ -1,5 +1,5 @@
 #pragma once
-// Private to the io room: the temporary files of writes in progress, for the signal handler.
+// Internal to io: the temporary files of writes in progress, for the signal handler.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The pieces of check(). Internal to the room.
+// The pieces of check(). Internal to scene.
 
 #include "scenefile/base/components.h"
 #include "scenefile/base/diagnostics.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Aligns the items of two lists. Internal to the room.
+// Aligns the items of two lists. Internal to scene.
 
 #include <cstdint>
 #include <optional>

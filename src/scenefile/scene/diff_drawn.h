@@ -1,5 +1,5 @@
 #pragma once
-// Compares what two scenes draw, regardless of grouping. Internal to the room.
+// Compares what two scenes draw, regardless of grouping. Internal to scene.
 
 #include "scenefile/scene/diff.h"
 

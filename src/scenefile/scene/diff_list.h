@@ -1,5 +1,5 @@
 #pragma once
-// Differences between values and between lists of items, as text. Internal to the room.
+// Differences between values and between lists of items, as text. Internal to scene.
 
 #include "scenefile/scene/diff.h"
 #include "scenefile/scene/diff_align.h"

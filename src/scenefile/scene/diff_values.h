@@ -1,5 +1,5 @@
 #pragma once
-// The values of a scene as text, for comparison and hashing. Internal to the room.
+// The values of a scene as text, for comparison and hashing. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 

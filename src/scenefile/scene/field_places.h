@@ -1,5 +1,5 @@
 #pragma once
-// Looks up the place of a value in the file. Internal to the room.
+// Looks up the place of a value in the file. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The pieces of prepare(). Internal to the room.
+// The pieces of prepare(). Internal to scene.
 
 #include "scenefile/base/affine.h"
 #include "scenefile/base/limits.h"

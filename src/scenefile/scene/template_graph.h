@@ -1,5 +1,5 @@
 #pragma once
-// The graph of which template instantiates which. Internal to the room.
+// The graph of which template instantiates which. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 

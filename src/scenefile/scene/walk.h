@@ -1,6 +1,6 @@
 #pragma once
 // Walks over the nodes of a scene without recursion, which end for any scene, including broken
-// ones. Internal to the room.
+// ones. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The state of a device. Internal to the room.
+// The state of a device. Internal to view.
 
 #include "scenefile/view/programs.h"
 #include "scenefile/view/targets.h"

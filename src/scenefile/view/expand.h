@@ -1,5 +1,5 @@
 #pragma once
-// Expands groups and instances to a flat list of objects in the world. Internal to the room.
+// Expands groups and instances to a flat list of objects in the world. Internal to view.
 
 #include "scenefile/view/draw.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The projection of a picture. Internal to the room.
+// The projection of a picture. Internal to view.
 
 #include "scenefile/view/expand.h"
 

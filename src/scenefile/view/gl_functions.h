@@ -1,6 +1,6 @@
 #pragma once
 // The subset of OpenGL that this room uses: functions and constants of 4.1 core that WebGL2 also
-// has. Declared here so that newer ones cannot be used by mistake. Internal to the room. Source:
+// has. Declared here so that newer ones cannot be used by mistake. Internal to view. Source:
 // the OpenGL 4.1 and ES 3.0 specifications (Khronos).
 
 #include "scenefile/view/draw.h"

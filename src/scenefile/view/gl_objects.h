@@ -1,5 +1,5 @@
 #pragma once
-// RAII wrappers for OpenGL objects. Internal to the room.
+// RAII wrappers for OpenGL objects. Internal to view.
 
 #include "scenefile/view/gl_functions.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Lights in the form that the shaders use. Internal to the room.
+// Lights in the form that the shaders use. Internal to view.
 
 #include "scenefile/view/draw.h"
 

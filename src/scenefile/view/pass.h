@@ -1,5 +1,5 @@
 #pragma once
-// A rendering pass over the objects of a drawing. Internal to the room.
+// A rendering pass over the objects of a drawing. Internal to view.
 
 #include "scenefile/view/device.h"
 #include "scenefile/view/framing.h"

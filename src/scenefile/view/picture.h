@@ -1,5 +1,5 @@
 #pragma once
-// Renders to a surface, for windows and images. Internal to the room.
+// Renders to a surface, for windows and images. Internal to view.
 
 #include "scenefile/view/device.h"
 #include "scenefile/view/scene_buffers.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Shader programs, compiled at first use. Internal to the room.
+// Shader programs, compiled at first use. Internal to view.
 
 #include "scenefile/view/gl_functions.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of the assignment Realtime. Internal to the room.
+// Pictures of the assignment Realtime. Internal to view.
 
 #include "scenefile/view/picture.h"
 

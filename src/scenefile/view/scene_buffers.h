@@ -1,5 +1,5 @@
 #pragma once
-// The GPU resources of a drawing. Internal to the room.
+// The GPU resources of a drawing. Internal to view.
 
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/view/expand.h"

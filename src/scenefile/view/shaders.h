@@ -1,5 +1,5 @@
 #pragma once
-// The sources in shaders/, embedded by the build. Internal to the room.
+// The sources in shaders/, embedded by the build. Internal to view.
 
 namespace scenefile {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Shadow maps. Internal to the room.
+// Shadow maps. Internal to view.
 //
 // A directional light or a narrow spotlight has one map, a point light a cube of six. An area light
 // has a cube at the center of each of its quarters, or a single cube if there are many. They do not

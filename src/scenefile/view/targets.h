@@ -1,5 +1,5 @@
 #pragma once
-// Framebuffers that the room creates. Internal to the room.
+// Offscreen framebuffers. Internal to view.
 
 #include "scenefile/view/gl_objects.h"
 

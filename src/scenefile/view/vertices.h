@@ -1,5 +1,5 @@
 #pragma once
-// Triangles in the form that the shaders use. Internal to the room.
+// Triangles in the form that the shaders use. Internal to view.
 
 #include "scenefile/base/shape.h"
 #include "scenefile/geometry/mesh.h"

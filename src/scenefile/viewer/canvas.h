@@ -1,6 +1,6 @@
 #pragma once
 // The pictures in the window: from OpenGL, from the ray tracer, the reference, and their
-// differences. Internal to the room; needs the window's context.
+// differences. Internal to viewer; needs the window's context.
 
 #include "scenefile/view/draw.h"
 #include "scenefile/viewer/gl_picture.h"

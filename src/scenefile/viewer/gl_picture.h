@@ -1,5 +1,5 @@
 #pragma once
-// Pictures in the window's OpenGL context, which must be current. Internal to the room.
+// Pictures in the window's OpenGL context, which must be current. Internal to viewer.
 
 #include "scenefile/asset/image.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Panels, menus and overlays. Internal to the room; only gui*.cpp and window.cpp use Dear ImGui.
+// Panels, menus and overlays. Internal to viewer; only gui*.cpp and window.cpp use Dear ImGui.
 
 #include "scenefile/viewer/session.h"
 

@@ -144,7 +144,7 @@ std::string set_limit(Limits& limits, const std::string& assignment) {
 std::string limits_text(std::size_t width) {
   std::string text =
       wrapped(
-          "Limits keep a malicious or faulty file from using too much time or memory. A file that "
+          "Limits keep a faulty or malicious file from using too much time or memory. A file that "
           "exceeds one is rejected with a message and exit status 4. Each is set by --limit "
           "NAME=VALUE; K, M and G after a number of bytes mean 2^10, 2^20 and 2^30.",
           0, 0, width) +

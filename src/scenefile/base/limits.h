@@ -1,5 +1,6 @@
 #pragma once
-// Bounds on what a hostile or faulty file may cost. Passed to every function that reads.
+// Bounds on the time and memory that a faulty or malicious file may take. Passed to every function
+// that reads.
 
 #include <cstddef>
 #include <cstdint>

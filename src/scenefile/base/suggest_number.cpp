@@ -44,7 +44,7 @@ std::string in_ascii(std::string_view text) {
   return result;
 }
 
-// 1_000, 1'000. Not blanks, which more likely separate two numbers.
+// 1_000, 1'000. Not spaces, which more likely separate two numbers.
 void join_digits(std::string& text) {
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
     if ((text[i] == '_' || text[i] == '\'') && is_digit(text[i - 1]) && is_digit(text[i + 1])) {

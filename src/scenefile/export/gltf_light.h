@@ -10,7 +10,7 @@
 namespace scenefile {
 
 /// A light of KHR_lights_punctual as JSON. If its attenuation differs from glTF's, the intensity is
-/// chosen to match in the middle of `box`, the bounding box of the scene.
+/// chosen to match at the center of `box`, the bounding box of the scene.
 std::string gltf_light(const RenderLight& light, const Bounds& box, Diagnostics& diagnostics);
 
 }  // namespace scenefile

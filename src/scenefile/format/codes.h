@@ -328,7 +328,7 @@ inline constexpr Code json_after_end{
     "The first value is complete and more follows: two files in one, or an extra bracket."};
 inline constexpr Code json_limit{
     "json.limit", Severity::error, "a limit is reached",
-    "Limits keep a faulty or hostile file from taking all memory and time. They leave ample room "
+    "Limits keep a faulty or malicious file from taking all memory and time. They leave ample room "
     "for every scene of the course, and can be raised.",
     CodeKind::limit};
 

@@ -87,7 +87,8 @@ void take_part(const XmlToken& tag, WrittenCamera& camera) {
   }
 }
 
-// The line end and the blanks before a tag; empty if the tag is not the first thing on its line.
+// The line end and the white space before a tag; empty if the tag is not the first thing on its
+// line.
 std::string indent_before(std::string_view text, std::size_t offset) {
   std::size_t begin = offset;
   while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) {

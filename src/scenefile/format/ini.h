@@ -3,8 +3,8 @@
 //
 //     ; a comment, also after a value; a line that starts with # is a comment too
 //     [Section]
-//     key = value           surrounding blanks are ignored
-//     key = "a; b"          quotes keep blanks and semicolons
+//     key = value           surrounding spaces are ignored
+//     key = "a; b"          quotes keep spaces and semicolons
 //     key = caf\xe9 \\ \"   escapes, quoted or not: \\ \" \' \? and \x with hexadecimal digits
 //
 // Internal to format.

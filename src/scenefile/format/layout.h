@@ -11,7 +11,7 @@
 
 namespace scenefile {
 
-/// Formats a scene file with one element or member per line, indented by two blanks per level.
+/// Formats a scene file with one element or member per line, indented by two spaces per level.
 /// Names, values, their order and spelling, comments, declarations, the encoding and line ends are
 /// unchanged; several blank lines become one. In XML, a comment after other text stays on its line,
 /// and elements that contain text, CDATA or xml:space="preserve" are unchanged. In JSON, a list of

@@ -104,7 +104,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test,
                         const std::function<bool(double done)>& go_on = {},
                         LookFor look_for = LookFor::several_at_once);
 
-/// What the scene shows at the middle of a pixel of a picture of that size: RenderPrimitive::source
+/// What the scene shows at the center of a pixel of a picture of that size: RenderPrimitive::source
 /// of the nearest shape. nullopt if there is none, or if the scene has too many shapes.
 std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& pixel,
                                        const glm::ivec2& size);

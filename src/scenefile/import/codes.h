@@ -16,7 +16,7 @@ inline constexpr Code import_left_out{
     "points, lines, normal maps and other features of models have no equivalent."};
 inline constexpr Code import_limit{
     "import.limit", Severity::error, "the model is larger than the limits allow",
-    "The limits keep a mistaken or hostile file from taking all memory; --limit raises them.",
+    "The limits keep a faulty or malicious file from taking all memory; --limit raises them.",
     CodeKind::limit};
 inline constexpr Code import_missing_file{
     "import.missing-file",

@@ -46,7 +46,7 @@ std::optional<glm::vec3> read_color(ObjWords& words) {
   return glm::clamp(glm::vec3(*r, g.value_or(*r), b.value_or(*r)), glm::vec3(0), glm::vec3(1e6f));
 }
 
-// The name may contain blanks; options and their values come before it.
+// The name may contain spaces; options and their values come before it.
 std::string read_picture(ObjWords& words) {
   std::string name;
   bool options = false;

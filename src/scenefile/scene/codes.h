@@ -85,7 +85,7 @@ inline constexpr Code light_many{
     "a template counts once for each instance."};
 inline constexpr Code light_count_limit{
     "light.count-limit", Severity::error, "too many lights",
-    "Every lit point considers every light. The limit keeps a faulty or hostile file from taking "
+    "Every lit point considers every light. The limit keeps a faulty or malicious file from taking "
     "hours; it can be raised. A light in a template counts once for each instance.",
     CodeKind::limit};
 inline constexpr Code light_duplicate_id{

@@ -43,7 +43,7 @@ void build_grip(Session& session, const Box& panel, double scale) {
   ImGui::End();
 }
 
-// Takes space for the outline from the room.
+// Takes space for the outline from the available space.
 void build_left(Session& session, const GuiFrame& frame, Box& room) {
   const double width = std::min(session.settings.panel_width * frame.scale, room.size.x * 0.45);
   const Box panel{room.at, {width, room.size.y}};
@@ -62,7 +62,7 @@ bool has_messages(const Session& session) {
   return session.shown != nullptr && !session.shown->opened.diagnostics.list().empty();
 }
 
-// Takes space for the messages from the room.
+// Takes space for the messages from the available space.
 void build_bottom(Session& session, const GuiFrame& frame, Box& room) {
   const double most = session.broken != nullptr ? 0.4 : 0.2;
   const double wanted = session.messages_height == 0 ? 60 * frame.scale : session.messages_height;

@@ -33,7 +33,7 @@ void colored(ImU32 color, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-// The line of the file. Tabs count as one column, so they are drawn as one blank.
+// The line of the file. Tabs count as one column, so they are drawn as one space.
 std::string line_of(std::string_view text, std::uint32_t line) {
   std::size_t begin = 0;
   for (std::uint32_t i = 1; i < line && begin != std::string_view::npos; ++i) {

@@ -241,7 +241,7 @@ void compare_with(Session& session, Texture ours);
 
 /// The aspect ratio of the picture: that of the reference, if there is one.
 double picture_aspect(const Session& session, const glm::dvec2& room);
-/// The largest box with the picture's aspect ratio in the middle of the room.
+/// The largest box with the picture's aspect ratio in the center of the available space.
 Box picture_box(const Session& session, const Box& room);
 /// The box of the camera's view in the window, and its aspect ratio, which differs from that of the
 /// picture in the assignment Realtime.

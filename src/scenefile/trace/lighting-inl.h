@@ -10,7 +10,8 @@
 
 namespace scenefile::SCENEFILE_LANES {
 
-/// See illuminate().
+/// Light at a point, ignoring occluders. None arrives outside a spotlight's cone, behind an area
+/// light, and at the light itself.
 struct Arriving {
   M arrives;
   V3 to_light;

@@ -37,7 +37,8 @@ struct OptionRow {
   std::string_view value;   ///< "WxH"; empty: a flag
   std::string_view help;
   unsigned commands;  ///< a combination of for_... bits
-  /// Parses the value. Returns an error text, in words that follow "--name: "; empty on success.
+  /// Parses the value. Returns an error text, as a phrase that follows "--name: "; empty on
+  /// success.
   std::string (*set)(Options& options, const std::string& value);
   /// The field of RenderOptions that it sets, which determines the engines and profiles that know
   /// it (visit_options.h); if empty, `known` does.

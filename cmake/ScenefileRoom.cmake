@@ -1,6 +1,6 @@
-# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY])
-# A room is one folder of src/scenefile and one static library target scenefile::NAME. HEADERS are
-# the public headers, which are installed; others are private to the room. PROGRAM_ONLY: not part of
+# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY]) A
+# room is one folder of src/scenefile and one static library target scenefile::NAME. HEADERS are the
+# public headers, which are installed; others are internal to the room. PROGRAM_ONLY: not part of
 # the installed library.
 include_guard(GLOBAL)
 

@@ -92,7 +92,7 @@ TEST(BadInput, AnIorOfZeroIsReported) {
   EXPECT_THAT(check(json).out, HasSubstr("ior 0 of the transparent sphere counts as 1"));
 }
 
-TEST(BadInput, ARotationWithoutAxisOrAngleSaysWhatIsMissing) {
+TEST(BadInput, ARotationWithoutAxisOrAngleIsReported) {
   const ProgramRun axis = check(with_transform(R"(<rotate angle="45"/>)"));
   EXPECT_THAT(axis.out, HasSubstr("<rotate> has no axis, so it has no effect; write its axis as x, "
                                   "y and z [xml.rotate-axis]"));

@@ -98,7 +98,7 @@ TEST(Completion, CompletesTheLastWordOfAList) {
             "shadows,reflect shadows,refract\n");
 }
 
-TEST(Completion, KnowsEveryOptionInEveryShell) {
+TEST(Completion, OffersEveryOptionInEveryShell) {
   const std::string zsh = run_program({"help", "--completion", "zsh"}).out;
   const std::string fish = run_program({"help", "--completion", "fish"}).out;
   const std::string bash = run_program({"help", "--completion", "bash"}).out;
@@ -113,7 +113,7 @@ TEST(Completion, KnowsEveryOptionInEveryShell) {
   }
 }
 
-TEST(Completion, RefusesOtherShells) {
+TEST(Completion, RejectsOtherShells) {
   const ProgramRun run = run_program({"help", "--completion", "tcsh"});
   EXPECT_EQ(run.status, 2);
   EXPECT_THAT(run.err, HasSubstr("bash"));

@@ -13,7 +13,7 @@
 namespace scenefile {
 namespace {
 
-TEST(Number, AcceptsWhatPeopleWrite) {
+TEST(Number, AcceptsCommonNotations) {
   const std::pair<const char*, double> cases[] = {
       {"1", 1},
       {"-2.5", -2.5},

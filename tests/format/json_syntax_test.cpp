@@ -184,7 +184,7 @@ TEST(JsonSyntax, NestingIsBounded) {
   EXPECT_EQ(very_deep.list().front().code, &json_limit);
 }
 
-TEST(JsonSyntax, LargeFilesAreRefused) {
+TEST(JsonSyntax, LargeFilesAreRejected) {
   ReadOptions options;
   options.limits.file_bytes = 5;
   Diagnostics diagnostics;

@@ -61,7 +61,7 @@ TEST(Deep, NodesAreCheckedAndPrepared) {
   EXPECT_EQ(node_path(scene, 1), "root/#1");
 }
 
-TEST(Deep, TemplatesAreRefusedAndStillSafe) {
+TEST(Deep, TemplatesAreRejectedSafely) {
   const Scene scene = template_chain();
   Diagnostics diagnostics;
   check(scene, Limits{}, diagnostics);

@@ -216,7 +216,7 @@ void expect_trails(const SceneBuilder& b, RenderOptions options, Met& met) {
   }
 }
 
-TEST(WaveTrail, IsWhatTheReferenceComputes) {
+TEST(WaveTrail, AgreesWithTheReference) {
   Met met;
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);

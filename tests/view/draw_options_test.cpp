@@ -36,7 +36,7 @@ TEST(DrawOptions, ContainTheFeaturesOfOpenGl) {
   }
 }
 
-TEST(DrawOptions, HoldTheProfile) {
+TEST(DrawOptions, ContainTheProfile) {
   const RenderOptions course = default_options(Profile::course);
   const RenderOptions fine = default_options(Profile::fine);
   EXPECT_TRUE(draw_options(course).course);

@@ -21,7 +21,7 @@ Settings other_settings() {
   return settings;
 }
 
-TEST(Settings, ThereAndBack) {
+TEST(Settings, RoundTripsAllValues) {
   Settings settings;
   EXPECT_TRUE(parse_settings(settings_text(other_settings()), settings));
   EXPECT_EQ(settings, other_settings());

@@ -15,11 +15,10 @@ namespace scenefile {
 /// name. Gray is expanded, 16 bits are rounded to 8, alpha is dropped (colors are not multiplied by
 /// it), gamma and color profiles are ignored. A truncated or damaged file is rejected, not partly
 /// decoded.
-///
-/// Sizes are checked against `limits` before memory is allocated; `budget` is what remains of
+///  Sizes are checked against `limits` before memory is allocated; `budget` is what remains of
 /// limits.texture_bytes and is reduced by what is decoded. On failure the texture is empty, `error`
-/// says why in words that follow "cannot decode: ", and `over_limit`, if not null, whether a limit
-/// was the reason.
+/// says why as a phrase that follows "cannot decode: ", and `over_limit`, if not null, whether a
+/// limit was the reason.
 Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
                      std::string& error, bool* over_limit = nullptr);
 

@@ -50,7 +50,7 @@ enum class Cause : std::uint8_t {
   // Of the assignment Realtime (realtime_causes.h).
   tessellation,  ///< other parameters, wedges or quads
   facets,        ///< flat normals, or lighting per vertex
-  culling,       ///< missing, or triangles wound the wrong way
+  culling,       ///< missing, or triangles with the wrong winding order
   clipping,      ///< near and far planes
   filter,        ///< missing, wrong kernel, wrong border
   viewport,      ///< size of the viewport, the frame and the window's aspect ratio

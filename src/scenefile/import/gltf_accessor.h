@@ -16,7 +16,7 @@ std::uint64_t element_count(const GltfFile& file, std::uint32_t accessor);
 
 /// Reads the elements of an accessor with `components` numbers each, consecutively. Integers become
 /// fractions if they are `normalized`. If anything is invalid or a value is not finite, returns
-/// false and the reason, in words that follow "accessors[1]".
+/// false and the reason, as a phrase that follows "accessors[1]".
 bool read_floats(const GltfFile& file, std::uint32_t accessor, std::size_t components,
                  std::vector<float>& values, std::string& error);
 

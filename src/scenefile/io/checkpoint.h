@@ -23,7 +23,7 @@ struct CheckpointKey {
 std::string encode_checkpoint(const CheckpointKey& key, std::string_view state);
 
 /// Extracts the state if `bytes` is a complete checkpoint with that key. Otherwise returns what is
-/// wrong, for people, and `state` is empty.
+/// wrong, and `state` is empty.
 std::string decode_checkpoint(std::string_view bytes, const CheckpointKey& key, std::string& state);
 
 }  // namespace scenefile

@@ -124,7 +124,7 @@ class Accelerator {
   /// parts, or not only shapes. Built at the first call.
   const PartTree& part_tree() const;
 
-  /// Whether a ray was given up because it entered too many instances (deeply nested overlapping
+  /// Whether a ray was abandoned because it entered too many instances (deeply nested overlapping
   /// templates); pictures made with it are wrong.
   bool overwhelmed() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Draws a pass, given what all passes of a picture share. Internal to trace.
+// Draws a pass, given the data shared by all passes of a picture. Internal to trace.
 
 #include "scenefile/trace/picture_state.h"
 #include "scenefile/trace/tracer.h"

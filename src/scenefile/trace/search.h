@@ -11,7 +11,7 @@
 
 namespace scenefile {
 
-/// A ray that enters more instances than this is given up (overlapping nested templates).
+/// A ray that enters more instances than this is abandoned (overlapping nested templates).
 inline constexpr std::uint32_t max_instances_entered = 1u << 22;
 
 /// Groups with at most this many parts are searched one by one.

@@ -1,5 +1,5 @@
 #pragma once
-// What all pictures of a scene share; built once.
+// Data shared by all pictures of a scene, built once.
 
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/scene/render_scene.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What all rays of a picture share, built once.
+// Data shared by all rays of a picture, built once.
 
 #include "scenefile/trace/accelerator.h"
 #include "scenefile/trace/camera_rays.h"
@@ -27,7 +27,7 @@ struct Tracer {
   /// Builds the TraceScene too.
   Tracer(const RenderScene& scene, const Assets& assets, const RenderOptions& options);
 
-  /// Rays may only be traced when `complete`; later `limit_reached` if one had to be given up.
+  /// Rays may only be traced when `complete`; later `limit_reached` if one had to be abandoned.
   RenderStatus status() const;
   /// Includes the lens if that is enabled.
   CameraRays camera() const;

@@ -76,7 +76,7 @@ std::vector<const WaveKernel*> wave_kernels();
 /// The same in one lane, for any machine: slow.
 const WaveKernel& one_lane_kernel();
 
-/// What all waves of a picture share.
+/// Data shared by all waves of a picture.
 struct WaveScene {
   WaveScene(const Tracer& tracer, const CameraRays& camera);
 

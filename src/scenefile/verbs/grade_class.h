@@ -16,7 +16,7 @@ namespace scenefile {
 
 struct GradeRequest {
   std::string handed_in;   ///< one folder per student, or the pictures of one student
-  std::string references;  ///< a folder with the right pictures
+  std::string references;  ///< a folder with the correct pictures
   std::string scenes;      ///< a folder with their scenes; empty: look in `references`
   /// Without thresholds, the kind of difference decides: pictures with known mistakes fail at any
   /// PSNR, and pictures that differ only at edges or by rounding pass.

@@ -10,8 +10,8 @@
 #include "scenefile/asset/image.h"
 #include "scenefile/asset/load_assets.h"
 #include "scenefile/base/diagnostics.h"
-#include "scenefile/scene/render_scene.h"
 #include "scenefile/base/realtime.h"
+#include "scenefile/scene/render_scene.h"
 
 #include <glm/glm.hpp>
 
@@ -29,7 +29,7 @@ namespace scenefile {
 using GlFunction = void (*)();
 using GetProcAddress = GlFunction (*)(const char* name);
 
-/// What all drawings of a context share: functions, shader programs, framebuffers. Programs are
+/// Data shared by all drawings of a context: functions, shader programs, framebuffers. Programs are
 /// compiled at first use.
 class GlDevice {
  public:

@@ -31,7 +31,9 @@ async function stores(mode) {
   return { documents: transaction.objectStore('documents'), files: transaction.objectStore('files') };
 }
 
-export const newId = () => crypto.randomUUID();
+// randomUUID() only exists where the page comes by https, which a frame or a host in a laboratory may lack.
+export const newId = () =>
+  [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 
 /** Locks the document for this tab; false if another tab holds it. */
 export function hold(id) {

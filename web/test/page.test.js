@@ -623,6 +623,19 @@ test('a link holds the scene and takes precedence over the stored one', async ()
   await page.waitForSelector('text=the link is damaged');
 });
 
+test('a frame of another page shows a scene without the menus', async () => {
+  await open();
+  await page.click('#share');
+  await page.waitForFunction(() => location.hash.startsWith('#s='));
+  const link = page.url().replace('#', '#embed&');
+  const other = await newPage();
+  await other.setContent(`<iframe width="700" height="500" src="${link}"></iframe>`);
+  const frame = other.frameLocator('iframe');
+  await frame.locator('#canvas[data-drawn]').waitFor();
+  assert.equal(await frame.locator('header').isVisible(), false);
+  assert.equal(await frame.locator('#name').inputValue(), 'hello.xml');
+});
+
 test('keeps the scene, and two tabs do not overwrite each other', async () => {
   await open();
   await type(hello.replace('v="35"', 'v="51"'));

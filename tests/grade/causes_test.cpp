@@ -327,6 +327,21 @@ TEST(Causes, TexturesNotRepeated) {
   expect_named(Cause::texture, {"texture-not-repeated"});
 }
 
+TEST(Causes, ValuesAboveFullBrightness) {
+  std::uint32_t named = 0;
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    GeneratedScene scene(seed);
+    for (RenderLight& light : scene.builder.scene.lights) {
+      light.color *= 5.0f;
+    }
+    const SceneView view = view_of(scene);
+    const CauseReport report = find_causes(reference_of(scene, false),
+                                           scene.drawn_by_student({"light-not-normalized"}), &view);
+    named += report.claims.size() == 1 && report.claims.front().cause == Cause::lights ? 1 : 0;
+  }
+  EXPECT_GE(named, 4u);
+}
+
 TEST(Causes, RecursionDepth) {
   expect_named(Cause::recursion_depth, {"mirror-missing"});
   expect_named(Cause::recursion_depth, {"mirror-depth-one"});

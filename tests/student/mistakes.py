@@ -176,7 +176,7 @@ def main():
         tasks = choices[:options.clean]
     elif options.combinations:
         names = [m for m in bench.mistakes if bench.mistakes[m][0] not in UNKNOWN and
-                 m not in ("output-black", "camera-corners", "output-misses-black")]
+                 m not in ("output-black", "output-half-drawn", "camera-corners", "output-misses-black")]
         while len(tasks) < 40 * options.combinations:
             count = 2 if chance.random() < 0.7 else 3
             chosen = tuple(sorted(chance.sample(names, count)))

@@ -177,20 +177,20 @@ JsonIndex member(const JsonTape& tape, JsonIndex object, std::string_view name) 
   return found;
 }
 
-std::optional<std::string_view> json_number(const JsonTape& tape, JsonIndex value) {
+std::optional<std::string_view> number_in_json(const JsonTape& tape, JsonIndex value) {
   if (value == 0 || !tape.is_number(value)) {
     return std::nullopt;
   }
   return tape.raw(value);
 }
 
-std::optional<WrittenVector> json_vector(const JsonTape& tape, JsonIndex value) {
+std::optional<WrittenVector> vector_in_json(const JsonTape& tape, JsonIndex value) {
   if (value == 0 || !tape.is_array(value) || tape.items[value].extent != 3) {
     return std::nullopt;
   }
   WrittenVector vector;
   for (JsonIndex i = 0; i < 3; ++i) {
-    const std::optional<std::string_view> number = json_number(tape, value + 1 + i);
+    const std::optional<std::string_view> number = number_in_json(tape, value + 1 + i);
     if (!number) {
       return std::nullopt;
     }
@@ -222,11 +222,11 @@ WrittenCamera find_json_camera(std::string_view text) {
   if (camera == 0) {
     return written;
   }
-  written.position = json_vector(tape, member(tape, camera, position_row.json));
-  written.look = json_vector(tape, member(tape, camera, look_row.json));
-  written.focus = json_vector(tape, member(tape, camera, focus_name));
-  written.up = json_vector(tape, member(tape, camera, up_row.json));
-  written.height_angle = json_number(tape, member(tape, camera, angle_row.json));
+  written.position = vector_in_json(tape, member(tape, camera, position_row.json));
+  written.look = vector_in_json(tape, member(tape, camera, look_row.json));
+  written.focus = vector_in_json(tape, member(tape, camera, focus_name));
+  written.up = vector_in_json(tape, member(tape, camera, up_row.json));
+  written.height_angle = number_in_json(tape, member(tape, camera, angle_row.json));
   return written;
 }
 

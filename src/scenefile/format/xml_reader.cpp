@@ -43,7 +43,7 @@ std::string_view reference_at(std::string_view text, std::size_t at) {
 }
 
 // An attribute's value with references resolved and line breaks replaced, as XML demands.
-std::string decoded(std::string_view value) {
+std::string decoded_value(std::string_view value) {
   std::string text;
   for (std::size_t at = 0; at < value.size(); ++at) {
     const char c = value[at];
@@ -255,7 +255,7 @@ bool EventReader::decode_values() {
   }
   decoded_.clear();
   for (const XmlAttribute& attribute : token_.attributes) {
-    decoded_.push_back(decoded(attribute.value));
+    decoded_.push_back(decoded_value(attribute.value));
   }
   for (std::size_t i = 0; i < decoded_.size(); ++i) {
     token_.attributes[i].value = decoded_[i];

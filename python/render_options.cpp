@@ -79,6 +79,10 @@ constexpr Option known_options[] = {
     {"features", "features", set_features},
     {"samples", "samples",
      [](RenderOptions& o, const py::handle& v) { o.samples = number("samples", v, 1, 1 << 20); }},
+    {"min_samples", "min_samples",
+     [](RenderOptions& o, const py::handle& v) {
+       o.min_samples = number("min_samples", v, 1, 1 << 20);
+     }},
     {"max_depth", "max_depth",
      [](RenderOptions& o, const py::handle& v) { o.max_depth = number("max_depth", v, 0, 64); }},
     {"seed", "seed",

@@ -18,6 +18,7 @@ import scenefile
     (),
     ("--profile", "course", "--features", "shadows,reflect"),
     ("--samples", "4", "--seed", "7", "--crop", "10,5,50,40"),
+    ("--samples", "4", "--min-samples", "4"),
     ("--mode", "normals"),
     ("--features", "intersect"),
     ("--features", "illuminate"),
@@ -26,8 +27,8 @@ def test_the_bytes_are_the_programs(scenes, tmp_path, program, options):
     theirs, ours = tmp_path / "theirs.png", tmp_path / "ours.png"
     program("render", scenes / "hello.xml", "--size", "64x48", "-o", theirs, *options)
     given = dict(zip(options[::2], options[1::2]))
-    keywords = {key[2:]: value for key, value in given.items()}
-    for key in ("samples", "seed"):
+    keywords = {key[2:].replace("-", "_"): value for key, value in given.items()}
+    for key in ("samples", "min_samples", "seed"):
         if key in keywords:
             keywords[key] = int(keywords[key])
     if "crop" in keywords:

@@ -4,6 +4,7 @@
 #include "scenefile/view/programs.h"
 #include "scenefile/view/targets.h"
 
+#include <functional>
 #include <string>
 
 namespace scenefile {
@@ -11,8 +12,10 @@ namespace scenefile {
 struct GlDevice::State {
   gl::Functions gl;
   std::string renderer;
-  int max_side = 0;     ///< maximum side of a framebuffer, pixels
-  int max_samples = 1;  ///< maximum per pixel
+  int max_side = 0;             ///< maximum side of a framebuffer, pixels
+  int max_samples = 1;          ///< maximum per pixel
+  std::function<bool()> go_on;  ///< of interrupt_with()
+  bool interrupted = false;     ///< `go_on` has ended the current drawing
   Programs programs{gl};
   PixelSurface multisampled;
   PixelSurface resolved;

@@ -67,6 +67,7 @@ Output output_of(DrawMode mode) {
 const PixelSurface* draw_resolved(GlDevice::State& device, Drawing::State& drawing,
                                   const RenderCamera& camera, const DrawOptions& options, int width,
                                   int height, DrawStats& stats) {
+  device.interrupted = false;
   if (options.realtime) {
     return draw_realtime(device, drawing, camera, options, width, height, stats);
   }

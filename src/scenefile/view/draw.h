@@ -16,6 +16,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -41,6 +42,11 @@ class GlDevice {
 
   /// The driver's name of the renderer, such as `llvmpipe (LLVM 15.0.6, 256 bits)`.
   const std::string& renderer() const;
+
+  /// Sets a function that is called several times during each drawing. If it returns false, the
+  /// drawing ends early, and its picture is incomplete. Each call waits for the drawing so far.
+  /// Empty (the default): drawings are never interrupted.
+  void interrupt_with(std::function<bool()> go_on);
 
   struct State;
   State& state() { return *state_; }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace scenefile {
 
 namespace {
@@ -19,6 +21,10 @@ GlDevice::~GlDevice() = default;
 
 const std::string& GlDevice::renderer() const {
   return state_->renderer;
+}
+
+void GlDevice::interrupt_with(std::function<bool()> go_on) {
+  state_->go_on = std::move(go_on);
 }
 
 std::unique_ptr<GlDevice> GlDevice::create(GetProcAddress find, std::string& error) {

@@ -80,6 +80,7 @@ inline constexpr Enum TRIANGLES = 0x0004, LINES = 0x0001, UNSIGNED_INT = 0x1405,
   ROW(void, DrawElementsInstanced, (Enum, Size, Enum, const void*, Size))                 \
   ROW(void, Enable, (Enum))                                                               \
   ROW(void, EnableVertexAttribArray, (Name))                                              \
+  ROW(void, Finish, ())                                                                   \
   ROW(void, FramebufferRenderbuffer, (Enum, Enum, Enum, Name))                            \
   ROW(void, FramebufferTexture2D, (Enum, Enum, Enum, Name, int))                          \
   ROW(void, FramebufferTextureLayer, (Enum, Enum, Name, int, int))                        \

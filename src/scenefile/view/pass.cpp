@@ -42,6 +42,8 @@ struct Item {
 // More than any scene written by hand needs; bounds the time for deeply nested templates.
 constexpr double most_work = 6e8;
 constexpr double work_of_triangle = 15;
+// Between two looks at whether the drawing is interrupted.
+constexpr std::size_t objects_per_check = 512;
 
 // Opaque objects in batches, nearest first, to avoid lighting hidden pixels; then transparent ones,
 // farthest first.
@@ -97,11 +99,19 @@ class Pass {
       gl_.Enable(gl::BLEND);
       gl_.BlendFunc(gl::ONE, gl::ONE);
     }
+    std::size_t unchecked = 0;
     for (const Batch& batch : batches_) {
       if (batch.key.see_through) {
         draw_see_through(batch);
       } else {
         draw_batch(batch, 0);
+      }
+      unchecked += batch.count;
+      if (unchecked >= objects_per_check) {
+        unchecked = 0;
+        if (is_interrupted()) {
+          break;
+        }
       }
     }
     gl_.BindVertexArray(0);
@@ -112,6 +122,14 @@ class Pass {
   }
 
  private:
+  bool is_interrupted() {
+    if (device_.go_on) {
+      gl_.Finish();
+      device_.interrupted = !device_.go_on();
+    }
+    return device_.interrupted;
+  }
+
   bool is_shown(std::uint32_t source) const {
     return source >= options_.objects.size() || options_.objects[source];
   }
@@ -291,7 +309,9 @@ class Pass {
     records.reserve(items_.size());
     for (const Item& item : items_) {
       // Transparent objects are drawn one by one, in order.
-      if (batches_.empty() || batches_.back().key != item.key || item.key.see_through) {
+      const bool full =
+          device_.go_on && !batches_.empty() && batches_.back().count == objects_per_check;
+      if (batches_.empty() || batches_.back().key != item.key || item.key.see_through || full) {
         batches_.push_back({item.key, records.size(), 0});
       }
       ++batches_.back().count;

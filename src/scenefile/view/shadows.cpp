@@ -165,7 +165,7 @@ std::uint32_t draw_layers(GlDevice::State& device, Drawing::State& drawing,
   gl.Enable(gl::POLYGON_OFFSET_FILL);
   gl.PolygonOffset(1.5f, 4);
   std::uint32_t calls = 0;
-  for (std::size_t layer = 0; layer < shadows.views.size(); ++layer) {
+  for (std::size_t layer = 0; layer < shadows.views.size() && !device.interrupted; ++layer) {
     gl.FramebufferTextureLayer(gl::FRAMEBUFFER, gl::DEPTH_ATTACHMENT, shadows.layers.name(), 0,
                                static_cast<int>(layer));
     gl.Clear(gl::DEPTH_BUFFER_BIT);
@@ -213,7 +213,11 @@ std::uint32_t make_shadows(GlDevice::State& device, Drawing::State& drawing,
   shadows.side = side_for(layers_of(drawing.emitters, drawing.scene.objects).views.size());
   plan_shadows(drawing.emitters, drawing.scene.objects, shadows);
   make_layers(device.gl, shadows);
-  return draw_layers(device, drawing, options);
+  const std::uint32_t calls = draw_layers(device, drawing, options);
+  if (device.interrupted) {
+    shadows.made_for.reset();
+  }
+  return calls;
 }
 
 std::uint32_t count_shadowless(const Drawing::State& drawing) {

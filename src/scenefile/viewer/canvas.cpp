@@ -10,30 +10,121 @@ namespace scenefile::viewer {
 
 namespace {
 
+// If pictures take longer (in seconds) while the camera moves, they get coarser.
+constexpr double slow_picture = 0.04;
+constexpr int most_hurry = 4;
+// At rest, each picture is better than the one before by this many steps.
+constexpr int refinement = 2;
+// For scenes with more objects, the first picture is coarse, because its time is not known yet.
+constexpr double many_objects = 5000;
+constexpr int first_hurry = 3;
+// The camera moves as long as it has moved within so many seconds.
+constexpr double still_moving = 0.2;
+
 // A single selected object is tinted; groups get a box (gui_overlay.cpp).
 std::uint32_t highlighted(const Session& session) {
   return session.selected ? session.shown->outline.rows[*session.selected].source : no_index;
 }
 
+PaintJob job_of(const Session& session, PaintRecipe recipe, bool refines) {
+  return {std::move(recipe),
+          {session.shown, &session.shown->opened},
+          upload_options(session.setup.trace),
+          refines};
+}
+
+// Of the picture that is compared with the reference.
+PaintRecipe recipe_beside(const Session& session) {
+  DrawOptions options = draw_options(session);
+  if (!options.course) {
+    options.samples = 16;
+  }
+  return {session.version,         render_camera(session.camera), std::move(options),
+          session.reference.width, session.reference.height,      0};
+}
+
 }  // namespace
 
-std::unique_ptr<Canvas> Canvas::create(GetProcAddress find, std::string& error) {
-  std::unique_ptr<GlDevice> device = GlDevice::create(find, error);
-  return device == nullptr ? nullptr : std::unique_ptr<Canvas>(new Canvas(std::move(device)));
+int Canvas::hurry_for(const Session& session, bool moving) const {
+  if (painted_.recipe.version != session.version) {
+    const bool many = count_virtual_primitives(session.shown->opened.ready.scene) > many_objects;
+    return many ? first_hurry : 0;
+  }
+  return moving ? moving_hurry_ : std::max(0, painted_.recipe.hurry - refinement);
+}
+
+PaintRecipe Canvas::recipe_for(const Session& session, int hurry) const {
+  DrawOptions options = draw_options(session);
+  if (hurry > 0) {
+    options.samples = 1;
+    options.shadows = options.shadows && shadowed_ == session.version;
+  } else if (!options.course) {
+    options.samples = 4;  // fast enough while the camera moves
+  }
+  options.highlighted = highlighted(session);
+  const int halvings = std::max(0, hurry - 1);
+  return {session.version,
+          render_camera(session.camera),
+          std::move(options),
+          std::max(1, session.pixels.x >> halvings),
+          std::max(1, session.pixels.y >> halvings),
+          hurry};
+}
+
+void Canvas::ask(const Session& session, PaintRecipe recipe, bool refines) {
+  if (asked_ != recipe) {
+    painter_->ask(job_of(session, recipe, refines));
+    asked_ = std::move(recipe);
+  }
+}
+
+void Canvas::draw(const Session& session) {
+  const bool moving = session.now - session.moved_at < still_moving;
+  const bool seen = painted_.recipe.version == session.version;
+  ask(session, recipe_for(session, hurry_for(session, moving)), seen && !moving);
+}
+
+void Canvas::finish(Session& session) {
+  if (session.shown != nullptr && !shows_traced(session)) {
+    ask(session, recipe_for(session, 0), true);
+    if (std::optional<Painted> painted = painter_->take(true)) {
+      accept(session, *std::move(painted));
+    }
+  }
+}
+
+bool Canvas::settled(const Session& session) const {
+  return !asked_ || shows_traced(session) || (asked_->hurry == 0 && painted_.recipe == asked_);
+}
+
+bool Canvas::take(Session& session) {
+  std::optional<Painted> painted = painter_->take();
+  if (painted) {
+    accept(session, *std::move(painted));
+  }
+  return painted.has_value();
+}
+
+void Canvas::accept(Session& session, Painted painted) {
+  const PaintRecipe& recipe = painted.recipe;
+  if (recipe.hurry == 0 && recipe.options.shadows) {
+    shadowed_ = recipe.version;
+  }
+  // Better pictures, drawn at rest, say little about the time of coarser ones.
+  if (recipe.version != painted_.recipe.version || recipe.hurry == moving_hurry_) {
+    moving_hurry_ = painted.seconds > slow_picture       ? std::min(recipe.hurry + 1, most_hurry)
+                    : painted.seconds < slow_picture / 8 ? std::max(recipe.hurry - 1, 0)
+                                                         : recipe.hurry;
+  }
+  if (recipe.version == session.version) {
+    session.drawing_notes = painted.notes;
+    drawn_.show(painted.picture, ++painted_count_);
+  }
+  painted.picture = {};
+  painted_ = std::move(painted);
 }
 
 void Canvas::update(Session& session) {
-  if (session.shown != nullptr && session.version != version_) {
-    version_ = session.version;
-    Diagnostics found;
-    const OpenedScene& opened = session.shown->opened;
-    drawing_.emplace(upload(*device_, opened.ready.scene, opened.assets,
-                            upload_options(session.setup.trace), found));
-    session.drawing_notes.clear();
-    for (const Diagnostic& finding : found.list()) {
-      session.drawing_notes.push_back(finding.message);
-    }
-  }
   if (session.traced && traced_.version() != session.traced_version) {
     traced_.show(quantize(session.traced->image, rounding_of(session.setup.trace.profile)),
                  session.traced_version);
@@ -60,51 +151,22 @@ unsigned Canvas::thumbnail(const std::string& path) const {
   return found == thumbnails_.end() ? 0 : found->second.name();
 }
 
-void Canvas::draw(const Session& session, int framebuffer_height, double scale, int hurry) {
-  if (!drawing_) {
-    return;
-  }
-  DrawOptions options = draw_options(session);
-  if (hurry > 0) {
-    options.samples = 1;
-    options.shadows = options.shadows && shadowed_ == version_;
-  } else if (!options.course) {
-    options.samples = 4;  // fast enough while the camera moves
-  }
-  options.highlighted = highlighted(session);
-  const Box& box = session.picture;
-  DrawTarget target;
-  target.x = static_cast<int>(std::lround(box.at.x * scale));
-  target.width = static_cast<int>(std::lround(box.size.x * scale));
-  target.height = static_cast<int>(std::lround(box.size.y * scale));
-  target.y = framebuffer_height - static_cast<int>(std::lround(box.at.y * scale)) - target.height;
-  if (hurry == 0 && options.shadows) {
-    shadowed_ = version_;
-  }
-  for (int i = 1; i < hurry; ++i) {
-    target.width = std::max(1, target.width / 2);
-    target.height = std::max(1, target.height / 2);
-  }
-  Recipe recipe{version_, render_camera(session.camera), std::move(options), target};
-  if (recipe_ != recipe) {
-    stats_ = scenefile::draw(*device_, *drawing_, recipe.camera, recipe.options, target);
-    drawn_.take(target.x, target.y, target.width, target.height);
-    recipe_ = std::move(recipe);
+void Canvas::ask_for_reference(const Session& session) {
+  PaintRecipe recipe = recipe_beside(session);
+  if (reference_asked_ != recipe) {
+    painter_->ask_other(job_of(session, recipe, true));
+    reference_asked_ = std::move(recipe);
   }
 }
 
-Texture Canvas::picture_for_reference(const Session& session) {
-  if (!drawing_) {
-    return {};
+std::optional<Texture> Canvas::take_for_reference(const Session& session) {
+  std::optional<Painted> painted = painter_->take_other();
+  if (!painted) {
+    return std::nullopt;
   }
-  DrawOptions options = draw_options(session);
-  if (!options.course) {
-    options.samples = 16;
-  }
-  std::string error;
-  const Image image = draw_image(*device_, *drawing_, render_camera(session.camera), options,
-                                 session.reference.width, session.reference.height, error);
-  return error.empty() ? quantize(image, Rounding::nearest) : Texture();
+  reference_asked_.reset();
+  const bool wanted = session.shown != nullptr && painted->recipe == recipe_beside(session);
+  return wanted ? std::optional(std::move(painted->picture)) : std::nullopt;
 }
 
 }  // namespace scenefile::viewer

@@ -2,8 +2,8 @@
 // The pictures in the window: from OpenGL, from the ray tracer, the reference, and their
 // differences. Internal to viewer; needs the window's context.
 
-#include "scenefile/view/draw.h"
 #include "scenefile/viewer/gl_picture.h"
+#include "scenefile/viewer/scene_painter.h"
 #include "scenefile/viewer/session.h"
 
 #include <map>
@@ -15,22 +15,30 @@ namespace scenefile::viewer {
 
 class Canvas {
  public:
-  /// Null, with `error` set, if the context is not suitable.
-  static std::unique_ptr<Canvas> create(GetProcAddress find, std::string& error);
+  explicit Canvas(std::unique_ptr<ScenePainter> painter) : painter_(std::move(painter)) {}
 
-  /// Uploads scenes and pictures that changed in the session.
+  /// Uploads pictures that changed in the session.
   void update(Session& session);
+  /// Takes a picture of the scene that has been drawn. Returns false if there is none.
+  bool take(Session& session);
 
-  /// Draws the scene for drawn(), if the picture changed; overwrites the window's back buffer.
-  /// `framebuffer_height` is in pixels; `scale` is pixels per unit of the window. `hurry`: 0 for
-  /// the best picture, 1 for one sample per pixel, and each further step halves the resolution.
-  /// When in a hurry, shadows that have not been drawn yet are skipped.
-  void draw(const Session& session, int framebuffer_height, double scale, int hurry);
+  /// Asks for the picture of the scene for drawn(), unless it is there. While the camera moves, and
+  /// for the first picture of a large scene, it is as coarse as the last pictures were slow; at
+  /// rest it gets better step by step. When in a hurry, shadows that have not been drawn yet are
+  /// skipped.
+  void draw(const Session& session);
+  /// Draws the best picture, and waits for it.
+  void finish(Session& session);
+  /// Whether the best picture is shown.
+  bool settled(const Session& session) const;
+  /// Whether a picture is being drawn.
+  bool busy() const { return painter_->busy(); }
 
-  /// The OpenGL picture at the size of the reference; empty if that is too large.
-  Texture picture_for_reference(const Session& session);
+  /// The OpenGL picture at the size of the reference: asked for, and taken once it is drawn. Empty
+  /// if it is too large.
+  void ask_for_reference(const Session& session);
+  std::optional<Texture> take_for_reference(const Session& session);
 
-  /// Upside down.
   const GlPicture& drawn() const { return drawn_; }
   const GlPicture& traced() const { return traced_; }
   const GlPicture& reference() const { return reference_; }
@@ -38,36 +46,33 @@ class Canvas {
   const GlPicture& flip() const { return flip_; }
   /// The name of a thumbnail's texture; 0: there is none.
   unsigned thumbnail(const std::string& path) const;
-  const DrawStats& stats() const { return stats_; }
-  const std::string& renderer() const { return device_->renderer(); }
+  const DrawStats& stats() const { return painted_.stats; }
+  /// For drawing the last picture.
+  double seconds() const { return painted_.seconds; }
+  const std::string& renderer() const { return painter_->renderer(); }
 
  private:
-  explicit Canvas(std::unique_ptr<GlDevice> device) : device_(std::move(device)) {}
-
   void update_thumbnails(const Thumbnails& thumbnails);
+  int hurry_for(const Session& session, bool moving) const;
+  /// `hurry`: 0 for the best picture, 1 for one sample per pixel, and each further step halves the
+  /// resolution.
+  PaintRecipe recipe_for(const Session& session, int hurry) const;
+  void ask(const Session& session, PaintRecipe recipe, bool refines);
+  void accept(Session& session, Painted painted);
 
-  /// Everything that a picture depends on.
-  struct Recipe {
-    std::uint64_t version = 0;
-    RenderCamera camera;
-    DrawOptions options;
-    DrawTarget target;
-
-    friend bool operator==(const Recipe&, const Recipe&) = default;
-  };
-
-  std::unique_ptr<GlDevice> device_;
-  std::optional<Drawing> drawing_;
-  std::uint64_t version_ = 0;     ///< of the scene in `drawing_`
-  std::uint64_t shadowed_ = 0;    ///< version of the scene last drawn with shadows
-  std::optional<Recipe> recipe_;  ///< of `drawn_`
+  std::unique_ptr<ScenePainter> painter_;
+  std::optional<PaintRecipe> asked_;            ///< last
+  Painted painted_;                             ///< last, without its picture
+  int moving_hurry_ = 0;                        ///< for pictures while the camera moves
+  std::uint64_t painted_count_ = 0;             ///< how many pictures were painted
+  std::uint64_t shadowed_ = 0;                  ///< version of the scene last drawn with shadows
+  std::optional<PaintRecipe> reference_asked_;  ///< by ask_for_reference()
   GlPicture drawn_;
   GlPicture traced_;
   GlPicture reference_;
   GlPicture difference_;
   GlPicture flip_;
   std::map<std::string, GlPicture> thumbnails_;
-  DrawStats stats_;
 };
 
 }  // namespace scenefile::viewer

@@ -31,12 +31,6 @@ void GlPicture::bind() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, clamp_to_edge);
 }
 
-void GlPicture::take(int x, int y, int width, int height) {
-  bind();
-  glReadBuffer(GL_BACK);
-  glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, x, y, width, height, 0);
-}
-
 void GlPicture::show(const Texture& picture, std::uint64_t version) {
   if (version == version_ || picture.empty()) {
     return;

@@ -18,10 +18,6 @@ class GlPicture {
   /// `version` identifies pictures: does nothing if that version is already shown.
   void show(const Texture& picture, std::uint64_t version);
 
-  /// Copies a part of the back buffer, in pixels from its lower left; the picture is then upside
-  /// down.
-  void take(int x, int y, int width, int height);
-
   /// The version of the current picture.
   std::uint64_t version() const { return version_; }
 

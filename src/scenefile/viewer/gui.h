@@ -17,10 +17,11 @@ ImVec2 vec(const glm::dvec2& v);
 struct GuiFrame {
   double scale = 1;          ///< text pixels per pixel of a normal-density screen
   double frame_seconds = 0;  ///< of the last frame
+  double scene_seconds = 0;  ///< for drawing the scene's picture, on another thread
   std::uint64_t memory = 0;  ///< used by the process, bytes; 0: unknown
   std::string renderer;
   DrawStats drawn;
-  // Names of textures; 0: none. `scene` is upside down.
+  // Names of textures; 0: none.
   unsigned scene = 0;
   unsigned traced = 0;
   unsigned reference = 0;

@@ -22,16 +22,15 @@ ImTextureID texture(unsigned name) {
 }
 
 // Draws the part of a picture between two fractions of its width, at the position of the session's
-// picture. `top` and `bottom`: the range of texture rows, as fractions of its height.
-void paint_picture(const Box& box, unsigned name, double from, double to, double top = 0,
-                   double bottom = 1) {
+// picture.
+void paint_picture(const Box& box, unsigned name, double from, double to) {
   if (name == 0 || to <= from) {
     return;
   }
   const glm::dvec2 begin{box.at.x + from * box.size.x, box.at.y};
   const glm::dvec2 end{box.at.x + to * box.size.x, box.at.y + box.size.y};
-  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, top}),
-                                           vec({to, bottom}));
+  ImGui::GetBackgroundDrawList()->AddImage(texture(name), vec(begin), vec(end), vec({from, 0}),
+                                           vec({to, 1}));
 }
 
 // Text on a dark background, wrapped to lines of at most `room`; `anchor` is the position of the
@@ -54,7 +53,7 @@ void paint_pictures(const Session& session, const GuiFrame& frame) {
   if (shows_traced(session)) {
     paint_picture(box, frame.traced, 0, 1);
   } else if (session.shown != nullptr) {
-    paint_picture(box, frame.scene, 0, 1, 1, 0);
+    paint_picture(box, frame.scene, 0, 1);
   }
   switch (session.compare) {
     case CompareView::off:
@@ -327,6 +326,7 @@ void build_statistics(const Session& session, const GuiFrame& frame) {
   line("frame", fmt::format("{:.1f} ms, {:.3g} a second", frame.frame_seconds * 1e3,
                             1 / std::max(frame.frame_seconds, 1e-6)));
   line("picture", fmt::format("{} x {}", session.pixels.x, session.pixels.y));
+  line("drawn in", fmt::format("{:.1f} ms", frame.scene_seconds * 1e3));
   line("objects", count_text(frame.drawn.objects));
   if (frame.drawn.left_out != 0) {
     line("left out", count_text(frame.drawn.left_out) + ", the farthest");

@@ -143,10 +143,12 @@ class ScriptParser {
   }
 
   bool other_step(const std::string& verb, Words& words) {
-    if (verb == "key" || verb == "drop" || verb == "screenshot" || verb == "copied") {
+    if (verb == "key" || verb == "drop" || verb == "screenshot" || verb == "copied" ||
+        verb == "times") {
       ScriptStep& step = add(verb == "key"      ? StepKind::key
                              : verb == "drop"   ? StepKind::drop
                              : verb == "copied" ? StepKind::copied
+                             : verb == "times"  ? StepKind::times
                                                 : StepKind::screenshot);
       step.text = words.rest();
       return step.kind == StepKind::key          ? is_key(step.text)

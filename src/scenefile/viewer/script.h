@@ -18,6 +18,7 @@
 //     screenshot OUT.png
 //     copy FROM TO          as an editor would that saves the scene
 //     copied OUT.txt        write what the window copied last
+//     times OUT.tsv         write how long each frame so far kept input waiting
 //     quit
 
 #include <cstdint>
@@ -40,6 +41,7 @@ enum class StepKind : std::uint8_t {
   screenshot,
   copy,
   copied,
+  times,
   quit,
 };
 

@@ -5,6 +5,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/io/memory.h"
 #include "scenefile/viewer/canvas.h"
+#include "scenefile/viewer/frame_log.h"
 #include "scenefile/viewer/gui.h"
 
 #include <GLFW/glfw3.h>
@@ -26,13 +27,6 @@ namespace {
 
 // ImGui needs a few frames to settle after an event.
 constexpr int frames_after_event = 3;
-// If frames take longer (in seconds) while the camera moves, the picture gets coarser:
-// Canvas::draw().
-constexpr double slow_frame = 0.04;
-constexpr int most_hurry = 4;
-// For scenes with more objects, the first picture is coarse, because its time is not known yet.
-constexpr double many_objects = 5000;
-constexpr int first_hurry = 3;
 
 struct NamedKey {
   int code;
@@ -85,7 +79,7 @@ KeyPress key_press(int key, int scancode, int modifiers) {
   return press;
 }
 
-std::string last_glfw_error;
+thread_local std::string last_glfw_error;
 
 void remember_error(int /*code*/, const char* text) {
   last_glfw_error = text;
@@ -124,6 +118,7 @@ class Window {
 
  private:
   bool create_window();
+  std::unique_ptr<ScenePainter> create_painter(std::string& error);
   void create_gui();
   void install_callbacks();
   void open_files();
@@ -143,7 +138,6 @@ class Window {
 
   void wait();
   void follow_session();
-  int next_hurry() const;
   void draw_frame(bool best);
   void begin_gui_frame();
   GuiFrame gui_frame() const;
@@ -158,14 +152,13 @@ class Window {
   GlfwEnd glfw_;  // after the session's threads, which wake the window
   Session session_;
   GLFWwindow* window_ = nullptr;
+  GLFWwindow* painter_window_ = nullptr;  // never shown; for the context of the painter
   bool gui_ready_ = false;
   std::unique_ptr<Canvas> canvas_;
   double gui_scale_ = 0;
   glm::ivec2 framebuffer_{1};
   int frames_due_ = frames_after_event;
   double frame_seconds_ = 0;
-  int hurry_ = 0;                   ///< of the last picture, as Canvas::draw() has it
-  std::uint64_t seen_version_ = 0;  ///< of the scene in it
   bool full_screen_ = false;
   std::array<int, 4> windowed_{};  // position and size before full screen
   std::size_t step_ = 0;
@@ -174,6 +167,7 @@ class Window {
   std::array<bool, 3> buttons_{};
   glm::dvec2 pointer_{-1};
   std::string clipboard_;  // what was copied last
+  FrameLog log_;           // of scripts
   std::string failure_;
 };
 
@@ -184,8 +178,10 @@ Window::~Window() {
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
   }
-  if (window_ != nullptr) {
-    glfwDestroyWindow(window_);
+  for (GLFWwindow* const window : {painter_window_, window_}) {
+    if (window != nullptr) {
+      glfwDestroyWindow(window);
+    }
   }
 }
 
@@ -201,6 +197,25 @@ bool Window::create_window() {
   window_ = glfwCreateWindow(settings.window_width, settings.window_height, "scenefile", nullptr,
                              nullptr);
   return window_ != nullptr;
+}
+
+std::unique_ptr<ScenePainter> Window::create_painter(std::string& error) {
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  painter_window_ = glfwCreateWindow(16, 16, "scenefile", nullptr, nullptr);
+  if (painter_window_ == nullptr) {
+    error = "no second context of OpenGL can be created: " + last_glfw_error;
+    return nullptr;
+  }
+  const auto begin = [window = painter_window_](std::string& wrong) -> GetProcAddress {
+    glfwMakeContextCurrent(window);
+    if (glfwGetCurrentContext() != window) {
+      wrong = "a context of OpenGL cannot be used: " + last_glfw_error;
+      return nullptr;
+    }
+    return glfwGetProcAddress;
+  };
+  return ScenePainter::create({begin, [] { glfwMakeContextCurrent(nullptr); }}, glfwPostEmptyEvent,
+                              error);
 }
 
 void Window::create_gui() {
@@ -233,10 +248,11 @@ WindowResult Window::open() {
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(scripted() ? 0 : 1);
   std::string error;
-  canvas_ = Canvas::create(glfwGetProcAddress, error);
-  if (canvas_ == nullptr) {
+  std::unique_ptr<ScenePainter> painter = create_painter(error);
+  if (painter == nullptr) {
     return {WindowStatus::failed, error};
   }
+  canvas_ = std::make_unique<Canvas>(std::move(painter));
   create_gui();
   session_.setup = options_.setup;
   session_.realtime = options_.setup.realtime.has_value();
@@ -369,7 +385,8 @@ bool Window::do_step(const ScriptStep& step) {
       return step_frames_ >= step.number;
     case StepKind::settle:
       return step_frames_ > frames_after_event &&
-             session_.looks - step_looks_ >= looks_for_change && settled(session_);
+             session_.looks - step_looks_ >= looks_for_change && settled(session_) &&
+             canvas_->settled(session_);
     case StepKind::screenshot:
       draw_frame(true);
       write_screenshot(step.text);
@@ -378,6 +395,9 @@ bool Window::do_step(const ScriptStep& step) {
       return copy_file(step);
     case StepKind::copied:
       failure_ = error_text(write_file(step.text, clipboard_));
+      return true;
+    case StepKind::times:
+      failure_ = error_text(write_file(step.text, log_.text()));
       return true;
     case StepKind::quit:
       session_.quit = true;
@@ -465,6 +485,7 @@ GuiFrame Window::gui_frame() const {
   frame.memory = memory_in_use();
   frame.renderer = canvas_->renderer();
   frame.drawn = canvas_->stats();
+  frame.scene_seconds = canvas_->seconds();
   frame.scene = canvas_->drawn().name();
   frame.traced = canvas_->traced().name();
   frame.reference = canvas_->reference().name();
@@ -474,31 +495,24 @@ GuiFrame Window::gui_frame() const {
   return frame;
 }
 
-// For a moving picture.
-int Window::next_hurry() const {
-  if (session_.shown != nullptr && session_.version != seen_version_) {
-    const bool many = count_virtual_primitives(session_.shown->opened.ready.scene) > many_objects;
-    return many ? first_hurry : 0;
-  }
-  return frame_seconds_ > slow_frame ? std::min(hurry_ + 1, most_hurry) : hurry_;
-}
-
 void Window::draw_frame(bool best) {
   const double start = glfwGetTime();
   glm::ivec2 size(1);
   glfwGetWindowSize(window_, &size.x, &size.y);
   glfwGetFramebufferSize(window_, &framebuffer_.x, &framebuffer_.y);
+  if (best) {
+    canvas_->finish(session_);  // so that the panels have its figures
+  }
   canvas_->update(session_);
   begin_gui_frame();
   build_gui(session_, gui_frame(), glm::max(size, glm::ivec2(1)));
   ImGui::Render();
   const double scale = static_cast<double>(framebuffer_.x) / std::max(size.x, 1);
   session_.pixels = glm::max(glm::ivec2(glm::round(session_.picture.size * scale)), glm::ivec2(1));
-  const bool moving = session_.now - session_.moved_at < 0.2;
-  hurry_ = best || !moving ? 0 : next_hurry();
-  seen_version_ = session_.version;
-  if (session_.shown != nullptr && !shows_traced(session_)) {
-    canvas_->draw(session_, framebuffer_.y, scale, hurry_);
+  if (best) {
+    canvas_->finish(session_);
+  } else if (session_.shown != nullptr && !shows_traced(session_)) {
+    canvas_->draw(session_);
   }
   clear_window(framebuffer_.x, framebuffer_.y, 0.09F, 0.094F, 0.106F);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -542,14 +556,20 @@ void Window::remember_settings() {
 WindowResult Window::run() {
   while (!session_.quit && glfwWindowShouldClose(window_) == GLFW_FALSE) {
     wait();
-    if (tick(session_, glfwGetTime()) || (hurry_ > 0 && frames_due_ == 0)) {
+    log_.begin();
+    const bool painted = canvas_->take(session_);
+    const bool refine = frames_due_ == 0 && !canvas_->busy() && !canvas_->settled(session_);
+    if (tick(session_, glfwGetTime()) || painted || refine) {
       stir();
     }
     if (scripted() && !do_step()) {
       break;
     }
     if (wants_picture(session_)) {
-      compare_with(session_, canvas_->picture_for_reference(session_));
+      canvas_->ask_for_reference(session_);
+    }
+    if (std::optional<Texture> ours = canvas_->take_for_reference(session_)) {
+      compare_with(session_, *std::move(ours));
     }
     if (frames_due_ > 0) {
       --frames_due_;
@@ -567,6 +587,9 @@ WindowResult Window::run() {
         say(session_, "written: " + absolute_path(path));
       }
       stir();
+    }
+    if (scripted()) {
+      log_.end(session_.shown != nullptr);
     }
   }
   remember_settings();

@@ -1,0 +1,195 @@
+#include "scenefile/viewer/scene_painter.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace scenefile::viewer {
+
+struct ScenePainter::Impl {
+  Impl(PaintContext the_context, std::function<void()> the_wake)
+      : context(std::move(the_context)), wake(std::move(the_wake)) {}
+
+  void work();
+  void paint_jobs();
+  Painted paint(const PaintJob& job);
+
+  const PaintContext context;
+  const std::function<void()> wake;
+  std::string renderer;
+
+  mutable std::mutex mutex;
+  std::condition_variable changed;
+  bool started = false;  // or failed
+  std::string failed;
+  bool ended = false;
+  std::optional<PaintJob> next;
+  std::optional<PaintJob> next_other;
+  bool painting = false;
+  bool refining = false;  // the current job
+  std::atomic<bool> interrupted{false};
+  std::optional<Painted> newest;
+  std::optional<Painted> newest_other;
+
+  // Only used by the thread.
+  std::unique_ptr<GlDevice> device;
+  std::optional<Drawing> drawing;
+  std::uint64_t version = 0;  // of `drawing`
+  std::vector<std::string> notes;
+
+  std::thread thread;
+};
+
+Painted ScenePainter::Impl::paint(const PaintJob& job) {
+  Painted painted;
+  painted.recipe = job.recipe;
+  try {
+    if (!drawing || version != job.recipe.version) {
+      Diagnostics found;
+      drawing.reset();
+      drawing.emplace(
+          upload(*device, job.scene->ready.scene, job.scene->assets, job.upload, found));
+      version = job.recipe.version;
+      notes.clear();
+      for (const Diagnostic& finding : found.list()) {
+        notes.push_back(finding.message);
+      }
+    }
+    painted.notes = notes;
+    const auto start = std::chrono::steady_clock::now();
+    std::string error;
+    const Image image = draw_image(*device, *drawing, job.recipe.camera, job.recipe.options,
+                                   job.recipe.width, job.recipe.height, error, &painted.stats);
+    if (error.empty()) {
+      painted.picture = quantize(image, Rounding::nearest);
+    } else {
+      painted.notes.push_back(error);
+    }
+    painted.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  } catch (const std::bad_alloc&) {
+    painted.notes.emplace_back("there is not enough memory to draw the scene");
+  }
+  return painted;
+}
+
+void ScenePainter::Impl::paint_jobs() {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [&] { return ended || next || next_other; });
+    if (ended) {
+      return;
+    }
+    const bool other = !next;
+    const PaintJob job = *std::exchange(other ? next_other : next, std::nullopt);
+    painting = true;
+    refining = job.refines;
+    interrupted = false;
+    lock.unlock();
+    Painted painted = paint(job);
+    lock.lock();
+    painting = false;
+    if (!interrupted) {
+      (other ? newest_other : newest) = std::move(painted);
+    } else if (other && !next_other) {
+      next_other = job;
+    }
+    changed.notify_all();
+    lock.unlock();
+    wake();
+    lock.lock();
+  }
+}
+
+void ScenePainter::Impl::work() {
+  std::string error;
+  if (const GetProcAddress find = context.begin(error)) {
+    device = GlDevice::create(find, error);
+  }
+  {
+    const std::lock_guard lock(mutex);
+    started = true;
+    failed = error;
+    renderer = device != nullptr ? device->renderer() : "";
+  }
+  changed.notify_all();
+  if (device != nullptr) {
+    device->interrupt_with([this] { return !interrupted; });
+    paint_jobs();
+  }
+  drawing.reset();
+  device.reset();
+  context.end();
+}
+
+ScenePainter::ScenePainter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+std::unique_ptr<ScenePainter> ScenePainter::create(PaintContext context, std::function<void()> wake,
+                                                   std::string& error) {
+  auto impl = std::make_unique<Impl>(std::move(context), std::move(wake));
+  Impl& shared = *impl;
+  try {
+    impl->thread = std::thread([&shared] { shared.work(); });
+  } catch (const std::system_error&) {
+    error = "no thread can be started to draw the scene";
+    return nullptr;
+  }
+  std::unique_ptr<ScenePainter> painter(new ScenePainter(std::move(impl)));
+  std::unique_lock lock(shared.mutex);
+  shared.changed.wait(lock, [&] { return shared.started; });
+  error = shared.failed;
+  lock.unlock();
+  return error.empty() ? std::move(painter) : nullptr;
+}
+
+ScenePainter::~ScenePainter() {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->ended = true;
+    impl_->interrupted = true;
+  }
+  impl_->changed.notify_all();
+  impl_->thread.join();
+}
+
+const std::string& ScenePainter::renderer() const {
+  return impl_->renderer;
+}
+
+void ScenePainter::ask(PaintJob job) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->interrupted = impl_->interrupted || (impl_->painting && impl_->refining);
+  impl_->next = std::move(job);
+  impl_->changed.notify_all();
+}
+
+void ScenePainter::ask_other(PaintJob job) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->next_other = std::move(job);
+  impl_->changed.notify_all();
+}
+
+std::optional<Painted> ScenePainter::take(bool wait) {
+  std::unique_lock lock(impl_->mutex);
+  if (wait) {
+    impl_->changed.wait(lock, [&] { return !impl_->painting && !impl_->next; });
+  }
+  return std::exchange(impl_->newest, std::nullopt);
+}
+
+std::optional<Painted> ScenePainter::take_other() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->newest_other, std::nullopt);
+}
+
+bool ScenePainter::busy() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->painting || impl_->next || impl_->next_other;
+}
+
+}  // namespace scenefile::viewer

@@ -1,0 +1,86 @@
+#pragma once
+// Draws scenes with OpenGL on its own thread, with its own context, so that the user's input never
+// waits for a picture. Internal to the room.
+
+#include "scenefile/view/draw.h"
+#include "scenefile/viewer/opened_scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenefile::viewer {
+
+/// The context of the thread. Both are called on it.
+struct PaintContext {
+  /// Makes the context current; null, with `error` set, if there is none.
+  std::function<GetProcAddress(std::string& error)> begin;
+  std::function<void()> end;
+};
+
+/// Everything that a picture depends on.
+struct PaintRecipe {
+  std::uint64_t version = 0;  ///< of the scene and its upload options
+  RenderCamera camera;
+  DrawOptions options;
+  int width = 1;
+  int height = 1;
+  int hurry = 0;  ///< how coarse the picture is, for the caller
+
+  friend bool operator==(const PaintRecipe&, const PaintRecipe&) = default;
+};
+
+struct PaintJob {
+  PaintRecipe recipe;
+  std::shared_ptr<const OpenedScene> scene;
+  UploadOptions upload;
+  bool refines = false;  ///< better than what is visible, and may be interrupted
+};
+
+struct Painted {
+  PaintRecipe recipe;
+  Texture picture;  ///< empty: it could not be drawn
+  DrawStats stats;
+  std::vector<std::string> notes;  ///< findings of drawing the scene
+  double seconds = 0;              ///< for drawing, without uploading
+};
+
+/// Must be used from one thread.
+class ScenePainter {
+ public:
+  /// Null, with `error` set, if the thread or its context cannot be had. `wake` is called from the
+  /// thread whenever there is a picture to take.
+  static std::unique_ptr<ScenePainter> create(PaintContext context, std::function<void()> wake,
+                                              std::string& error);
+  /// Interrupts the current picture, and waits for the thread to end.
+  ~ScenePainter();
+  ScenePainter(const ScenePainter&) = delete;
+  ScenePainter& operator=(const ScenePainter&) = delete;
+
+  /// The driver's name of the renderer.
+  const std::string& renderer() const;
+
+  /// Draws this next, instead of what was asked for before. The current picture is interrupted if
+  /// it only refines.
+  void ask(PaintJob job);
+  /// Draws this after what ask() asked for, for take_other(); instead of another of these.
+  void ask_other(PaintJob job);
+
+  /// The newest picture that was not taken yet, if any. `wait`: after all that was asked for is
+  /// drawn.
+  std::optional<Painted> take(bool wait = false);
+  std::optional<Painted> take_other();
+
+  /// Whether a picture is being drawn, or waits to be.
+  bool busy() const;
+
+ private:
+  struct Impl;
+  explicit ScenePainter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace scenefile::viewer

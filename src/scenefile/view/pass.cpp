@@ -43,7 +43,7 @@ struct Item {
 constexpr double most_work = 6e8;
 constexpr double work_of_triangle = 15;
 // Between two looks at whether the drawing is interrupted.
-constexpr std::size_t objects_per_check = 512;
+constexpr std::size_t objects_per_check = 256;
 
 // Opaque objects in batches, nearest first, to avoid lighting hidden pixels; then transparent ones,
 // farthest first.

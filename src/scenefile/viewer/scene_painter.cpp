@@ -1,8 +1,11 @@
 #include "scenefile/viewer/scene_painter.h"
 
+#include "scenefile/view/headless.h"
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <system_error>
@@ -44,6 +47,30 @@ struct ScenePainter::Impl {
 
   std::thread thread;
 };
+
+PaintContext own_threads(PaintContext otherwise) {
+  const auto headless = std::make_shared<std::unique_ptr<HeadlessContext>>();
+  const auto begin = [otherwise, headless](std::string& error) -> GetProcAddress {
+    const GetProcAddress find = otherwise.begin(error);
+    const std::unique_ptr<GlDevice> device =
+        find != nullptr ? GlDevice::create(find, error) : nullptr;
+    if (device == nullptr || device->renderer().find("llvmpipe") == std::string::npos) {
+      return find;
+    }
+    otherwise.end();
+    std::string ignored;
+    *headless = HeadlessContext::create(ignored);
+    return *headless != nullptr ? (*headless)->get_proc_address() : otherwise.begin(error);
+  };
+  const auto end = [otherwise, headless] {
+    if (*headless != nullptr) {
+      headless->reset();
+    } else {
+      otherwise.end();
+    }
+  };
+  return {begin, end};
+}
 
 Painted ScenePainter::Impl::paint(const PaintJob& job) {
   Painted painted;

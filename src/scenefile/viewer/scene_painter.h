@@ -21,6 +21,11 @@ struct PaintContext {
   std::function<void()> end;
 };
 
+/// A context without a window, for Mesa's software renderer: it shares its threads among the
+/// contexts of a display, so that panels would wait for the scene. `otherwise` is used if there is
+/// none, or if `otherwise` is a graphics card's.
+PaintContext own_threads(PaintContext otherwise);
+
 /// Everything that a picture depends on.
 struct PaintRecipe {
   std::uint64_t version = 0;  ///< of the scene and its upload options

@@ -214,8 +214,8 @@ std::unique_ptr<ScenePainter> Window::create_painter(std::string& error) {
     }
     return glfwGetProcAddress;
   };
-  return ScenePainter::create({begin, [] { glfwMakeContextCurrent(nullptr); }}, glfwPostEmptyEvent,
-                              error);
+  return ScenePainter::create(own_threads({begin, [] { glfwMakeContextCurrent(nullptr); }}),
+                              glfwPostEmptyEvent, error);
 }
 
 void Window::create_gui() {
@@ -589,7 +589,7 @@ WindowResult Window::run() {
       stir();
     }
     if (scripted()) {
-      log_.end(session_.shown != nullptr);
+      log_.end(canvas_->drawn().name() != 0);
     }
   }
   remember_settings();

@@ -88,6 +88,9 @@ Painted ScenePainter::Impl::paint(const PaintJob& job) {
       }
     }
     painted.notes = notes;
+    // Looking for interruptions takes time, and coarse pictures are soon done.
+    const bool long_work = job.refines || job.recipe.hurry == 0;
+    device->interrupt_with(long_work ? [this] { return !interrupted; } : std::function<bool()>());
     const auto start = std::chrono::steady_clock::now();
     std::string error;
     const Image image = draw_image(*device, *drawing, job.recipe.camera, job.recipe.options,
@@ -146,7 +149,6 @@ void ScenePainter::Impl::work() {
   }
   changed.notify_all();
   if (device != nullptr) {
-    device->interrupt_with([this] { return !interrupted; });
     paint_jobs();
   }
   drawing.reset();

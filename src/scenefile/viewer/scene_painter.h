@@ -1,6 +1,6 @@
 #pragma once
 // Draws scenes with OpenGL on its own thread, with its own context, so that the user's input never
-// waits for a picture. Internal to the room.
+// waits for a picture. Internal to viewer.
 
 #include "scenefile/view/draw.h"
 #include "scenefile/viewer/opened_scene.h"

@@ -101,6 +101,20 @@ TEST(XmlPlain, LimitsHold) {
   }
 }
 
+// Expat does not finish markup of this length, so nothing after it may be read.
+TEST(XmlPlain, NothingIsReadAfterMarkupThatIsTooLong) {
+  const std::string blanks(std::size_t{40} << 20, ' ');
+  for (const std::string& text :
+       {"<a" + blanks + "></a></a>", "<a" + blanks + ">&#;</a>", "<a" + blanks + "></a>",
+        "<a>&" + std::string(std::size_t{40} << 20, 'x') + ";</a>", "<a b='&lt;'" + blanks + "/>",
+        "<a>&lt;</a" + blanks + ">"}) {
+    const Told told = events_of(text, {});
+    EXPECT_FALSE(told.reading.complete) << text.substr(0, 12);
+    ASSERT_EQ(told.diagnostics.list().size(), 1u) << text.substr(0, 12);
+    EXPECT_EQ(told.diagnostics.list().front().code, &xml_length_limit) << text.substr(0, 12);
+  }
+}
+
 TEST(XmlPlain, TheHandlerCanStop) {
   const Told told = events_of("<a><stop></a>", {});
   EXPECT_FALSE(told.reading.complete);

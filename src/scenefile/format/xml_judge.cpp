@@ -18,8 +18,12 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t chunk_bytes = std::size_t{64} << 10;
-// For comments and declarations; tags have lower limits.
 constexpr std::size_t max_markup_bytes = std::size_t{16} << 20;
+
+std::string too_long() {
+  return fmt::format("a tag, comment or declaration is longer than the limit of {} bytes",
+                     max_markup_bytes);
+}
 
 struct ParserFree {
   void operator()(XML_Parser parser) const { XML_ParserFree(parser); }
@@ -79,7 +83,7 @@ class Judge {
       // so that the total cost is linear.
       const std::size_t unfinished = fed - current();
       if (unfinished >= chunk_bytes && is_over_limit(text_.substr(current(), unfinished))) {
-        return {SyntaxFault::over_limit, current(), {}};
+        return {SyntaxFault::over_limit, current(), too_long()};
       }
       size = std::min(std::max(chunk_bytes, unfinished), text_.size() - fed);
     }
@@ -189,13 +193,8 @@ XmlFault find_fault(std::string_view text, const Limits& limits, Diagnostics& di
 }
 
 std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limits) {
-  if (token.kind == XmlTokenKind::comment || token.kind == XmlTokenKind::other) {
-    if (token.written.size() < max_markup_bytes) {
-      return std::nullopt;
-    }
-    return LimitFault{&xml_length_limit,
-                      fmt::format("a comment or declaration is longer than the limit of {} bytes",
-                                  max_markup_bytes)};
+  if (token.kind == XmlTokenKind::text || token.kind == XmlTokenKind::cdata) {
+    return std::nullopt;
   }
   const auto name_too_long = [&] {
     return LimitFault{&xml_length_limit,
@@ -221,6 +220,9 @@ std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limit
           fmt::format("attribute {} of <{}> is longer than the limit of {} bytes",
                       escaped(attribute.name, 40), escaped(token.name, 40), limits.value_bytes)};
     }
+  }
+  if (token.written.size() >= max_markup_bytes) {
+    return LimitFault{&xml_length_limit, too_long()};
   }
   return std::nullopt;
 }

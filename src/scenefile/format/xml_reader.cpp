@@ -132,6 +132,9 @@ void EventReader::ask_expat() {
 }
 
 bool EventReader::fail() {
+  if (fault_->kind == SyntaxFault::over_limit) {
+    return refuse(xml_length_limit, text_.data() + fault_->at, fault_->message);
+  }
   std::vector<OpenElement> open;
   for (const std::string_view name : open_) {
     open.push_back({name, places_.at(name.data() - 1)});
@@ -172,6 +175,9 @@ bool EventReader::read_token() {
   }
   if (const std::optional<LimitFault> limit = limit_fault(token_, options_.limits)) {
     return refuse(*limit->code, written.data(), limit->message);
+  }
+  if (faulty) {
+    return fail();
   }
   switch (token_.kind) {
     case XmlTokenKind::start:

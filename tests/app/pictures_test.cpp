@@ -3,6 +3,7 @@
 #include "app/run_program.h"
 #include "scenefile/asset/image_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -387,6 +388,25 @@ TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.out, AllOf(HasSubstr("ball: differs: it is the picture of box\n"),
                              HasSubstr("box: differs: it is the picture of ball\n")));
+}
+
+// A black picture is close to a dark reference, but not the picture of it.
+TEST_F(Grade, ABlackPictureIsNotThatOfADarkReference) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  const auto gray = [](const char* value) {
+    return scene_with(
+        fmt::format(R"(<ambient r="{0}" g="{0}" b="{0}"/> <diffuse r="0" g="0" b="0"/>)", value));
+  };
+  folder.write("dark.xml", gray("0.02"));
+  folder.write("black.xml", gray("0"));
+  draw("dark.xml", "right/dark.png", "64x48");
+  draw("black.xml", "mine/ball.png", "64x48");
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/dark.png", folder.read("right/dark.png"));
+  const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
+  EXPECT_THAT(run.out, AllOf(HasSubstr("ball: differs: "), Not(HasSubstr("it is the picture of"))));
 }
 
 TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {

@@ -58,7 +58,11 @@ void TextPlaces::advance(Mark& mark, std::size_t offset) const {
       location.column = ends_line ? 1 : location.column + starts_character(*p);
     }
   }
-  while (const void* newline = std::memchr(p, '\n', static_cast<std::size_t>(end - p))) {
+  while (p != end) {  // memchr() does not take the null pointer of an empty text
+    const void* const newline = std::memchr(p, '\n', static_cast<std::size_t>(end - p));
+    if (newline == nullptr) {
+      break;
+    }
     p = static_cast<const char*>(newline) + 1;
     ++location.line;
     location.column = 1;

@@ -261,7 +261,7 @@ bool is_plain_declaration(std::string_view text) {
   if (text.starts_with(encoding)) {
     text.remove_prefix(encoding.size());
     const std::string name = lower_case(text.substr(0, text.find('"')));
-    if (name != "utf-8" && name != "iso-8859-1") {
+    if ((name != "utf-8" && name != "iso-8859-1") || name.size() == text.size()) {
       return false;
     }
     text.remove_prefix(name.size() + 1);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -77,22 +76,24 @@ struct Undrawn {
 
 // The color that nearly all differing pixels have; false if there is none.
 bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
-  std::map<Bytes, std::size_t> colors;
+  std::ptrdiff_t votes = 0;  // the color of a majority wins the vote
   u.differs.assign(u.test.rgb.size() / 3, 0);
   for (const std::uint32_t i : different) {
     const auto width = static_cast<std::uint32_t>(u.test.width);
     u.differs[i] = 1;
     ++u.count;
-    ++colors[bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width))];
+    const Bytes color = bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width));
+    u.empty = votes == 0 ? color : u.empty;
+    votes += color == u.empty ? 1 : -1;
   }
   if (static_cast<double>(u.count) < least_share * static_cast<double>(u.differs.size())) {
     return false;
   }
-  const auto most =
-      std::max_element(colors.begin(), colors.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  u.empty = most->first;
-  return static_cast<double>(most->second) >= nearly_all_pixels * static_cast<double>(u.count);
+  const auto most = std::count_if(different.begin(), different.end(), [&](std::uint32_t i) {
+    const auto width = static_cast<std::uint32_t>(u.test.width);
+    return bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width)) == u.empty;
+  });
+  return static_cast<double>(most) >= nearly_all_pixels * static_cast<double>(u.count);
 }
 
 // "rows 120 to 239 of 240 are not drawn", "every second row is not drawn". `gaps`: the lines where
@@ -106,7 +107,9 @@ std::string gaps_text(const std::vector<int>& gaps, const std::vector<bool>& mis
   const int first = all_missing(0, gaps.front()) ? 0 : gaps.front();
   const int end = all_missing(gaps.back(), lines) ? lines : gaps.back() + 1;
   if (all_missing(first, end)) {
-    return fmt::format("{0}s {1} to {2} of {3} are not drawn", line, first, end - 1, lines);
+    return end - first == 1
+               ? fmt::format("{} {} of {} is not drawn", line, first, lines)
+               : fmt::format("{}s {} to {} of {} are not drawn", line, first, end - 1, lines);
   }
   const int step = gaps[1] - gaps[0];
   std::size_t regular = 0;

@@ -56,8 +56,8 @@ inline std::optional<TextureRecord> texture_record(const WaveScene& scene, const
 }
 
 /// The surfaces at the points. `lit`: they are going to be lit.
-inline void record_met(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
-                            bool lit, const WavePoints& points, WaveTrail& trail) {
+inline void record_met(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits, bool lit,
+                       const WavePoints& points, WaveTrail& trail) {
   const WavePointNotes& notes = trail.points;
   for (int k = 0; k < points.count; ++k) {
     const std::uint32_t r = points.ray[k];

@@ -105,18 +105,37 @@ std::string path_below(const FoundFile& file) {
   return path + name_of_folder(file.path);
 }
 
+// Every so many values of a picture are enough to recognize it; they are from all channels.
+std::size_t step_of(const Texture& picture) {
+  const std::size_t step = std::max<std::size_t>(1, picture.rgb.size() / 30000);
+  return step % 3 == 0 ? step + 1 : step;
+}
+
 // How far apart two pictures of the same size are: the mean square of the difference over some
 // thousand values.
 double mean_square(const Texture& a, const Texture& b) {
-  const std::size_t step = std::max<std::size_t>(1, a.rgb.size() / 30000) | 1;
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); i += step) {
+  for (std::size_t i = 0; i < a.rgb.size(); i += step_of(a)) {
     const double d = static_cast<double>(a.rgb[i]) - b.rgb[i];
     sum += d * d;
     ++count;
   }
   return sum / static_cast<double>(std::max<std::size_t>(1, count));
+}
+
+// The variance of these values.
+double variance(const Texture& picture) {
+  double sum = 0;
+  double squares = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += step_of(picture)) {
+    const double value = picture.rgb[i];
+    sum += value;
+    squares += value * value;
+    ++count;
+  }
+  return count == 0 ? 0 : squares / count - (sum / count) * (sum / count);
 }
 
 void add_number(Hash& hash, std::uint64_t number) {
@@ -321,7 +340,7 @@ struct ClassGrader::State {
   }
 
   // A reference of another scene that the picture shows instead, nearly without a difference; null:
-  // none.
+  // none. A reference that is nearly of one color is not recognized: an empty picture would be it.
   const Reference* shown_instead(const Reference& reference, const Texture& picture) const {
     const auto off = [&](const Reference& r) {
       return r.picture.width == picture.width && r.picture.height == picture.height
@@ -335,7 +354,8 @@ struct ClassGrader::State {
       if (r.scene && reference.scene && r.scene->text == reference.scene->text) {
         continue;
       }
-      if (const double there = off(r); there < least && 20 * there < here) {
+      if (const double there = off(r);
+          there < least && 20 * there < here && 20 * there < variance(r.picture)) {
         best = &r;
         least = there;
       }

@@ -74,8 +74,8 @@ PaintContext own_threads(PaintContext otherwise) {
 
 Painted ScenePainter::Impl::paint(const PaintJob& job) {
   Painted painted;
-  painted.recipe = job.recipe;
   try {
+    painted.recipe = job.recipe;
     if (!drawing || version != job.recipe.version) {
       Diagnostics found;
       drawing.reset();
@@ -116,7 +116,7 @@ void ScenePainter::Impl::paint_jobs() {
       return;
     }
     const bool other = !next;
-    const PaintJob job = *std::exchange(other ? next_other : next, std::nullopt);
+    PaintJob job = *std::exchange(other ? next_other : next, std::nullopt);
     painting = true;
     refining = job.refines;
     interrupted = false;
@@ -127,10 +127,11 @@ void ScenePainter::Impl::paint_jobs() {
     if (!interrupted) {
       (other ? newest_other : newest) = std::move(painted);
     } else if (other && !next_other) {
-      next_other = job;
+      next_other = std::move(job);
     }
     changed.notify_all();
     lock.unlock();
+    job = {};  // may free a large scene, without the lock
     wake();
     lock.lock();
   }

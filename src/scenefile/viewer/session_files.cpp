@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace scenefile::viewer {
 
@@ -242,14 +241,15 @@ bool read_reference(Session& session, const std::string& path, std::string& erro
 }
 
 bool is_picture(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, std::numeric_limits<std::uint64_t>::max());
+  const Result<std::string> bytes = read_file(path, Limits().file_bytes);
   return bytes && is_image(*bytes);
 }
 
 }  // namespace
 
 bool tick_files(Session& session) {
-  bool news = session.start.open && session.thumbnails.tick(session.setup.load, session.setup.wake);
+  bool news = (session.start.open || session.thumbnails.busy()) &&
+              session.thumbnails.tick(session.setup.load, session.setup.wake);
   if (std::optional<std::shared_ptr<SceneOnShow>> loaded = session.loading.take()) {
     accept(session, std::move(*loaded));
     news = true;

@@ -38,10 +38,16 @@ void ask_for_terms(Session& session) {
   });
 }
 
+// Whether the window draws what the file says, apart from the camera.
+bool draws_whole_scene(const Session& session) {
+  return session.hidden.empty() && !session.only_light && session.mode == DrawMode::shaded;
+}
+
 bool wants_cause(const Session& session) {
   // For the assignment Realtime, only a picture that the comparison has drawn can be compared.
   const bool drawn =
-      !session.realtime || (!session.compared.empty() && session.camera == session.home);
+      !session.realtime ||
+      (!session.compared.empty() && draws_whole_scene(session) && session.camera == session.home);
   return session.readout.at && !session.reference.empty() && session.setup.find_cause &&
          !session.cause.asked && !session.cause.finding.busy() && drawn;
 }
@@ -133,6 +139,9 @@ std::string cause_text(const Session& session) {
   }
   if (session.realtime && session.camera != session.home) {
     return "the cause is only determined at the scene's own camera: press Home\n";
+  }
+  if (session.realtime && !draws_whole_scene(session)) {
+    return "the cause is only determined while all objects and lights are drawn, shaded\n";
   }
   if (session.realtime && session.compare == CompareView::off) {
     return "the cause is determined while the pictures are compared: press X\n";

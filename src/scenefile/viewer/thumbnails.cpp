@@ -18,7 +18,6 @@ RenderOptions thumbnail_options() {
   options.height = thumbnail_height;
   options.samples = 4;
   options.max_depth = 3;
-  options.threads = 1;  // the window and its picture come first
   return options;
 }
 
@@ -31,9 +30,15 @@ Texture trace(const OpenedScene& scene, const std::function<bool()>& go_on) {
   Preview preview;
   preview.interval_seconds = 0.1;
   Image newest;
-  preview.show = [&](const Image& image) { newest = image; };
+  bool cancelled = false;  // the last picture then lacks what was not traced
+  preview.show = [&](const Image& image) {
+    if (!cancelled) {
+      newest = image;
+    }
+  };
   const Progress progress = [&](double /*done*/) {
-    return go_on() && seconds() < thumbnail_seconds;
+    cancelled = cancelled || !go_on() || seconds() >= thumbnail_seconds;
+    return !cancelled;
   };
   RenderResult result = render(scene.ready.scene, scene.assets, thumbnail_options(),
                                {.progress = progress, .preview = preview});
@@ -99,8 +104,8 @@ bool Thumbnails::tick(const LoadScene& load, const std::function<void()>& wake) 
         known_.clear();
       }
       known_.insert_or_assign(path_, std::move(*done));
-      news = true;
     }
+    news = true;  // also if it was stopped: the next frame requests what is visible
     path_.clear();
   }
   if (!job_.busy() && !wanted_.empty()) {

@@ -197,6 +197,10 @@ TEST(Causes, PartsThatAreNotDrawn) {
     expect_named(Cause::black, nothing, filled([](int, int y) { return y >= height / 2; }),
                  with_scene);
     expect_named(Cause::black, nothing, filled([](int x, int) { return x % 2 == 1; }), with_scene);
+    expect_named(Cause::black, nothing, filled([](int x, int y) { return (x + y) % 2 == 0; }),
+                 with_scene);
+    expect_named(Cause::black, nothing, filled([](int x, int y) { return x % 2 + y % 2 > 0; }),
+                 with_scene);
   }
   expect_named(Cause::black, nothing,
                filled([](int x, int y) { return x >= 20 && x < 80 && y >= 16 && y < 64; }));

@@ -19,7 +19,6 @@ std::string field(std::string_view text) {
 }
 
 std::string row(const StudentResult& student, const PictureResult& picture) {
-  const bool measured = picture.verdict == Verdict::passed || picture.verdict == Verdict::differs;
   std::string causes;
   std::string words;
   for (const Claim& claim : picture.causes) {
@@ -31,6 +30,8 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
     reasons += (reasons.empty() ? "" : "; ") + reason;
   }
   const PictureMeasures& m = picture.measures;
+  const bool measured =
+      m.same_size && (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
   const std::string figures =
       measured ? fmt::format("{:.2f},{:.4f},{:.4f}", m.difference.psnr_db, m.ssim, m.flip_mean)
                : ",,";

@@ -4,6 +4,7 @@
 #include "scenefile/grade/evidence.h"
 #include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
+#include "scenefile/grade/undrawn.h"
 #include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
@@ -66,6 +67,10 @@ class Search {
     }
     if (std::optional<Claim> one_color = claim_of_one_color(reference_, test_)) {
       report_.claims.push_back(*std::move(one_color));
+      return report_;
+    }
+    if (std::optional<Claim> undrawn = claim_of_undrawn_part(reference_, test_, pixels.different)) {
+      report_.claims.push_back(*std::move(undrawn));
       return report_;
     }
     list_ = realtime_hypotheses(view_, drawn_.right().scene.scene, test_.width, test_.height);

@@ -17,6 +17,8 @@ constexpr int off_by = 8;                  // more is visible
 constexpr double nearly_all_pixels = 0.9;  // of those that differ
 constexpr double least_share = 0.01;       // of the picture
 constexpr std::size_t least_at_cut = 8;    // pixels where the reference continues beyond the cut
+constexpr double nearly_all_of_grid = 0.98;
+constexpr std::size_t least_in_grid = 32;
 
 using Bytes = std::array<int, 3>;
 
@@ -213,6 +215,40 @@ std::string missing_box(const Undrawn& u) {
                  : std::string();
 }
 
+// Pixels at even or odd places, such as those of a checkerboard.
+std::string missing_grid(const Undrawn& u) {
+  std::array<std::size_t, 4> shown{};
+  std::array<std::size_t, 4> missing{};
+  for (int y = 0; y < u.test.height; ++y) {
+    for (int x = 0; x < u.test.width; ++x) {
+      const auto place = static_cast<std::size_t>(2 * (y % 2) + x % 2);
+      if (u.shown(x, y)) {
+        ++shown[place];
+        missing[place] += u.blank(x, y) ? 1 : 0;
+      }
+    }
+  }
+  int places = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const double share = static_cast<double>(missing[i]) / static_cast<double>(shown[i]);
+    if (shown[i] < least_in_grid ||
+        (share > 1 - nearly_all_of_grid && share < nearly_all_of_grid)) {
+      return {};
+    }
+    places += share >= nearly_all_of_grid ? 1 : 0;
+  }
+  switch (places) {
+    case 1:
+      return "one of four pixels is not drawn";
+    case 2:
+      return "every second pixel is not drawn";
+    case 3:
+      return "only one of four pixels is drawn";
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Texture& test,
@@ -224,6 +260,7 @@ std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Textu
   std::string what = missing_lines(u, true);
   what = what.empty() ? missing_lines(u, false) : what;
   what = what.empty() ? missing_box(u) : what;
+  what = what.empty() ? missing_grid(u) : what;
   if (what.empty()) {
     return std::nullopt;
   }

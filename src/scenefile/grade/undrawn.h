@@ -1,6 +1,6 @@
 #pragma once
-// Parts of a picture that were never drawn: rows, columns or a rectangle of one color, while the
-// rest is correct. Internal to grade.
+// Parts of a picture that were never drawn: rows, columns, a rectangle or a grid of pixels of one
+// color, while the rest is correct. Internal to grade.
 
 #include "scenefile/grade/causes.h"
 

@@ -63,10 +63,6 @@ class Search {
     if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
       return report_;
     }
-    if (std::optional<Claim> one_color = claim_of_one_color(reference_, test_)) {
-      report_.claims.push_back(*std::move(one_color));
-      return report_;
-    }
     if (std::optional<Claim> undrawn = claim_of_undrawn_part(reference_, test_, pixels.different)) {
       report_.claims.push_back(*std::move(undrawn));
       return report_;

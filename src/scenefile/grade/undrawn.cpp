@@ -1,5 +1,7 @@
 #include "scenefile/grade/undrawn.h"
 
+#include "scenefile/grade/claims.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,23 +80,24 @@ struct Undrawn {
 
 // The color that nearly all differing pixels have; false if there is none.
 bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
+  const auto color_at = [&](std::uint32_t i) {
+    const auto width = static_cast<std::uint32_t>(u.test.width);
+    return bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width));
+  };
   std::ptrdiff_t votes = 0;  // the color of a majority wins the vote
   u.differs.assign(u.test.rgb.size() / 3, 0);
   for (const std::uint32_t i : different) {
-    const auto width = static_cast<std::uint32_t>(u.test.width);
     u.differs[i] = 1;
     ++u.count;
-    const Bytes color = bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width));
+    const Bytes color = color_at(i);
     u.empty = votes == 0 ? color : u.empty;
     votes += color == u.empty ? 1 : -1;
   }
   if (static_cast<double>(u.count) < least_share * static_cast<double>(u.differs.size())) {
     return false;
   }
-  const auto most = std::count_if(different.begin(), different.end(), [&](std::uint32_t i) {
-    const auto width = static_cast<std::uint32_t>(u.test.width);
-    return bytes_at(u.test, static_cast<int>(i % width), static_cast<int>(i / width)) == u.empty;
-  });
+  const auto most = std::count_if(different.begin(), different.end(),
+                                  [&](std::uint32_t i) { return color_at(i) == u.empty; });
   return static_cast<double>(most) >= nearly_all_pixels * static_cast<double>(u.count);
 }
 
@@ -253,6 +256,9 @@ std::string missing_grid(const Undrawn& u) {
 
 std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Texture& test,
                                            const std::vector<std::uint32_t>& different) {
+  if (std::optional<Claim> one_color = claim_of_one_color(reference, test)) {
+    return one_color;
+  }
   Undrawn u{reference, test};
   if (!find_empty_color(different, u)) {
     return std::nullopt;

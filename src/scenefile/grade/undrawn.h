@@ -10,9 +10,9 @@
 
 namespace scenefile {
 
-/// A claim about the part of the test picture that is not drawn. Requires that the reference
-/// continues across the border of that part, so that a missing object is not mistaken for one.
-/// `different`: Pixels::different.
+/// A claim that the whole test picture has one color, or about the part of it that is not drawn.
+/// For a part, the reference must continue across its border, so that a missing object is not
+/// mistaken for one. `different`: Pixels::different.
 std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Texture& test,
                                            const std::vector<std::uint32_t>& different);
 

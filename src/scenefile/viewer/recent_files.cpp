@@ -2,21 +2,14 @@
 
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
-
-#include <fmt/format.h>
+#include "scenefile/viewer/user_path.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace scenefile::viewer {
 
 std::string recent_files_path(const char* xdg_state_home, const char* home) {
-  const std::string_view state = xdg_state_home != nullptr ? xdg_state_home : "";
-  if (state.starts_with('/')) {
-    return fmt::format("{}/scenefile/recent", state);
-  }
-  const std::string_view folder = home != nullptr ? home : "";
-  return folder.empty() ? std::string() : fmt::format("{}/.local/state/scenefile/recent", folder);
+  return user_path(xdg_state_home, home, ".local/state", "recent");
 }
 
 std::vector<std::string> load_recent_files(const std::string& path) {

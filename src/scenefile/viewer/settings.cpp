@@ -3,6 +3,7 @@
 #include "scenefile/base/number.h"
 #include "scenefile/io/file.h"
 #include "scenefile/io/folder.h"
+#include "scenefile/viewer/user_path.h"
 
 #include <fmt/format.h>
 
@@ -107,12 +108,7 @@ bool parse_settings(const std::string& text, Settings& settings) {
 }
 
 std::string settings_path(const char* xdg_config_home, const char* home) {
-  const std::string_view config = xdg_config_home != nullptr ? xdg_config_home : "";
-  if (config.starts_with('/')) {
-    return fmt::format("{}/scenefile/view.ini", config);
-  }
-  const std::string_view folder = home != nullptr ? home : "";
-  return folder.empty() ? std::string() : fmt::format("{}/.config/scenefile/view.ini", folder);
+  return user_path(xdg_config_home, home, ".config", "view.ini");
 }
 
 Settings load_settings(const std::string& path, std::string& note) {

@@ -20,7 +20,7 @@ help: ## this list
 	@grep -hE '^[a-z -]+:.*## ' Makefile | sed -E 's/^([a-z -]+):.*## (.*)/  make \1\t\2/' | expand -t 22
 
 .PHONY: deps
-deps: ## install the packages that are missing
+deps: ## install missing packages
 	@scripts/install-deps core tests
 
 .PHONY: build
@@ -53,7 +53,7 @@ out/showcase.png: $(BUILD)/scenefile scenes/showcase.xml $(wildcard scenes/image
 	@$(BUILD)/scenefile render scenes/showcase.xml -o $@
 
 .PHONY: test
-test: ## build and pass all tests
+test: ## build and run all tests
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,all)
@@ -61,7 +61,7 @@ test: ## build and pass all tests
 	  scripts/test-summary $(BUILD)/tests.xml && exit $$status
 
 .PHONY: schemas
-schemas: ## the schemas of XML are what their source makes, and every validator agrees with the reader
+schemas: ## check that the XML schemas are up to date and that every validator agrees with the reader
 	@scripts/install-deps core tests schemas
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile_schema_findings)
@@ -69,12 +69,12 @@ schemas: ## the schemas of XML are what their source makes, and every validator 
 	  --output-junit schemas.xml; status=$$?; scripts/test-summary $(BUILD)/schemas.xml && exit $$status
 
 .PHONY: bare-machine
-bare-machine: ## SUITE=bookworm: demo, test and install on a Debian that has nothing (needs root)
+bare-machine: ## SUITE=bookworm: demo, test and install on a minimal Debian (needs root)
 	@scripts/install-deps bare
 	@scripts/bare-machine $(or $(SUITE),bookworm)
 
 .PHONY: conformance
-conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
+conformance: ## CORPUS=DIR: compare with every picture listed in DIR/references.tsv
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make conformance CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
@@ -82,7 +82,7 @@ conformance: ## CORPUS=DIR: compare with every picture of DIR/references.tsv
 	@$(BUILD)/tests/conformance/scenefile_conformance "$(CORPUS)" out/conformance
 
 .PHONY: realtime
-realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime in DIR/references.tsv
+realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime listed in DIR/references.tsv
 	@test -n "$(REALTIME)" || { echo "say where the references are: make realtime REALTIME=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
@@ -90,7 +90,7 @@ realtime: ## REALTIME=DIR: compare with every picture of the assignment Realtime
 	@$(BUILD)/tests/conformance/scenefile_realtime "$(REALTIME)" out/realtime
 
 .PHONY: mistakes
-mistakes: ## ask diff for the causes of pictures with planted mistakes; CORPUS=DIR: also of the course's scenes
+mistakes: ## count the right and wrong causes that diff names for pictures with planted mistakes; CORPUS=DIR: also for the course's scenes
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile)
 	$(call compile,scenefile_student)
@@ -100,7 +100,7 @@ mistakes: ## ask diff for the causes of pictures with planted mistakes; CORPUS=D
 	@python3 tests/student/mistakes.py --build $(BUILD) --strange
 
 .PHONY: realtime-mistakes
-realtime-mistakes: ## count right and wrong causes of Realtime pictures with planted mistakes
+realtime-mistakes: ## the same for pictures of the assignment Realtime
 	@$(MAKE) $(QUIET) configure-tests
 	$(call compile,scenefile_realtime_mistakes)
 	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes
@@ -109,7 +109,7 @@ realtime-mistakes: ## count right and wrong causes of Realtime pictures with pla
 	@$(BUILD)/tests/student/scenefile_realtime_mistakes tests/student/scenes --unknown --per-mistake 1
 
 .PHONY: driver
-driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, compare with render
+driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, and compare with render
 	@test -n "$(CORPUS)" || { echo "say where the corpus is: make driver CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure
@@ -117,7 +117,7 @@ driver: ## CORPUS=DIR: draw every scene of DIR as the course's driver does, comp
 	@SCENEFILE_CORPUS="$(CORPUS)" $(BUILD)/tests/app/scenefile_app_tests --gtest_filter='Driver.*'
 
 .PHONY: explained
-explained: ## CORPUS=DIR: explain random pixels of every scene below it, and hold them against the pictures
+explained: ## CORPUS=DIR: explain random pixels of every scene, and compare the sums with the pictures
 	@test -n "$(CORPUS)" || { echo "say where the scenes are: make explained CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure
@@ -125,7 +125,7 @@ explained: ## CORPUS=DIR: explain random pixels of every scene below it, and hol
 	@$(BUILD)/tests/conformance/scenefile_explained "$(CORPUS)" $(or $(PIXELS),100)
 
 .PHONY: engines
-engines: ## CORPUS=DIR: every scene of DIR by the ray tracer and by OpenGL; says how far they are apart
+engines: ## CORPUS=DIR: draw every scene with the ray tracer and with OpenGL, and report how much the pictures differ
 	@test -n "$(CORPUS)" || { echo "say where the scenes are: make engines CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
@@ -133,7 +133,7 @@ engines: ## CORPUS=DIR: every scene of DIR by the ray tracer and by OpenGL; says
 	@$(BUILD)/tests/view/scenefile_engines "$(CORPUS)" out/engines
 
 .PHONY: laws
-laws: ## CORPUS=DIR: every scene of DIR means and looks the same after XML -> JSON -> XML, and other laws
+laws: ## CORPUS=DIR: check that every scene means and looks the same after XML -> JSON -> XML, and other properties
 	@test -n "$(CORPUS)" || { echo "say where the scenes are: make laws CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
@@ -141,7 +141,7 @@ laws: ## CORPUS=DIR: every scene of DIR means and looks the same after XML -> JS
 	@$(BUILD)/tests/laws/scenefile_laws $(CORPUS)
 
 .PHONY: soak
-soak: ## CORPUS=DIR: one process takes 2,000 files of DIR the whole way; memory and open files must stay
+soak: ## CORPUS=DIR: process 2,000 files of DIR in one process; memory and open files must not grow
 	@test -n "$(CORPUS)" || { echo "say where the files are: make soak CORPUS=DIR"; exit 2; }
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
@@ -150,23 +150,23 @@ soak: ## CORPUS=DIR: one process takes 2,000 files of DIR the whole way; memory 
 
 .PHONY: asan asan-files tsan
 ROOM_TESTS = $(foreach room,$(1),scenefile_$(room)_tests)
-asan: ## all tests under AddressSanitizer and UndefinedBehaviorSanitizer
+asan: ## all tests with AddressSanitizer and UndefinedBehaviorSanitizer
 	@scripts/install-deps core tests
 	@cmake --preset asan && cmake --build --preset asan
 	@ctest --preset asan -j $(JOBS)
-asan-files: ## the same for what reads and writes files, and the fuzz targets' seeds and findings
+asan-files: ## the same for code that reads and writes files, with the fuzz targets' seeds and findings
 	@scripts/install-deps core tests
 	@cmake --preset asan && cmake --build --preset asan --target \
 	  scenefile_replays $(call ROOM_TESTS,base scene format asset io)
 	@ctest --preset asan-files -j $(JOBS) --output-junit tests.xml; status=$$?; \
 	  scripts/test-summary build/asan/tests.xml && exit $$status
-tsan: ## the tests of what runs in several threads under ThreadSanitizer
+tsan: ## the multithreaded tests with ThreadSanitizer
 	@scripts/install-deps core tests
 	@cmake --preset tsan && cmake --build --preset tsan --target $(call ROOM_TESTS,trace golden app viewer)
 	@ctest --preset tsan -j $(JOBS)
 
 .PHONY: coverage
-coverage: ## lines and error branches of reader, checker and writer that the tests run
+coverage: ## lines and error branches of the reader, the checker and the writer that the tests execute
 	@scripts/install-deps core tests coverage
 	@cmake --preset coverage && cmake --build --preset coverage --target \
 	  scenefile_replays $(call ROOM_TESTS,base scene format asset io)
@@ -175,13 +175,13 @@ coverage: ## lines and error branches of reader, checker and writer that the tes
 	@scripts/coverage build/coverage
 
 .PHONY: fuzz
-fuzz: ## SECONDS=60: each fuzz target for so long
+fuzz: ## SECONDS=60: run each fuzz target for this long
 	@scripts/install-deps core tests fuzz
 	@cmake --preset fuzz && cmake --build --preset fuzz --target scenefile_fuzz
 	@tests/fuzz/run build/fuzz $(or $(SECONDS),60)
 
 .PHONY: faults
-faults: ## every call of every command fails once; 50 renders are killed, 200 checkpoints damaged
+faults: ## make every call of every command fail once; kill 50 renders, damage 200 checkpoints
 	@scripts/install-deps core tests
 	@$(MAKE) $(QUIET) configure-tests
 	@cmake --build $(PRESET) --target scenefile scenefile_fail_call
@@ -189,22 +189,22 @@ faults: ## every call of every command fails once; 50 renders are killed, 200 ch
 	@tests/faults/resume.py $(BUILD)/scenefile scenes/showcase.xml --kills 50 --damages 200
 
 .PHONY: partitions slurm-test
-partitions: ## SCENES="...": 200 pictures in random parts, 50 killed workers and merges; all merge to the same bytes
+partitions: ## SCENES="...": draw 200 pictures in random parts, kill 50 workers and merges; all must merge to the same bytes
 	@$(MAKE) $(QUIET) build
 	@tests/many-machines/partitions.py $(BUILD)/scenefile $(or $(SCENES),$(wildcard scenes/*.xml)) --partitions $(or $(PARTITIONS),200) --kills $(or $(KILLS),50)
-slurm-test: ## a real Slurm cluster of two nodes on this machine, one of which is killed (needs root)
+slurm-test: ## draw on a Slurm cluster of two nodes on this machine, and kill one of them (needs root)
 	@scripts/install-deps slurm
 	@$(MAKE) $(QUIET) build
 	@tests/many-machines/slurm $(BUILD)/scenefile scenes/showcase.xml 12 --size 640x480
 
 .PHONY: web web-serve web-test
-web: ## WebAssembly: the page, out/page, and the npm package, out/npm/scenefile-VERSION.tgz
+web: ## build for WebAssembly: the page, out/page, and the npm package, out/npm/scenefile-VERSION.tgz
 	@scripts/install-deps core web
 	$(call quietly,bindings/web/build)
 	@tail -5 build/log.txt
-web-serve: web ## the same, and shows the page at http://localhost:8123 (PORT=N)
+web-serve: web ## build the page, and show it at http://localhost:8123 (PORT=N)
 	@node web/serve.js out/page $(or $(PORT),8123)
-web-test: web ## the same, and its tests in a browser; CORPUS=DIR: also that it draws and checks as the native program does
+web-test: web ## build the page and the package, and test them; CORPUS=DIR: also compare with the native program
 	@scripts/install-deps browser
 	@test -z "$(CORPUS)" || $(MAKE) $(QUIET) build
 	@bindings/web/test
@@ -213,7 +213,7 @@ web-test: web ## the same, and its tests in a browser; CORPUS=DIR: also that it 
 	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }
 
 .PHONY: ci-full
-ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
+ci-full: ## all checks, including slow ones: .ci/run, Debian 13, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
 	@$(MAKE) $(QUIET) docs-test
@@ -231,17 +231,17 @@ ci-full: ## what a change may not wait for: .ci/run, Debian 13, sanitizers, fail
 	@$(MAKE) $(QUIET) web-test
 
 .PHONY: portable
-portable: ## the portable rooms with clang 14 and libc++ 14
+portable: ## build and test the portable rooms with clang 14 and libc++ 14
 	@scripts/install-deps core portable
 	@cmake --preset portable && cmake --build --preset portable
 
 SOURCES = $(shell git ls-files 'src/*.h' 'src/*.cpp' 'app/*.h' 'app/*.cpp' 'tests/*.h' 'tests/*.cpp')
 
 .PHONY: format tidy
-format: ## clang-format all sources
+format: ## format all sources with clang-format
 	@scripts/install-deps format
 	@clang-format-14 -i $(SOURCES)
-tidy: ## clang-tidy all sources
+tidy: ## check all sources with clang-tidy
 	@scripts/install-deps core tests format
 	@$(MAKE) $(QUIET) configure-tests
 	@clang-tidy-14 --quiet -p $(BUILD) $(filter %.cpp,$(SOURCES))
@@ -253,10 +253,10 @@ bench-build:
 	@$(MAKE) $(QUIET) configure
 	@grep -qs SCENEFILE_BENCH:BOOL=ON $(BUILD)/CMakeCache.txt || cmake $(PRESET) -DSCENEFILE_BENCH=ON > /dev/null
 	@cmake --build $(PRESET) --target $(BENCH_TARGETS)
-bench-quality: bench-build ## CPU time for a picture of equal quality, against POV-Ray; CORPUS=DIR: also the course's scenes
+bench-quality: bench-build ## CPU time for pictures of equal quality, compared with POV-Ray; CORPUS=DIR: also for the course's scenes
 	@mkdir -p out
 	@bench/quality $(BUILD) $(SCENES) --out out/quality.json --runs $(or $(RUNS),2) $(if $(CORPUS),--corpus "$(CORPUS)")
-bench: bench-build ## CPU time and memory of renders and their parts, against POV-Ray; CORPUS=DIR: also the course's scenes
+bench: bench-build ## CPU time and memory of renders and their parts, compared with POV-Ray; CORPUS=DIR: also for the course's scenes
 	@mkdir -p out
 	@bench/whole_runs $(BUILD) $(SCENES) --out out/bench.json --runs $(or $(RUNS),3) $(if $(CORPUS),--corpus "$(CORPUS)" --samples --all)
 	@bench/curves $(BUILD) --out out/curves.json --runs $(or $(RUNS),3)
@@ -271,24 +271,24 @@ docs: build ## build the documentation site: out/site/index.html
 	@echo "The site is in out/site."
 
 .PHONY: docs-test
-docs-test: build ## every link of the pages leads somewhere, every command they show runs, the examples work
+docs-test: build ## check that every link leads somewhere, every command shown runs, and the examples work
 	@scripts/install-deps tests docs
 	@tests/docs/pages.py links
 	@tests/docs/pages.py commands $(BUILD)/scenefile
 	@/usr/bin/python3 tests/docs/examples.py $(BUILD)/scenefile
 
 .PHONY: python
-python: ## build the module for Python, build/python/python/scenefile, and pass its tests
+python: ## build the Python module, build/python/python/scenefile, and test it
 	@scripts/install-deps core tests python
 	@mkdir -p build && cmake --preset python > build/log.txt 2>&1 || { cat build/log.txt; exit 1; }
 	@cmake --build --preset python --target scenefile scenefile_python
 	@ctest --test-dir build/python --output-on-failure -L python
 
 .PHONY: packages packages-tried
-packages: ## make Debian packages of this system and an archive for any: out/packages
+packages: ## create Debian packages for this system, and an archive for others: out/packages
 	@scripts/install-deps core packages python
 	@JOBS=$(JOBS) scripts/make-packages out/packages
-packages-tried: packages ## SUITE=bookworm: install them on a Debian that has nothing, try and remove them (needs root)
+packages-tried: packages ## SUITE=bookworm: install, test and remove the packages on a minimal Debian (needs root)
 	@scripts/install-deps bare
 	@scripts/bare-machine $(or $(SUITE),bookworm) --packages out/packages
 
@@ -298,5 +298,5 @@ install: build ## install to PREFIX (default /usr/local)
 	@cmake --install $(BUILD) --prefix "$(or $(PREFIX),/usr/local)"
 
 .PHONY: clean
-clean: ## remove what was built
+clean: ## remove everything that was built
 	@rm -rf build out

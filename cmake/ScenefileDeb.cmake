@@ -4,7 +4,7 @@ if(NOT GZIP OR NOT SCENEFILE_APP OR NOT SCENEFILE_TRACE)
   return()
 endif()
 
-# By the author of the commit and of its time, so that the same sources make the same packages.
+# Uses the author and the time of the commit, so that the same sources give the same packages.
 function(of_commit format result)
   execute_process(COMMAND git -c safe.directory=* log -1 --format=${format} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE no_git)
@@ -44,7 +44,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 # scenefile_deb(COMPONENT PACKAGE DESCRIPTION [SECTION word] [DEPENDS packages] [RECOMMENDS packages] [SUGGESTS packages])
-# The first line of DESCRIPTION is its title. Libraries that programs are linked with are found by themselves.
+# The first line of DESCRIPTION is its title. Dependencies on linked libraries are found automatically.
 set(CPACK_COMPONENTS_ALL "")
 macro(scenefile_deb component package description)
   cmake_parse_arguments(DEB "" "SECTION" "DEPENDS;RECOMMENDS;SUGGESTS" ${ARGN})
@@ -70,13 +70,13 @@ scenefile_deb(program scenefile
 "check, explain, render and convert CS123 scene files
 Scene files of Brown University's computer graphics courses (CS123, CSCI1230)
 describe a camera, lights and a scene graph of simple shapes, in XML or JSON.
-This program checks them, names each mistake with line, column and what to do,
-draws them by ray tracing or with OpenGL as the course's own programs do,
-explains how a pixel came to its color, compares pictures, names the mistake
-behind a wrong one, grades the pictures of a class, and converts scenes to and
-from glTF and Wavefront OBJ, and to POV-Ray."
+This program checks them and reports each mistake with its line, its column and
+how to fix it, draws them by ray tracing or with OpenGL as the course's own
+programs do, explains the color of a pixel, compares pictures, names the mistake
+that explains a difference, grades the pictures of a class, and converts scenes
+to and from glTF and Wavefront OBJ, and to POV-Ray."
   RECOMMENDS libegl1 libgl1-mesa-dri SUGGESTS scenefile-window)
-# Pages lead to LICENSE; of its text Debian has one for all packages.
+# Pages link to LICENSE; Debian has one copy of its text for all packages.
 file(CREATE_LINK copyright ${PROJECT_BINARY_DIR}/LICENSE SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/LICENSE TYPE DOC COMPONENT program EXCLUDE_FROM_ALL)
 
@@ -84,8 +84,8 @@ if(TARGET scenefile-window)
   scenefile_deb(window scenefile-window
 "look at CS123 scene files in a window
 The window of scenefile: move through a scene of Brown University's computer
-graphics courses, select objects, ray trace it, compare it with a picture, ask
-how a pixel came to its color, and see the scene change while its file is being
+graphics courses, select objects, ray trace it, compare it with a picture,
+explain the color of a pixel, and see the scene change while its file is being
 edited."
     RECOMMENDS libegl1 libgl1-mesa-dri fonts-dejavu-core)
   set(CPACK_COMPONENT_WINDOW_DEPENDS program)
@@ -104,9 +104,9 @@ if(TARGET scenefile_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   scenefile_deb(python python3-scenefile
 "read, edit, render and compare CS123 scene files (Python 3)
-The module scenefile for Python: scenes of Brown University's computer
-graphics courses to be read, checked, edited and drawn, pictures as NumPy
-arrays, the mistake behind a wrong picture, and the grades of a class."
+The module scenefile for Python reads, checks, edits and draws scenes of Brown
+University's computer graphics courses. Pictures are NumPy arrays. It names the
+mistake that explains a wrong picture, and grades a class."
     SECTION python
     DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
       "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy)

@@ -1,5 +1,5 @@
-# What the system knows an installed program by: manual pages, completions, and the window among the
-# programs that open files.
+# Integration with the system: manual pages, shell completions, and the desktop entry with which file
+# managers open scenes in the window.
 set(manual ${PROJECT_BINARY_DIR}/manual)
 set(make_manual ${PROJECT_SOURCE_DIR}/cmake/make_manual.cmake)
 add_custom_command(OUTPUT ${manual}.stamp
@@ -9,7 +9,7 @@ add_custom_command(OUTPUT ${manual}.stamp
   COMMENT "Manual pages and completions" VERBATIM)
 add_custom_target(scenefile_manual ALL DEPENDS ${manual}.stamp)
 
-# Where zsh looks differs between packages and what is installed by hand.
+# zsh looks for completions of packages and of programs installed by hand in different folders.
 set(zsh site-functions)
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   set(zsh vendor-completions)

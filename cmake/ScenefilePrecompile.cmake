@@ -18,7 +18,7 @@ function(scenefile_precompile target kind)
   endif()
   # The compile definitions of these headers must be the same everywhere.
   target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
-  # Required by ccache.
+  # ccache requires this.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   get_property(first GLOBAL PROPERTY scenefile_precompiled_${kind})
   if(first)

@@ -1,5 +1,5 @@
-# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY]) A
-# room is one folder of src/scenefile and one static library target scenefile::NAME. HEADERS are the
+# scenefile_room(NAME SOURCES ... HEADERS ... [PUBLIC libs...] [PRIVATE libs...] [PROGRAM_ONLY])
+# A room is one folder of src/scenefile and one static library target scenefile::NAME. HEADERS are the
 # public headers, which are installed; others are internal to the room. PROGRAM_ONLY: not part of
 # the installed library.
 include_guard(GLOBAL)
@@ -10,7 +10,7 @@ target_compile_options(scenefile_options INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror=switch
   # Code for any number of lanes combines masks with &; with one lane they are bool.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
-  # Warn of what comes from another source of the same unit, and is none of a source's business.
+  # These warnings would be about code from other sources of the same unit.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-shadow;-Wno-subobject-linkage>
   # No fused multiply-add, so that all compilers give the same bytes.
   -ffp-contract=off

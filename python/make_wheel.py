@@ -3,7 +3,7 @@
 
     python/make_wheel.py FOLDER VERSION OUT
 
-FOLDER holds the package scenefile with the libraries that it needs and their terms. The wheel says
+FOLDER contains the package scenefile with the libraries that it needs and their licenses. The wheel says
 that it needs the C library of this machine or a newer one (PEP 600).
 """
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""results.py STATUS GRADED SAID: the answer of `scenefile grade --json` as Gradescope's results."""
+"""results.py STATUS GRADED MESSAGES: converts the output of `scenefile grade --json` to Gradescope's results."""
 import json
 import pathlib
 import sys
@@ -14,9 +14,9 @@ def words_of(picture):
     return "\n".join(lines)
 
 
-status, graded, said = int(sys.argv[1]), pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+status, graded, messages = int(sys.argv[1]), pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 if status not in (0, 1):
-    print(json.dumps({"score": 0, "output": f"Nothing could be graded:\n{said.read_text()}"}))
+    print(json.dumps({"score": 0, "output": f"Nothing could be graded:\n{messages.read_text()}"}))
     sys.exit()
 pictures = [picture for student in json.loads(graded.read_text())["students"] for picture in student["pictures"]]
 print(json.dumps({"tests": [{"name": picture["name"], "score": int(picture["verdict"] == "passed"), "max_score": 1,

@@ -231,7 +231,7 @@ ci-full: ## all checks, including slow ones: .ci/run, Debian 13, sanitizers, fai
 	@$(MAKE) $(QUIET) web-test
 
 .PHONY: portable
-portable: ## build and test the portable rooms with clang 14 and libc++ 14
+portable: ## build all rooms but the window and the program with clang 14 and libc++, as for WebAssembly
 	@scripts/install-deps core portable
 	@cmake --preset portable && cmake --build --preset portable
 

@@ -2,9 +2,6 @@
 // Texts that both searches for causes share: claims, and descriptions of evidence. Internal to
 // grade.
 
-#include "scenefile/grade/causes.h"
-
-#include <optional>
 #include <string>
 
 namespace scenefile {
@@ -20,8 +17,5 @@ std::string evidence_of_one(double left, double before, double exact);
 std::string evidence_of_several(double together, double by_itself);
 /// The share of the difference that a simulated mistake explains.
 std::string evidence_of_share(double explained);
-
-/// A claim if the test picture has a single color, such as black, and the reference does not.
-std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture& test);
 
 }  // namespace scenefile

@@ -1,7 +1,5 @@
 #include "scenefile/grade/undrawn.h"
 
-#include "scenefile/grade/claims.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -250,6 +248,31 @@ std::string missing_grid(const Undrawn& u) {
     default:
       return {};
   }
+}
+
+// The test has a single color, such as black, and the reference does not.
+std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture& test) {
+  const Bytes only = bytes_at(test, test.width / 2, test.height / 2);
+  std::size_t same = 0;
+  std::size_t shown = 0;
+  for (int y = 0; y < test.height; ++y) {
+    for (int x = 0; x < test.width; ++x) {
+      same += largest_step(bytes_at(test, x, y), only) <= 2 ? 1 : 0;
+      shown += largest_step(bytes_at(reference, x, y), only) > off_by ? 1 : 0;
+    }
+  }
+  const double all = static_cast<double>(test.width) * test.height;
+  if (static_cast<double>(same) < 0.9995 * all || static_cast<double>(shown) < 0.005 * all) {
+    return std::nullopt;
+  }
+  const bool black = *std::max_element(only.begin(), only.end()) <= 2;
+  return Claim{Cause::black,
+               black ? "the picture is black: nothing is drawn"
+                     : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
+                                   only[1], only[2]),
+               black ? "all pixels are black, and the reference shows something"
+                     : "all pixels are equal, and the reference shows something",
+               1};
 }
 
 }  // namespace

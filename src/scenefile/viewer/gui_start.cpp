@@ -174,7 +174,7 @@ std::string build_folder(Session& session, const GuiFrame& frame) {
   std::string chosen = build_field(panel);
   ImGui::BeginChild("choices");
   if (ImGui::Selectable("../")) {
-    chosen = parent_folder(panel.folder);
+    chosen = folder_of(panel.folder);
   }
   for (const std::string& path :
        {build_lines(panel, ChoiceKind::folder), build_tiles(session, frame),

@@ -1,11 +1,10 @@
 #include "scenefile/viewer/start_panel.h"
 
+#include "scenefile/base/text.h"
 #include "scenefile/format/recognize.h"
 #include "scenefile/io/folder.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -15,13 +14,8 @@ namespace {
 
 // By its extension: reading every file of a large folder takes too long.
 bool is_picture_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 3> extensions{".png", ".jpg", ".jpeg"};
-  return std::any_of(extensions.begin(), extensions.end(), [&](std::string_view extension) {
-    return name.size() > extension.size() &&
-           std::equal(extension.rbegin(), extension.rend(), name.rbegin(), [](char a, char b) {
-             return a == std::tolower(static_cast<unsigned char>(b));
-           });
-  });
+  const std::string lower = lower_case(name);
+  return lower.ends_with(".png") || lower.ends_with(".jpg") || lower.ends_with(".jpeg");
 }
 
 }  // namespace
@@ -51,11 +45,6 @@ void go_to_folder(StartPanel& panel, const std::string& folder) {
     panel.folder.pop_back();
   }
   panel.cut_off = !list_choices(panel.folder, panel.choices);
-}
-
-std::string parent_folder(const std::string& folder) {
-  const std::size_t slash = folder.rfind('/');
-  return slash == std::string::npos || slash == 0 ? "/" : folder.substr(0, slash);
 }
 
 std::string typed_path(const StartPanel& panel, const char* home) {

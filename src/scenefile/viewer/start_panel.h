@@ -36,9 +36,6 @@ bool list_choices(const std::string& folder, std::vector<Choice>& choices);
 /// Lists this folder; an empty path is the working directory.
 void go_to_folder(StartPanel& panel, const std::string& folder);
 
-/// The parent folder; the root is its own parent.
-std::string parent_folder(const std::string& folder);
-
 /// The path for a typed text: absolute, or below the panel's folder, or below `home` if it
 /// starts with "~/".
 std::string typed_path(const StartPanel& panel, const char* home);

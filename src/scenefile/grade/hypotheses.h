@@ -18,8 +18,8 @@ struct Trial {
   glm::dvec2 shift{0};  ///< of rays, from pixel centers, in pixels: right and down
 };
 
-/// Which part of a picture a mistake affects; earlier ones are cheaper to test.
-enum class Touches : std::uint8_t {
+/// The earliest stage of drawing that a mistake changes; the first ones are the cheapest to test.
+enum class Stage : std::uint8_t {
   picture,  ///< only the finished picture
   shading,  ///< colors, but not what rays hit
   hits,     ///< what rays hit, with the same shapes
@@ -38,7 +38,7 @@ struct Turn {
 struct Hypothesis {
   Cause cause = Cause::rounding;
   std::string what;
-  Touches touches = Touches::shading;
+  Stage stage = Stage::shading;
   std::function<void(Trial&)> draw;
   Turn turn;
   /// For colors before clamping; empty: unchanged.

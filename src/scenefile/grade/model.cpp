@@ -18,10 +18,6 @@ using glm::dvec3;
 using std::numbers::pi;
 constexpr std::uint32_t area_side = 3;
 
-double clamped(double x) {
-  return std::clamp(x, 0.0, 1.0);
-}
-
 dvec3 unit(const dvec3& v) {
   const double length = glm::length(v);
   return length > 0 ? v / length : dvec3(0, 1, 0);
@@ -132,7 +128,7 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
     case Shape::cone:
       cap = face != 0;
       flat = cap && mistake != UvMistake::caps_as_side;
-      uv = flat ? flat_uv(1, face == 2, p) : dvec2(around(p), clamped(p.y + 0.5));
+      uv = flat ? flat_uv(1, face == 2, p) : dvec2(around(p), std::clamp(p.y + 0.5, 0.0, 1.0));
       break;
     case Shape::mesh:
       break;

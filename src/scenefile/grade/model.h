@@ -53,9 +53,9 @@ struct ModelShapes {
 };
 
 /// Scenes with more shapes are not analyzed.
-inline constexpr double most_model_parts = 300000;
+inline constexpr double max_model_parts = 300000;
 
-/// Null if the scene has more shapes than most_model_parts.
+/// Null if the scene has more shapes than max_model_parts.
 std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets);
 
 /// What a camera ray hits first.

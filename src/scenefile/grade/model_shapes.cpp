@@ -119,7 +119,7 @@ void add_parts(const RenderScene& scene, const Assets& assets, std::uint32_t gro
 }  // namespace
 
 std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets) {
-  if (!(count_virtual_primitives(scene) <= most_model_parts) || scene.groups.empty()) {
+  if (!(count_virtual_primitives(scene) <= max_model_parts) || scene.groups.empty()) {
     return nullptr;
   }
   auto shapes = std::make_shared<ModelShapes>();

@@ -41,7 +41,7 @@ struct Tried {
   double broken = 0;
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
   bool good() const {
-    return explained >= enough && exact >= enough_exact && broken <= most_broken;
+    return explained >= enough && exact >= enough_exact && broken <= max_broken;
   }
 };
 
@@ -61,7 +61,7 @@ class Search {
     clean_ =
         find_visible(drawn_.right(), drawn_.shapes(), *view_.assets, test_.width, test_.height);
     report_.share_scene_unlike = share_unlike();
-    if (report_.share_scene_unlike > most_unlike ||
+    if (report_.share_scene_unlike > max_unlike ||
         (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels)) {
       return report_;
     }
@@ -310,7 +310,7 @@ class Search {
       }
     }
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
-        alone.front().broken <= most_broken) {
+        alone.front().broken <= max_broken) {
       const RealtimeHypothesis& h = list_[alone.front().together.front()];
       report_.partial.push_back(
           {h.cause, h.what,

@@ -659,15 +659,15 @@ class Maker {
         continue;
       }
       Touches touches = Touches::shading;
-      switch (h.touches) {
-        case scenefile::Touches::picture:
-        case scenefile::Touches::shading:
+      switch (h.stage) {
+        case Stage::picture:
+        case Stage::shading:
           break;
-        case scenefile::Touches::hits:
-        case scenefile::Touches::camera:
+        case Stage::hits:
+        case Stage::camera:
           touches = Touches::raster;
           break;
-        case scenefile::Touches::shapes:
+        case Stage::shapes:
           touches = Touches::shapes;
           break;
       }

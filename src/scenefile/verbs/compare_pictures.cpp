@@ -15,7 +15,7 @@ namespace scenefile {
 namespace {
 
 // Share of pixels. If more differ, the scene or its settings are not those of the reference.
-constexpr double most_unlike_reference = 0.1;
+constexpr double max_share_unlike = 0.1;
 
 std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
@@ -218,13 +218,13 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
     }
   }
   if (realtime == nullptr ||
-      (!found.empty() && share_unlike(reference, scene, found.front()) <= most_unlike_reference)) {
+      (!found.empty() && share_unlike(reference, scene, found.front()) <= max_share_unlike)) {
     return found;
   }
   const DrawnWay fitted = realtime_way(
       find_realtime_settings(reference, realtime_view_of(scene, *realtime), realtime->unknowns),
       {});
-  return found.empty() || share_unlike(reference, scene, fitted) <= most_unlike_reference
+  return found.empty() || share_unlike(reference, scene, fitted) <= max_share_unlike
              ? std::vector<DrawnWay>{fitted}
              : found;
 }
@@ -268,11 +268,11 @@ std::string causes_text(const PictureComparison& found) {
     text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
   }
-  if (found.scene_used && report.share_scene_unlike <= most_unlike_reference &&
+  if (found.scene_used && report.share_scene_unlike <= max_share_unlike &&
       !found.drawn_with.empty()) {
     text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
   }
-  if (found.scene_used && report.share_scene_unlike > most_unlike_reference) {
+  if (found.scene_used && report.share_scene_unlike > max_share_unlike) {
     text += fmt::format(
         "the scene is not what the reference shows: our picture of it differs in {:.0f} % of the "
         "pixels; give the {} that the reference was made with\n",

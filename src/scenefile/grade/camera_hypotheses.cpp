@@ -1,0 +1,170 @@
+#include "scenefile/grade/hypothesis_list.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace scenefile {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+namespace {
+
+void edit_camera(HypothesisList& list, std::string_view what,
+                 std::function<void(RenderCamera&)> change) {
+  list.add(
+      Cause::camera, what, [change = std::move(change)](Trial& t) { change(t.scene.camera); },
+      Stage::camera);
+}
+
+// Scales the width and height of the film.
+void stretch(HypothesisList& list, std::string_view what, double across, double up) {
+  if (std::isfinite(across) && std::isfinite(up)) {
+    edit_camera(list, what, [=](RenderCamera& c) {
+      c.u *= across;
+      c.v *= up;
+    });
+  }
+}
+
+}  // namespace
+
+void add_camera(HypothesisList& list) {
+  const double aspect = static_cast<double>(list.width) / list.height;
+  const double h = list.scene.camera.fov_y;
+  const double right = std::tan(h / 2);
+  const double degrees = h * 180 / pi;
+  if (std::abs(aspect - 1) > 0.01) {
+    stretch(list, "the width angle is computed as aspect times the height angle",
+            std::tan(aspect * h / 2) / (aspect * right), 1);
+    stretch(list, "the aspect ratio is ignored: width and height are treated as equal", 1 / aspect,
+            1);
+    stretch(list, "the height angle is used as the width angle", 1 / aspect, 1 / aspect);
+    stretch(list, "the aspect ratio is inverted (height by width)", 1 / (aspect * aspect), 1);
+    stretch(list, "the height is divided by the aspect ratio, and the width multiplied", 1,
+            1 / aspect);
+    stretch(list, "the aspect ratio is applied to the height, not to the width", 1 / aspect,
+            aspect);
+    stretch(list, "the aspect ratio is applied twice", aspect, 1);
+    stretch(list, "the height angle is divided by the aspect ratio, and it is taken for the width",
+            1 / aspect, std::tan(h / aspect / 2) / right);
+  }
+  stretch(list, "the full field of view is used as the half angle", std::tan(h) / right,
+          std::tan(h) / right);
+  stretch(list, "a quarter of the field of view is used as the half angle", std::tan(h / 4) / right,
+          std::tan(h / 4) / right);
+  stretch(list, "the field of view is in degrees instead of radians", std::tan(degrees / 2) / right,
+          std::tan(degrees / 2) / right);
+  stretch(list, "the field of view is in degrees instead of radians, and not halved",
+          std::tan(degrees) / right, std::tan(degrees) / right);
+  stretch(list, "the angle itself is used instead of its tangent", h / 2 / right, h / 2 / right);
+  stretch(list, "the sine of the angle is used instead of its tangent", std::sin(h / 2) / right,
+          std::sin(h / 2) / right);
+  stretch(list, "the film is half as large as it should be", 0.5, 0.5);
+  stretch(list, "the film is twice as large as it should be", 2, 2);
+  stretch(list, "the field of view is ignored: 90 degrees", 1 / right, 1 / right);
+  stretch(list, "the field of view is ignored: 45 degrees", std::tan(pi / 8) / right,
+          std::tan(pi / 8) / right);
+  stretch(list, "the field of view is ignored: 60 degrees", std::tan(pi / 6) / right,
+          std::tan(pi / 6) / right);
+  stretch(list, "pixel positions are divided by width - 1 and height - 1",
+          list.width / (list.width - 1.0), list.height / (list.height - 1.0));
+  list.items.back().cause = Cause::half_pixel_shift;
+  edit_camera(list, "the camera looks backward", [](RenderCamera& c) { c.w = -c.w; });
+  edit_camera(list, "the camera looks backward (turned around)", [](RenderCamera& c) {
+    c.w = -c.w;
+    c.u = -c.u;
+  });
+  edit_camera(list, "the camera is at the world's origin",
+              [](RenderCamera& c) { c.position = dvec3(0); });
+  edit_camera(list, "the camera's position is negated",
+              [](RenderCamera& c) { c.position = -c.position; });
+  edit_camera(list, "the camera's matrix is transposed: it maps to the camera's space",
+              [](RenderCamera& c) {
+                const glm::dmat3 axes = glm::transpose(glm::dmat3(c.u, c.v, c.w));
+                c.u = axes[0];
+                c.v = axes[1];
+                c.w = axes[2];
+              });
+  edit_camera(list, "the camera ignores the up vector: up is the world's y", [](RenderCamera& c) {
+    const dvec3 u = glm::cross(dvec3(0, 1, 0), c.w);
+    if (glm::length(u) > 1e-6) {
+      c.u = glm::normalize(u);
+      c.v = glm::cross(c.w, c.u);
+    }
+  });
+  edit_camera(list, "the camera's axes are the world axes", [](RenderCamera& c) {
+    c.u = {1, 0, 0};
+    c.v = {0, 1, 0};
+    c.w = {0, 0, 1};
+  });
+  edit_camera(
+      list, "the camera looks at the world's origin, not along its direction", [](RenderCamera& c) {
+        const dvec3 w = c.position;
+        if (glm::length(w) > 1e-6 && glm::length(glm::cross(c.v, glm::normalize(w))) > 1e-6) {
+          c.w = glm::normalize(w);
+          c.u = glm::normalize(glm::cross(c.v, c.w));
+          c.v = glm::cross(c.w, c.u);
+        }
+      });
+  for (const double scale : {1.0, 2.0, 3.0, 5.0, 10.0, glm::length(list.scene.camera.position)}) {
+    if (scale > 0) {
+      list.add(
+          Cause::camera, "rays of the camera are parallel: there is no perspective",
+          [scale](Trial& t) { t.mistakes.orthographic = scale; }, Stage::camera);
+    }
+  }
+  if (list.view.written != nullptr && list.view.written->camera) {
+    const Camera& written = *list.view.written->camera;
+    const dvec3 up(written.up);
+    const dvec3 look(written.look);
+    if (glm::length(up) > 0 && glm::length(look) > 0) {
+      edit_camera(list, "the up vector is not made perpendicular to the view",
+                  [up](RenderCamera& c) { c.v = glm::normalize(up); });
+      edit_camera(list, "neither right nor up of the camera is normalized",
+                  [up](RenderCamera& c) { c.u = glm::cross(-c.w, glm::normalize(up)); });
+      edit_camera(list, "the camera's right axis is not normalized, and up is computed from it",
+                  [up](RenderCamera& c) {
+                    c.u = glm::cross(-c.w, glm::normalize(up));
+                    c.v = glm::cross(c.w, c.u);
+                  });
+      const auto aim = [](RenderCamera& c, const dvec3& direction, const dvec3& upward) {
+        const dvec3 w = -direction;
+        if (glm::length(w) > 1e-6 && glm::length(glm::cross(upward, w)) > 1e-6) {
+          c.w = glm::normalize(w);
+          c.u = glm::normalize(glm::cross(upward, c.w));
+          c.v = glm::cross(c.w, c.u);
+        }
+      };
+      edit_camera(list, "the look direction is used as a point to look at",
+                  [=](RenderCamera& c) { aim(c, look - c.position, up); });
+      edit_camera(list, "the point to look at is used as a direction",
+                  [=](RenderCamera& c) { aim(c, look + c.position, up); });
+      edit_camera(list, "the look direction is not normalized",
+                  [=](RenderCamera& c) { c.w = -look; });
+    }
+  }
+}
+
+void add_shifts(HypothesisList& list) {
+  static constexpr std::array<std::pair<glm::dvec2, const char*>, 8> places{
+      {{{-0.5, -0.5}, "upper left corners"},
+       {{0.5, 0.5}, "lower right corners"},
+       {{-0.5, 0.5}, "lower left corners"},
+       {{0.5, -0.5}, "upper right corners"},
+       {{-0.5, 0}, "left edges"},
+       {{0.5, 0}, "right edges"},
+       {{0, -0.5}, "upper edges"},
+       {{0, 0.5}, "lower edges"}}};
+  for (const auto& [shift, where] : places) {
+    list.add(
+        Cause::half_pixel_shift,
+        fmt::format("rays go through the {} of pixels, not their centers", where),
+        [by = shift](Trial& t) { t.shift = by; }, Stage::camera);
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,49 @@
+#pragma once
+// Judges candidate combinations of mistakes: thresholds, which of several mistakes are needed, and
+// what is missing. Internal to grade.
+
+#include "scenefile/grade/simulation.h"
+
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+inline constexpr double nearly_all = 0.95;  ///< share of pixels where one mistake leaves no doubt
+inline constexpr std::size_t screen = 240;  ///< points used to screen single mistakes
+inline constexpr std::size_t few_points = 100;  ///< ... and several
+
+/// Whether the claim satisfies the thresholds in evidence.h.
+bool good(const Tried& t);
+/// Whether the claim explains nearly everything, so that the search can stop.
+bool sure(const Tried& t);
+/// Mistakes that leave at most this difference count as equal to one that leaves `raw` of `all`.
+double tie_limit(double raw, double all);
+/// Stable; the smallest key first.
+void sort_by(std::vector<Tried>& list, double (*key)(const Tried&));
+/// The best first.
+void sort_by_merit(std::vector<Tried>& list);
+void append(std::vector<Tried>& list, const std::vector<Tried>& more);
+Combination joined(Combination a, const Combination& b);
+/// Two mistakes of the same kind rarely combine: one replaces the other.
+bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
+/// Whether each of several mistakes is needed: where it changes the picture, the picture is right
+/// with it and wrong without it.
+bool each_needed(const Simulation& sim, const Combination& mistakes);
+/// Without the mistakes that are not needed.
+Tried without_needless(Simulation& sim, Tried found);
+/// Adds the mistake that explains most of the remaining difference, if any.
+Tried completed(Simulation& sim, const Tried& found);
+/// The first that satisfies the thresholds without its needless mistakes, completed.
+std::optional<Tried> first_good(Simulation& sim, const std::vector<Tried>& best);
+/// The best screened mistakes, evaluated at all points; among similar ones the more likely first.
+std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, std::size_t count,
+                            double from, double to);
+/// Evaluates the best candidates exactly, by drawing them.
+std::vector<Tried> tried_again(Simulation& sim, const std::vector<Tried>& list,
+                               std::size_t max_count, double from, double to);
+/// Combines each start with each single mistake that it does not contain.
+std::vector<Tried> extended(Simulation& sim, const std::vector<Combination>& starts,
+                            std::size_t count, double from, double to);
+
+}  // namespace scenefile

@@ -1,0 +1,15 @@
+#pragma once
+// Mistakes with a number that is estimated from the pictures, such as a factor. Internal to grade.
+
+#include "scenefile/grade/simulation.h"
+
+namespace scenefile {
+
+/// The brightness, the gamma, or a number that was added, estimated from the pictures.
+void add_curves(Simulation& sim);
+/// A uniform color where nothing is hit.
+void add_background(Simulation& sim);
+/// Terms and lights that are too bright or too dark by a factor, estimated from the pictures.
+void add_factors(Simulation& sim);
+
+}  // namespace scenefile

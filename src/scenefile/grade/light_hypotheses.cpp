@@ -1,0 +1,383 @@
+#include "scenefile/base/shape_traits.h"
+#include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/grade/node_matrices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+using glm::dvec3;
+
+namespace {
+
+bool is_infinitely_far(LightType type) {
+  return !has_position(type);
+}
+bool is_plain_point(LightType type) {
+  return is_at_a_point(type) && !has_cone(type);
+}
+
+// A light as written in the file, in world space, for a light of the render scene.
+struct WrittenLight {
+  dvec3 position{0};
+  double length = 1;  // of the direction
+};
+
+std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderScene& ready) {
+  std::vector<std::pair<const Light*, glm::dmat4>> lights;
+  visit_nodes(written, {}, [&](const Node& node, const glm::dmat4& matrix) {
+    for (const Light& light : node.lights) {
+      lights.emplace_back(&light, matrix);
+    }
+  });
+  std::vector<WrittenLight> result(ready.lights.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const RenderLight& light = ready.lights[i];
+    for (auto& [candidate, matrix] : lights) {
+      if (candidate == nullptr || candidate->type != light.type ||
+          candidate->color != light.color) {
+        continue;
+      }
+      const dvec3 direction(matrix * glm::dvec4(candidate->direction, 0));
+      const dvec3 position(matrix * glm::dvec4(candidate->position, 1));
+      const double length = glm::length(direction);
+      const bool aimed = !has_direction(light.type) ||
+                         glm::length(direction - length * dvec3(light.direction)) < 1e-3 * length;
+      const bool placed =
+          !has_position(light.type) ||
+          glm::length(position - dvec3(light.position)) < 1e-3 * (1 + glm::length(position));
+      if (aimed && placed) {
+        result[i] = {position, length};
+        candidate = nullptr;
+        break;
+      }
+    }
+  }
+  return result;
+}
+
+void change_lights(HypothesisList& list, Cause cause, std::string_view what,
+                   std::function<void(RenderLight&)> change) {
+  list.add(cause, what, [change = std::move(change)](Trial& t) {
+    std::for_each(t.scene.lights.begin(), t.scene.lights.end(), change);
+  });
+}
+
+}  // namespace
+
+void add_lights(HypothesisList& list) {
+  using L = LightVectorMistake;
+  const bool positional = list.any_type(is_at_a_point);
+  const bool directional = list.any_type(is_infinitely_far);
+  const auto put = [&](std::initializer_list<Row<L>> rows) {
+    list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
+  };
+  if (positional) {
+    put({{L::not_normalized, "vectors to point and spot lights are not normalized"}});
+  }
+  if (positional && directional) {
+    put({{L::reversed, "vectors to all lights point the wrong way"}});
+  }
+  if (directional) {
+    put({{L::reversed_directional, "directional lights shine the wrong way"}});
+    change_lights(
+        list, Cause::lights, "directional lights are used as point lights at their position",
+        [](RenderLight& l) { l.type = is_infinitely_far(l.type) ? LightType::point : l.type; });
+  }
+  if (positional) {
+    put({{L::reversed_positional, "vectors to point and spot lights point away from them"},
+         {L::to_origin, "point lights shine along one direction everywhere"}});
+    change_lights(list, Cause::lights, "lights are at the world's origin",
+                  [](RenderLight& l) { l.position = glm::vec3(0); });
+    change_lights(list, Cause::lights, "the position of lights is negated",
+                  [](RenderLight& l) { l.position = -l.position; });
+  }
+  if (list.scene.lights.size() > 1) {
+    list.add(Cause::lights, "only the first light is used",
+             [](Trial& t) { t.scene.lights.resize(1); });
+    list.add(Cause::lights, "only the last light is used", [](Trial& t) {
+      t.scene.lights.erase(t.scene.lights.begin(), t.scene.lights.end() - 1);
+    });
+    list.add(Cause::lights, "the last light is left out",
+             [](Trial& t) { t.scene.lights.pop_back(); });
+    list.add(Cause::lights, "the first light is left out",
+             [](Trial& t) { t.scene.lights.erase(t.scene.lights.begin()); });
+    change_lights(list, Cause::lights, "the light is divided by the number of lights",
+                  [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
+  }
+  for (const LightType type : list.types) {
+    if (list.types.size() > 1) {
+      list.add(
+          Cause::lights, fmt::format("{} lights are left out", word_of(type)), [type](Trial& t) {
+            std::erase_if(t.scene.lights, [type](const RenderLight& l) { return l.type == type; });
+          });
+    }
+  }
+  if (list.types.size() > 2) {
+    for (const LightType type : list.types) {
+      list.add(Cause::lights, fmt::format("all lights but the {} ones are left out", word_of(type)),
+               [type](Trial& t) {
+                 std::erase_if(t.scene.lights,
+                               [type](const RenderLight& l) { return l.type != type; });
+               });
+    }
+  }
+  change_lights(list, Cause::lights, "the color of lights is ignored: they are white",
+                [](RenderLight& l) { l.color = glm::vec3(1); });
+  change_lights(list, Cause::lights, "lights are twice as bright",
+                [](RenderLight& l) { l.color *= 2; });
+  change_lights(list, Cause::lights, "lights are half as bright",
+                [](RenderLight& l) { l.color /= 2; });
+}
+
+void add_reversed_shading(HypothesisList& list) {
+  using L = LightVectorMistake;
+  const bool positional = list.any_type(is_at_a_point);
+  const bool directional = list.any_type(is_infinitely_far);
+  const auto put = [&](std::initializer_list<Row<L>> rows) {
+    list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
+  };
+  if (positional && directional) {
+    put({{L::reversed_shading,
+          "vectors to all lights point the wrong way in the lighting; shadow rays are right"}});
+  }
+  if (directional) {
+    put({{L::reversed_directional_shading,
+          "directional lights shine the wrong way in the lighting; shadow rays are right"}});
+  }
+  if (positional) {
+    put({{L::reversed_positional_shading,
+          "vectors to point and spot lights point away from them in the lighting; shadow rays are "
+          "right"}});
+  }
+}
+
+// Mistakes about lights that need the written file, because the prepared scene lacks that
+// information.
+void add_written_lights(HypothesisList& list) {
+  if (list.view.written == nullptr) {
+    return;
+  }
+  const std::vector<WrittenLight> written = lights_as_written(*list.view.written, list.scene);
+  std::vector<double> lengths;
+  bool longer = false;
+  bool placed = false;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    lengths.push_back(has_direction(list.scene.lights[i].type) ? written[i].length : 1);
+    longer = longer || std::abs(lengths.back() - 1) > 0.01;
+    placed = placed || (is_infinitely_far(list.scene.lights[i].type) &&
+                        glm::length(written[i].position) > 1e-3);
+  }
+  using L = LightVectorMistake;
+  const auto put = [&](L value, const char* what) {
+    list.add(Cause::lights, what, [value, lengths](Trial& t) {
+      t.mistakes.light_vector = value;
+      t.mistakes.light_lengths = lengths;
+    });
+  };
+  if (longer && list.any_type(is_infinitely_far)) {
+    put(L::directional_as_long_as_written, "directions of directional lights are not normalized");
+  }
+  if (longer && list.any_type(has_cone)) {
+    put(L::spot_as_long_as_written, "directions of spot lights are not normalized");
+  }
+  if (longer && list.any_type(is_infinitely_far) && list.any_type(has_cone)) {
+    put(L::as_long_as_written, "directions of lights are not normalized");
+  }
+  if (placed) {
+    list.add(Cause::lights, "the direction of directional lights is read from the position",
+             [written](Trial& t) {
+               t.mistakes.light_vector = L::position_as_direction;
+               for (std::size_t i = 0; i < t.scene.lights.size() && i < written.size(); ++i) {
+                 if (is_infinitely_far(t.scene.lights[i].type)) {
+                   t.scene.lights[i].position = glm::vec3(written[i].position);
+                 }
+               }
+             });
+  } else if (list.any_type(is_infinitely_far)) {
+    list.set(Cause::lights, &ModelMistakes::light_vector, L::position_as_direction,
+             "the direction of directional lights is read from the position");
+  }
+}
+
+void add_attenuation(HypothesisList& list) {
+  if (!list.any_light([](const RenderLight& l) { return has_position(l.type); })) {
+    return;
+  }
+  using A = AttenuationMistake;
+  const auto put = [&](std::initializer_list<Row<A>> rows) {
+    list.set_each(Cause::attenuation, &ModelMistakes::attenuation, rows);
+  };
+  const bool fades = list.any_light([](const RenderLight& l) {
+    return has_position(l.type) && l.attenuation != glm::vec3(1, 0, 0);
+  });
+  put({{A::inverse_square, "lights fade by 1 / d^2, not by their coefficients"},
+       {A::inverse, "lights fade by 1 / d, not by their coefficients"},
+       {A::inverse_square_unlimited,
+        "lights fade by 1 / d^2, not limited to 1, not by their coefficients"},
+       {A::inverse_unlimited, "lights fade by 1 / d, not limited to 1, not by their coefficients"},
+       {A::one_plus_square, "lights fade by 1 / (1 + d^2), not by their coefficients"}});
+  if (!fades) {
+    return;
+  }
+  put({{A::absent, "lights do not fade with distance"}});
+  if (list.any_light([](const RenderLight& l) { return l.attenuation.z != 0; })) {
+    put({{A::no_quadratic, "the quadratic term of the attenuation is missing"}});
+  }
+  if (list.any_light([](const RenderLight& l) { return l.attenuation.y != 0; })) {
+    put({{A::no_linear, "the linear term of the attenuation is missing"}});
+  }
+  if (list.any_light([](const RenderLight& l) { return l.attenuation.x != 0; })) {
+    put({{A::no_constant, "the constant term of the attenuation is missing"}});
+  }
+  put({{A::not_clamped, "the attenuation is not clamped to 1"},
+       {A::squared, "the attenuation is applied twice"},
+       {A::multiplied, "light is multiplied by the attenuation polynomial instead of divided"},
+       {A::reversed_coefficients, "the coefficients of the attenuation are read in reverse order"},
+       {A::diffuse_only, "highlights do not fade with distance"},
+       {A::specular_only, "the diffuse term does not fade with distance"},
+       {A::one_plus, "1 is added to the attenuation polynomial"},
+       {A::squared_distance, "the attenuation uses the squared distance as the distance"},
+       {A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1"}});
+}
+
+void add_spots(HypothesisList& list) {
+  if (!list.any_type(has_cone)) {
+    return;
+  }
+  using S = SpotMistake;
+  const auto put = [&](std::initializer_list<Row<S>> rows) {
+    list.set_each(Cause::spot_falloff, &ModelMistakes::spot, rows);
+  };
+  const auto spot = [&](std::string what, void (*change)(RenderLight&)) {
+    change_lights(list, Cause::spot_falloff, std::move(what), [change](RenderLight& l) {
+      if (has_cone(l.type)) {
+        change(l);
+      }
+    });
+  };
+  spot("spots shine in all directions", [](RenderLight& l) { l.type = LightType::point; });
+  spot("spots have no penumbra: full light up to the outer angle",
+       [](RenderLight& l) { l.inner_angle = l.outer_angle; });
+  put({{S::linear, "spots fall off linearly instead of by the smoothstep"}});
+  spot("spots end at their inner angle", [](RenderLight& l) { l.outer_angle = l.inner_angle; });
+  spot("the penumbra is outside the angle of the spot, not inside", [](RenderLight& l) {
+    const float penumbra = l.outer_angle - l.inner_angle;
+    l.inner_angle = l.outer_angle;
+    l.outer_angle += penumbra;
+  });
+  spot("the penumbra is used as the inner angle", [](RenderLight& l) {
+    l.inner_angle = std::min(l.outer_angle - l.inner_angle, l.outer_angle);
+  });
+  spot("inner and outer angle of spots are mixed up: angle and penumbra are swapped",
+       [](RenderLight& l) {
+         const float penumbra = l.outer_angle - l.inner_angle;
+         const float outer = l.outer_angle;
+         l.outer_angle = penumbra;
+         l.inner_angle = std::max(0.0f, penumbra - outer);
+       });
+  spot("the angle of spots is that of full light halfway into the penumbra", [](RenderLight& l) {
+    const float half = (l.outer_angle - l.inner_angle) / 2;
+    l.inner_angle += half;
+    l.outer_angle += half;
+  });
+  spot("spots fall off from their axis, not from the inner angle",
+       [](RenderLight& l) { l.inner_angle = 0; });
+  spot("the angle of the spot is used as the full angle of the cone", [](RenderLight& l) {
+    const float penumbra = l.outer_angle - l.inner_angle;
+    l.outer_angle /= 2;
+    l.inner_angle = std::max(0.0f, l.outer_angle - penumbra);
+  });
+  spot("both angles of the spot are halved", [](RenderLight& l) {
+    l.inner_angle /= 2;
+    l.outer_angle /= 2;
+  });
+  spot("both angles of the spot are doubled", [](RenderLight& l) {
+    l.inner_angle *= 2;
+    l.outer_angle *= 2;
+  });
+  put({{S::in_cosine, "the falloff of spots is between cosines, not between angles"},
+       {S::linear_in_cosine, "spots fall off linearly between cosines"},
+       {S::inverted, "spots are dark inside and bright outside"},
+       {S::penumbra_inverted, "the falloff of spots runs the wrong way in the penumbra"},
+       {S::no_limit, "spots shine beyond their outer angle"},
+       {S::squared, "the falloff of spots is applied twice"},
+       {S::cosine_power, "spots fall off by the cosine"},
+       {S::reversed_axis, "spots shine backward"}});
+  spot("spots shine along the opposite direction",
+       [](RenderLight& l) { l.direction = -l.direction; });
+}
+
+void add_shadows(HypothesisList& list) {
+  if (!list.ray_mode() || !list.view.options.features.shadows || list.scene.lights.empty()) {
+    return;
+  }
+  list.add(Cause::shadows, "there are no shadows",
+           [](Trial& t) { t.options.features.shadows = false; });
+  using S = ShadowMistake;
+  const auto put = [&](std::initializer_list<Row<S>> rows) {
+    list.set_each(Cause::shadows, &ModelMistakes::shadow, rows);
+  };
+  const bool positional = list.any_type(is_at_a_point);
+  if (positional) {
+    put({{S::beyond_light,
+          "objects behind a light cast shadows too: the distance is not compared"}});
+  }
+  if (list.scene.lights.size() > 1) {
+    put({{S::ambient_only,
+          "where one light is shadowed, all are lost: only the ambient term is left"},
+         {S::stops, "lights after the first shadowed one are lost"},
+         {S::first_light_for_all, "the shadow of the first light counts for all"}});
+  }
+  put({{S::reversed, "shadow rays point away from the light"},
+       {S::black, "shadows are black: the ambient term is lost"},
+       {S::no_ambient_if_all, "where every light is shadowed, the ambient term is lost, too"},
+       {S::keeps_specular, "shadows remove only the diffuse term"},
+       {S::keeps_diffuse, "shadows remove only the specular term"},
+       {S::half, "shadows take half of the light"}});
+  if (list.any_type(has_cone)) {
+    put({{S::spot_along_axis, "shadow rays of spots run along the axis of the spot"},
+         {S::spot_without, "spots cast no shadows"}});
+  }
+  if (list.any_type(is_plain_point)) {
+    put({{S::point_without, "point lights cast no shadows"}});
+  }
+  if (list.any_type(is_infinitely_far)) {
+    put({{S::directional_without, "directional lights cast no shadows"},
+         {S::direction_unnormalized_far, "shadows of directional lights are only 1 unit long"}});
+  }
+  if (list.any_material([](const RenderMaterial& m) { return m.transparent != glm::vec3(0); })) {
+    put({{S::glass_lets_through, "transparent objects cast no shadows"}});
+  }
+  put({{S::not_own_object, "objects cast no shadow on themselves"},
+       {S::any_nearer_than_eye,
+        "the distance of occluders is compared with the distance to the eye"},
+       {S::unit_length, "only objects nearer than 1 unit cast shadows"},
+       {S::point_as_directional, "shadows of point lights are only 1 unit long"},
+       {S::from_eye, "shadow rays start at the eye"},
+       {S::from_origin, "shadow rays start at the world's origin"},
+       {S::squared_distance,
+        "the distance of occluders is compared with the square of the light's distance"},
+       {S::object_distance, "distances along shadow rays are measured in object space"}});
+  if (list.any_type(is_infinitely_far)) {
+    put({{S::directional_ends_at_position,
+          "shadow rays of directional lights end at the light's position"}});
+  }
+  put({{S::light_from_origin, "the light's distance is measured from the world's origin"}});
+  for (const double bias :
+       {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.75, 1.0, 2.0}) {
+    list.set(Cause::shadows, &ModelMistakes::shadow_bias, bias,
+             fmt::format("shadow rays start too far from the surface (about {} units)", bias));
+  }
+  for (const double lift : {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 1.0}) {
+    list.set(
+        Cause::shadows, &ModelMistakes::shadow_lift, lift,
+        fmt::format("shadow rays start too far from the surface (about {} units along the normal)",
+                    lift));
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,174 @@
+#include "scenefile/grade/hypothesis_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+void edit_shapes(HypothesisList& list, std::string_view what,
+                 std::function<void(RenderGroup&)> change) {
+  list.add(
+      Cause::shapes, what,
+      [change = std::move(change)](Trial& t) {
+        std::for_each(t.scene.groups.begin(), t.scene.groups.end(), change);
+      },
+      Stage::shapes);
+}
+
+std::string plural_stem(Shape shape) {
+  return shape == Shape::mesh ? "meshe" : std::string(word_of(shape));
+}
+
+}  // namespace
+
+void add_shapes(HypothesisList& list) {
+  const bool cylinder = list.shapes.contains(Shape::cylinder);
+  const bool cone = list.shapes.contains(Shape::cone);
+  if (cylinder) {
+    list.set(Cause::shapes, &ModelMistakes::no_cylinder_caps, true, "cylinders have no caps",
+             Stage::hits);
+  }
+  if (cone) {
+    list.set(Cause::shapes, &ModelMistakes::no_cone_cap, true, "cones have no cap", Stage::hits);
+  }
+  if (cone && cylinder) {
+    list.add(
+        Cause::shapes, "cylinders and cones have no caps",
+        [](Trial& t) { t.mistakes.no_cylinder_caps = t.mistakes.no_cone_cap = true; }, Stage::hits);
+  }
+  if (cone || cylinder) {
+    list.set(Cause::shapes, &ModelMistakes::cap_normals_down, true, "normals of caps are inverted");
+  }
+  if (cone) {
+    using C = ConeNormalMistake;
+    const auto put = [&](std::initializer_list<Row<C>> rows) {
+      list.set_each(Cause::shapes, &ModelMistakes::cone_normal, rows);
+    };
+    put({{C::level, "normals of cones are horizontal, like those of cylinders"},
+         {C::like_sphere, "normals of cones are those of spheres"},
+         {C::half_slope, "normals of cones rise too little"},
+         {C::double_slope, "normals of cones rise too much"},
+         {C::four_slopes, "normals of cones rise far too much"},
+         {C::slope_down, "normals of cones point down"}});
+  }
+  for (const Shape shape : list.shapes) {
+    if (list.shapes.size() > 1) {
+      edit_shapes(list, fmt::format("{}s are not drawn", plural_stem(shape)),
+                  [shape](RenderGroup& g) {
+                    std::erase_if(g.primitives,
+                                  [shape](const RenderPrimitive& p) { return p.shape == shape; });
+                  });
+    }
+    for (const float factor : {2.0f, 0.5f}) {
+      edit_shapes(list,
+                  fmt::format("{}s are {} as large as they should be", plural_stem(shape),
+                              factor == 2 ? "twice" : "half"),
+                  [shape, factor](RenderGroup& g) {
+                    for (RenderPrimitive& p : g.primitives) {
+                      p.group_from_object.linear *= p.shape == shape ? factor : 1.0f;
+                    }
+                  });
+    }
+    for (const Shape other : {Shape::sphere, Shape::cube}) {
+      if (other != shape && shape != Shape::mesh) {
+        edit_shapes(list,
+                    fmt::format("{}s are drawn as {}s", plural_stem(shape), plural_stem(other)),
+                    [shape, other](RenderGroup& g) {
+                      for (RenderPrimitive& p : g.primitives) {
+                        p.shape = p.shape == shape ? other : p.shape;
+                      }
+                    });
+      }
+    }
+  }
+  if (cone) {
+    edit_shapes(list, "cones are upside down", [](RenderGroup& g) {
+      for (RenderPrimitive& p : g.primitives) {
+        if (p.shape == Shape::cone) {
+          p.group_from_object.linear[1] *= -1.0f;
+        }
+      }
+    });
+  }
+  edit_shapes(list, "all shapes are twice as large as they should be", [](RenderGroup& g) {
+    for (RenderPrimitive& p : g.primitives) {
+      p.group_from_object.linear *= 2.0f;
+    }
+  });
+  edit_shapes(list, "all shapes are half as large as they should be", [](RenderGroup& g) {
+    for (RenderPrimitive& p : g.primitives) {
+      p.group_from_object.linear *= 0.5f;
+    }
+  });
+  list.add(
+      Cause::shapes, "only the first shape is drawn",
+      [](Trial& t) {
+        bool found = false;
+        for (RenderGroup& g : t.scene.groups) {
+          if (&g != &t.scene.groups[t.scene.root] || g.primitives.empty() || found) {
+            continue;
+          }
+          g.primitives.resize(1);
+          g.instances.clear();
+          found = true;
+        }
+      },
+      Stage::shapes);
+  list.add(
+      Cause::shapes, "the last shape is missing",
+      [](Trial& t) {
+        RenderGroup& root = t.scene.groups[t.scene.root];
+        if (!root.primitives.empty()) {
+          root.primitives.pop_back();
+        }
+      },
+      Stage::shapes);
+  list.add(
+      Cause::shapes, "the first shape is missing",
+      [](Trial& t) {
+        RenderGroup& root = t.scene.groups[t.scene.root];
+        if (!root.primitives.empty()) {
+          root.primitives.erase(root.primitives.begin());
+        }
+      },
+      Stage::shapes);
+}
+
+void add_nearest(HypothesisList& list) {
+  using N = NearestMistake;
+  const auto put = [&](std::initializer_list<Row<N>> rows) {
+    list.set_each(Cause::nearest_hit, &ModelMistakes::nearest, rows, Stage::hits);
+  };
+  put({{N::last, "the last object that is hit is shown, not the nearest"},
+       {N::first, "the first object that is hit is shown, not the nearest"},
+       {N::farthest, "the farthest hit is shown, not the nearest"},
+       {N::farthest_object, "the object whose hit is farthest is shown, not the nearest"},
+       {N::object_distance, "distances are measured in object space"},
+       {N::object_distance_compared, "distances are compared in object space"},
+       {N::object_distance_everywhere,
+        "distances are measured in object space, also along shadow rays"},
+       {N::far_root, "the far side of each object is shown"}});
+  const auto put_behind = [&](N value, const char* what) {
+    for (const bool in_reflections : {false, true}) {
+      if (!in_reflections || list.mirrors() || list.glass()) {
+        list.add(
+            Cause::nearest_hit,
+            fmt::format("{}{}", what,
+                        in_reflections ? ", and reflections show what lies behind them" : ""),
+            [=](Trial& t) {
+              t.mistakes.nearest = value;
+              t.mistakes.behind_in_reflections = in_reflections;
+            },
+            Stage::hits);
+      }
+    }
+  };
+  put_behind(N::behind, "objects behind the camera are shown too");
+  put_behind(N::behind_first, "objects behind the camera are shown first");
+  put({{N::near_root_only, "objects are invisible from inside"}});
+}
+
+}  // namespace scenefile

@@ -1,0 +1,312 @@
+#include "scenefile/grade/simulation.h"
+
+#include "scenefile/trace/tasks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenefile {
+
+bool Simulation::step(double done) {
+  stopped = stopped || (go_on && !go_on(done));
+  return !stopped;
+}
+
+glm::dvec2 Simulation::middle(const Point& p, const Turn& turn) const {
+  const int x = turn.across ? test.width - 1 - p.x : p.x;
+  const int y = turn.down ? test.height - 1 - p.y : p.y;
+  return {x + 0.5, y + 0.5};
+}
+
+Trial Simulation::right_trial(bool with_groups) const {
+  Trial trial;
+  const RenderScene& scene = *view->scene;
+  if (with_groups) {
+    trial.scene = scene;
+  } else {
+    trial.scene.global = scene.global;
+    trial.scene.camera = scene.camera;
+    trial.scene.lights = scene.lights;
+    trial.scene.materials = scene.materials;
+  }
+  trial.options = view->options;
+  return trial;
+}
+
+Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
+                        const std::vector<Point>& places, std::size_t count, const Turn& turn,
+                        const std::vector<ModelHit>* hits) const {
+  const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
+  Colors colors(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const ModelHit* const known = hits != nullptr ? &(*hits)[i] : nullptr;
+    colors[i] =
+        255.0 * model.pixel(middle(places[i], turn) + trial.shift, test.width, test.height, known);
+  }
+  rays += model.rays();
+  return colors;
+}
+
+double Simulation::look_at_scene() {
+  if (view == nullptr) {
+    return 1;
+  }
+  shapes = flatten(*view->scene, *view->assets);
+  if (shapes == nullptr) {
+    return 1;
+  }
+  std::mt19937 random(2);
+  std::vector<std::uint32_t> pixels(std::size_t(test.width) * test.height);
+  for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+    pixels[i] = i;
+  }
+  std::vector<Point> everywhere;
+  add_points(test, reference, std::move(pixels), 1500, false, false, random, everywhere);
+  const Colors colors =
+      draw(right_trial(false), *shapes, everywhere, everywhere.size(), Turn(), nullptr);
+  std::size_t unlike = 0;
+  for (std::size_t i = 0; i < everywhere.size(); ++i) {
+    const Range range = around(reference, everywhere[i].x, everywhere[i].y);
+    const glm::dvec3 c = glm::clamp(colors[i], glm::dvec3(0), glm::dvec3(255));
+    unlike += largest_of(outside(c, range.low - 6.0, range.high + 6.0)) > 0 ? 1 : 0;
+  }
+  const double share_unlike = static_cast<double>(unlike) /
+                              static_cast<double>(std::max<std::size_t>(1, everywhere.size()));
+  usable = share_unlike <= max_unlike;
+  return share_unlike;
+}
+
+void Simulation::drop_what_samples_explain(bool tolerant) {
+  if (!usable) {
+    return;
+  }
+  const Colors colors = draw(right_trial(false), *shapes, points, points.size(), Turn(), nullptr);
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    const glm::dvec3 c = glm::clamp(colors[i], glm::dvec3(0), glm::dvec3(255));
+    if (largest_of(tolerant ? outside(c, p.low, p.high) : glm::abs(c - p.test)) > 2) {
+      kept.push_back(p);
+    }
+  }
+  points = std::move(kept);
+}
+
+void Simulation::interleave(std::size_t different) {
+  std::vector<Point> mixed;
+  std::size_t d = 0;
+  std::size_t s = different;
+  while (d < different || s < points.size()) {
+    for (int i = 0; i < 3 && d < different; ++i) {
+      mixed.push_back(points[d++]);
+    }
+    if (s < points.size()) {
+      mixed.push_back(points[s++]);
+    }
+  }
+  points = std::move(mixed);
+}
+
+const Simulation::Clean& Simulation::clean(const Turn& turn) const {
+  return clean_pictures[(turn.across ? 1 : 0) + (turn.down ? 2 : 0)];
+}
+
+void Simulation::prepare_clean() {
+  for (const bool down : {false, true}) {
+    for (const bool across : {false, true}) {
+      const Turn turn{across, down};
+      Clean& c = clean_pictures[(across ? 1 : 0) + (down ? 2 : 0)];
+      c = {};
+      for (const Point& p : points) {
+        const glm::dvec2 m = middle(p, turn);
+        c.reference.push_back(at(reference, static_cast<int>(m.x), static_cast<int>(m.y)));
+      }
+      if (!usable) {
+        continue;
+      }
+      const Trial trial = right_trial(false);
+      const Model model(trial.scene, *shapes, *view->assets, trial.options, trial.mistakes);
+      for (const Point& p : points) {
+        c.hits.push_back(
+            model.first_hit(model.camera_ray(middle(p, turn), test.width, test.height)));
+      }
+      c.drawn = draw(trial, *shapes, points, points.size(), turn, &c.hits);
+    }
+  }
+}
+
+double Simulation::weight_that_differs(std::size_t count) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += points[i].differs ? points[i].weight : 0;
+  }
+  return sum;
+}
+
+bool Simulation::significant() const {
+  std::size_t count = 0;
+  for (const Point& p : points) {
+    count += p.differs ? 1 : 0;
+  }
+  return count >= few_pixels;
+}
+
+Simulation::Base Simulation::base(std::size_t count) const {
+  Base b;
+  b.left = score(points, count, clean({}).reference).left;
+  if (usable) {
+    b.left = std::min(b.left, score(points, count, clean({}).drawn).left);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    (points[i].differs ? b.differs : b.same) += points[i].weight;
+  }
+  return b;
+}
+
+std::optional<Colors> Simulation::drawn(const Combination& mistakes, std::size_t count,
+                                        const Turn& turn) const {
+  const Stage stage = stage_of(mistakes);
+  const bool hits = stage >= Stage::hits;
+  if (stage == Stage::picture) {
+    return std::nullopt;
+  }
+  const std::uint16_t one = drawing_member(mistakes);
+  if (one != no_member && turn == Turn() && one < cache.size() && cache[one].size() >= count) {
+    return Colors(cache[one].begin(), cache[one].begin() + std::ptrdiff_t(count));
+  }
+  const Trial trial = trial_of(mistakes);
+  const std::shared_ptr<const ModelShapes> drawn_shapes = shapes_of(trial, stage);
+  return draw(trial, *drawn_shapes, points, count, turn, hits ? nullptr : &clean(turn).hits);
+}
+
+Stage Simulation::stage_of(const Combination& mistakes) const {
+  Stage stage = Stage::picture;
+  for (const std::uint16_t i : mistakes) {
+    stage = std::max(stage, list[i].stage);
+  }
+  return stage;
+}
+
+Trial Simulation::trial_of(const Combination& mistakes) const {
+  Trial trial = right_trial(stage_of(mistakes) == Stage::shapes);
+  for (const Stage kind : {Stage::shapes, Stage::shading}) {
+    for (const std::uint16_t i : mistakes) {
+      if (list[i].draw && (list[i].stage == Stage::shapes) == (kind == Stage::shapes)) {
+        list[i].draw(trial);
+      }
+    }
+  }
+  return trial;
+}
+
+std::shared_ptr<const ModelShapes> Simulation::shapes_of(const Trial& trial, Stage stage) const {
+  return stage == Stage::shapes ? flatten(trial.scene, *view->assets) : shapes;
+}
+
+Turn Simulation::turn_of(const Combination& mistakes) const {
+  Turn turn;
+  for (const std::uint16_t i : mistakes) {
+    turn.across = turn.across != list[i].turn.across;
+    turn.down = turn.down != list[i].turn.down;
+  }
+  return turn;
+}
+
+Colors Simulation::finished(const Combination& mistakes, Colors colors) const {
+  for (const std::uint16_t i : mistakes) {
+    if (list[i].color) {
+      for (glm::dvec3& c : colors) {
+        c = 255.0 * list[i].color(c / 255.0);
+      }
+    }
+  }
+  return colors;
+}
+
+std::uint16_t Simulation::drawing_member(const Combination& mistakes) const {
+  std::uint16_t found = no_member;
+  for (const std::uint16_t i : mistakes) {
+    if (list[i].stage != Stage::picture) {
+      if (found != no_member) {
+        return no_member;
+      }
+      found = i;
+    }
+  }
+  return found;
+}
+
+void Simulation::fill_cache(std::size_t count) {
+  cache.clear();
+  count = std::min(count, points.size());
+  std::vector<Colors> drawn_alone(list.size());
+  for_each_task(list.size(), [&](std::size_t i) {
+    const std::optional<Colors> colors = drawn({static_cast<std::uint16_t>(i)}, count, Turn());
+    drawn_alone[i] = colors ? *colors : Colors();
+  });
+  cache = std::move(drawn_alone);
+}
+
+Colors Simulation::predicted(const Combination& mistakes, std::size_t count) const {
+  const Turn turn = turn_of(mistakes);
+  const Clean& right = clean(turn);
+  const auto first = [count](const Colors& colors) {
+    return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
+  };
+  const std::optional<Colors> changed = drawn(mistakes, count, turn);
+  if (!changed) {
+    Colors of_reference = finished(mistakes, first(right.reference));
+    return usable ? closer(std::move(of_reference), finished(mistakes, first(right.drawn)))
+                  : of_reference;
+  }
+  Colors added(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 now = glm::clamp((*changed)[i], glm::dvec3(0), glm::dvec3(255));
+    const glm::dvec3 before = glm::clamp(right.drawn[i], glm::dvec3(0), glm::dvec3(255));
+    added[i] = right.reference[i] + now - before;
+  }
+  return closer(finished(mistakes, std::move(added)), finished(mistakes, *changed));
+}
+
+Colors Simulation::closer(Colors a, Colors b) const {
+  const Score of_a = score(points, a.size(), a);
+  const Score of_b = score(points, b.size(), b);
+  const double near = 0.02 * std::min(of_a.left, of_b.left);
+  const bool alike = std::abs(of_a.left - of_b.left) <= near;
+  return (alike ? of_a.raw <= of_b.raw : of_a.left < of_b.left) ? std::move(a) : std::move(b);
+}
+
+Score Simulation::score_of(const Combination& mistakes, std::size_t count) const {
+  return score(points, count, predicted(mistakes, count));
+}
+
+Tried Simulation::rated(Combination mistakes, const Score& s, const Base& b) const {
+  Tried t;
+  t.mistakes = std::move(mistakes);
+  t.score = s;
+  t.explained = b.left > 0 ? 1 - s.left / b.left : 0;
+  t.exact = b.differs > 0 ? s.exact / b.differs : 0;
+  t.broken = b.same > 0 ? s.broken / b.same : 0;
+  return t;
+}
+
+std::vector<Tried> Simulation::try_all(const std::vector<Combination>& sets, std::size_t count,
+                                       double from, double to) {
+  count = std::min(count, points.size());
+  const Base b = base(count);
+  std::vector<Tried> result(sets.size());
+  constexpr std::size_t chunk = 64;
+  for (std::size_t start = 0; start < sets.size(); start += chunk) {
+    if (!step(from + (to - from) * static_cast<double>(start) / static_cast<double>(sets.size()))) {
+      result.resize(start);
+      break;
+    }
+    const std::size_t end = std::min(sets.size(), start + chunk);
+    for_each_task(end - start, [&](std::size_t i) {
+      const Combination& set = sets[start + i];
+      result[start + i] = rated(set, score_of(set, count), b);
+    });
+  }
+  return result;
+}
+}  // namespace scenefile

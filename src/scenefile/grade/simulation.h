@@ -1,0 +1,138 @@
+#pragma once
+// Simulates mistakes at sample points of a picture, and measures how much of its difference from
+// the reference they explain. Internal to grade.
+
+#include "scenefile/grade/causes.h"
+#include "scenefile/grade/evidence.h"
+#include "scenefile/grade/hypotheses.h"
+#include "scenefile/grade/model.h"
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace scenefile {
+
+/// One or several mistakes, as sorted indices into Simulation::list.
+using Combination = std::vector<std::uint16_t>;
+
+inline constexpr std::uint16_t no_member = 0xffff;
+
+/// A combination and its score.
+struct Tried {
+  Combination mistakes;
+  Score score;
+  double explained = 0;  ///< share of the difference that it removes, <= 1
+  double exact = 0;      ///< share of the differing points that it reproduces
+  double broken = 0;     ///< share of the equal points that it changes
+  double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
+};
+
+struct Simulation {
+  /// The picture without mistakes, by point.
+  struct Clean {
+    Colors reference;
+    Colors drawn;  ///< empty if the scene is not usable
+    std::vector<ModelHit> hits;
+  };
+  /// What is to be explained.
+  struct Base {
+    double left = 0;
+    double differs = 0;
+    double same = 0;
+  };
+
+  const Texture& reference;
+  const Texture& test;
+  const SceneView* view = nullptr;
+  const std::function<bool(double)>& go_on;
+  std::shared_ptr<const ModelShapes> shapes{};  ///< of the view's scene
+  std::vector<Hypothesis> list{};               ///< the mistakes to try
+  std::size_t first_measured =
+      0;  ///< in the list: mistakes with numbers estimated from the pictures
+  std::vector<Point> points{};
+  std::array<Clean, 4> clean_pictures{};  ///< by Turn
+  std::vector<Colors> cache{};            ///< drawn with one mistake, at the first points
+  mutable std::atomic<std::uint64_t> rays{0};
+  bool usable = false;  ///< whether the scene is that of the reference
+  bool stopped = false;
+
+  /// Reports progress; false: stop.
+  bool step(double done);
+  /// The center of the pixel, as a position in the picture before the turn.
+  glm::dvec2 middle(const Point& p, const Turn& turn) const;
+  /// The scene without mistakes. Without groups, it cannot be given other shapes.
+  Trial right_trial(bool with_groups) const;
+  Colors draw(const Trial& trial, const ModelShapes& drawn_shapes, const std::vector<Point>& places,
+              std::size_t count, const Turn& turn, const std::vector<ModelHit>* hits) const;
+  /// Compares our picture of the scene with the reference: the share of pixels that differ, 1
+  /// without a scene. Sets `usable`.
+  double look_at_scene();
+  /// Drops points that match the test with one sample at the pixel's center: they only differ by
+  /// sampling.
+  void drop_what_samples_explain(bool tolerant);
+  /// Mixes both kinds of points in the proportions for screening.
+  void interleave(std::size_t different);
+  const Clean& clean(const Turn& turn) const;
+  /// Draws the points without mistakes. Needed when the points change.
+  void prepare_clean();
+  double weight_that_differs(std::size_t count) const;
+  /// Whether enough points differ to be evidence.
+  bool significant() const;
+  Base base(std::size_t count) const;
+  /// The picture with these mistakes; nullopt if none affects drawing.
+  std::optional<Colors> drawn(const Combination& mistakes, std::size_t count,
+                              const Turn& turn) const;
+  Stage stage_of(const Combination& mistakes) const;
+  /// Mistakes that change the shapes come first, because they replace what others change.
+  Trial trial_of(const Combination& mistakes) const;
+  std::shared_ptr<const ModelShapes> shapes_of(const Trial& trial, Stage stage) const;
+  /// The flip of all mistakes together.
+  Turn turn_of(const Combination& mistakes) const;
+  /// Applies the mistakes that change the finished picture to the colors.
+  Colors finished(const Combination& mistakes, Colors colors) const;
+  /// The mistake that affects drawing, if it is the only one.
+  std::uint16_t drawing_member(const Combination& mistakes) const;
+  /// Draws single mistakes once, to combine each with those that change the finished picture.
+  void fill_cache(std::size_t count);
+  /// The picture with the mistakes at the first points: the changed drawing, or the
+  /// reference plus the change, whichever is closer to the test.
+  Colors predicted(const Combination& mistakes, std::size_t count) const;
+  Colors closer(Colors a, Colors b) const;
+  /// At the first `count` points.
+  Score score_of(const Combination& mistakes, std::size_t count) const;
+  Tried rated(Combination mistakes, const Score& s, const Base& b) const;
+  /// Tries each set, in parallel if possible.
+  std::vector<Tried> try_all(const std::vector<Combination>& sets, std::size_t count, double from,
+                             double to);
+};
+
+/// Restores the points of a simulation at the end of a scope that replaces them.
+class PointsRestored {
+ public:
+  explicit PointsRestored(Simulation& sim)
+      : sim_(sim),
+        points_(sim.points),
+        clean_pictures_(sim.clean_pictures),
+        cache_(std::move(sim.cache)) {
+    sim.cache.clear();
+  }
+  ~PointsRestored() {
+    sim_.points = std::move(points_);
+    sim_.clean_pictures = std::move(clean_pictures_);
+    sim_.cache = std::move(cache_);
+  }
+  PointsRestored(const PointsRestored&) = delete;
+  PointsRestored& operator=(const PointsRestored&) = delete;
+
+ private:
+  Simulation& sim_;
+  std::vector<Point> points_;
+  std::array<Simulation::Clean, 4> clean_pictures_;
+  std::vector<Colors> cache_;
+};
+
+}  // namespace scenefile

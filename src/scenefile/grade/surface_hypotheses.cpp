@@ -1,0 +1,184 @@
+#include "scenefile/grade/hypothesis_list.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace scenefile {
+
+void add_textures(HypothesisList& list) {
+  if (!list.ray_mode() || !list.view.options.features.texture ||
+      !list.any_material(
+          [](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; })) {
+    return;
+  }
+  list.add(Cause::texture, "textures are not drawn",
+           [](Trial& t) { t.options.features.texture = false; });
+  const auto change = [&](std::string what, void (*change_one)(RenderMaterial&)) {
+    list.add(Cause::texture, std::move(what), [change_one](Trial& t) {
+      std::for_each(t.scene.materials.begin(), t.scene.materials.end(), change_one);
+    });
+  };
+  const auto uv = [&](std::initializer_list<Row<UvMistake>> rows) {
+    list.set_each(Cause::texture, &ModelMistakes::uv, rows);
+  };
+  const auto put = [&](std::initializer_list<Row<TextureMistake>> rows) {
+    list.set_each(Cause::texture, &ModelMistakes::texture, rows);
+  };
+  using U = UvMistake;
+  using T = TextureMistake;
+  uv({{U::flip_v, "textures are upside down"},
+      {U::flip_u, "textures are mirrored left to right"},
+      {U::flip_both, "textures are mirrored both ways"}});
+  put({{T::swapped_uv, "u and v of textures are swapped"}});
+  change("textures are not repeated",
+         [](RenderMaterial& m) { m.texture.repeat_u = m.texture.repeat_v = 1; });
+  change("the repeat counts of textures are swapped",
+         [](RenderMaterial& m) { std::swap(m.texture.repeat_u, m.texture.repeat_v); });
+  put({{T::blend_ignored, "the blend of textures is ignored: the texture replaces the color"},
+       {T::times_coefficient, "textures are multiplied by the global diffuse coefficient"},
+       {T::times_coefficient_no_blend,
+        "textures are multiplied by the global diffuse coefficient, and the blend is ignored"},
+       {T::times_diffuse, "textures are multiplied by the diffuse color"},
+       {T::times_diffuse_no_blend,
+        "textures are multiplied by the diffuse color, and the blend is ignored"},
+       {T::blend_reversed, "the blend of textures is reversed"},
+       {T::added, "textures are added to the diffuse color, not blended with it"},
+       {T::blend_drops_color, "the diffuse color's share of the blend is missing"},
+       {T::no_coefficient_on_rest,
+        "the diffuse color blended with the texture lacks its coefficient"},
+       {T::unlit, "textures are drawn without N.L"},
+       {T::blue_red, "red and blue of textures are swapped"},
+       {T::gray, "textures are gray"},
+       {T::lookup_clamped, "textures end at their edges: the lookup does not wrap around"},
+       {T::divided_repeat, "u and v are divided by the repeat counts"},
+       {T::decoded, "textures are decoded with gamma 2.2"}});
+  if (list.view.options.features.texture_filter) {
+    list.set(Cause::features, &ModelMistakes::texture, T::not_filtered,
+             "textures are not filtered, and those of the reference are");
+  } else {
+    list.set(Cause::features, &ModelMistakes::texture, T::filtered_centered,
+             "textures are filtered, and those of the reference are not");
+    list.set(Cause::features, &ModelMistakes::texture, T::filtered,
+             "textures are filtered (half a texel off), and those of the reference are not");
+  }
+  put({{T::ambient_too, "the texture replaces the ambient color as well"}});
+  uv({{U::round_flip_u, "textures run the wrong way around spheres, cylinders and cones"},
+      {U::half, "textures are rotated by half a turn around spheres, cylinders and cones"},
+      {U::quarter, "textures are rotated by a quarter turn around spheres, cylinders and cones"},
+      {U::three_quarters,
+       "textures are rotated by three quarters of a turn around spheres, cylinders and cones"},
+      {U::sphere_linear_v, "v of spheres grows with the height, not with the angle"},
+      {U::sphere_flip_v, "textures are upside down on spheres"},
+      {U::cube_same_faces, "opposite faces of cubes have the same u and v"},
+      {U::flat_flip_u, "textures are mirrored on flat faces"},
+      {U::flat_flip_v, "textures are upside down on flat faces"},
+      {U::caps_flip_v, "textures are upside down on caps"},
+      {U::caps_as_side, "caps are textured like the side"},
+      {U::sphere_missing, "spheres have no texture"},
+      {U::cube_missing, "cubes have no texture"},
+      {U::cylinder_missing, "cylinders have no texture"},
+      {U::cone_missing, "cones have no texture"},
+      {U::caps_missing, "caps have no texture"}});
+  if (list.any_material([](const RenderMaterial& m) {
+        return m.texture.repeat_u != m.texture.repeat_v || m.texture.repeat_u != 1;
+      })) {
+    change("textures repeat only along u", [](RenderMaterial& m) { m.texture.repeat_v = 1; });
+    change("textures repeat only along v", [](RenderMaterial& m) { m.texture.repeat_u = 1; });
+  }
+}
+
+void add_mirrors(HypothesisList& list) {
+  if (!list.mirrors()) {
+    return;
+  }
+  if (list.glass()) {
+    list.add(Cause::reflection, "there are no reflections",
+             [](Trial& t) { t.options.features.reflect = false; });
+  }
+  using M = MirrorMistake;
+  const auto put = [&](std::initializer_list<Row<M>> rows) {
+    list.set_each(Cause::reflection, &ModelMistakes::mirror, rows);
+  };
+  put({{M::color_ignored, "the reflective color is ignored"},
+       {M::no_coefficient, "reflections lack the global specular coefficient"},
+       {M::neither, "reflections have no weight: neither coefficient nor reflective color"},
+       {M::blended_coefficient,
+        "reflections are blended with the lighting (by coefficient and color), not added"},
+       {M::blended, "reflections are blended with the lighting (by their color), not added"},
+       {M::blended_all, "reflections are blended with the lighting, not added"},
+       {M::blended_plain,
+        "reflections are blended with the lighting by only the coefficient, not added"},
+       {M::averaged, "reflections and lighting are averaged, not added"},
+       {M::replaces, "reflections replace the lighting"},
+       {M::not_chained,
+        "weights are not multiplied along the path: nothing after the first mirror is weighted"},
+       {M::last_weight_only,
+        "weights are not multiplied along the path: each reflection only has the weight of its "
+        "mirror"},
+       {M::eye_at_camera,
+        "highlights in reflections are computed for the camera, not for the reflected ray"},
+       {M::specular_color, "reflections are weighted by the specular color"},
+       {M::all_materials, "everything that has highlights reflects"},
+       {M::reversed, "reflected rays point into the surface"},
+       {M::wrong_sign, "reflected rays have the wrong sign: d + 2 (d.n) n"},
+       {M::along_normal, "reflected rays follow the normal"},
+       {M::straight, "reflected rays continue straight ahead"},
+       {M::no_shadows, "reflections show no shadows"},
+       {M::no_ambient, "reflections lack the ambient term"},
+       {M::doubled, "reflections are added twice"},
+       {M::halved, "reflections are halved"},
+       {M::diffuse_coefficient, "reflections are weighted by the diffuse coefficient"},
+       {M::no_local, "mirrors are not lit"},
+       {M::times_cosine, "reflections are multiplied by N.V"},
+       {M::times_diffuse, "reflections are multiplied by the diffuse color"},
+       {M::white_background, "reflected rays that hit nothing are white"},
+       {M::clamped_never, "reflected colors are not clamped to 1 before they are added"}});
+}
+
+void add_glass(HypothesisList& list) {
+  if (!list.glass()) {
+    return;
+  }
+  list.add(Cause::refraction, "there is no refraction",
+           [](Trial& t) { t.options.features.refract = false; });
+  using G = GlassMistake;
+  const auto put = [&](std::initializer_list<Row<G>> rows) {
+    list.set_each(Cause::refraction, &ModelMistakes::glass, rows);
+  };
+  put({{G::eta_inverted, "the ratio of the indices of refraction is inverted"},
+       {G::straight, "rays go straight through transparent objects: they are not bent"},
+       {G::one_side, "rays are bent on the way in, not on the way out"},
+       {G::entering_always, "the ratio of the indices is the same on the way in and out"},
+       {G::shaded_inside, "the inner walls of transparent objects are lit and weighted again"},
+       {G::no_coefficient, "refraction lacks the global transparent coefficient"},
+       {G::color_ignored, "the transparent color is ignored"},
+       {G::blended, "refraction is blended with the lighting, not added"},
+       {G::no_total_reflection, "total internal reflection is black"},
+       {G::black_inside, "rays end inside of transparent objects"},
+       {G::mirrored, "transparent objects reflect: the wrong direction is used"},
+       {G::times_diffuse, "refraction is multiplied by the diffuse color"},
+       {G::no_local, "transparent objects are not lit"},
+       {G::ior_one_and_half, "the index of refraction is always 1.5"},
+       {G::half, "refraction is halved"}});
+}
+
+void add_depths(HypothesisList& list) {
+  if (!list.mirrors() && !list.glass()) {
+    return;
+  }
+  for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8, 10}) {
+    if (depth != list.view.options.max_depth && (depth != 0 || list.mirrors())) {
+      list.add(Cause::recursion_depth,
+               depth == 0 && list.glass()
+                   ? std::string("there is neither reflection nor refraction (recursion depth 0)")
+               : depth == 0 ? std::string("there are no reflections (recursion depth 0)")
+                            : fmt::format("the recursion ends at depth {}, not {}", depth,
+                                          list.view.options.max_depth),
+               [depth](Trial& t) { t.options.max_depth = depth; });
+    }
+  }
+}
+
+}  // namespace scenefile

@@ -1,0 +1,259 @@
+#include "scenefile/base/limits.h"
+#include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/grade/node_matrices.h"
+#include "scenefile/scene/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace scenefile {
+
+using std::numbers::pi;
+
+namespace {
+
+// Moves each primitive and light to a separate node below the root, with a matrix computed by these
+// mistakes.
+bool place_all(Scene& scene, const MatrixMistakes& mistakes) {
+  Scene flat;
+  flat.name = scene.name;
+  flat.global = scene.global;
+  flat.camera = scene.camera;
+  const bool visited =
+      visit_nodes(scene, mistakes, [&](const Node& node, const glm::dmat4& matrix) {
+        const auto add = [&](const glm::dmat4& map) -> Node& {
+          Node& added = flat.nodes[add_child(flat, flat.root)];
+          added.transforms.push_back({Matrix(glm::mat4(map)), {}});
+          return added;
+        };
+        if (!node.primitives.empty()) {
+          // Only the upper three rows of the inverse transform rays to object space.
+          glm::dmat4 to_world = mistakes.transposed ? glm::transpose(matrix) : matrix;
+          if (!mistakes.inverted) {
+            glm::dmat4 to_object = glm::inverse(to_world);
+            for (int column = 0; column < 4; ++column) {
+              to_object[column][3] = column == 3 ? 1 : 0;
+            }
+            to_world = glm::inverse(to_object);
+          } else {
+            to_world = glm::inverse(to_world);
+          }
+          add(to_world).primitives = node.primitives;
+        }
+        if (!node.lights.empty()) {
+          add(mistakes.lights_stay ? glm::dmat4(1) : matrix).lights = node.lights;
+        }
+      });
+  if (!visited) {
+    return false;
+  }
+  scene = std::move(flat);
+  return true;
+}
+
+// Gives the files of `changed` the same indices as in the scene.
+bool number_files_alike(const RenderScene& scene, RenderScene& changed) {
+  const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
+    const auto found = std::find_if(files.begin(), files.end(),
+                                    [&](const FileReference& f) { return f.name == name; });
+    return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
+  };
+  for (RenderMaterial& m : changed.materials) {
+    for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
+      if (texture->used()) {
+        texture->file = number(scene.texture_files, changed.texture_files[texture->file].name);
+        if (!texture->used()) {
+          return false;
+        }
+      }
+    }
+  }
+  for (RenderGroup& group : changed.groups) {
+    for (RenderPrimitive& p : group.primitives) {
+      if (p.mesh != no_index) {
+        p.mesh = number(scene.mesh_files, changed.mesh_files[p.mesh].name);
+        if (p.mesh == no_index) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+// Draws a modified scene file. It must use the same assets.
+void rewrite(HypothesisList& list, const char* what, const std::function<bool(Scene&)>& change) {
+  Scene scene = *list.view.written;
+  if (!change(scene)) {
+    return;
+  }
+  RenderScene changed = prepare(scene, Limits()).scene;
+  if (!number_files_alike(list.scene, changed)) {
+    return;
+  }
+  changed.camera = list.scene.camera;
+  list.add(
+      Cause::transforms, what,
+      [changed = std::move(changed)](Trial& t) {
+        t.scene.groups = changed.groups;
+        t.scene.root = changed.root;
+        t.scene.materials = changed.materials;
+        t.scene.lights = changed.lights;
+      },
+      Stage::shapes);
+}
+
+void place_each(HypothesisList& list, const char* what, const MatrixMistakes& mistakes) {
+  rewrite(list, what, [&](Scene& scene) { return place_all(scene, mistakes); });
+}
+
+void rewrite_each(HypothesisList& list, const char* what,
+                  const std::function<bool(Transform&)>& change) {
+  rewrite(list, what, [&](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      for (Transform& transform : node.transforms) {
+        any = change(transform) || any;
+      }
+    }
+    return any;
+  });
+}
+
+// Makes a transform of this kind the identity.
+template <typename Kind>
+bool drop(Transform& t) {
+  const bool any = std::holds_alternative<Kind>(t.map);
+  if (any) {
+    t.map = Translate();
+  }
+  return any;
+}
+
+}  // namespace
+
+void add_transforms(HypothesisList& list) {
+  static constexpr std::size_t max_nodes = 3000;
+  if (list.view.written == nullptr || list.view.written->nodes.size() > max_nodes) {
+    return;
+  }
+  rewrite(list, "transforms are applied in reverse order", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      any = any || node.transforms.size() > 1;
+      std::reverse(node.transforms.begin(), node.transforms.end());
+    }
+    return any;
+  });
+  const auto turned = [](Transform& t, float factor) {
+    Rotate* const rotate = std::get_if<Rotate>(&t.map);
+    if (rotate != nullptr) {
+      rotate->angle_deg *= factor;
+    }
+    return rotate != nullptr && rotate->angle_deg != 0;
+  };
+  rewrite_each(list, "rotations turn the wrong way", [&](Transform& t) { return turned(t, -1); });
+  rewrite_each(list, "angles of rotations are in degrees instead of radians",
+               [&](Transform& t) { return turned(t, float(180 / pi)); });
+  rewrite_each(list, "angles of rotations are converted to radians twice",
+               [&](Transform& t) { return turned(t, float(pi / 180)); });
+  rewrite_each(list, "rotations are ignored", drop<Rotate>);
+  rewrite_each(list, "scalings are ignored", drop<Scale>);
+  rewrite_each(list, "translations are ignored", drop<Translate>);
+  rewrite_each(list, "translations go the wrong way", [&](Transform& t) {
+    Translate* const move = std::get_if<Translate>(&t.map);
+    if (move != nullptr) {
+      move->by = -move->by;
+    }
+    return move != nullptr;
+  });
+  rewrite_each(list, "matrices are ignored", drop<Matrix>);
+  rewrite_each(list, "the axes of rotations are not normalized", [&](Transform& t) {
+    // Like glm::rotate with an axis that is not normalized; approximated by a scaled angle.
+    Rotate* const rotate = std::get_if<Rotate>(&t.map);
+    if (rotate == nullptr || std::abs(glm::length(rotate->axis) - 1) < 1e-4f) {
+      return false;
+    }
+    const glm::vec3 a = rotate->axis;
+    const float s = std::sin(glm::radians(rotate->angle_deg));
+    const float c = std::cos(glm::radians(rotate->angle_deg));
+    glm::mat4 m(1);
+    const glm::mat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);
+    const glm::mat3 rotation = c * glm::mat3(1) + (1 - c) * glm::outerProduct(a, a) + s * cross;
+    m[0] = glm::vec4(rotation[0], 0);
+    m[1] = glm::vec4(rotation[1], 0);
+    m[2] = glm::vec4(rotation[2], 0);
+    t.map = Matrix(m);
+    return true;
+  });
+  rewrite(list, "transforms of outer blocks are ignored", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      if (!node.children.empty() && !node.transforms.empty()) {
+        node.transforms.clear();
+        any = true;
+      }
+    }
+    return any;
+  });
+  rewrite(list, "transforms of inner blocks replace those of outer ones", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      if (node.children.empty() || node.transforms.empty()) {
+        continue;
+      }
+      bool inner = true;
+      for (const NodeId child : node.children) {
+        inner = inner && !scene.nodes[child].transforms.empty();
+      }
+      if (inner) {
+        node.transforms.clear();
+        any = true;
+      }
+    }
+    return any;
+  });
+  rewrite(list, "all transforms are ignored", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      any = any || !node.transforms.empty();
+      node.transforms.clear();
+    }
+    return any;
+  });
+  place_each(list, "matrices of nested blocks are multiplied in the wrong order",
+             {.nesting_reversed = true});
+  place_each(list, "all matrices are multiplied in the wrong order",
+             {.nesting_reversed = true, .listed_reversed = true});
+  place_each(list,
+             "the matrix is not restored after a block: its transforms also apply to the next",
+             {.not_restored = true});
+  place_each(list, "object-to-world matrices are transposed", {.transposed = true});
+  place_each(list, "matrices of the file are transposed", {.written_transposed = true});
+  place_each(list, "rays are transformed by the object-to-world matrix, not by its inverse",
+             {.inverted = true});
+  place_each(list, "lights are not moved by the transforms of their blocks", {.lights_stay = true});
+  rewrite(list, "the last transform of each block is missing", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      if (node.transforms.size() > 1) {
+        node.transforms.pop_back();
+        any = true;
+      }
+    }
+    return any;
+  });
+  rewrite(list, "the first transform of each block is missing", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      if (node.transforms.size() > 1) {
+        node.transforms.erase(node.transforms.begin());
+        any = true;
+      }
+    }
+    return any;
+  });
+}
+
+}  // namespace scenefile

@@ -334,13 +334,45 @@ TEST(WaveOptions, BumpMapsAndLenses) {
   expect_equal(b, small(Profile::fine));
 }
 
-TEST(WaveOptions, InstancesAndMeshes) {
-  SceneBuilder b = some_scene(5, 20);
+Mesh tetrahedron() {
   Mesh mesh;
   mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0.5f}, {0, 0, -1}};
   mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  return mesh;
+}
+
+// The front of a cube, which it covers exactly.
+Mesh front() {
+  Mesh mesh;
+  mesh.positions = {{-0.5f, -0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+// Each mesh twice, the second time scaled, in front of and behind the shape at the same place.
+TEST(WaveOptions, MeshesAmongShapes) {
+  for (const int shapes : {1, 4, 40, 300}) {
+    SCOPED_TRACE(shapes);
+    SceneBuilder b = some_scene(static_cast<unsigned>(shapes), shapes);
+    const std::uint32_t meshes[] = {b.mesh(tetrahedron()), b.mesh(front())};
+    std::vector<RenderPrimitive>& all = b.scene.groups.front().primitives;
+    for (int i = 0; i < std::min(shapes, 12); ++i) {
+      for (const float size : {1.0f, 0.6f + 0.1f * float(i)}) {
+        RenderPrimitive part =
+            b.primitive(Shape::mesh, all[i].group_from_object * trace_test::scale(glm::vec3(size)),
+                        all[i].material);
+        part.mesh = meshes[i % 2];
+        all.insert(all.begin() + (i % 3 == 0 ? 0 : i), part);
+      }
+    }
+    expect_equal(b);
+  }
+}
+
+TEST(WaveOptions, InstancesAndMeshes) {
+  SceneBuilder b = some_scene(5, 20);
   RenderPrimitive part = b.primitive(Shape::mesh, trace_test::translate({0, 1, 0}), 2);
-  part.mesh = b.mesh(mesh);
+  part.mesh = b.mesh(tetrahedron());
   const RenderGroup inner = b.scene.groups.front();
   b.scene.groups.emplace_back();
   b.scene.groups.back().primitives.push_back(part);

@@ -26,16 +26,21 @@ bool finite(const Ray& ray) {
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
-// Returns whether a hit was found.
+// Searches all parts, or part `only` of the root group. Returns whether a hit was found.
 bool search(Query& q, const Parts& parts, MeshDistance mesh_distance, const Ray& ray,
-            std::atomic<bool>& overwhelmed) {
+            std::atomic<bool>& overwhelmed, std::uint32_t only = no_index) {
   if (parts.groups.empty() || !finite(ray)) {
     return false;
   }
   q.mesh_distances = mesh_distance == MeshDistance::of_mesh;
   q.reach = q.mesh_distances ? parts.reach : 1;
   q.parts = &parts;
-  search_group(q, parts.groups[parts.root], ray);
+  const Group& root = parts.groups[parts.root];
+  if (only == no_index) {
+    search_group(q, root, ray);
+  } else {
+    test_part(q, root, only, ray);
+  }
   if (q.overwhelmed) {
     overwhelmed.store(true, std::memory_order_relaxed);
   }
@@ -71,9 +76,9 @@ Query query_of(double t_min, double t_max) {
   return q;
 }
 
-bool all_shapes(const std::vector<Part>& parts) {
-  return std::all_of(parts.begin(), parts.end(),
-                     [](const Part& part) { return part.kind == PartKind::shape; });
+bool has(const std::vector<Part>& parts, PartKind kind) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.kind == kind; });
 }
 
 }  // namespace
@@ -121,6 +126,25 @@ bool Accelerator::closest_part(const Ray& ray, double t_min, double t_max, Hit& 
     fill(q, parts, ray, hit);
   }
   return true;
+}
+
+bool Accelerator::closest_in(std::uint32_t index, const Ray& ray, double t_min, double t_max,
+                             Hit& hit) const {
+  Query q = query_of(t_min, t_max);
+  const Parts& parts = structure_->parts;
+  if (!search(q, parts, mesh_distance_, ray, overwhelmed_, index)) {
+    return false;
+  }
+  fill(q, parts, ray, hit);
+  return true;
+}
+
+bool Accelerator::occluded_by(std::uint32_t index, const Ray& ray, double t_min,
+                              double t_max) const {
+  Query q = query_of(t_min, t_max);
+  q.shadow = true;
+  search(q, structure_->parts, mesh_distance_, ray, overwhelmed_, index);
+  return q.blocked;
 }
 
 std::vector<std::uint32_t> Accelerator::instances_of_closest(const Ray& ray, double t_min,
@@ -173,12 +197,18 @@ const PartTree& Accelerator::part_tree() const {
       return;
     }
     const Group& root = structure.parts.groups[structure.parts.root];
-    if (root.parts.size() > PartTree::fewest_parts && root.boxes.size() == root.parts.size() &&
-        root.extent.scale == 1 && all_shapes(root.parts)) {
+    const bool few =
+        root.parts.size() <= PartTree::fewest_parts && !has(root.parts, PartKind::mesh);
+    if (!few && root.boxes.size() == root.parts.size() && root.extent.scale == 1 &&
+        !has(root.parts, PartKind::group)) {
       structure.tree = PartTree(root.boxes);
     }
   });
   return structure.tree;
+}
+
+double Accelerator::mesh_reach() const {
+  return mesh_distance_ == MeshDistance::of_mesh ? structure_->parts.reach : 1;
 }
 
 bool Accelerator::overwhelmed() const {

@@ -106,6 +106,11 @@ class Accelerator {
   /// part.
   bool closest_part(const Ray& ray, double t_min, double t_max, Hit& hit) const;
 
+  /// The same among part `index` of the root group, a mesh.
+  bool closest_in(std::uint32_t index, const Ray& ray, double t_min, double t_max, Hit& hit) const;
+  /// Whether part `index` of the root group, a mesh, is hit at t_min < t < t_max.
+  bool occluded_by(std::uint32_t index, const Ray& ray, double t_min, double t_max) const;
+
   /// The `source` of the instances around the nearest surface, outermost first; empty if they are
   /// unnamed or nothing is hit. Repeats the search.
   std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;
@@ -121,8 +126,10 @@ class Accelerator {
   /// What is searched, for other search algorithms. Has no groups if it is empty.
   const Parts& parts() const;
   /// A BVH of the root group's parts, for bundles of rays; empty if there are few or very many
-  /// parts, or not only shapes. Built at the first call.
+  /// parts, or instances among them. Built at the first call.
   const PartTree& part_tree() const;
+  /// A mesh counted as hit at t is hit before t times this.
+  double mesh_reach() const;
 
   /// Whether a ray was abandoned because it entered too many instances (deeply nested overlapping
   /// templates); pictures made with it are wrong.

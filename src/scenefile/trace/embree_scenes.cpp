@@ -36,8 +36,11 @@ struct Level {
   const Ray* ray = nullptr;
   double shift = 0;
   double scale = 1;
+  double slack = 0;  // exceeds rounding errors of t in single precision
 
   float embree_t(double t) const { return next_up((t - shift) * scale); }
+  // Slightly beyond t, so that triangles at the same distance are tested too.
+  float beyond(double t) const { return embree_t(t + 1e-6 * std::abs(t - shift) + slack); }
 };
 
 // The search of one group or mesh. Embree passes the context to every callback; the rest follows it
@@ -76,7 +79,8 @@ bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& exte
   if (!(largest > 1e-30 && largest < 1e30)) {
     return false;
   }
-  level = {&ray, enter - 1e-6 * extent.diagonal / largest, extent.scale};
+  const double slack = 1e-6 * extent.diagonal / largest;
+  level = {&ray, enter - slack, extent.scale, slack};
   const glm::vec3 origin(extent.scale * (ray.origin + level.shift * ray.direction));
   const glm::vec3 direction(ray.direction);
   if (!in_embree_range(origin) || !in_embree_range(direction)) {
@@ -188,9 +192,7 @@ void mesh_intersect_filter(const RTCFilterFunctionNArguments* arguments) {
   q.triangle = triangle;
   q.b1 = hit.b1;
   q.b2 = hit.b2;
-  // Slightly beyond the hit, so that triangles at the same distance are tested too.
-  const double beyond = hit.t + 1e-6 * std::abs(hit.t - s.level.shift);
-  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = s.level.embree_t(beyond);
+  reinterpret_cast<RTCRay*>(arguments->ray)->tfar = s.level.beyond(hit.t);
 }
 
 void mesh_occluded_filter(const RTCFilterFunctionNArguments* arguments) {
@@ -347,8 +349,11 @@ bool mesh_scene_crossed(Query& q, const Part& part, const Ray& ray) {
   search.query = &q;
   search.mesh_part = &part;
   RTCRay start;
-  if (start_in_box(q.t_min / q.mesh_scale, q.best / q.mesh_scale, ray, mesh.extent, search.level,
-                   start)) {
+  const double end = q.best / q.mesh_scale;
+  if (start_in_box(q.t_min / q.mesh_scale, end, ray, mesh.extent, search.level, start)) {
+    if (!q.shadow) {
+      start.tfar = search.level.beyond(end);
+    }
     search_scene(search, static_cast<RTCScene>(mesh.scene), start);
   }
   return search.mesh_crossed;

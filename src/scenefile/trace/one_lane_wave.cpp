@@ -3,6 +3,7 @@
 
 #include "scenefile/base/components.h"
 #include "scenefile/base/one_lane.h"
+#include "scenefile/trace/next_up.h"
 #include "scenefile/trace/optics.h"
 #include "scenefile/trace/sequence.h"
 #include "scenefile/trace/wave_memory.h"

@@ -26,7 +26,7 @@ struct BoxNode {
 
 class PartTree {
  public:
-  /// Up to this number, parts are tested one by one.
+  /// Up to this number, shapes are tested one by one.
   static constexpr std::size_t fewest_parts = 8;
   /// With more parts, a BVH does not pay off, because the rays of bundles are too far apart.
   static constexpr std::size_t most_parts = 65536;

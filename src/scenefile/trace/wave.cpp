@@ -4,6 +4,7 @@
 #include "scenefile/trace/wave.h"
 
 #include "scenefile/base/components.h"
+#include "scenefile/trace/next_up.h"
 #include "scenefile/trace/optics.h"
 #include "scenefile/trace/sequence.h"
 #include "scenefile/trace/wave_trail.h"

@@ -90,7 +90,7 @@ struct WaveScene {
   std::vector<WaveMaterial> materials;
   bool by_footprint = false;     ///< a texture or bump map is filtered over footprints
   bool tests_all_parts = false;  ///< only shapes, and so few that each is tested
-  const PartTree& tree;          ///< otherwise used if there are only shapes, but not too many
+  const PartTree& tree;          ///< otherwise used unless there are instances or too many parts
 };
 
 /// The memory of a wave, to be reused for the same scene: it remembers recent occluders, which does

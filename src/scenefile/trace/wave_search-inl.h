@@ -59,11 +59,25 @@ inline Crossing part_crossing(const Part& part, const Rays& rays, F t_min, F t_m
   return crossing(part.shape, local.origin, local.direction, length2, t_min, t_max, active);
 }
 
+// Calls f(i, ray) for each active lane i.
+template <typename OfLane>
+void for_each_lane(const Rays& rays, M active, const OfLane& f) {
+  alignas(64) double origin[3][lanes];
+  alignas(64) double direction[3][lanes];
+  store_rows(rays.origin, origin);
+  store_rows(rays.direction, direction);
+  for (unsigned rest = bits(active); rest != 0; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    f(i, Ray{lane_of(origin, i), lane_of(direction, i)});
+  }
+}
+
 /// The nearest hit of each lane so far.
 struct Nearest {
   F t = splat(std::numeric_limits<double>::infinity());
   F face = splat(0);
   F part = splat(-1);
+  M mesh = no_lanes();  ///< it is in WaveHits::others
 };
 
 inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min, M active,
@@ -79,6 +93,33 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   nearest.t = select(better, found.t, nearest.t);
   nearest.face = select(better, found.face, nearest.face);
   nearest.part = select(better, number, nearest.part);
+  nearest.mesh = nearest.mesh & !better;
+}
+
+// The same for a mesh; `others`: of the chunk.
+inline void test_nearest_mesh(const Accelerator& accelerator, int index, const Rays& rays, F t_min,
+                              M active, Nearest& nearest, Hit* others) {
+  alignas(64) double start[lanes];
+  alignas(64) double t[lanes];
+  alignas(64) double part[lanes];
+  store(t_min, start);
+  store(nearest.t, t);
+  store(nearest.part, part);
+  unsigned found = 0;
+  for_each_lane(rays, active, [&](int i, const Ray& ray) {
+    Hit hit;
+    if (accelerator.closest_in(static_cast<std::uint32_t>(index), ray, start[i],
+                               scenefile::next_up<std::int64_t>(t[i]), hit) &&
+        (hit.t < t[i] || index > part[i])) {
+      others[i] = hit;
+      t[i] = hit.t;
+      found |= 1u << i;
+    }
+  });
+  const M better = of_bits(found);
+  nearest.t = load(t);
+  nearest.part = select(better, splat(index), nearest.part);
+  nearest.mesh = nearest.mesh | better;
 }
 
 // Stores hits of shapes in the root group as such, so that they are shaded in lanes.
@@ -113,18 +154,24 @@ inline Chunk ray_chunk(const WaveRays& rays, int at) {
 
 // Tests `count` parts; `part(i)` is the index of each.
 template <typename PartOf>
-void find_among(const std::vector<Part>& parts, int count, const PartOf& part, const WaveRays& rays,
-                int at, WaveHits& hits) {
+void find_among(const WaveScene& scene, int count, const PartOf& part, const WaveRays& rays, int at,
+                WaveHits& hits) {
   const Chunk chunk = ray_chunk(rays, at);
   const F t_min = load(rays.start + at);
   Nearest nearest;
   for (int i = 0; i < count; ++i) {
-    const std::uint32_t index = part(i);
-    test_nearest(parts[index], static_cast<int>(index), chunk.rays, t_min, chunk.mask, nearest);
+    const auto index = static_cast<int>(part(i));
+    const Part& tested = scene.root[part(i)];
+    if (tested.kind == PartKind::shape) {
+      test_nearest(tested, index, chunk.rays, t_min, chunk.mask, nearest);
+    } else {
+      test_nearest_mesh(scene.tracer.accelerator, index, chunk.rays, t_min, chunk.mask, nearest,
+                        &hits.others[at]);
+    }
   }
   store(nearest.t, hits.t + at);
   store(nearest.face, hits.face + at);
-  store(nearest.part, hits.part + at);
+  store(select(nearest.mesh, splat(-1), nearest.part), hits.part + at);
 }
 
 /// Finds the nearest hit of each ray of a generation. Single rays gain nothing from bundles.
@@ -132,11 +179,11 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
   if constexpr (recording) {
     return find_by_lane(scene, rays, 0, rays.count, hits);
   }
-  const std::vector<Part>& parts = scene.root;
   if (scene.tests_all_parts) {
+    const auto count = static_cast<int>(scene.root.size());
     const auto each_part = [](int i) { return static_cast<std::uint32_t>(i); };
     for (int at = 0; at < rays.count; at += lanes) {
-      find_among(parts, static_cast<int>(parts.size()), each_part, rays, at, hits);
+      find_among(scene, count, each_part, rays, at, hits);
     }
   } else if (scene.tree.empty() || hits.incoherent) {
     find_by_lane(scene, rays, 0, rays.count, hits);
@@ -147,7 +194,7 @@ inline void find_hits(const WaveScene& scene, const WaveRays& rays, WaveHits& hi
         [&](int c) { return ray_chunk(rays, c * lanes); },
         [&](int c, const Candidates& list) {
           find_among(
-              parts, list.count, [&](int i) { return list.part[i]; }, rays, c * lanes, hits);
+              scene, list.count, [&](int i) { return list.part[i]; }, rays, c * lanes, hits);
         },
         [&](int c) {
           ++gave_up;
@@ -164,10 +211,14 @@ inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int 
   return {rays, load(light.end + at), active};
 }
 
-// The same from the light, if it is a point, so that they have the same origin.
-inline Chunk light_chunk(const WavePoints& points, const WaveLight& light, int at) {
+// The same for the bundle: from the light, if it is a point, so that they have the same origin.
+inline Chunk light_chunk(const WaveScene& scene, const WavePoints& points, const WaveLight& light,
+                         int at) {
   Chunk chunk = shadow_chunk(points, light, at);
-  if (light.at_a_point) {
+  const double reach = scene.tracer.accelerator.mesh_reach();
+  if (reach > 1) {
+    chunk.length = chunk.length * splat(reach);
+  } else if (light.at_a_point) {
     chunk.rays = {splat3(light.from), -chunk.rays.direction};
   }
   return chunk;
@@ -182,10 +233,25 @@ struct Shadows {
   M open;  // rays that are not blocked yet
   V3 density{splat(0), splat(0), splat(0)};
 
+  M crossed(std::uint32_t index) const {
+    if (parts[index].kind == PartKind::shape) {
+      return part_crossing(parts[index], chunk.rays, start, chunk.length, open).hit;
+    }
+    alignas(64) double from[lanes];
+    alignas(64) double to[lanes];
+    store(start, from);
+    store(chunk.length, to);
+    unsigned found = 0;
+    for_each_lane(chunk.rays, open, [&](int i, const Ray& ray) {
+      found |= unsigned(scene.tracer.accelerator.occluded_by(index, ray, from[i], to[i])) << i;
+    });
+    return of_bits(found);
+  }
+
   // Tests a part; returns whether it occludes any ray.
   bool meet(std::uint32_t index) {
     const Part& part = parts[index];
-    const M met = part_crossing(part, chunk.rays, start, chunk.length, open).hit;
+    const M met = crossed(index);
     if (none(met)) {
       return false;
     }
@@ -315,7 +381,7 @@ inline void find_blocked(const WaveScene& scene, const WavePoints& points, WaveL
     int gave_up = 0;
     search_tree(
         scene.tree, 0, (points.count + lanes - 1) / lanes,
-        [&](int c) { return light_chunk(points, light, c * lanes); },
+        [&](int c) { return light_chunk(scene, points, light, c * lanes); },
         [&](int c, const Candidates& list) {
           find_blocked_among(
               scene, list.count, [&](int i) { return list.part[i]; }, points, c * lanes, light);

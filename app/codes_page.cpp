@@ -63,9 +63,15 @@ std::string codes_text(std::size_t terminal_width, std::string_view family) {
     }
     const std::string head =
         fmt::format("{:<{}}  {:<7}", code->name, width, severity_name(code->severity));
-    const bool fits = head.size() + 2 + code->summary.size() <= terminal_width;
-    text += fits ? fmt::format("{}  {}\n", head, code->summary)
-                 : fmt::format("{}\n    {}\n", head, wrapped(code->summary, 4, 4, terminal_width));
+    if (head.size() + 2 + code->summary.size() <= terminal_width) {
+      text += fmt::format("{}  {}\n", head, code->summary);
+    } else if (head.size() <= terminal_width) {
+      text += fmt::format("{}\n    {}\n", head, wrapped(code->summary, 4, 4, terminal_width));
+    } else {
+      const std::string summary =
+          fmt::format("{}: {}", severity_name(code->severity), code->summary);
+      text += fmt::format("{}\n    {}\n", code->name, wrapped(summary, 4, 4, terminal_width));
+    }
   }
   return text + "\n\"scenefile help CODE\" says more.\n";
 }

@@ -113,7 +113,7 @@ ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
 }
 
 // If one input is a scene, reports that instead of a decoding error.
-void explain_scene(LoadedPicture& loaded, const LoadedPicture& other) {
+void report_scene_input(LoadedPicture& loaded, const LoadedPicture& other) {
   if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
     loaded.error = fmt::format(
         "{} is a scene and {} a picture; compare two scenes, or two pictures and name their scene "
@@ -149,8 +149,8 @@ ExitCode diff_images(const Options& options, Context& context) {
   }
   LoadedPicture a = load_picture(options.arguments[0], context);
   LoadedPicture b = load_picture(options.arguments[1], context);
-  explain_scene(a, b);
-  explain_scene(b, a);
+  report_scene_input(a, b);
+  report_scene_input(b, a);
   if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
     for (const LoadedPicture* loaded : {&a, &b}) {
       if (!loaded->error.empty() && !options.json) {

@@ -13,7 +13,7 @@ namespace scenefile::app {
 namespace {
 
 // If no size is given, the picture of --mine determines it. Returns an error message.
-ExitCode take_mine(Options& options, LoadedPicture& mine, Context& context) {
+ExitCode load_mine(Options& options, LoadedPicture& mine, Context& context) {
   if (options.mine.empty()) {
     return ExitCode::fine;
   }
@@ -45,7 +45,7 @@ ExitCode take_mine(Options& options, LoadedPicture& mine, Context& context) {
 ExitCode run_explain(const Options& given, Context& context) {
   Options options = given;
   LoadedPicture mine;
-  if (const ExitCode status = take_mine(options, mine, context); status != ExitCode::fine) {
+  if (const ExitCode status = load_mine(options, mine, context); status != ExitCode::fine) {
     return status;
   }
   const LoadedScene scene = load_for_tracing(options, context);
@@ -62,7 +62,7 @@ ExitCode run_explain(const Options& given, Context& context) {
   Result<ExplainReport> report =
       explain_pixel(scene, options.render, options.pixel->x, options.pixel->y, options.sample);
   if (!report) {
-    const Outcome outcome = judge(report.error(), context);
+    const Outcome outcome = outcome_of(report.error(), context);
     if (options.json) {
       return worse(outcome.status,
                    answer(explain_json(scene, options.render, nullptr, outcome.error)));

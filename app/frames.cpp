@@ -139,7 +139,7 @@ std::string key_text(const PartKey& key, const Camera& camera) {
 }
 
 // Why a frame with this key file is not the requested one, as a phrase that follows "it was drawn".
-std::string_view other_frame(const std::string& found, const PartKey& wanted) {
+std::string_view frame_mismatch(const std::string& found, const PartKey& wanted) {
   PartKey key;
   std::istringstream words(found.starts_with(key_start) ? found.substr(key_start.size())
                                                         : std::string());
@@ -177,7 +177,7 @@ class Frames {
         outcome = is_there(index) ? skip(index) : draw(index);
       }
       if (outcome.error.empty() && DeferredSignals::pending() != 0) {
-        outcome = judge(RenderStatus::cancelled, context_);
+        outcome = outcome_of(RenderStatus::cancelled, context_);
       }
     }
     if (outcome.error.empty() && !options_.video.empty()) {
@@ -233,12 +233,12 @@ class Frames {
           kept = kept_record(index);
         }
         if (!kept->starts_with(key_of(index))) {
-          return {
-              ExitCode::findings,
-              fmt::format("{}: {}; remove the frames or choose another name", escaped(file, 400),
-                          kept->empty()
-                              ? "the file exists, and is not a frame"
-                              : fmt::format("the frame was drawn {}", other_frame(*kept, key_)))};
+          return {ExitCode::findings,
+                  fmt::format(
+                      "{}: {}; remove the frames or choose another name", escaped(file, 400),
+                      kept->empty()
+                          ? "the file exists, and is not a frame"
+                          : fmt::format("the frame was drawn {}", frame_mismatch(*kept, key_)))};
         }
       }
     }
@@ -274,7 +274,7 @@ class Frames {
     };
     const RenderResult result =
         render(ready, scene_.assets, options_.render, {.progress = progress, .traced = &*traced_});
-    const Outcome outcome = judge(result.status, context_);
+    const Outcome outcome = outcome_of(result.status, context_);
     return outcome.error.empty() ? write_pictures(options_of(index), result, context_) : outcome;
   }
 

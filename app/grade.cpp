@@ -65,7 +65,7 @@ std::uint64_t options_of_grading(const Options& options, std::span<const NamePai
 }
 
 // Why this part is not the requested one; empty if it is.
-std::string other_part(const GradePartHead& found, const GradePartHead& wanted) {
+std::string part_mismatch(const GradePartHead& found, const GradePartHead& wanted) {
   if (const std::string_view why = foreign_grade_part(found.whole.key, wanted.whole.key);
       !why.empty()) {
     return fmt::format("the part was graded {}", why);
@@ -92,7 +92,7 @@ Outcome find_part(const Options& options, const GradePartHead& wanted, bool& exi
   }
   std::string why = found->damage;
   if (why.empty()) {
-    why = other_part(found->head, wanted);
+    why = part_mismatch(found->head, wanted);
     exists = why.empty();
   } else if (kind_of_part(options.output) == PartKind::of_class) {
     return {};  // damaged: will be written again
@@ -189,7 +189,7 @@ ExitCode run_grade(const Options& options, Context& context) {
     say_error(map.error().text);
     return exit_code(map.error().kind);
   }
-  HandOut hand_out(options);
+  StudentFiles student_files(options);
   const GradeRequest request{
       .handed_in = options.arguments.front(),
       .references = options.references,
@@ -198,7 +198,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       // merge may need them.
       .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
       .map = *std::move(map),
-      .graded = std::ref(hand_out)};
+      .graded = std::ref(student_files)};
   const auto load_scene = [&](const std::string& path) {
     return load_scene_of_pictures(path, options, context);
   };

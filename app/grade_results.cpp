@@ -61,7 +61,7 @@ ExitCode check_result_places(const Options& options, std::span<const NamedFile> 
   return check_outputs(inputs, outputs);
 }
 
-Result<void> HandOut::operator()(StudentResult& student, std::size_t number, std::size_t all) {
+Result<void> StudentFiles::operator()(StudentResult& student, std::size_t number, std::size_t all) {
   if (!options_.pages.empty()) {
     const Result<void> written =
         write_into(options_.pages, page_name(student.name) + ".html", student_html(student, title));
@@ -92,7 +92,7 @@ Result<void> HandOut::operator()(StudentResult& student, std::size_t number, std
 }
 
 // A unique file name for each student.
-std::string HandOut::page_name(const std::string& student) {
+std::string StudentFiles::page_name(const std::string& student) {
   std::string name;
   for (const char c : student) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||

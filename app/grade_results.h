@@ -20,10 +20,10 @@ ExitCode check_result_places(const Options& options, std::span<const NamedFile> 
 
 /// Writes the files of each student: a page and, for large classes, the pictures next to the
 /// report.
-class HandOut {
+class StudentFiles {
  public:
   /// `options` must outlive this.
-  explicit HandOut(const Options& options) : options_(options) {}
+  explicit StudentFiles(const Options& options) : options_(options) {}
 
   /// For GradeRequest::graded: all students of the class, in order.
   Result<void> operator()(StudentResult& student, std::size_t number, std::size_t all);

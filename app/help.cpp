@@ -162,16 +162,16 @@ std::string overview_text() {
        {std::pair("COMMAND", "a command with its options and examples"),
         {"CODE", "a finding, such as xml.number; or a family of them, such as xml"},
         {"codes", "the codes of all findings"},
-        {"CAUSE", "a mistake of a ray tracer that diff and grade name, such as normals"},
-        {"causes", "all of these mistakes"},
+        {"CAUSE", "a mistake that diff and grade name, such as normals"},
+        {"causes", "the list of these mistakes"},
         {"limits", "how large a file may be, how deeply nested, and so on"}}) {
     text += columns_text(fmt::format("  scenefile help {}", topic), what, second_column(width, 38),
                          width);
   }
   return text + "\n" +
          wrapped(
-             "- in place of a file is standard input or output. \"scenefile version\" says "
-             "where the documentation is, docs/ in these texts.",
+             "A file name of - means standard input or output. \"scenefile version\" prints "
+             "the folder of the documentation, which these texts call docs/.",
              0, 0, width) +
          "\n\n" +
          wrapped(
@@ -207,13 +207,16 @@ std::string cause_text(Cause cause) {
                      paragraph("Where to look", page.where));
 }
 
-// All causes, one per line.
+// All causes, each with its title.
 std::string causes_list() {
-  std::string text =
-      "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.\n\n";
+  const std::size_t width = help_width();
+  std::string text = wrapped(
+      "Mistakes that diff and grade name; \"scenefile help CAUSE\" explains one.", 0, 0, width);
+  text += "\n\n";
   for (std::size_t i = 0; i < cause_count; ++i) {
     const CauseHelp& page = help_of(static_cast<Cause>(i));
-    text += fmt::format("  {:<18}{}\n", name_of(page.cause), page.title);
+    text += columns_text(fmt::format("  {}", name_of(page.cause)), page.title,
+                         second_column(width, 20), width);
   }
   return text;
 }

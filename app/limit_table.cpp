@@ -43,7 +43,7 @@ constexpr std::array limit_rows{
     row<&Limits::name_bytes>("name-bytes", "a name of an element, object or file", any32, true),
     row<&Limits::value_bytes>("value-bytes", "any other attribute or string", any32, true),
     row<&Limits::messages_per_code>("messages-per-code",
-                                    "messages of one code; the rest is counted", any32),
+                                    "messages of one code; any others are only counted", any32),
     row<&Limits::message_bytes>("message-bytes", "all messages", any32, true),
     row<&Limits::lights>("lights", "lights in world space, including instances of templates",
                          1u << 20),
@@ -149,13 +149,12 @@ std::string limits_text(std::size_t width) {
           "NAME=VALUE; K, M and G after a number of bytes mean 2^10, 2^20 and 2^30.",
           0, 0, width) +
       "\n\n";
-  constexpr std::size_t column = 31;
-  const std::size_t indent = width >= 72 ? column : 6;
   for (const LimitRow& limit : limit_rows) {
-    text += fmt::format("  {:<18} {:>9}  ", limit.name, shown(limit, limit.get({})));
-    text += wrapped(fmt::format("{}{}", limit.help, limit.bytes ? ", in bytes" : ""), column + 1,
-                    indent + 1, width) +
-            "\n";
+    const std::string help = fmt::format("{}{}", limit.help, limit.bytes ? ", in bytes" : "");
+    const std::size_t column = width >= 72 ? 32 : 6;
+    text += fmt::format("  {:<18} {:>9}", limit.name, shown(limit, limit.get({})));
+    text += fmt::format("{:<{}}{}\n", width >= 72 ? "" : "\n", width >= 72 ? 2 : column + 1,
+                        wrapped(help, column, column, width));
   }
   return text + "\n" +
          wrapped(

@@ -62,12 +62,12 @@ Outcome outcome_of(const Result<void>& result) {
   return result ? Outcome() : Outcome{exit_code(result.error().kind), result.error().text};
 }
 
-Outcome judge(RenderStatus status, const Context& context) {
+Outcome outcome_of(RenderStatus status, const Context& context) {
   const std::optional<Error> error = render_error(status);
-  return error ? judge(*error, context) : Outcome();
+  return error ? outcome_of(*error, context) : Outcome();
 }
 
-Outcome judge(const Error& error, const Context& context) {
+Outcome outcome_of(const Error& error, const Context& context) {
   if (error.kind == ErrorKind::environment && context.max_memory != 0) {
     return {ExitCode::limit,
             fmt::format("more memory than --max-memory {} is needed for building the "

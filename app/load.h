@@ -33,8 +33,8 @@ ExitCode exit_code(ErrorKind kind);
 ExitCode status_of(const LoadedScene& scene);
 Outcome outcome_of(const Result<void>& result);
 /// Converts the tracer's status.
-Outcome judge(RenderStatus status, const Context& context);
+Outcome outcome_of(RenderStatus status, const Context& context);
 /// The same for errors from the tracer.
-Outcome judge(const Error& error, const Context& context);
+Outcome outcome_of(const Error& error, const Context& context);
 
 }  // namespace scenefile::app

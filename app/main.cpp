@@ -93,7 +93,8 @@ constexpr std::array command_rows{
     Command{"diff", for_diff, "A B", "show how two scenes or two pictures differ",
             "Compares the meaning of two scenes, node by node, in any format; or two pictures, the "
             "reference first: PSNR, SSIM, FLIP and, with the scene, the mistake that explains the "
-            "difference. The exit status is 0 if they are the same and 1 if they differ.",
+            "difference. If --profile and --features are not given, those that fit the "
+            "reference are found. The exit status is 0 if they are the same and 1 if they differ.",
             "scenefile diff old.xml new.xml\n"
             "scenefile diff chess.xml chess.json\n"
             "scenefile diff --json a.json b.json\n"
@@ -104,7 +105,9 @@ constexpr std::array command_rows{
         "grade", for_grade, "DIR", "compare the pictures of a class with the references",
         "Each folder in DIR is a student; without such folders, DIR itself is a single student. "
         "Compares the pictures with the references of the same names and, if the scenes are given, "
-        "says which mistake explains a difference. The exit status is 1 if a picture did not pass.",
+        "says which mistake explains a difference. If --profile and --features are not "
+        "given, those that fit the references are found. The exit status is 1 if a picture did not "
+        "pass.",
         "scenefile grade handed-in --references right\n"
         "scenefile grade handed-in --references right --scenes scenes --report report.html\n"
         "scenefile grade handed-in --references right --map names.csv --csv grades.csv\n"
@@ -185,8 +188,9 @@ void bound(const Options& options, Context& context) {
   context.max_memory = options.max_memory.value_or(0);
   limit_memory(options.max_memory.value_or(default_memory_limit()));
   if (options.timeout.has_value()) {
-    end_after(*options.timeout, fmt::format("scenefile: gave up: not done within {} s (--timeout)",
-                                            *options.timeout));
+    end_after(
+        *options.timeout,
+        fmt::format("scenefile: stopped: not finished within {} s (--timeout)", *options.timeout));
   }
 }
 

@@ -20,7 +20,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
   if (const ExitCode status = check_result_places(options, inputs); status != ExitCode::fine) {
     return status;
   }
-  HandOut hand_out(options);
+  StudentFiles student_files(options);
   Gradebook book;
   // Keeps only one part in memory at a time, because the parts of a large class contain many
   // pictures.
@@ -36,7 +36,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
     }
     for (StudentResult& student : part->students) {
       if (const Result<void> handed =
-              hand_out(student, book.students.size() + 1, part->head.whole.pictures);
+              student_files(student, book.students.size() + 1, part->head.whole.pictures);
           !handed) {
         say_error(handed.error().text);
         return exit_code(handed.error().kind);

@@ -167,7 +167,7 @@ class Merger {
 
   Outcome failure(const Output& output) const {
     if (DeferredSignals::pending() != 0) {
-      return judge(RenderStatus::cancelled, {});
+      return outcome_of(RenderStatus::cancelled, {});
     }
     return {ExitCode::environment, rows_->error().empty() ? output.error() : rows_->error()};
   }

@@ -332,7 +332,8 @@ std::string set_preview(Options& options, const std::string& value) {
 
 std::string add_asset_root(Options& options, const std::string& value) {
   options.access.roots.push_back(value);
-  return is_folder(value) ? std::string() : fmt::format("there is no folder {}", quoted(value));
+  return is_folder(value) ? std::string()
+                          : fmt::format("the folder {} does not exist", quoted(value));
 }
 
 template <std::string Options::*name>
@@ -516,8 +517,9 @@ constexpr std::array option_rows{
     OptionRow{"--junit", "", "OUT", "Write the results as JUnit XML.", for_grade | for_merge,
               set_name<&Options::junit>},
     OptionRow{"--min-psnr", "", "DB",
-              "Pictures differ below this PSNR. This and the next options apply to pictures; "
-              "without any of them diff requires equality and grade 40 dB.",
+              "Pictures differ below this PSNR. This and the next options apply to pictures. "
+              "Without any of them, diff requires equality, and grade judges by the kind of "
+              "difference, or by 40 dB if that is not clear.",
               for_pictures, set_threshold<&Thresholds::min_psnr_db, 99>},
     OptionRow{"--max-mean", "", "N", "Pictures differ above this mean difference in 1/255.",
               for_pictures, set_threshold<&Thresholds::max_mean, 255>},
@@ -546,9 +548,9 @@ constexpr std::array option_rows{
               for_convert,
               [](Options& o, const std::string& v) { return set_number(v, 3, 1024, o.segments); }},
     OptionRow{"--checkpoint", "", "FILE",
-              "Save the state of the render in this file, at least every 10 seconds, and continue "
+              "Save the state of the render in this file, about every 4 seconds, and continue "
               "from it if it exists. It is removed when the picture is written.",
-              for_render, set_checkpoint, "", known_to_tracer},
+              for_render, set_checkpoint, "", tracer_only},
     OptionRow{
         "--crop", "", "X0,Y0,X1,Y1",
         "Draw only the pixels from column X0 and row Y0 up to, but not including, X1 and Y1 (row 0 "
@@ -612,7 +614,7 @@ constexpr std::array option_rows{
               for_frames, set_name<&Options::video>},
     OptionRow{"--preview", "", "FILE",
               "Write the unfinished picture to this file every two seconds.", for_render,
-              set_preview, "", known_to_tracer},
+              set_preview, "", tracer_only},
     OptionRow{
         "--compat", "", "NAME",
         "course: read as the course's programs did where the format says otherwise: every object "
@@ -654,7 +656,7 @@ constexpr std::array option_rows{
               "allows).",
               for_all_readers | for_pictures | for_format | for_view | for_merge, set_max_memory},
     OptionRow{"--timeout", "", "SECONDS",
-              "Stop with exit status 4 after this time, without an output.",
+              "Stop with exit status 4 after this time, without writing outputs.",
               for_all_readers | for_pictures | for_format | for_view | for_merge, set_timeout},
     OptionRow{"--files", "", "",
               "List textures and meshes with the place where each was found, or why it was not.",

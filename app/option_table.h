@@ -40,10 +40,10 @@ struct OptionRow {
   /// Parses the value. Returns an error text, as a phrase that follows "--name: "; empty on
   /// success.
   std::string (*set)(Options& options, const std::string& value);
-  /// The field of RenderOptions that it sets, which determines the engines and profiles that know
-  /// it (visit_options.h); if empty, `known` does.
+  /// The field of RenderOptions that it sets, which determines the engines and profiles that
+  /// support it (visit_options.h); if empty, `support` does.
   std::string_view field = {};
-  KnownTo known = known_to_all;
+  OptionSupport support = supported_everywhere;
   bool sets_defaults = false;  ///< affects the defaults of other options, so it is parsed first
 };
 

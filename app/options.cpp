@@ -164,14 +164,14 @@ std::string choose_format(Options& options) {
 }
 
 // Checks that each option has an effect with the selected engine and profile.
-std::string check_known(const Options& options) {
+std::string check_support(const Options& options) {
   for (const auto& [row, value] : options.given) {
-    const KnownTo known = row->field.empty() ? row->known : who_knows(row->field);
-    if (!knows_option(options.engine, known)) {
+    const OptionSupport support = row->field.empty() ? row->support : support_of(row->field);
+    if (!supports_option(options.engine, support)) {
       return fmt::format("{} is for the ray tracer: leave it out, or {}", row->name,
                          options.realtime ? "--profile realtime" : "--engine gl");
     }
-    if (!knows_option(options.render.profile, known)) {
+    if (!supports_option(options.render.profile, support)) {
       return fmt::format("{} is for the profile fine: leave it out, or --profile {}", row->name,
                          profile_word(options.render.profile));
     }
@@ -326,7 +326,7 @@ std::string check_together(const Command& command, Options& options) {
       return wrong;
     }
   }
-  if (std::string wrong = check_known(options); !wrong.empty()) {
+  if (std::string wrong = check_support(options); !wrong.empty()) {
     return wrong;
   }
   if (options.json && options.sarif) {

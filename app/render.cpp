@@ -102,7 +102,7 @@ Outcome draw(const Options& options, LoadedScene& scene, const DividedPicture* p
   }
   deferred.reset();
   report.stats = result.stats;
-  Outcome outcome = judge(result.status, context);
+  Outcome outcome = outcome_of(result.status, context);
   if (result.status == RenderStatus::cancelled && !options.checkpoint.empty()) {
     outcome.error += "; the same command continues from the checkpoint";
   }

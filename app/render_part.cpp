@@ -16,7 +16,8 @@ namespace scenefile::app {
 namespace {
 
 // Why this file is not the requested part; empty if it is.
-std::string other_part(const PartHead& found, const DividedPicture& picture, std::uint32_t index) {
+std::string part_mismatch(const PartHead& found, const DividedPicture& picture,
+                          std::uint32_t index) {
   PartKey wanted = picture.key;
   wanted.driver = found.picture.key.driver;  // only known after drawing with OpenGL
   if (const std::string_view why = foreign_part(found.picture.key, wanted); !why.empty()) {
@@ -64,7 +65,8 @@ Outcome find_part(const Options& options, const DividedPicture& picture, bool& t
     return empty || kind_of_part(options.output) == PartKind::of_picture ? Outcome()
                                                                          : refused(found->damage);
   }
-  if (const std::string why = other_part(found->head, picture, options.part->index); !why.empty()) {
+  if (const std::string why = part_mismatch(found->head, picture, options.part->index);
+      !why.empty()) {
     return refused(why);
   }
   there = found->damage.empty();

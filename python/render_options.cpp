@@ -143,7 +143,7 @@ RenderOptions render_options(const py::dict& given) {
     if (known == nullptr) {
       throw py::type_error(fmt::format("a picture has no option {}", name));
     }
-    if (!knows_option(profile, who_knows(known->field))) {
+    if (!supports_option(profile, support_of(known->field))) {
       throw py::value_error(
           fmt::format("{} is for the profile fine: leave it out, or profile=\"{}\"", name,
                       profile_word(profile)));

@@ -51,15 +51,15 @@ TEST_F(AssetRules, AbsoluteInsideARoot) {
 }
 
 TEST_F(AssetRules, NextToTheScene) {
-  EXPECT_THAT(told("sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
-  EXPECT_THAT(told("sub\\a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
-  EXPECT_THAT(told(":/sub/a.obj"), HasSubstr(found("beside the scene", "fun/sub/a.obj")));
+  EXPECT_THAT(told("sub/a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
+  EXPECT_THAT(told("sub\\a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
+  EXPECT_THAT(told(":/sub/a.obj"), HasSubstr(found("next to the scene", "fun/sub/a.obj")));
 }
 
 TEST_F(AssetRules, InTheParentFolder) {
   folder.write("mesh/b.obj", triangle);
   folder.write("other/c.obj", triangle);
-  EXPECT_THAT(told("mesh/b.obj"), HasSubstr(found("beside the scene's folder", "mesh/b.obj")));
+  EXPECT_THAT(told("mesh/b.obj"), HasSubstr(found("next to the scene's folder", "mesh/b.obj")));
   EXPECT_THAT(told("other/c.obj"), HasSubstr("no such file"));
 }
 
@@ -119,7 +119,7 @@ TEST_F(AssetRules, OutsideOnlyIfAllowed) {
 TEST_F(AssetRules, JsonNamesTheRule) {
   const rapidjson::Document report =
       parse_json(run_program({"info", "--files", "--json", scene("sub/a.obj")}).out);
-  EXPECT_STREQ(report["files"][0]["rule"].GetString(), "beside the scene");
+  EXPECT_STREQ(report["files"][0]["rule"].GetString(), "next to the scene");
 }
 
 }  // namespace

@@ -114,9 +114,10 @@ TEST(BadInput, AMisspelledFileAttributeIsUsedOrAnError) {
 
 TEST(BadInput, AMissingFileIsAShortLineAndAListOfPlaces) {
   const ProgramRun run = check(replaced("\"sphere\"", R"("mesh" filename="mesh/no.obj")"));
-  EXPECT_THAT(run.out, HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
-                                 "    nowhere to look: there is no asset root\n"
-                                 "    files elsewhere need --asset-root DIR or --allow-outside\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("mesh \"mesh/no.obj\": no such file [mesh.missing]\n"
+                        "    there is no folder to search; give one with --asset-root DIR\n"
+                        "    files elsewhere need --asset-root DIR or --allow-outside\n"));
 }
 
 TEST(BadInput, MisorderedArguments) {

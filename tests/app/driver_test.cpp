@@ -195,8 +195,8 @@ TEST_F(Driver, ErrorsHaveAPlace) {
   EXPECT_EQ(run.status, 1);
   EXPECT_THAT(run.err, AllOf(HasSubstr("c.ini:3:1: warning: unknown key [IO] ouput"),
                              HasSubstr("did you mean [IO] output?"),
-                             HasSubstr("error: the configuration lacks [IO] output"),
-                             HasSubstr("lacks [Canvas] height")));
+                             HasSubstr("error: the configuration is missing [IO] output"),
+                             HasSubstr("is missing [Canvas] height")));
 }
 
 TEST_F(Driver, UnknownKeysAreWarnings) {

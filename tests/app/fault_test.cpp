@@ -119,7 +119,7 @@ TEST(Faults, EveryCommandObeysItsTimeout) {
     words.insert(words.end(), {"--timeout", "0.02"});
     const ProgramRun run = run_program(words, {.folder = folder.path()});
     EXPECT_EQ(run.status, 4) << words[0];
-    EXPECT_THAT(run.err, HasSubstr("gave up: not done within 0.02 s (--timeout)"));
+    EXPECT_THAT(run.err, HasSubstr("stopped: not finished within 0.02 s (--timeout)"));
     EXPECT_EQ(folder.list(), before) << words[0];
   }
 }

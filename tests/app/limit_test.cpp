@@ -166,7 +166,7 @@ TEST(Limits, TheTimeoutLeavesNoOutput) {
       run_program({"render", "s.xml", "-o", "out.png", "--size", "8000x8000", "--timeout", "0.3"},
                   {.folder = folder.path()});
   EXPECT_EQ(run.status, 4);
-  EXPECT_EQ(run.err, "scenefile: gave up: not done within 0.3 s (--timeout)\n");
+  EXPECT_EQ(run.err, "scenefile: stopped: not finished within 0.3 s (--timeout)\n");
   EXPECT_EQ(folder.read("out.png"), "old");
   EXPECT_THAT(folder.list(), ElementsAre("out.png", "s.xml"));
 }

@@ -307,7 +307,7 @@ TEST_F(Grade, MapsAndAllReports) {
   const ProgramRun unknown =
       in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(unknown.status, 1);
-  EXPECT_THAT(unknown.err, HasSubstr("is the reference \"bal\", but \"right\" has no such file"));
+  EXPECT_THAT(unknown.err, HasSubstr("to the reference \"bal\", but \"right\" has no such file"));
 }
 
 TEST_F(Grade, GradescopeIsForOneStudent) {
@@ -418,7 +418,8 @@ TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
   const ProgramRun run = in_folder({"grade", "class", "--references", "right"});
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.out, "");
-  EXPECT_THAT(run.err, HasSubstr("none of 1 pictures in \"class\" is one of the 1 references"));
+  EXPECT_THAT(run.err,
+              HasSubstr("none of the 1 pictures in \"class\" matches one of the 1 references"));
 }
 
 TEST_F(Grade, MissingArguments) {

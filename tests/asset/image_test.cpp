@@ -9,7 +9,7 @@
 namespace scenefile {
 namespace {
 
-TEST(ImageSize, BeyondAllMemoryIsLackOfMemory) {
+TEST(ImageSize, BeyondMaxSizeIsOutOfMemory) {
   EXPECT_THROW(Image(1 << 30, 1 << 30), std::bad_alloc);
 }
 

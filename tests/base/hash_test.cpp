@@ -34,7 +34,7 @@ TEST(Hash, DependsOnWhereTextsEndAndOnTheirOrder) {
   EXPECT_NE(hash_of({std::string_view("a\0", 2)}), hash_of({"a"}));
 }
 
-TEST(Hash, IsTheSameEverywhereOfOneMachine) {
+TEST(Hash, IsTheSameInEveryBuild) {
   EXPECT_EQ(hash_of({"a", "b"}), hash_of({"a", "b"}));
 }
 

@@ -60,7 +60,7 @@ TEST(Report, OtherFilesGetNoExcerptOfTheScene) {
   EXPECT_EQ(report(d, "scene text"), "m.obj:1: error: index 9 [test.bad]\n");
 }
 
-TEST(Report, NotesFollowOnLinesOfTheirOwn) {
+TEST(Report, NotesFollowOnSeparateLines) {
   Diagnostics d;
   d.report(bad, Severity::error, {1, 1}, "no such file", {"looked for a", "looked for b\x1b[1m\n"});
   EXPECT_EQ(report(d, "x"),

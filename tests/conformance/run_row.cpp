@@ -37,7 +37,7 @@ RowResult run_row(const std::string& corpus, const Row& row) {
   const RenderResult rendered = render(loaded.ready.scene, loaded.assets, options);
   result.cpu_seconds = cpu_seconds() - start;
   if (rendered.status != RenderStatus::complete) {
-    result.error = "the tracer gave up";
+    result.error = "the tracer failed";
     return result;
   }
   result.ours = quantize(rendered.image, rounding_of(Profile::course));

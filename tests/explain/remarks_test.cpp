@@ -216,7 +216,7 @@ TEST(Remarks, SayHowFarOutsideTheConeAPointIs) {
   options.width = options.height = 1;
   const PixelRecord pixel = Explainer(b.scene, b.assets, options).explain(0, 0);
   EXPECT_EQ(remarks(b.scene, pixel).at(0).text,
-            "outside the cone of the spot: 90 degrees from its axis, light ends at 20");
+            "outside the cone of the spotlight: 90 degrees from its axis, light ends at 20");
 }
 
 TEST(Remarks, NormalsHaveNone) {

@@ -130,7 +130,7 @@ TEST(WriteGltf, ReportsEachApproximationOnce) {
   EXPECT_TRUE(says(w, export_approximate));
 }
 
-TEST(WriteGltf, ALightIsRightInTheMiddleOfTheScene) {
+TEST(WriteGltf, LightsMatchAtTheCenterOfTheScene) {
   Written w;
   write(scene_of(block(cube), light), w);
   const auto& l = w.json["extensions"]["KHR_lights_punctual"]["lights"][0];

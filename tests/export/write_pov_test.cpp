@@ -72,7 +72,7 @@ TEST(WritePov, ReportsWhatIsLost) {
   EXPECT_TRUE(says(write(scene), pov_lost));
 }
 
-TEST(WritePov, ReportsTexturesThatAreNotThere) {
+TEST(WritePov, ReportsMissingTextures) {
   SceneBuilder scene;
   RenderMaterial m;
   m.texture.file = scene.texture(1, 1, {0});

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(All, FormatCode, ::testing::ValuesIn(xml_codes()), [](c
   return name;
 });
 
-TEST(FormatCodes, HaveNamesOfTheirOwn) {
+TEST(FormatCodes, HaveUniqueNames) {
   std::set<std::string_view> names;
   for (const Code* code : format_codes()) {
     EXPECT_TRUE(names.insert(code->name).second) << code->name;

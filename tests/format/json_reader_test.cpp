@@ -1,4 +1,4 @@
-// JsonReading JSON into a Scene.
+// Reading JSON into a Scene.
 
 #include "scenefile/format/codes.h"
 #include "scenefile/format/dialects.h"

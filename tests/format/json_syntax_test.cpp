@@ -99,7 +99,10 @@ TEST(JsonSyntax, WordsAndQuotes) {
   const SyntaxCase cases[] = {
       {"{a: 1}", json_syntax, {1, 2}, "the key \"a\" must be in double quotes"},
       {"{'a': 1}", json_syntax, {1, 2}, "double quotes"},
-      {"{\"a\": \"b, \"c\": 1}", json_syntax, {1, 12}, "an earlier string lacks its closing one"},
+      {"{\"a\": \"b, \"c\": 1}",
+       json_syntax,
+       {1, 12},
+       "an earlier string is missing its closing one"},
       {"{\u201Ca\u201D: 1}", json_syntax, {1, 2}, "a typographic quotation mark"},
       {"{\u00A0\"a\": 1}", json_syntax, {1, 2}, "a special space character, U+00A0"},
       {"{\"a\": True}", json_syntax, {1, 7}, "True is written true"},

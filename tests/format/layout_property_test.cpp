@@ -108,7 +108,7 @@ RC_GTEST_PROP(LayoutLaws, WhatIsWrittenIsLaidOut, ()) {
   }
 }
 
-RC_GTEST_PROP(LayoutLaws, TwiceIsOnce, ()) {
+RC_GTEST_PROP(LayoutLaws, IsIdempotent, ()) {
   for (const SceneFormat format : formats) {
     const std::string once = laid_out(disordered(written_scene(format), format));
     RC_ASSERT(laid_out(once) == once);

@@ -26,7 +26,7 @@ std::vector<std::string> faults(std::string_view text) {
   return findings(diagnostics);
 }
 
-TEST(LayoutXml, OneElementALine) {
+TEST(LayoutXml, OneElementPerLine) {
   EXPECT_EQ(laid_out("<scenefile><a  x = '1'\n y=\"2\" /><b><c></c >\n\n</b></scenefile>"),
             "<scenefile>\n"
             "  <a x='1' y=\"2\"/>\n"
@@ -129,7 +129,7 @@ TEST(LayoutXml, RejectsOtherFiles) {
   EXPECT_THAT(faults("scene"), ElementsAre("1:1 error format.unknown"));
 }
 
-TEST(LayoutJson, OneMemberALine) {
+TEST(LayoutJson, OneMemberPerLine) {
   EXPECT_EQ(
       laid_out(
           R"({"b":[1.50,-2E+3 ,0.0], "a" : {"x":"\u0041 /\/"},"b":[],"c":{ },"d":[[1,2],[{}]]})"),

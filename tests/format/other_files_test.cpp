@@ -15,7 +15,7 @@ using namespace std::string_view_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-TEST(OtherFiles, AreNamed) {
+TEST(OtherFiles, AreIdentified) {
   const std::pair<std::string_view, std::string_view> files[] = {
       {"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a", "git lfs pull"},
       {"\n\n<!DOCTYPE html>\n<html lang=\"en\">", "an HTML page"},
@@ -33,7 +33,7 @@ TEST(OtherFiles, AreNamed) {
   }
 }
 
-TEST(OtherFiles, ScenesAreScenes) {
+TEST(OtherFiles, ScenesAreAccepted) {
   for (const std::string_view text :
        {"<scenefile/>", "[]", "{\"v\": 1}", "// v 1 2 3\n{}", "/* [IO] */ {}"}) {
     const Reading reading = read(text);

@@ -168,7 +168,7 @@ void expect_one_finding(const std::vector<Mistake>& mistakes) {
   }
 }
 
-TEST(Recovery, TheScenesAreClean) {
+TEST(Recovery, TheOriginalScenesHaveNoFindings) {
   EXPECT_THAT(messages(all_findings(xml_scene)), IsEmpty());
   EXPECT_THAT(messages(all_findings(json_scene)), IsEmpty());
 }

@@ -66,14 +66,14 @@ void assert_equal(const Scene& a, const Scene& b) {
   RC_ASSERT(a == b);
 }
 
-RC_GTEST_PROP(WriteLaws, WhatIsWrittenReadsBackAsItsForm, ()) {
+RC_GTEST_PROP(WriteLaws, WrittenTextReadsBackAsTheForm, ()) {
   const Scene scene = any_scene();
   for (const SceneFormat format : both_formats) {
     assert_equal(read_silently(written(scene, format)), form_of(scene, format));
   }
 }
 
-RC_GTEST_PROP(WriteLaws, AFormIsItsOwnForm, ()) {
+RC_GTEST_PROP(WriteLaws, FormsAreIdempotent, ()) {
   const Scene scene = any_scene();
   for (const SceneFormat format : both_formats) {
     const Scene form = form_of(scene, format);
@@ -81,7 +81,7 @@ RC_GTEST_PROP(WriteLaws, AFormIsItsOwnForm, ()) {
   }
 }
 
-RC_GTEST_PROP(WriteLaws, WhatAFormatCanSayReadsBackEqual, ()) {
+RC_GTEST_PROP(WriteLaws, WhatAFormatCanExpressReadsBackEqual, ()) {
   const Scene scene = any_scene();
   for (const SceneFormat format : both_formats) {
     const Scene sayable = form_of(scene, format);
@@ -97,7 +97,7 @@ RC_GTEST_PROP(WriteLaws, MeaningIsKept, ()) {
 }
 
 // What XML cannot represent of an area light is reported, and nothing else differs.
-RC_GTEST_PROP(WriteLaws, AreaLightsMeanTheSameOrAreNamed, ()) {
+RC_GTEST_PROP(WriteLaws, AreaLightsMeanTheSameOrAreReported, ()) {
   const Scene scene = any_scene();
   Diagnostics diagnostics;
   const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
@@ -155,7 +155,7 @@ RC_GTEST_PROP(WriteLaws, MeaningIsKeptThereAndBack, ()) {
   }
 }
 
-RC_GTEST_PROP(WriteLaws, WritingTwiceIsWritingOnce, ()) {
+RC_GTEST_PROP(WriteLaws, IsIdempotent, ()) {
   const Scene scene = any_scene();
   for (const SceneFormat format : both_formats) {
     const std::string text = written(scene, format);

@@ -503,7 +503,7 @@ TEST(WriteCodes, EachIsTriggeredByASceneAndNotByASimilarOne) {
   }
 }
 
-TEST(WriteCodes, APlainSceneIsWrittenWithoutAWord) {
+TEST(WriteCodes, APlainSceneIsWrittenWithoutFindings) {
   for (const SceneFormat format : {SceneFormat::xml, SceneFormat::json}) {
     const Written written = write(plain_scene(), format);
     EXPECT_TRUE(written.diagnostics.list().empty());

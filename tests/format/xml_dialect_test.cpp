@@ -126,24 +126,27 @@ TEST(XmlDialect, SomeNamesAreNotEnough) {
   EXPECT_THAT(findings(read(with_transforms("<translate x=\"1\" y=\"2\" w=\"3\"/>")).diagnostics),
               ElementsAre("4:24 warning xml.unknown-attribute", "4:1 error xml.missing-attribute"));
   EXPECT_THAT(messages(read(with_transforms("<translate/>")).diagnostics),
-              ElementsAre("4:1 <translate> lacks attributes x, y, z"));
+              ElementsAre("4:1 <translate> is missing the attributes x, y, z"));
   EXPECT_THAT(messages(read(with_top("<lightdata><id v=\"0\"/><color r=\"1\" g=\"1\" "
                                      "b=\"1\"/><position x=\"0\" y=\"0\" z=\"0\"/>"
                                      "\n<function v1=\"1\" v2=\"0\"/></lightdata>"))
                            .diagnostics),
-              ElementsAre("3:1 <function> lacks attribute v3"));
+              ElementsAre("3:1 <function> is missing the attribute v3"));
 }
 
 TEST(XmlDialect, AllPartsInOneAttributeSayHowToWriteThem) {
   const auto of = [](const std::string& text) { return messages(read(text).diagnostics); };
-  EXPECT_THAT(of(with_transforms("<translate v=\"1, 2 ,-3e1\"/>")),
-              ElementsAre("4:1 <translate> lacks attributes x, y, z; write x=\"1\" y=\"2\" "
-                          "z=\"-3e1\""));
-  EXPECT_THAT(of(with_transforms("<scale v=\"2\"/>")),
-              ElementsAre("4:1 <scale> lacks attributes x, y, z; write x=\"2\" y=\"2\" z=\"2\""));
+  EXPECT_THAT(
+      of(with_transforms("<translate v=\"1, 2 ,-3e1\"/>")),
+      ElementsAre("4:1 <translate> is missing the attributes x, y, z; write x=\"1\" y=\"2\" "
+                  "z=\"-3e1\""));
+  EXPECT_THAT(
+      of(with_transforms("<scale v=\"2\"/>")),
+      ElementsAre("4:1 <scale> is missing the attributes x, y, z; write x=\"2\" y=\"2\" z=\"2\""));
   EXPECT_THAT(
       of(with_material("<diffuse value=\"#ff0033\"/>")),
-      ElementsAre("5:1 <diffuse> lacks attributes r, g, b; write r=\"1\" g=\"0\" b=\"0.2\""));
+      ElementsAre(
+          "5:1 <diffuse> is missing the attributes r, g, b; write r=\"1\" g=\"0\" b=\"0.2\""));
   for (const std::string value : {"1 2", "1 2 3 4 5", "1 two 3", "", "#ff00"}) {
     EXPECT_THAT(
         findings(read(with_transforms(fmt::format("<translate v=\"{}\"/>", value))).diagnostics),
@@ -279,7 +282,7 @@ TEST(XmlDialect, ARotationInOtherWords) {
               ElementsAre("4:27 error xml.misspelled-attribute"));
   EXPECT_TRUE(rotation("<rotate angle=\"60\"/>").scene.nodes.at(1).transforms.empty());
   EXPECT_THAT(messages(rotation("<rotate x=\"1\" angle=\"60\"/>").diagnostics),
-              ElementsAre("4:1 <rotate> lacks attributes y, z"));
+              ElementsAre("4:1 <rotate> is missing the attributes y, z"));
   EXPECT_TRUE(rotation("<rotate/>").diagnostics.has_errors());
 }
 
@@ -321,10 +324,12 @@ TEST(XmlDialect, MisspelledAttributesOfObjects) {
   EXPECT_THAT(of("<object type=\"primitive\" name=\"mesh\" filenmae=\"a\" x=\"\"/>"),
               ElementsAre("3:50 unknown attribute filenmae of <object>; did you mean filename?",
                           "3:63 unknown attribute x of <object> has no effect"));
-  EXPECT_THAT(of("<object name=\"cube\"/>"),
-              ElementsAre("3:13 <object> lacks attribute type: tree, master or primitive"));
-  EXPECT_THAT(of("<object type=\"primitive\"/>"),
-              ElementsAre("3:13 <object type=\"primitive\"> lacks attribute name, the shape"));
+  EXPECT_THAT(
+      of("<object name=\"cube\"/>"),
+      ElementsAre("3:13 <object> is missing the attribute type: tree, master or primitive"));
+  EXPECT_THAT(
+      of("<object type=\"primitive\"/>"),
+      ElementsAre("3:13 <object type=\"primitive\"> is missing the attribute name, the shape"));
 }
 
 TEST(XmlDialect, ElementsInAnotherCase) {

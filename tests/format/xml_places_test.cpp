@@ -20,7 +20,7 @@ TEST(XmlPlaces, OfEachAttribute) {
               ElementsAre("4:12 error xml.number", "4:24 error xml.number"));
 }
 
-TEST(XmlPlaces, OfAttributesOnLinesOfTheirOwn) {
+TEST(XmlPlaces, OfAttributesOnSeparateLines) {
   EXPECT_THAT(found(with_transforms("<translate\n  x=\"0\"\n\n\ty=\"q\"\n  z=\"\"\n/>")),
               ElementsAre("7:2 error xml.number", "8:3 warning xml.empty-number"));
 }

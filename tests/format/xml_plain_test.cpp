@@ -145,7 +145,7 @@ RC_GTEST_PROP(XmlPlainLaws, WrittenScenesArePlain, ()) {
 }
 
 // With pieces of markup in wrong places, and with low limits.
-RC_GTEST_PROP(XmlPlainLaws, WhatItSaysIsWhatExpatSays, ()) {
+RC_GTEST_PROP(XmlPlainLaws, AgreesWithExpat, ()) {
   const auto piece = rc::gen::element<std::string>(
       "<a>", "</a>", "<a/>", "<b c='1'>", "</b>", "<b c=\"1\" d='2'/>", " ", "\n", "\r", "<!--",
       "-->", "--", "-", ">", "<", "/", "=", "\"", "'", "&", "&lt;", "&#10;", "x", "c='1'", " d=''",
@@ -163,7 +163,7 @@ RC_GTEST_PROP(XmlPlainLaws, WhatItSaysIsWhatExpatSays, ()) {
   RC_ASSERT(agrees_with_expat("<a b='" + text + "'/>", {}));
 }
 
-RC_GTEST_PROP(XmlPlainLaws, OneByteMayChangeEverything, ()) {
+RC_GTEST_PROP(XmlPlainLaws, AgreesAfterAnyChangedByte, ()) {
   const Scene scene = RandomScene(*rc::gen::arbitrary<unsigned>(), 2, false).make();
   Diagnostics diagnostics;
   const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);

@@ -323,7 +323,7 @@ TEST(XmlScene, AnEmptyTreeWithoutAMasterSuggestsOne) {
   EXPECT_EQ(scene.nodes[scene.nodes[scene.root].children.at(0)].name, "prat");
 }
 
-TEST(XmlScene, OfTwoTreesOfANameNoneIsMeant) {
+TEST(XmlScene, DuplicateTreeNamesAreAmbiguous) {
   const Reading reading =
       read(in_root(fmt::format("<transblock>{0}</transblock><transblock>{0}</transblock>"
                                "<transblock><object type=\"master\" name=\"part\"/></transblock>",
@@ -343,7 +343,7 @@ TEST(XmlScene, RootInAnotherCaseIsTheRoot) {
   EXPECT_EQ(reading.scene.nodes[reading.scene.root].lights.size(), 1u);
 }
 
-TEST(XmlScene, ASecondTreeOfANameIsReadForItsFaults) {
+TEST(XmlScene, ADuplicateTreeIsStillChecked) {
   const Reading reading = read(
       "<scenefile><object type=\"tree\" name=\"root\"/>\n"
       "<object type=\"tree\" name=\"root\"><transblock>\n"

@@ -25,7 +25,7 @@ TEST(XmlSyntax, CrossedTagsNameBoth) {
       HasSubstr("</scale> is missing before it, or a / in front of the > that ends its tag"));
 }
 
-TEST(XmlSyntax, MisspeltClosingTagsAreSuggested) {
+TEST(XmlSyntax, MisspelledClosingTagsAreSuggested) {
   for (const std::string closing : {"TransBlock", "tranblock", "transblok"}) {
     EXPECT_THAT(said(in_root("<transblock>\n</" + closing + ">")),
                 ElementsAre("4:1 </" + closing +
@@ -57,7 +57,7 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
   EXPECT_EQ(one("<scale x=\u201C1\u201D/>"),
             "4:10 a typographic quotation mark, as word processors insert it; use \" or '");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
-  EXPECT_EQ(one("<a b=\"x\"\n<c/>"), "5:1 the tag <a> of line 4 lacks its > or />");
+  EXPECT_EQ(one("<a b=\"x\"\n<c/>"), "5:1 the tag <a> of line 4 is missing its > or />");
   EXPECT_EQ(one("<a b=\"x & y\"/>"), "4:9 a bare & is not allowed; write &amp;");
   EXPECT_EQ(one("<a b=\"&nbsp;\"/>"),
             "4:7 the entity \"nbsp\" is not defined; for a bare & write &amp;");
@@ -81,20 +81,21 @@ TEST(XmlSyntax, OtherFaultsAreNamed) {
 TEST(XmlSyntax, MistakesAreNamedWhereTheyBegin) {
   const auto one = [](std::string_view inside) { return said(with_transforms(inside)).back(); };
   EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1/>\n<a/>"),
-            "4:22 the value that begins here, in <scale>, lacks its closing quotation mark");
+            "4:22 the value that begins here, in <scale>, is missing its closing quotation mark");
   EXPECT_EQ(one("<a b='1/>\n<c/>"),
-            "4:6 the value that begins here, in <a>, lacks its closing quotation mark");
+            "4:6 the value that begins here, in <a>, is missing its closing quotation mark");
   EXPECT_EQ(one("<a b=\"x<y\"/>"), "4:8 < is not allowed here; inside a value write &lt;");
   EXPECT_EQ(one("<scale x=\"1\" y=\"1\" z=\"1\"/></scale>"),
-            "4:27 </scale> closes nothing: <scale> ends in itself with />; remove </scale>");
+            "4:27 </scale> has no opening tag: <scale> is already closed by its />; remove it");
   EXPECT_EQ(one("<!- note -->"), "4:1 a comment starts with <!-- and ends with -->");
   EXPECT_EQ(one("<! note -->"), "4:1 a comment starts with <!-- and ends with -->");
   EXPECT_EQ(said("<?xml version=\"1.0\">\n<scenefile/>"),
-            std::vector<std::string>{"1:1 <?xml lacks its end ?>: write ? in front of the >"});
+            std::vector<std::string>{"1:1 <?xml is missing its end ?>: write ? in front of the >"});
   EXPECT_EQ(said("<scenefile>\n<globaldata>\n</globaldata\n</scenefile>").back(),
-            "4:1 the tag </globaldata> of line 3 lacks its >");
-  EXPECT_EQ(said("<scenefile>\nglobaldata>\n</globaldata>\n</scenefile>").back(),
-            "2:1 the tag globaldata> lacks its <; </globaldata> of line 3 has nothing to close");
+            "4:1 the tag </globaldata> of line 3 is missing its >");
+  EXPECT_EQ(
+      said("<scenefile>\nglobaldata>\n</globaldata>\n</scenefile>").back(),
+      "2:1 the tag globaldata> is missing its <; </globaldata> of line 3 has nothing to close");
 }
 
 TEST(XmlSyntax, ValuesBetweenTagsAreShownAsAttributes) {
@@ -155,7 +156,7 @@ TEST(XmlSyntax, MessagesCannotBeForged) {
   EXPECT_EQ(shape[0].find('\n'), std::string::npos);
 }
 
-TEST(XmlEntities, NothingIsDeclaredUsedOrOpened) {
+TEST(XmlEntities, AreRejectedAndNothingIsOpened) {
   const std::string scene =
       in_root("<transblock><object type=\"primitive\" name=\"&e;\"/></transblock>");
   EXPECT_THAT(found("<!DOCTYPE scenefile [<!ENTITY e \"cube\">]>" + scene),

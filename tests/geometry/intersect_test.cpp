@@ -164,7 +164,7 @@ TEST(Intersect, DistanceToACubeIsOneDivision) {
   }
 }
 
-TEST(Intersect, TheMirrorHalfOfTheConeIsNotThere) {
+TEST(Intersect, TheMirroredHalfOfTheConeIsNotHit) {
   ShapeHit hit;
   // A flat ray, only through the mirrored half; a steep ray, through it and then the cone; and one
   // along the axis.

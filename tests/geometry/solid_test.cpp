@@ -83,7 +83,7 @@ TEST(Solid, SurfacesAreNotInside) {
   EXPECT_FALSE(contains(Shape::cone, {0.2, 0.2, 0}));
 }
 
-TEST(Solid, ClosedMeshesWindOnceAroundTheirInside) {
+TEST(Solid, ClosedMeshesHaveWindingNumberOneInside) {
   holds("the winding number of a tessellation is contains()", [] {
     const Shape shape = *rc::gen::elementOf(shapes);
     const Mesh mesh = tessellate(shape, 48);

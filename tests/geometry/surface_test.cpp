@@ -142,7 +142,7 @@ TEST(SurfaceAt, AnglesAgreeWithTheStandardLibrary) {
   }
 }
 
-RC_GTEST_PROP(SurfaceLaw, PointsOffTheSurfaceAreTakenToIt, ()) {
+RC_GTEST_PROP(SurfaceLaw, PointsOffTheSurfaceAreProjected, ()) {
   std::mt19937_64 random(*rc::gen::arbitrary<std::uint64_t>());
   for (const Shape shape : analytic_shapes) {
     const Face face = test::faces_of(shape)[random() % test::faces_of(shape).size()];

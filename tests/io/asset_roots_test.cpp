@@ -205,7 +205,7 @@ TEST_F(Layout, OnlyRegularFiles) {
   misses("/dev/stdin");
 }
 
-TEST_F(Layout, NamesThatNoFileCanBear) {
+TEST_F(Layout, InvalidFileNames) {
   EXPECT_THAT(misses(""), HasSubstr("empty"));
   EXPECT_THAT(misses("http://example.com/a.png"), HasSubstr("URL"));
   EXPECT_THAT(misses("HTTPS://example.com/a.png"), HasSubstr("URL"));
@@ -250,7 +250,7 @@ TEST_F(Layout, StandardInputHasOnlyTheGivenRoots) {
   AssetRootsOptions options;
   options.scene_path = "-";
   AssetRoots none(options);
-  EXPECT_THAT(misses(none, "a.png"), HasSubstr("nowhere to look"));
+  EXPECT_THAT(misses(none, "a.png"), HasSubstr("no folder to search"));
   options.asset_roots = {home.path("given")};
   AssetRoots roots(options);
   finds(roots, "a.png", "given/a.png", AssetRule::asset_root);

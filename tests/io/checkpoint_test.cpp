@@ -25,7 +25,7 @@ TEST(Checkpoint, RoundTrips) {
   EXPECT_EQ(state, "the state of the work");
 }
 
-TEST(Checkpoint, EveryCutIsRecognized) {
+TEST(Checkpoint, EveryTruncationIsDetected) {
   for (std::size_t length = 0; length < good.size(); ++length) {
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
   }
@@ -34,7 +34,7 @@ TEST(Checkpoint, EveryCutIsRecognized) {
   EXPECT_THAT(complaint(good + "x"), HasSubstr("longer"));
 }
 
-TEST(Checkpoint, EveryDamagedBitIsRecognized) {
+TEST(Checkpoint, EveryDamagedBitIsDetected) {
   for (std::size_t i = 0; i < good.size(); ++i) {
     for (int bit = 0; bit < 8; ++bit) {
       std::string bytes = good;

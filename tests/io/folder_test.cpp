@@ -60,7 +60,7 @@ TEST(Folder, UnreadableFoldersAreReported) {
   EXPECT_NE(errors[0].text.find("none: cannot list the folder: "), std::string::npos);
 }
 
-TEST(Folder, NamesAreInTheOrderOfPeople) {
+TEST(Folder, NamesAreInNaturalOrder) {
   for (const auto& [first, second] :
        {std::pair("a9", "a10"), {"a09b", "a10"}, {"A1", "b1"}, {"a", "a1"}, {"B", "a1"}}) {
     EXPECT_EQ(natural_less(first, second), std::string(first) != "B") << first << second;
@@ -75,7 +75,7 @@ TEST(Folder, PartsOfPaths) {
   EXPECT_EQ(file_name_of("a/b/c.xml"), "c.xml");
 }
 
-TEST(Folder, IsMadeWithThoseAboveIt) {
+TEST(Folder, IsCreatedWithItsParents) {
   const TempFolder folder;
   EXPECT_EQ(error_text(make_folder(folder.path("x/y/z"))), "");
   EXPECT_EQ(error_text(make_folder(folder.path("x/y/z"))), "");

@@ -44,10 +44,10 @@ TEST(HandleSignals, TheTimeoutWorksIfTheParentBlockedItsSignal) {
         sigaddset(&alarm, SIGALRM);
         ::sigprocmask(SIG_BLOCK, &alarm, nullptr);
         handle_signals();
-        end_after(0.01, "gave up");
+        end_after(0.01, "too late");
         ::sleep(10);
       },
-      ::testing::ExitedWithCode(4), "gave up");
+      ::testing::ExitedWithCode(4), "too late");
 }
 
 void allow_cpu_seconds(rlim_t seconds) {
@@ -65,7 +65,7 @@ TEST(HandleSignals, TheLimitOnCpuTimeIsReportedBeforeItKills) {
         while (std::clock() >= 0) {
         }
       },
-      ::testing::ExitedWithCode(4), "no more CPU time");
+      ::testing::ExitedWithCode(4), "limit on CPU time");
 }
 
 using ThreeFiles = std::array<Temporary, 3>;  // EXPECT_EXIT takes no commas
@@ -184,7 +184,7 @@ TEST(DeferredSignals, OnlyWhileItLives) {
       ::testing::ExitedWithCode(130), "");
 }
 
-TEST(DeferredSignals, LiveInsideEachOther) {
+TEST(DeferredSignals, CanBeNested) {
   EXPECT_EXIT(
       {
         handle_signals();

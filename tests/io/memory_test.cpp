@@ -46,7 +46,7 @@ TEST(MemoryLimit, TheDefaultDependsOnTheMachine) {
   EXPECT_LT(default_memory_limit(), std::uint64_t{1} << 50);
 }
 
-TEST(LargePages, AreMemoryLikeAnyOther) {
+TEST(LargePages, CanBeUsedLikeOtherMemory) {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1000}, std::size_t{8} << 20}) {
     std::vector<char> bytes;
     bytes.reserve(count);

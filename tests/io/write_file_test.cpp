@@ -142,7 +142,7 @@ TEST(WriteFile, RespectsAProtectedTarget) {
   EXPECT_EQ(folder.read("out"), "old");
 }
 
-TEST(SameFile, SeesThroughSpelling) {
+TEST(SameFile, RecognizesOtherSpellings) {
   const TempFolder folder;
   folder.write("a");
   folder.write("b");

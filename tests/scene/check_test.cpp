@@ -549,7 +549,7 @@ TEST(Check, OneFlatScaleIsOneFinding) {
   EXPECT_EQ(checked(scene).list().size(), 1u) << listed(checked(scene));
 }
 
-TEST(Check, LightsInTemplatesCountOnceACopy) {
+TEST(Check, LightsInTemplatesCountOncePerInstance) {
   Scene scene = bomb(40, 10, true);
   scene.nodes[scene.templates[0]].lights = {point_light()};
   EXPECT_NE(find(checked(scene), light_count_limit), nullptr);

@@ -40,7 +40,7 @@ Scene template_chain() {
 
 }  // namespace
 
-TEST(Deep, NodesCopyCompareAndVanish) {
+TEST(Deep, NodesAreCopiedComparedAndDestroyed) {
   const Scene scene = deep_chain();
   Scene copy = scene;
   EXPECT_EQ(scene, copy);

@@ -211,7 +211,7 @@ TEST(Prepare, GlobalsPassThrough) {
   EXPECT_EQ(ready(scene).global, (RenderGlobal{0.1f, 0.2f, 0.3f, 0.4f}));
 }
 
-TEST(Prepare, BombsTakeTheSizeOfTheirFile) {
+TEST(Prepare, TemplateBombsStayAsSmallAsTheirFile) {
   const RenderScene got = ready(bomb(40, 10, true));
   EXPECT_EQ(got.groups.size(), 42u);
   EXPECT_NEAR(count_virtual_primitives(got) / 1e40, 1, 1e-9);
@@ -223,7 +223,7 @@ TEST(Prepare, VirtualPrimitivesSaturate) {
   EXPECT_EQ(count_virtual_primitives(got), std::numeric_limits<double>::infinity());
 }
 
-TEST(Prepare, BombsOfNothingVanish) {
+TEST(Prepare, EmptyTemplateBombsVanish) {
   EXPECT_EQ(ready(bomb(60, 2, false)), ready(fine_scene()));
 }
 

@@ -311,7 +311,7 @@ TEST(Accelerator, OfEqualTrianglesTheLastInTheFileIsHit) {
   EXPECT_EQ(hit.triangle, 999u);
 }
 
-TEST(Accelerator, AMeshOfLinesIsNotThere) {
+TEST(Accelerator, DegenerateMeshesAreNotHit) {
   SceneBuilder b;
   Mesh mesh;
   mesh.positions = {{-1, -1, 0}, {1, 1, 0}};

@@ -58,7 +58,7 @@ glm::dvec3 random_direction(Random& random) {
   return d;
 }
 
-RC_GTEST_PROP(BoxTree, OffersEveryBoxThatTheRayMeets, ()) {
+RC_GTEST_PROP(BoxTree, VisitsEveryBoxThatTheRayHits, ()) {
   Random random(*rc::gen::arbitrary<unsigned>());
   const std::vector<FloatBox> boxes = random_boxes(random);
   const BoxTree tree(boxes);
@@ -85,7 +85,7 @@ RC_GTEST_PROP(BoxTree, OffersEveryBoxThatTheRayMeets, ()) {
   }
 }
 
-RC_GTEST_PROP(BoxTree, OffersNothingTwiceAndAllToAnEndlessRay, ()) {
+RC_GTEST_PROP(BoxTree, VisitsEachBoxOnce, ()) {
   Random random(*rc::gen::arbitrary<unsigned>());
   const std::vector<FloatBox> boxes = random_boxes(random);
   const BoxTree tree(boxes);

@@ -86,7 +86,7 @@ TEST(Layers, ContainWhatTheCameraSees) {
   }
 }
 
-TEST(Layers, OfNothing) {
+TEST(Layers, OfAnEmptyScene) {
   SceneBuilder b;
   const RenderOptions options = with_layers(Profile::fine, all_words);
   const RenderResult result = render(b.scene, b.assets, options);
@@ -141,7 +141,7 @@ TEST(Layers, DoNotChangeThePicture) {
   }
 }
 
-TEST(Layers, AreSmoothWhereThatMeansSomething) {
+TEST(Layers, MeansAreSmoothAtEdges) {
   const RenderOptions options = with_layers(Profile::fine, all_words);
   const SceneBuilder b = spheres(0);
   const RenderResult result = render(b.scene, b.assets, options);
@@ -157,7 +157,7 @@ TEST(Layers, AreSmoothWhereThatMeansSomething) {
   EXPECT_TRUE(short_normal);
 }
 
-TEST(Layers, ShadowIsTheShareOfTheLightThatIsTaken) {
+TEST(Layers, ShadowIsTheShareOfRemovedLight) {
   SceneBuilder b = wall();
   // Occludes the left half for the directional light, which provides two thirds of the red light
   // there and all of the green and blue.

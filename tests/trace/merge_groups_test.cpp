@@ -33,7 +33,7 @@ struct Groups {
 
 constexpr MergeLimits copy_nothing{0, 0};
 
-TEST(MergeGroups, GroupsUsedOnceGoUpward) {
+TEST(MergeGroups, GroupsUsedOnceAreMerged) {
   Groups g;
   const std::uint32_t leaf = g.group(100);
   const std::uint32_t middle = g.group(1);
@@ -118,7 +118,7 @@ TEST(MergeGroups, ABombStaysSmall) {
   EXPECT_LE(plan.nesting, 20u);
 }
 
-TEST(MergeGroups, CopiesInAllAreBounded) {
+TEST(MergeGroups, TotalCopiesAreBounded) {
   Groups g;
   std::vector<std::uint32_t> leaves;
   for (int i = 0; i < 100; ++i) {

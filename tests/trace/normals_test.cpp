@@ -48,12 +48,12 @@ TEST(Normals, PointOutwardUnderMirroredScale) {
   expect_near(normal_seen(upside_down), glm::normalize(glm::dvec3(2, -1, 0)));
 }
 
-TEST(Normals, TurnWithTheObject) {
+TEST(Normals, RotateWithTheObject) {
   SceneBuilder b = one(Shape::cube, rotate(30, {0, 0, 1}), {3, 0, 0}, {0, 0, 0});
   expect_near(normal_seen(b), {std::sqrt(0.75), 0.5, 0});
 }
 
-TEST(Normals, AreNotTurnedToTheViewer) {
+TEST(Normals, AreNotFlippedTowardTheViewer) {
   SceneBuilder b = one(Shape::sphere, scale(glm::vec3(10)), {0, 0, 0}, {1, 0, 0});
   expect_near(normal_seen(b), {1, 0, 0});
 }

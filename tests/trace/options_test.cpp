@@ -90,13 +90,13 @@ TEST(Options, OnlyThreadsDoNotAffectThePicture) {
 }
 
 TEST(Options, EnginesAndProfilesOfEachOption) {
-  EXPECT_TRUE(knows_option(Engine::gl, who_knows("samples")));
-  EXPECT_FALSE(knows_option(Profile::course, who_knows("samples")));
-  EXPECT_FALSE(knows_option(Engine::gl, who_knows("seed")));
-  EXPECT_FALSE(knows_option(Engine::gl, who_knows("min_samples")));
-  EXPECT_FALSE(knows_option(Profile::course, who_knows("min_samples")));
-  EXPECT_TRUE(knows_option(Profile::course, who_knows("max_depth")));
-  EXPECT_TRUE(knows_option(Engine::gl, who_knows("no such field")));
+  EXPECT_TRUE(supports_option(Engine::gl, support_of("samples")));
+  EXPECT_FALSE(supports_option(Profile::course, support_of("samples")));
+  EXPECT_FALSE(supports_option(Engine::gl, support_of("seed")));
+  EXPECT_FALSE(supports_option(Engine::gl, support_of("min_samples")));
+  EXPECT_FALSE(supports_option(Profile::course, support_of("min_samples")));
+  EXPECT_TRUE(supports_option(Profile::course, support_of("max_depth")));
+  EXPECT_TRUE(supports_option(Engine::gl, support_of("no such field")));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(PartFile, RoundTripsTheHead) {
   EXPECT_TRUE(head == some_head());
 }
 
-TEST(PartFile, EveryCutIsRecognized) {
+TEST(PartFile, EveryTruncationIsDetected) {
   const std::string bytes = encode_part_head(some_head());
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     EXPECT_NE(complaint(std::string_view(bytes).substr(0, length)), "") << length;
@@ -56,7 +56,7 @@ TEST(PartFile, EveryCutIsRecognized) {
   EXPECT_THAT(complaint(bytes.substr(0, 30)), HasSubstr("truncated"));
 }
 
-TEST(PartFile, EveryDamagedBitIsRecognized) {
+TEST(PartFile, EveryDamagedBitIsDetected) {
   const std::string bytes = encode_part_head(some_head());
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     for (int bit = 0; bit < 8; ++bit) {

@@ -86,7 +86,7 @@ Floor under_glass(int sheets) {
   return floor;
 }
 
-TEST(Shadow, FineLightComesColoredThroughGlassOnceForEachObject) {
+TEST(Shadow, FineGlassColorsLightOncePerObject) {
   const glm::dvec3 one = under_glass(1).b.seen(Profile::fine);
   EXPECT_NEAR(one.x, 0.25, 1e-6);
   EXPECT_NEAR(one.y, 0.125, 1e-6);

@@ -32,7 +32,7 @@ TEST(DrawOptions, ContainTheFeaturesOfOpenGl) {
       EXPECT_EQ(n, 7U);
       break;
     }
-    EXPECT_NE(same_drawing(course, changed), knows_option(Engine::gl, field.known)) << field.name;
+    EXPECT_NE(same_drawing(course, changed), supports_option(Engine::gl, field.support)) << field.name;
   }
 }
 

@@ -64,7 +64,7 @@ void place_point(std::string& text) {
 }
 
 // "--5" and "- 5".
-void mend_sign(std::string& text) {
+void fix_sign(std::string& text) {
   const bool twice = text.size() > 1 && (text[1] == '-' || text[1] == '+');
   if (twice && (text[0] == '-' || text[0] == '+')) {
     text.erase(0, 1);
@@ -141,7 +141,7 @@ std::string nearest_number(std::string_view text) {
   std::string plain(trimmed(in_ascii(text), " \t\r\n\"'`"));
   join_digits(plain);
   place_point(plain);
-  mend_sign(plain);
+  fix_sign(plain);
   for (const std::optional<double>& value :
        {plain_value(plain), hexadecimal_value(plain), fraction_value(plain), fortran_value(plain),
         value_before_unit(plain)}) {

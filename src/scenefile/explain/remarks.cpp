@@ -171,7 +171,7 @@ class Remarks {
         const glm::dvec3 way = glm::normalize(point - glm::dvec3(light.position));
         const double cosine = glm::dot(way, glm::dvec3(light.direction));
         return fmt::format(
-            "outside the cone of the spot: {:.4g} degrees from its axis, light ends "
+            "outside the cone of the spotlight: {:.4g} degrees from its axis, light ends "
             "at {:.4g}",
             glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))),
             glm::degrees(double(light.outer_angle)));

@@ -198,7 +198,7 @@ class Comparison {
                 !has_position(l.type) ? 1 : std::min(1.0, 1 / (s.distance * s.distance));
             return without_fading(s) * fading * (dvec3(s.diffuse) + dvec3(s.specular));
           }));
-    offer("without the spots' falloff", relit([&](const LightSample& s, const RenderLight&) {
+    offer("without the spotlights' falloff", relit([&](const LightSample& s, const RenderLight&) {
             return (s.spot_factor > 0 ? dvec3(s.color) / s.spot_factor : dvec3(0)) *
                    (dvec3(s.diffuse) + dvec3(s.specular));
           }));

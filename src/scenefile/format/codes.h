@@ -165,7 +165,7 @@ inline constexpr Code xml_empty_number{"xml.empty-number", Severity::warning, "a
 // Camera and lights.
 
 inline constexpr Code xml_camera_default{"xml.camera-default", Severity::warning,
-                                         "the camera lacks a value",
+                                         "the camera is missing a value",
                                          "A camera has pos, look or focus, up and heightangle. The "
                                          "default given in the message is used."};
 inline constexpr Code xml_look_and_focus{
@@ -182,12 +182,13 @@ inline constexpr Code xml_light_id{"xml.light-id", Severity::warning,
                                    "The id has no effect here; programs that store lights by id "
                                    "expect a different number from 0 to 7 for each light."};
 inline constexpr Code xml_light_default{
-    "xml.light-default", Severity::warning, "a light lacks a value",
+    "xml.light-default", Severity::warning, "a light is missing a value",
     "The format requires it. The default given in the message is used."};
 inline constexpr Code xml_light_unused{
     "xml.light-unused", Severity::warning, "a value has no effect on this type of light",
-    "Only spots and directional and area lights have a direction, directional lights have no "
-    "position, penumbra and angle are for spots, width and height for area lights."};
+    "Only directional lights, spotlights and area lights have a direction, directional lights have "
+    "no "
+    "position, angle and penumbra are for spotlights, width and height for area lights."};
 
 // Objects.
 
@@ -353,7 +354,7 @@ inline constexpr Code json_unknown_key{
     "everything in it. The course's reader rejects the file."};
 inline constexpr Code json_misspelled_key{
     "json.misspelled-key", Severity::error, "a key that is probably misspelled",
-    "The key is close to another one, which the object lacks. Ignoring it would give a picture "
+    "The key is close to another one, which is missing here. Ignoring it would give a picture "
     "that its author did not intend. The course's reader rejects the file."};
 inline constexpr Code json_duplicate_key{"json.duplicate-key", Severity::warning,
                                          "a key that occurs twice",
@@ -370,11 +371,11 @@ inline constexpr Code json_unknown_light_type{"json.unknown-light-type", Severit
                                               "a light of unknown type",
                                               "Lights are point, directional, spot or area."};
 inline constexpr Code json_light_default{
-    "json.light-default", Severity::warning, "a light lacks a key",
+    "json.light-default", Severity::warning, "a light is missing a key",
     "The format requires the key for this type of light, and the course's reader rejects the file. "
     "The default given in the message is used."};
 inline constexpr Code json_no_light{
-    "json.no-light", Severity::warning, "something else among the lights",
+    "json.no-light", Severity::warning, "an item of \"lights\" that is not a light",
     "The list \"lights\" contains lights, each with \"type\" and \"color\". Groups belong in "
     "\"groups\"; a light is at the origin of the group that contains it."};
 inline constexpr Code json_unknown_primitive_type{
@@ -482,20 +483,21 @@ inline constexpr Code config_backslash{
     "follows. Write / between folders, \\\\ for a backslash, \\\" for a quote, \\x with the number "
     "in hexadecimal for any other character."};
 inline constexpr Code config_unknown_key{
-    "config.unknown-key", Severity::warning, "a key of the configuration that is not known",
-    "Known are scene and output in [IO], width and height in [Canvas], maximum-recursive-depth and "
+    "config.unknown-key", Severity::warning, "an unknown key of the configuration",
+    "The keys are scene and output in [IO], width and height in [Canvas], maximum-recursive-depth "
+    "and "
     "only-render-normals in [Settings], and in [Feature] shadows, reflect, refract, texture, "
     "texture-filter, super-sample, depthoffield; parallel and acceleration are accepted, but do "
-    "not affect the picture. Others have no effect."};
+    "not affect the picture. Other keys have no effect."};
 inline constexpr Code config_key_case{
-    "config.key-case", Severity::warning, "a key of the configuration in another case",
+    "config.key-case", Severity::warning, "a key of the configuration in the wrong case",
     "Names of sections and keys were matched ignoring case. The course's program does so only on "
     "Windows; elsewhere it does not find the key."};
 inline constexpr Code config_duplicate_key{"config.duplicate-key", Severity::warning,
                                            "a key of the configuration is given twice",
                                            "The last one counts. Delete the others."};
 inline constexpr Code config_missing_key{
-    "config.missing-key", Severity::error, "the configuration lacks a key",
+    "config.missing-key", Severity::error, "the configuration is missing a key",
     "A configuration needs at least scene and output in [IO], width and height in [Canvas]."};
 inline constexpr Code config_picture_format{
     "config.picture-format", Severity::warning, "the picture is written as PNG",

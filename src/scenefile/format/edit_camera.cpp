@@ -385,7 +385,7 @@ Result<std::string> edit_camera(std::string_view bytes, const Camera& camera,
     return refuse(
         written.missing
             ? "the file has no <cameradata>, and no <globaldata> after which one could be inserted"
-            : "the camera of the file lacks values that the view needs");
+            : "the camera of the file is missing values that the view needs");
   }
   edited.insert(0, bytes.substr(0, bytes.size() - text.size()));
   if (!is_as_wanted(edited, before, camera, options)) {

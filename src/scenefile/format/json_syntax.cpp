@@ -25,7 +25,7 @@ bool is_bare_word(char c) {
 }
 
 // How to overwrite a fault so that reading can continue after it.
-struct Mend {
+struct Repair {
   std::size_t offset = 0;
   std::string text;        // replaces as many bytes; empty: cannot continue
   bool is_number = false;  // replaces an unknown number
@@ -35,7 +35,7 @@ struct Finding {
   const Code* code = &json_syntax;
   std::size_t offset = 0;
   std::string message;
-  Mend mend;
+  Repair repair;
 };
 
 // An exponent such as e12 or E-3, possibly incomplete: e, e+.
@@ -215,7 +215,7 @@ class Explainer {
     const std::size_t end =
         two == "/*" ? text_.find("*/", at_ + 2) : text_.find_first_of("\r\n", at_);
     if (end != std::string_view::npos) {
-      f.mend = {at_, std::string(end - at_ + (two == "/*" ? 2 : 0), ' ')};
+      f.repair = {at_, std::string(end - at_ + (two == "/*" ? 2 : 0), ' ')};
     }
     return true;
   }
@@ -228,13 +228,13 @@ class Explainer {
       f.offset = previous;
       f.message = fmt::format("comma before the closing {}; remove it, or write what should follow",
                               found());
-      f.mend = {previous, " "};
+      f.repair = {previous, " "};
       return true;
     }
     if (found() == ',' && (error_.fault == JsonFault::value || error_.fault == JsonFault::key)) {
       f.message = after_comma ? "two commas in a row; remove one, or write what is missing between"
                               : "a comma before the first member or element; remove it";
-      f.mend = {at_, " "};
+      f.repair = {at_, " "};
       return true;
     }
     return false;
@@ -255,7 +255,7 @@ class Explainer {
     f.message = is_special(word) ? fmt::format("JSON has no {}; write a number", quoted(word))
                                  : fmt::format("{} is not a JSON number{}", quoted(word),
                                                corrected_number(word));
-    f.mend = {f.offset, fmt::format("{:<{}}", 0, word.size()), true};
+    f.repair = {f.offset, fmt::format("{:<{}}", 0, word.size()), true};
     return true;
   }
 
@@ -295,7 +295,7 @@ class Explainer {
     f.code = &json_number;
     f.offset = before;
     f.message = fmt::format("{} is not a JSON number{}", quoted(number), corrected_number(number));
-    f.mend = {before, fmt::format("{:<{}}", 0, number.size()), true};
+    f.repair = {before, fmt::format("{:<{}}", 0, number.size()), true};
     return true;
   }
 
@@ -303,7 +303,7 @@ class Explainer {
     const std::string_view word = word_around();
     if (found() == '\'') {
       f.message = "strings and keys must be in double quotes, not in single quotes";
-      f.mend = {at_, in_double_quotes()};
+      f.repair = {at_, in_double_quotes()};
     } else if (!word.empty() && error_.fault == JsonFault::key) {
       const std::size_t before = text_.find_last_not_of(" \t\r\n", at_ == 0 ? 0 : at_ - 1);
       const bool is_list = before != std::string_view::npos && text_[before] == '{' &&
@@ -373,10 +373,10 @@ class Explainer {
       f.message = fmt::format("{} follows the end of the scene", found_text());
     } else if (error_.fault == JsonFault::colon && found() == '=') {
       f.message = "a key is followed by a colon, not by =";
-      f.mend = {at_, ":"};
+      f.repair = {at_, ":"};
     } else if (found() == ';') {
       f.message = "members and elements are separated by commas, not by semicolons";
-      f.mend = {at_, ","};
+      f.repair = {at_, ","};
     } else if (std::string_view("+-*/^").find(found()) != std::string_view::npos) {
       f.message = "JSON does not calculate; write the result";
     } else if (const std::string hint = bracket_hint(); !hint.empty()) {
@@ -384,7 +384,7 @@ class Explainer {
     } else if (lacks_comma()) {
       f.offset = before();
       f.message = "expected a comma after this";
-      f.mend = {at_ - 1, ","};
+      f.repair = {at_ - 1, ","};
     }
     return true;
   }
@@ -399,8 +399,9 @@ class Explainer {
       return "an object inside an object needs a key; a list of objects is written in [ ]";
     }
     if (behind_quote && is_bare_word(found()) && error_.fault == JsonFault::object_comma) {
-      return fmt::format("{} right after a quotation mark: an earlier string lacks its closing one",
-                         found_text());
+      return fmt::format(
+          "{} right after a quotation mark: an earlier string is missing its closing one",
+          found_text());
     }
     const CodePoint c = first_code_point(text_.substr(at_));
     if (is_odd_blank(c.value)) {
@@ -446,11 +447,12 @@ class Explainer {
   std::size_t at_;
 };
 
-void write_over(const Mend& mend, RepairedJson& repaired) {
-  repaired.text.replace(mend.offset, mend.text.size(), mend.text);
-  if (mend.is_number) {
-    const auto at = std::lower_bound(repaired.unknown.begin(), repaired.unknown.end(), mend.offset);
-    repaired.unknown.insert(at, mend.offset);
+void write_over(const Repair& repair, RepairedJson& repaired) {
+  repaired.text.replace(repair.offset, repair.text.size(), repair.text);
+  if (repair.is_number) {
+    const auto at =
+        std::lower_bound(repaired.unknown.begin(), repaired.unknown.end(), repair.offset);
+    repaired.unknown.insert(at, repair.offset);
   }
 }
 
@@ -547,10 +549,10 @@ bool recover_json(JsonError error, std::string_view text, const Limits& limits,
       diagnostics.report(*finding.code, place, finding.message);
     }
     last = {place.line, std::move(finding.message)};
-    if (finding.mend.text.empty() || fault == most_faults) {
+    if (finding.repair.text.empty() || fault == most_faults) {
       return false;
     }
-    write_over(finding.mend, repaired);
+    write_over(finding.repair, repaired);
     error = parse_json(repaired.text, limits.nesting, tape);
   }
   return true;

@@ -164,7 +164,7 @@ CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostic
   for (std::size_t i = 0; i < keys.size(); ++i) {
     if (keys[i].required && !given[i] && !damaged) {
       diagnostics.report(config_missing_key, {},
-                         fmt::format("the configuration lacks {}", shown(keys[i].name)));
+                         fmt::format("the configuration is missing {}", shown(keys[i].name)));
     }
   }
   return config;

@@ -35,7 +35,7 @@ struct CourseConfig {
 
 /// Reads a configuration in the dialect of QSettings (sections, key = value, semicolon comments,
 /// quotes, backslash escapes). Sections and keys in the wrong case are accepted with a warning;
-/// true is `true` or `1`; false is `false`, `0` or empty. Codes: config_codes.h. If errors are
+/// true is `true` or `1`; false is `false`, `0` or empty. Codes: format/codes.h. If errors are
 /// reported, do not use the result.
 CourseConfig read_config(std::string_view text, const Limits& limits, Diagnostics& diagnostics);
 

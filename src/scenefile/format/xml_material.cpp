@@ -70,7 +70,7 @@ const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
   }
   if (found == nullptr) {
     context.report(xml_missing_attribute, tag,
-                   fmt::format("{} lacks attribute file", element_text(tag.name)));
+                   fmt::format("{} is missing the attribute file", element_text(tag.name)));
     return nullptr;
   }
   context.report(xml_alias_attribute, *found,

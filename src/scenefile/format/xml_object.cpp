@@ -171,7 +171,7 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
   settle_others(context, tag, found);
   if (found.type == nullptr) {
     context.report(xml_missing_attribute, tag,
-                   "<object> lacks attribute type: tree, master or primitive");
+                   "<object> is missing the attribute type: tree, master or primitive");
     return std::nullopt;
   }
   const std::array<const XmlAttribute*, 3> in_order = {found.type, found.name, found.filename};
@@ -196,7 +196,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
                                 const ObjectTag& object) {
   if (!object.has_name) {
     context.report(xml_missing_attribute, tag,
-                   "<object type=\"primitive\"> lacks attribute name, the shape");
+                   "<object type=\"primitive\"> is missing the attribute name, the shape");
     return std::nullopt;
   }
   if (object.name.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -230,7 +230,7 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
   if (shape == Shape::mesh && object.filename.empty()) {
     context.report(xml_missing_attribute, tag,
                    object.filename_place == tag.location
-                       ? "the mesh lacks attribute filename"
+                       ? "the mesh is missing the attribute filename"
                        : "the attribute filename of the mesh is empty");
     return std::nullopt;
   }

@@ -90,8 +90,8 @@ class EventReader {
   std::vector<std::string_view> open_;  // the names of the open elements
   std::vector<std::string> decoded_;    // values of the current tag
   bool has_root_ = false;
-  std::optional<XmlFault> fault_;      // what Expat found, once it was asked
-  std::optional<std::string> mended_;  // the text that Expat was given, if comments were mended
+  std::optional<XmlFault> fault_;        // what Expat found, once it was asked
+  std::optional<std::string> repaired_;  // the text that Expat was given, if comments were repaired
 };
 
 XmlReading EventReader::run() {
@@ -126,8 +126,8 @@ bool EventReader::is_plain() const {
 
 void EventReader::ask_expat() {
   if (!fault_) {
-    mended_ = mend_comments(text_, options_, diagnostics_);
-    fault_ = find_fault(mended_ ? *mended_ : text_, options_.limits, diagnostics_);
+    repaired_ = repair_comments(text_, options_, diagnostics_);
+    fault_ = find_fault(repaired_ ? *repaired_ : text_, options_.limits, diagnostics_);
   }
 }
 
@@ -139,7 +139,7 @@ bool EventReader::fail() {
   for (const std::string_view name : open_) {
     open.push_back({name, places_.at(name.data() - 1)});
   }
-  report_syntax(*fault_, mended_ ? *mended_ : text_, open, diagnostics_);
+  report_syntax(*fault_, repaired_ ? *repaired_ : text_, open, diagnostics_);
   return false;
 }
 

@@ -68,10 +68,11 @@ Cause unclosed_value(std::string_view text, std::size_t at) {
       text.substr(value, at - value).find_first_of(">\r\n") == std::string_view::npos) {
     return {};
   }
-  return SyntaxCause{&xml_syntax, value,
-                     fmt::format("the value that begins here, in <{}>, lacks its closing quotation "
-                                 "mark",
-                                 escaped(name_at(text.substr(open + 1)), 40))};
+  return SyntaxCause{
+      &xml_syntax, value,
+      fmt::format("the value that begins here, in <{}>, is missing its closing quotation "
+                  "mark",
+                  escaped(name_at(text.substr(open + 1)), 40))};
 }
 
 // The offset is after a <! that does not begin a comment.
@@ -103,7 +104,7 @@ Cause unfinished_declaration(std::string_view text, std::size_t at) {
   }
   const std::string name = escaped(name_at(text.substr(at + 2)), 40);
   return SyntaxCause{&xml_syntax, at,
-                     fmt::format("<?{} lacks its end ?>: write ? in front of the >", name)};
+                     fmt::format("<?{} is missing its end ?>: write ? in front of the >", name)};
 }
 
 // A closing tag for an element that was already closed by />.
@@ -118,9 +119,10 @@ Cause closed_twice(std::string_view text, std::size_t at) {
     return {};
   }
   const std::string shown = escaped(name, 40);
-  return SyntaxCause{&xml_syntax, at,
-                     fmt::format("</{}> closes nothing: <{}> ends in itself with />; remove </{}>",
-                                 shown, shown, shown)};
+  return SyntaxCause{
+      &xml_syntax, at,
+      fmt::format("</{0}> has no opening tag: <{0}> is already closed by its />; remove it",
+                  shown)};
 }
 
 // A closing tag whose opening tag lacks its <, and so was read as text.
@@ -140,9 +142,10 @@ Cause opened_as_text(std::string_view text, std::size_t at, std::span<const Open
   if (text[after_name] != '>' || before == std::string_view::npos || text[before] != '>') {
     return {};
   }
-  return SyntaxCause{&xml_syntax, written,
-                     fmt::format("the tag {}> lacks its <; </{}> of line {} has nothing to close",
-                                 escaped(name, 40), escaped(name, 40), line_of(text, at))};
+  return SyntaxCause{
+      &xml_syntax, written,
+      fmt::format("the tag {}> is missing its <; </{}> of line {} has nothing to close",
+                  escaped(name, 40), escaped(name, 40), line_of(text, at))};
 }
 
 std::optional<SyntaxCause> find_cause(SyntaxFault fault, std::string_view text, std::size_t at,
@@ -212,7 +215,7 @@ std::string mismatch_message(std::string_view text, std::size_t at,
   rest.remove_prefix(rest.starts_with("</") ? 2 : 0);
   const std::string closing = escaped(name_at(rest), 40);
   if (open.empty()) {
-    return fmt::format("</{}> closes nothing", closing);
+    return fmt::format("</{0}> has no opening tag <{0}>", closing);
   }
   const OpenElement& inner = open.back();
   const bool outer = std::any_of(open.begin(), open.end(),
@@ -258,7 +261,7 @@ std::string unclosed_tag(std::string_view text, std::size_t at) {
     return {};
   }
   const bool closing = tag.starts_with("</");
-  return fmt::format("the tag <{}{}> of line {} lacks its >{}", closing ? "/" : "",
+  return fmt::format("the tag <{}{}> of line {} is missing its >{}", closing ? "/" : "",
                      escaped(name_at(tag.substr(closing ? 2 : 1)), 40), line_of(text, open),
                      closing ? "" : " or />");
 }
@@ -282,7 +285,7 @@ std::string hint_before(std::string_view text, std::size_t at) {
   }
   if (before == '"' || before == '\'') {
     return fmt::format(
-        "{} right after a quotation mark: a space is missing, or an earlier value lacks its "
+        "{} right after a quotation mark: a space is missing, or an earlier value is missing its "
         "closing quotation mark",
         found);
   }
@@ -423,15 +426,15 @@ class CommentMender {
     for (XmlToken token; scanner.next(token);) {
       if (token.kind == XmlTokenKind::comment && !token.plain) {
         const auto begin = static_cast<std::size_t>(token.written.data() - text_.data());
-        token.written.starts_with("<!--") ? mend_comment(begin, token.written.size())
-                                          : mend_false_comment(begin, token.written.size());
+        token.written.starts_with("<!--") ? repair_comment(begin, token.written.size())
+                                          : repair_false_comment(begin, token.written.size());
       }
     }
-    return std::move(mended_);
+    return std::move(repaired_);
   }
 
  private:
-  void mend_comment(std::size_t begin, std::size_t size) {
+  void repair_comment(std::size_t begin, std::size_t size) {
     const std::size_t end = begin + size - 3;
     if (size < 7 || text_.substr(end, 3) != "-->") {
       return;
@@ -454,7 +457,7 @@ class CommentMender {
     }
   }
 
-  void mend_false_comment(std::size_t begin, std::size_t size) {
+  void repair_false_comment(std::size_t begin, std::size_t size) {
     report(begin, "a comment starts with <!--, not with <--",
            "<-- was taken as the start of a comment, which is <!--");
     blank(begin, begin + size);
@@ -468,11 +471,11 @@ class CommentMender {
 
   // Keeps line ends.
   void blank(std::size_t from, std::size_t to) {
-    if (!mended_) {
-      mended_ = text_;
+    if (!repaired_) {
+      repaired_ = text_;
     }
     for (std::size_t at = from; at < to; ++at) {
-      char& c = (*mended_)[at];
+      char& c = (*repaired_)[at];
       c = c == '\n' || c == '\r' ? c : ' ';
     }
   }
@@ -481,7 +484,7 @@ class CommentMender {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   TextPlaces places_;
-  std::optional<std::string> mended_;
+  std::optional<std::string> repaired_;
 };
 
 }  // namespace
@@ -521,8 +524,8 @@ void report_syntax(const XmlFault& fault, std::string_view text, std::span<const
   diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open));
 }
 
-std::optional<std::string> mend_comments(std::string_view text, const ReadOptions& options,
-                                         Diagnostics& diagnostics) {
+std::optional<std::string> repair_comments(std::string_view text, const ReadOptions& options,
+                                           Diagnostics& diagnostics) {
   return CommentMender(text, options, diagnostics).run();
 }
 

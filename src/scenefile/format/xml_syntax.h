@@ -1,6 +1,6 @@
 #pragma once
-// Explains to its author why a text is not well-formed XML, and mends comments. Internal to the
-// room.
+// Explains to the author of a text why it is not well-formed XML, and repairs comments. Internal to
+// format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
@@ -30,7 +30,7 @@ void report_syntax(const XmlFault& fault, std::string_view text, std::span<const
 /// which the parsers of the course's programs accept, and overwrites what is wrong with them. The
 /// result has the same length, and text outside of comments is unchanged. Returns nullopt if there
 /// are none. A comment ends at the first -->.
-std::optional<std::string> mend_comments(std::string_view text, const ReadOptions& options,
-                                         Diagnostics& diagnostics);
+std::optional<std::string> repair_comments(std::string_view text, const ReadOptions& options,
+                                           Diagnostics& diagnostics);
 
 }  // namespace scenefile

@@ -235,7 +235,7 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
     meant += fmt::format(" {}=\"{}\"", names[i], numbers[i]);
   }
   context.report(xml_missing_attribute, tag,
-                 fmt::format("{} lacks attributes {}; write{}", element_text(tag.name),
+                 fmt::format("{} is missing the attributes {}; write{}", element_text(tag.name),
                              names_text(signature), meant));
   return true;
 }
@@ -371,7 +371,7 @@ void report_missing(const XmlContext& context, const XmlTag& tag, const Signatur
                     const Parts& parts) {
   const std::vector<std::string_view> missing = missing_names(signature, parts);
   context.report(xml_missing_attribute, tag,
-                 fmt::format("{} lacks attribute{} {}", element_text(tag.name),
+                 fmt::format("{} is missing the attribute{} {}", element_text(tag.name),
                              missing.size() == 1 ? "" : "s", fmt::join(missing, ", ")));
 }
 

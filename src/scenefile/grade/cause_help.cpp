@@ -25,7 +25,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Where colors become bytes, and where a library writes the file: some convert to sRGB "
      "automatically."},
     {Cause::rounding, "Rounding",
-     "Values are off by one, all in the same direction. It is invisible.",
+     "Values are off by one, all in the same direction. The difference is invisible.",
      "The references truncate; others round. This is not a mistake by itself.",
      "Nothing to fix, unless the bytes must be equal."},
     {Cause::swapped_channels, "Channels in the wrong order",
@@ -86,7 +86,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Mirrors in mirrors turn black too early, or show too many reflections.",
      "The references follow four reflections in a row.",
      "Where the recursion ends, and whether the count starts at 0 or 1."},
-    {Cause::spot_falloff, "Spots",
+    {Cause::spot_falloff, "Spotlights",
      "The cone of light is too wide or too narrow, or its edge is too hard or too soft.",
      "angle is measured from the axis to the edge of the cone; the penumbra is inside of it; "
      "within the penumbra, the light falls off by the smoothstep of the angle.",
@@ -138,18 +138,16 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Something scales all colors: samples that are counted but not taken, 256 instead of 255, a "
      "factor on the lights.",
      "Where colors are averaged and become bytes."},
-    {Cause::black, "Nothing is drawn, or only a part",
-     "The picture is black, or has one color; or some rows, columns or a rectangle are, and the "
-     "rest "
-     "is right.",
+    {Cause::black, "Nothing is drawn, or only a part of the picture",
+     "The picture, or some of its rows or columns or a rectangle in it, is black or has a single "
+     "color.",
      "No ray hits anything, all values are NaN, or the picture is never filled: a loop ends early "
      "or skips rows.",
      "Compute the direction of the ray through the center by hand; then the first intersection; "
      "then what is stored. 'scenefile explain' shows all of it for a pixel."},
     {Cause::features, "Different features than the reference",
-     "Lights, shadows, reflections or textures are drawn that the reference lacks, or the other "
-     "way "
-     "round.",
+     "Lights, shadows, reflections or textures are drawn that the reference does not show, or the "
+     "reverse.",
      "References of the first assignment have only directional lights and no shadows. This is not "
      "a mistake of the tracer.",
      "The configuration, and which folder of references belongs to it."},
@@ -163,7 +161,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "shapes are missing.",
      "Parameter 1 counts rings, stacks and tiles, parameter 2 the wedges about the y axis. The "
      "first wedge begins at the x axis; shapes have a radius of 0.5.",
-     "Where the sliders are read, whether shapes are made anew when they move, and the loops that "
+     "Where the sliders are read, whether shapes are rebuilt when they move, and the loops that "
      "make vertices. docs/realtime.md gives the rule for each shape."},
     {Cause::facets, "Flat facets instead of smooth shading (Realtime)",
      "Each triangle of a sphere, cone or cylinder has one color, or highlights are blurred and "
@@ -180,7 +178,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Shapes are cut at another depth than in the reference, or not at all.",
      "The planes of the settings are depths along the view axis; what is nearer or farther is "
      "clipped.",
-     "The projection matrix, and whether it is made anew when the sliders move."},
+     "The projection matrix, and whether it is updated when the sliders move."},
     {Cause::filter, "Filters (Realtime)",
      "The picture is not filtered, too bright, shifted, or blurred too little or too much.",
      "The weights of a kernel add up to 1, samples are one texel of the frame apart and centered "

@@ -1,6 +1,6 @@
 #pragma once
 // A help page for each cause: what it looks like, why it happens, and where to look in a student's
-// program. No code: students find the line themselves.
+// program. Without code, because students should find the line themselves.
 
 #include "scenefile/grade/causes.h"
 

@@ -199,7 +199,7 @@ std::string decode_grade_part(std::string_view bytes, GradePartHead& head,
   Reader start(bytes);
   start(checksum);
   if (!start.good()) {
-    return "the part is cut off";
+    return "the part is truncated";
   }
   bytes.remove_prefix(sizeof checksum);
   if (checksum_of(bytes) != checksum) {

@@ -76,9 +76,9 @@ std::string_view rule_text(AssetRule rule) {
     case AssetRule::absolute:
       return "as written";
     case AssetRule::scene_folder:
-      return "beside the scene";
+      return "next to the scene";
     case AssetRule::scene_parent:
-      return "beside the scene's folder";
+      return "next to the scene's folder";
     case AssetRule::current_folder:
       return "in the working directory";
     case AssetRule::asset_root:
@@ -262,7 +262,7 @@ class AssetSearch {
         result_.notes.push_back("looked for " + from_scene(path));
       }
       if (result_.tried.empty()) {
-        result_.notes.emplace_back("nowhere to look: there is no asset root");
+        result_.notes.emplace_back("there is no folder to search; give one with --asset-root DIR");
       }
       for (const std::string& root : roots_.index().skipped()) {
         result_.notes.push_back(root + " has too many files to search by name");

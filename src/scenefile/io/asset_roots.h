@@ -24,7 +24,7 @@ enum class AssetRule : std::uint8_t {
   not_found,
 };
 
-/// For messages, such as "beside the scene".
+/// For messages, such as "next to the scene".
 std::string_view rule_text(AssetRule rule);
 
 struct AssetRootsOptions {

@@ -68,7 +68,8 @@ void end_by_timer(int /*signal*/) {
 
 // The soft limit on CPU time; the system kills the process a little later.
 void end_by_cpu_limit(int /*signal*/) {
-  constexpr std::string_view line = "scenefile: gave up: the system allows no more CPU time\n";
+  constexpr std::string_view line =
+      "scenefile: stopped: the system's limit on CPU time was reached\n";
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
   end_process(limit_status);
 }

@@ -38,7 +38,7 @@ std::uint64_t limit_in(const std::string& path) {
 }
 
 // The smallest limit of the group and its parents.
-std::uint64_t least_upwards(const std::string& root, std::string group, const char* file) {
+std::uint64_t min_upwards(const std::string& root, std::string group, const char* file) {
   std::uint64_t least = unlimited;
   while (true) {
     if (group == "/") {
@@ -83,9 +83,9 @@ std::uint64_t cgroup_memory_limit(std::string_view membership, const std::string
     const std::string_view controllers = line.substr(first + 1, second - first - 1);
     const std::string group(line.substr(second + 1));
     if (controllers.empty()) {
-      least = std::min(least, least_upwards(root, group, "memory.max"));
+      least = std::min(least, min_upwards(root, group, "memory.max"));
     } else if (controllers == "memory") {
-      least = std::min(least, least_upwards(root + "/memory", group, "memory.limit_in_bytes"));
+      least = std::min(least, min_upwards(root + "/memory", group, "memory.limit_in_bytes"));
     }
   }
   return least;

@@ -70,12 +70,12 @@ class ViewCheck {
                               : "no object is on the side that the area light shines on");
       return false;
     }
-    return !is_shut_in(light);
+    return !is_enclosed(light);
   }
 
   // Whether an opaque object encloses the light, but not the camera. A highlight may still appear
   // on the outside of the object, because N.L < 0 does not suppress it.
-  bool is_shut_in(const RenderLight& light) {
+  bool is_enclosed(const RenderLight& light) {
     bool shut_in = false;
     if (is_at_a_point(light.type) && question_.shadows) {
       search_.enclosing(

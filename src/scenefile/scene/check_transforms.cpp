@@ -35,8 +35,7 @@ class TransformCheck {
       return false;
     }
     if (r.axis == glm::vec3(0)) {
-      reporter_.report(transform_axis_zero, subject_,
-                       "rotate about the axis 0 0 0 does not rotate");
+      reporter_.report(transform_axis_zero, subject_, "rotate has the axis 0 0 0 and does nothing");
     }
     return true;
   }

@@ -33,7 +33,7 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
     const std::string& name = scene.nodes[id].name;
     if (name.empty()) {
       reporter.report(tree_template_without_name, subject_of(scene, id),
-                      "a template needs a name to be used by");
+                      "a template needs a name, by which it is used");
       continue;
     }
     const std::uint32_t first = names.at(name);
@@ -261,7 +261,7 @@ void check_structure(const Scene& scene, Reporter& reporter) {
           fmt::format("{} is node {}, but there are only {} nodes", what, id, scene.nodes.size()));
     } else if (seen[id]) {
       reporter.report(scene_shared_node, subject,
-                      fmt::format("{} is node {}, which is part of the scene already", what, id));
+                      fmt::format("{} is node {}, which is already part of the scene", what, id));
     } else {
       seen[id] = true;
       pending.push_back(id);

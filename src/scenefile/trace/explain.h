@@ -193,8 +193,8 @@ class Explainer {
   Explainer(const Explainer&) = delete;
   Explainer& operator=(const Explainer&) = delete;
 
-  /// Pixels can only be explained when `complete`; later `limit_reached` if a ray had to be given
-  /// up.
+  /// Pixels can only be explained when `complete`; later `limit_reached` if a ray had to be
+  /// abandoned.
   RenderStatus status() const;
 
   /// 0 <= x < width, 0 <= y < height. `sample` selects the sample to describe in full; by default,

@@ -28,8 +28,9 @@ struct PartTag {
 
 /// Parts are numbered from 0; files are indices into the candidates.
 struct SortedParts {
-  std::size_t usual = ~std::size_t{0};  ///< a file of the whole that most belong to; of equals the
-                                        ///< first; no_file if no header can be read
+  /// A file of the whole that most files are parts of; if several are equally common, of the first.
+  /// no_file if no header can be read.
+  std::size_t usual = ~std::size_t{0};
   std::vector<std::size_t> files;       ///< by part; no_file if there is no intact one
   std::vector<std::uint32_t> missing;   ///< parts without an intact file
   std::vector<std::size_t> doubled;     ///< files with a part that another file contains too

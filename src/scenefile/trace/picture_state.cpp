@@ -33,7 +33,7 @@ bool has_two_passes(const RenderScene& scene, const RenderOptions& options) {
 }
 
 // Whether the picture will be denoised.
-bool takes_noise_away(const RenderScene& scene, const RenderOptions& options) {
+bool will_denoise(const RenderScene& scene, const RenderOptions& options) {
   return options.denoise && options.profile == Profile::fine && is_soft(scene, options);
 }
 
@@ -61,7 +61,7 @@ void allocate(const RenderScene& scene, const RenderOptions& options, const Pixe
   state.image =
       canvas.width == width && canvas.height == height ? std::move(canvas) : Image(width, height);
   state.layers = make_layers(options, state.region);
-  state.statistics.resize(takes_noise_away(scene, options) ? pixels_of(state.region) : 0);
+  state.statistics.resize(will_denoise(scene, options) ? pixels_of(state.region) : 0);
   state.sharp = !has_lens(scene, options);
   state.pieces = Pieces(width, height);
   state.marked.resize(two_passes ? pixels_of(state.region) : 0);

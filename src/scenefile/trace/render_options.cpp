@@ -91,15 +91,15 @@ Rounding rounding_of(Profile profile) {
   return profile == Profile::course ? Rounding::truncate : Rounding::nearest;
 }
 
-KnownTo who_knows(std::string_view name) {
-  KnownTo known;
+OptionSupport support_of(std::string_view name) {
+  OptionSupport support;
   const RenderOptions options;
   visit_options(options, [&](const OptionField& field, const auto&) {
     if (field.name == name) {
-      known = field.known;
+      support = field.support;
     }
   });
-  return known;
+  return support;
 }
 
 std::string picture_key(const RenderOptions& options) {

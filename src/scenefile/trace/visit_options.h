@@ -17,29 +17,29 @@ enum class Engine : std::uint8_t { trace, gl };
 inline constexpr std::array<std::string_view, 2> engine_words{"trace", "gl"};
 
 /// Where an option has an effect.
-struct KnownTo {
+struct OptionSupport {
   bool trace = true;   ///< the ray tracer
   bool gl = true;      ///< OpenGL
   bool course = true;  ///< the profile course
 };
-inline constexpr KnownTo known_to_all{};
-inline constexpr KnownTo known_to_tracer{.gl = false};
-inline constexpr KnownTo known_to_fine{.course = false};
-inline constexpr KnownTo known_to_fine_tracer{.gl = false, .course = false};
+inline constexpr OptionSupport supported_everywhere{};
+inline constexpr OptionSupport tracer_only{.gl = false};
+inline constexpr OptionSupport fine_only{.course = false};
+inline constexpr OptionSupport fine_tracer_only{.gl = false, .course = false};
 
-constexpr bool knows_option(Engine engine, KnownTo known) {
+constexpr bool supports_option(Engine engine, OptionSupport support) {
   switch (engine) {
     case Engine::trace:
-      return known.trace;
+      return support.trace;
     case Engine::gl:
-      return known.gl;
+      return support.gl;
   }
   return true;
 }
-constexpr bool knows_option(Profile profile, KnownTo known) {
+constexpr bool supports_option(Profile profile, OptionSupport support) {
   switch (profile) {
     case Profile::course:
-      return known.course;
+      return support.course;
     case Profile::fine:
       return true;
   }
@@ -51,7 +51,7 @@ enum class InAnswers : std::uint8_t { always, when_set, never };
 
 struct OptionField {
   std::string_view name;  ///< for features their name; for others also the JSON key
-  KnownTo known = known_to_all;
+  OptionSupport support = supported_everywhere;
   bool changes_pixels = true;
   InAnswers answers = InAnswers::always;
 };
@@ -70,15 +70,15 @@ constexpr void visit_options(T& options, Visit&& visit) {
   visit(OptionField{"profile"}, profile);
   visit(OptionField{"mode"}, mode);
   visit(OptionField{"features"}, features);
-  visit(OptionField{"max_depth", known_to_tracer}, max_depth);
-  visit(OptionField{"samples", known_to_fine}, samples);
-  visit(OptionField{"min_samples", known_to_fine_tracer}, min_samples);
-  visit(OptionField{"seed", known_to_fine_tracer}, seed);
-  visit(OptionField{"fresnel", known_to_fine_tracer}, fresnel);
-  visit(OptionField{"threads", known_to_tracer, false, InAnswers::never}, threads);
-  visit(OptionField{"crop", known_to_tracer, true, InAnswers::when_set}, crop);
-  visit(OptionField{"layers", known_to_tracer, true, InAnswers::when_set}, layers);
-  visit(OptionField{"denoise", known_to_fine_tracer, true, InAnswers::when_set}, denoise);
+  visit(OptionField{"max_depth", tracer_only}, max_depth);
+  visit(OptionField{"samples", fine_only}, samples);
+  visit(OptionField{"min_samples", fine_tracer_only}, min_samples);
+  visit(OptionField{"seed", fine_tracer_only}, seed);
+  visit(OptionField{"fresnel", fine_tracer_only}, fresnel);
+  visit(OptionField{"threads", tracer_only, false, InAnswers::never}, threads);
+  visit(OptionField{"crop", tracer_only, true, InAnswers::when_set}, crop);
+  visit(OptionField{"layers", tracer_only, true, InAnswers::when_set}, layers);
+  visit(OptionField{"denoise", fine_tracer_only, true, InAnswers::when_set}, denoise);
 }
 
 /// The same for the features, under their names in the course's configuration files.
@@ -86,12 +86,12 @@ template <OptionsOf<Features> T, typename Visit>
 constexpr void visit_options(T& features, Visit&& visit) {
   auto& [shadows, reflect, refract, texture, texture_filter, super_sample, depthoffield] = features;
   visit(OptionField{"shadows"}, shadows);
-  visit(OptionField{"reflect", known_to_tracer}, reflect);
+  visit(OptionField{"reflect", tracer_only}, reflect);
   visit(OptionField{"refract"}, refract);
   visit(OptionField{"texture"}, texture);
   visit(OptionField{"texture-filter"}, texture_filter);
   visit(OptionField{"super-sample"}, super_sample);
-  visit(OptionField{"depthoffield", known_to_tracer}, depthoffield);
+  visit(OptionField{"depthoffield", tracer_only}, depthoffield);
 }
 
 template <OptionsOf<Layer> T, typename Visit>
@@ -110,8 +110,9 @@ constexpr void visit_options(T& region, Visit&& visit) {
   visit(OptionField{"y1"}, y1);
 }
 
-/// Where the field of RenderOptions with this name has an effect; known_to_all if there is none.
-KnownTo who_knows(std::string_view field);
+/// Where the field of RenderOptions with this name has an effect; supported_everywhere if there is
+/// none.
+OptionSupport support_of(std::string_view field);
 
 /// All options that affect pixels, as one line `width=640 height=480 ...`. Equal for two options if
 /// and only if they describe the same picture.

@@ -4,7 +4,6 @@
 // The rays of a bundle mostly run along one axis. Intervals bound their slopes along the other two
 // axes, and their origins; together they bound all rays at the distance of a box (compare Boulos et
 // al., "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006).
-// Methods for Entire Ray Packets", 2006).
 
 #include "scenefile/trace/wave_memory.h"
 

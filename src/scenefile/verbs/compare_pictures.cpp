@@ -274,7 +274,7 @@ std::string causes_text(const PictureComparison& found) {
   }
   if (found.scene_used && report.share_scene_unlike > max_share_unlike) {
     text += fmt::format(
-        "the scene is not what the reference shows: our picture of it differs in {:.0f} % of the "
+        "the scene does not match the reference: our picture of it differs in {:.0f} % of the "
         "pixels; give the {} that the reference was made with\n",
         100 * report.share_scene_unlike,
         found.realtime ? "--parameters, --near, --far, --filter and --milestone"

@@ -24,8 +24,8 @@ namespace {
 
 // The default threshold: float and double implementations agree to 40 dB or better.
 constexpr double default_min_psnr_db = 40;
-// Mean square of the difference, in 1/255: a PSNR of 32 dB, which pictures of another program of
-// the same scene have, with other edges.
+// Pictures with a smaller mean square difference, in 1/255, show the same scene: this is a PSNR of
+// 32 dB, which another program reaches in spite of different edges.
 constexpr double most_of_same = 40;
 
 // A student, with the path of the picture for each reference; empty if there is none.
@@ -105,14 +105,14 @@ std::string path_below(const FoundFile& file) {
   return path + name_of_folder(file.path);
 }
 
-// Every so many values of a picture are enough to recognize it; they are from all channels.
+// To recognize a picture, some 30,000 of its values are enough: every step_of()th. Not a multiple
+// of 3, so that they come from all channels.
 std::size_t step_of(const Texture& picture) {
   const std::size_t step = std::max<std::size_t>(1, picture.rgb.size() / 30000);
   return step % 3 == 0 ? step + 1 : step;
 }
 
-// How far apart two pictures of the same size are: the mean square of the difference over some
-// thousand values.
+// The mean square difference of two pictures of the same size, over those values.
 double mean_square(const Texture& a, const Texture& b) {
   double sum = 0;
   std::size_t count = 0;
@@ -191,11 +191,10 @@ struct ClassGrader::State {
     for (const NamePair& pair : request_.map) {
       if (std::none_of(files_.begin(), files_.end(),
                        [&](const FoundFile& file) { return is_named(file, pair.reference); })) {
-        return Error{
-            fmt::format("the map says that {} is the reference {}, but {} has no such file",
-                        quoted(pair.handed_in, 400), quoted(pair.reference, 400),
-                        quoted(request_.references, 400)),
-            ErrorKind::input};
+        return Error{fmt::format("the map assigns {} to the reference {}, but {} has no such file",
+                                 quoted(pair.handed_in, 400), quoted(pair.reference, 400),
+                                 quoted(request_.references, 400)),
+                     ErrorKind::input};
       }
     }
     return {};
@@ -294,7 +293,7 @@ struct ClassGrader::State {
   // The error if no picture of the class has a matching name: what was expected and what exists.
   std::string nothing_matches(std::size_t seen) const {
     return fmt::format(
-        "none of {} pictures in {} is one of the {} references in {}: looked for {}.png, "
+        "none of the {} pictures in {} matches one of the {} references in {}: looked for {}.png, "
         "{}_gen.png and FOLDER_{}.png, and so on, in all folders",
         seen, quoted(request_.handed_in, 400), references_.size(), quoted(request_.references, 400),
         escaped(references_.front().name), escaped(references_.front().name),

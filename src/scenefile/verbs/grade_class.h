@@ -19,7 +19,7 @@ struct GradeRequest {
   std::string references;  ///< a folder with the correct pictures
   std::string scenes;      ///< a folder with their scenes; empty: look in `references`
   /// Without thresholds, the kind of difference decides: pictures with known mistakes fail at any
-  /// PSNR, and pictures that differ only at edges or by rounding pass.
+  /// PSNR, pictures that differ only at edges or by rounding pass, others pass with 40 dB or more.
   CompareSettings compare;
   bool thumbnails = false;    ///< create PictureResult::png for those that differ
   std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match

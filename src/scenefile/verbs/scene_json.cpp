@@ -136,7 +136,7 @@ void add_render_options(Json& json, const RenderOptions& options) {
   visit_options(options, [&](const OptionField& field, const auto& value) {
     const bool said = field.answers == InAnswers::always ||
                       (field.answers == InAnswers::when_set && is_set(value));
-    if (said && knows_option(options.profile, field.known)) {
+    if (said && supports_option(options.profile, field.support)) {
       json.key(field.name);
       add_option(json, value);
     }

@@ -22,7 +22,7 @@ class Canvas {
   /// Takes a picture of the scene that has been drawn. Returns false if there is none.
   bool take(Session& session);
 
-  /// Asks for the picture of the scene for drawn(), unless it is there. While the camera moves, and
+  /// Requests the picture of the scene, unless it is there. While the camera moves, and
   /// for the first picture of a large scene, it is as coarse as the last pictures were slow; at
   /// rest it gets better step by step. When in a hurry, shadows that have not been drawn yet are
   /// skipped.

@@ -35,7 +35,7 @@ struct GuiFrame {
 /// found; empty otherwise.
 std::string set_gui_style(double scale);
 
-/// The text truncated with three dots to a width in pixels. Only while a frame is built.
+/// The text, truncated with an ellipsis to a width in pixels. Only while a frame is built.
 std::string fitting(const std::string& text, float room);
 
 /// Builds the whole frame; sets session.picture. `window` is its size.

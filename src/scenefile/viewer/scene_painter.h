@@ -56,8 +56,8 @@ struct Painted {
 /// Must be used from one thread.
 class ScenePainter {
  public:
-  /// Null, with `error` set, if the thread or its context cannot be had. `wake` is called from the
-  /// thread whenever there is a picture to take.
+  /// Null, with `error` set, if the thread or its context cannot be created. `wake` is called from
+  /// the thread whenever there is a picture to take.
   static std::unique_ptr<ScenePainter> create(PaintContext context, std::function<void()> wake,
                                               std::string& error);
   /// Interrupts the current picture, and waits for the thread to end.
@@ -68,10 +68,11 @@ class ScenePainter {
   /// The driver's name of the renderer.
   const std::string& renderer() const;
 
-  /// Draws this next, instead of what was asked for before. The current picture is interrupted if
-  /// it only refines.
+  /// Requests a picture, which is drawn next. Replaces an earlier request that is still waiting; the
+  /// current picture is interrupted if it only refines.
   void ask(PaintJob job);
-  /// Draws this after what ask() asked for, for take_other(); instead of another of these.
+  /// Requests a second picture, which is drawn after that of ask() and returned by take_other().
+  /// Replaces an earlier request of this kind that is still waiting.
   void ask_other(PaintJob job);
 
   /// The newest picture that was not taken yet, if any. `wait`: after all that was asked for is

@@ -203,13 +203,13 @@ std::unique_ptr<ScenePainter> Window::create_painter(std::string& error) {
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   painter_window_ = glfwCreateWindow(16, 16, "scenefile", nullptr, nullptr);
   if (painter_window_ == nullptr) {
-    error = "no second context of OpenGL can be created: " + last_glfw_error;
+    error = "cannot create a second OpenGL context: " + last_glfw_error;
     return nullptr;
   }
   const auto begin = [window = painter_window_](std::string& wrong) -> GetProcAddress {
     glfwMakeContextCurrent(window);
     if (glfwGetCurrentContext() != window) {
-      wrong = "a context of OpenGL cannot be used: " + last_glfw_error;
+      wrong = "cannot use the OpenGL context: " + last_glfw_error;
       return nullptr;
     }
     return glfwGetProcAddress;

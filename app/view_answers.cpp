@@ -52,7 +52,7 @@ DrawnWay way_of(const viewer::CauseQuestion& question) {
 
 std::string cause_text(const viewer::CauseQuestion& question, const std::function<bool()>& go_on) {
   const LoadedScene scene = loaded_of(*question.scene);
-  Texture ours = question.ours;
+  Texture ours = question.ours != nullptr ? *question.ours : Texture();
   if (!question.realtime) {
     const RenderResult result =
         render(scene.ready.scene, scene.assets, question.options,
@@ -65,7 +65,7 @@ std::string cause_text(const viewer::CauseQuestion& question, const std::functio
   CompareSettings settings;
   settings.ways = {way_of(question)};
   const PictureComparison found =
-      compare_pictures(ours, question.other, &scene, settings, [&](double) { return go_on(); });
+      compare_pictures(ours, *question.other, &scene, settings, [&](double) { return go_on(); });
   if (found.measures.same_size && found.measures.difference.max == 0) {
     return "equal\n";
   }

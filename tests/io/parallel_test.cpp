@@ -8,6 +8,10 @@
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 namespace scenefile {
 namespace {
 
@@ -49,6 +53,23 @@ TEST(ForEachIndex, ExceptionsReachTheCaller) {
   EXPECT_THROW(for_each_index(10, 4, fail), std::bad_alloc);
   EXPECT_THROW(for_each_index(10, 1, fail), std::bad_alloc);
 }
+
+#ifdef __linux__
+TEST(LowerThreadPriority, OnlyOfTheThreadAndThoseThatItStarts) {
+  const auto priority = [] { return ::getpriority(PRIO_PROCESS, 0); };
+  const int ours = priority();
+  int lowered = 0;
+  int of_child = 0;
+  std::thread([&] {
+    lower_thread_priority();
+    lowered = priority();
+    std::thread([&] { of_child = priority(); }).join();
+  }).join();
+  EXPECT_GT(lowered, ours);
+  EXPECT_EQ(of_child, lowered);
+  EXPECT_EQ(priority(), ours);
+}
+#endif
 
 }  // namespace
 }  // namespace scenefile

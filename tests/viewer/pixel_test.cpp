@@ -74,9 +74,13 @@ struct PixelTest : ::testing::Test {
     Image gray(80, 60);
     std::fill(gray.rgb.begin(), gray.rgb.end(), 0.5F);
     std::string error;
-    ASSERT_TRUE(open_reference(
-        session,
-        folder.write("gray.png", encode_image(gray, ImageFormat::png8, Rounding::nearest, error))));
+    open_reference(session, folder.write("gray.png", encode_image(gray, ImageFormat::png8,
+                                                                  Rounding::nearest, error)));
+    while (session.reading.busy()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      tick(session, time);
+    }
+    ASSERT_FALSE(session.reference->empty());
   }
 
   TempFolder folder;
@@ -143,7 +147,7 @@ TEST_F(PixelTest, RealtimeComparesTheDrawnPicture) {
   perform(session, Action::split);
   pass(0.5);
   ASSERT_TRUE(wants_picture(session));
-  Texture ours = session.reference;
+  Texture ours = *session.reference;
   compare_with(session, std::move(ours));
   settle();
   EXPECT_EQ(session.cause.text, "cause at 80x60 realtime");

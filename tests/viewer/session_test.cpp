@@ -46,6 +46,14 @@ struct SessionTest : ::testing::Test {
     }
     EXPECT_TRUE(settled(session));
   }
+  // Nothing draws the pictures that a comparison waits for.
+  void settle_files() {
+    pass(0.8);
+    for (int i = 0; i < 400 && (session.loading.busy() || session.reading.busy()); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      pass(0.05);
+    }
+  }
   void rewrite(const std::string& from, const std::string& to) {
     std::string text = folder.read("a.xml");
     ASSERT_NE(text.find(from), std::string::npos) << from;
@@ -376,7 +384,7 @@ TEST_F(SessionTest, TracesRaysWhenTheCameraRests) {
   settle();
   ASSERT_TRUE(shows_traced(session));
   EXPECT_TRUE(session.traced->complete);
-  EXPECT_EQ(session.traced->image.width, 40);
+  EXPECT_EQ(session.traced->picture.width, 40);
   wheel_turned(session, 1);
   EXPECT_FALSE(shows_traced(session));
   settle();
@@ -388,6 +396,7 @@ TEST_F(SessionTest, TracesRaysWhenTheCameraRests) {
 TEST_F(SessionTest, ComparesTheTracedPicture) {
   const std::string reference = write_picture("right.png", 32, 24);
   drop(session, {reference});
+  settle_files();
   EXPECT_EQ(session.compare, CompareView::split);
   EXPECT_NEAR(picture_aspect(session, {400, 400}), 4.0 / 3, 1e-12);
   perform(session, Action::trace);
@@ -400,12 +409,13 @@ TEST_F(SessionTest, ComparesTheTracedPicture) {
   // Someone replaces the reference.
   write_picture("right.png", 30, 20);
   settle();
-  EXPECT_EQ(session.reference.width, 30);
+  EXPECT_EQ(session.reference->width, 30);
   EXPECT_EQ(session.comparison->difference.width, 30);
 }
 
 TEST_F(SessionTest, ComparesTheOpenGlPicture) {
   open_reference(session, write_picture("right.png", 16, 16));
+  settle_files();
   pass(1);
   ASSERT_TRUE(wants_picture(session));
   compare_with(session, quantize(Image(16, 16), Rounding::nearest));
@@ -416,6 +426,8 @@ TEST_F(SessionTest, ComparesTheOpenGlPicture) {
 
 TEST_F(SessionTest, TheSplitIsDragged) {
   open_reference(session, write_picture("right.png", 40, 30));
+  EXPECT_TRUE(session.reference->empty()) << "read on another thread";
+  settle_files();
   pointer_moved(session, {200, 100});
   pointer_pressed(session, 0, {});
   pointer_moved(session, {100, 100});
@@ -437,8 +449,39 @@ TEST_F(SessionTest, PicturesAndFoldersAreDropped) {
   perform(session, Action::next_scene);
   settle();
   EXPECT_EQ(scene_name(session), "b2.xml");
-  EXPECT_FALSE(open_reference(session, folder.path("more/b2.xml")));
+  open_reference(session, folder.path("more/b2.xml"));
+  settle();
+  ASSERT_TRUE(session.notice.has_value());
   EXPECT_TRUE(session.notice->bad);
+}
+
+TEST_F(SessionTest, DroppedPicturesAreReadInOrder) {
+  const std::string first = write_picture("first.png", 12, 9);
+  const std::string second = write_picture("second.png", 20, 15);
+  const std::string damaged = folder.write("damaged.png", "\x89PNG\r\n\x1a\n");
+  const std::string scene_without_ending = folder.write("scene", testing::scene_text);
+  drop(session, {first, scene_without_ending, second, damaged});
+  settle_files();
+  EXPECT_EQ(session.reference->width, 20);
+  EXPECT_EQ(session.reference_path, second);
+  EXPECT_EQ(scene_name(session), "scene");
+  ASSERT_TRUE(session.notice.has_value());
+  EXPECT_THAT(session.notice->text, HasSubstr("damaged.png"));
+  EXPECT_TRUE(session.pictures.empty());
+}
+
+TEST_F(SessionTest, AReferenceThatIsBeingWrittenKeepsItsOldPicture) {
+  const std::string reference = write_picture("right.png", 16, 12);
+  open_reference(session, reference);
+  settle_files();
+  session.notice.reset();
+  folder.write("right.png", "\x89PNG\r\n\x1a\n");
+  settle_files();
+  EXPECT_EQ(session.reference->width, 16);
+  EXPECT_FALSE(session.notice.has_value());
+  write_picture("right.png", 24, 18);
+  settle_files();
+  EXPECT_EQ(session.reference->width, 24);
 }
 
 TEST_F(SessionTest, CanBeDestroyedAtAnyTime) {

@@ -38,6 +38,7 @@ struct StartPanelTest : ::testing::Test {
     session.setup.wake = [] {};
     session.setup.trace = default_options(Profile::fine);
     session.setup.recent_files = folder.path("state/recent");
+    session.start.folder = folder.path("");  // not the working directory
     session.picture = {{0, 0}, {400, 300}};
     session.pixels = {40, 30};
   }
@@ -158,7 +159,8 @@ TEST_F(StartPanelTest, APictureBecomesTheReference) {
       folder.write("p.png", encode_image(Image(8, 6), ImageFormat::png8, Rounding::nearest, error));
   open_start_panel(session);
   choose(session, picture);
-  EXPECT_EQ(session.reference.width, 8);
+  settle();
+  EXPECT_EQ(session.reference->width, 8);
 }
 
 TEST_F(StartPanelTest, Thumbnails) {

@@ -7,6 +7,10 @@
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 namespace scenefile {
 
 namespace {
@@ -61,6 +65,13 @@ void for_each_index(std::size_t count, int threads, const std::function<void(std
     helper.join();
   }
   queue.rethrow();
+}
+
+void lower_thread_priority() {
+#ifdef __linux__
+  constexpr int lower = 5;
+  ::setpriority(PRIO_PROCESS, 0, ::getpriority(PRIO_PROCESS, 0) + lower);  // 0: this thread
+#endif
 }
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Parallel loops.
+// Threads: parallel loops, priority.
 
 #include <cstddef>
 #include <functional>
@@ -11,5 +11,9 @@ namespace scenefile {
 /// when all are done. If a call throws, the exception is rethrown, and calls that have not started
 /// are skipped.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
+
+/// Lets other threads of the process go before the calling thread and those that it starts. Does
+/// nothing where the system only knows priorities of whole processes.
+void lower_thread_priority();
 
 }  // namespace scenefile

@@ -17,7 +17,9 @@ constexpr int most_hurry = 4;
 constexpr int refinement = 2;
 // For scenes with more objects, the first picture is coarse, because its time is not known yet.
 constexpr double many_objects = 5000;
-constexpr int first_hurry = 3;
+constexpr int first_hurry = 4;
+// How many texels of a large picture are uploaded for a frame.
+constexpr std::size_t texels_at_once = std::size_t{1} << 20;
 // The camera moves as long as it has moved within so many seconds.
 constexpr double still_moving = 0.2;
 
@@ -39,11 +41,30 @@ PaintRecipe recipe_beside(const Session& session) {
   if (!options.course) {
     options.samples = 16;
   }
-  return {session.version,         render_camera(session.camera), std::move(options),
-          session.reference.width, session.reference.height,      0};
+  return {session.version,          render_camera(session.camera), std::move(options),
+          session.reference->width, session.reference->height,     0};
 }
 
 }  // namespace
+
+void Canvas::warm_up(const Session& session) {
+  auto tiny = std::make_shared<OpenedScene>();
+  RenderScene& scene = tiny->ready.scene;
+  scene.lights.emplace_back().type = LightType::directional;
+  scene.materials.emplace_back();
+  scene.groups.emplace_back().primitives.emplace_back().shape = Shape::sphere;
+  PaintRecipe recipe;
+  recipe.options = draw_options(session.setup.trace);
+  recipe.options.samples = 1;
+  recipe.options.shadows = false;
+  if (session.realtime) {
+    recipe.options.realtime = session.realtime_panel;
+  }
+  recipe.camera.position = {0, 0, 2};
+  recipe.width = recipe.height = 8;
+  painter_->ask_other(
+      {std::move(recipe), std::move(tiny), upload_options(session.setup.trace), false});
+}
 
 int Canvas::hurry_for(const Session& session, bool moving) const {
   if (painted_.recipe.version != session.version) {
@@ -124,17 +145,19 @@ void Canvas::accept(Session& session, Painted painted) {
   painted_ = std::move(painted);
 }
 
-void Canvas::update(Session& session) {
-  if (session.traced && traced_.version() != session.traced_version) {
-    traced_.show(quantize(session.traced->image, rounding_of(session.setup.trace.profile)),
-                 session.traced_version);
-  }
-  reference_.show(session.reference, session.reference_version);
+bool Canvas::update(Session& session, bool whole) {
+  const std::size_t texels = whole ? ~std::size_t{0} : texels_at_once;
+  // One after another, so that a frame stays short.
+  bool done = !session.traced || traced_.show(session.traced->picture, session.traced_version,
+                                              whole ? texels : 4 * texels);
+  done = done && reference_.show(*session.reference, session.reference_version, texels);
   update_thumbnails(session.thumbnails);
   if (session.comparison) {
-    difference_.show(session.comparison->difference, session.comparison_version);
-    flip_.show(session.comparison->flip, session.comparison_version);
+    const Comparison& found = *session.comparison;
+    done = done && difference_.show(found.difference, session.comparison_version, texels);
+    done = done && flip_.show(found.flip, session.comparison_version, texels);
   }
+  return done;
 }
 
 void Canvas::update_thumbnails(const Thumbnails& thumbnails) {

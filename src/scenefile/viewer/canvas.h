@@ -17,8 +17,12 @@ class Canvas {
  public:
   explicit Canvas(std::unique_ptr<ScenePainter> painter) : painter_(std::move(painter)) {}
 
-  /// Uploads pictures that changed in the session.
-  void update(Session& session);
+  /// Draws a tiny scene, so that the driver compiles its shaders while the first scene is read.
+  void warm_up(const Session& session);
+
+  /// Uploads pictures that changed in the session; of large ones only a part, unless `whole`.
+  /// Returns false if parts are left for the next frame.
+  bool update(Session& session, bool whole);
   /// Takes a picture of the scene that has been drawn. Returns false if there is none.
   bool take(Session& session);
 

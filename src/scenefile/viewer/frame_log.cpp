@@ -21,14 +21,15 @@ double thread_seconds() {
 
 }  // namespace
 
+FrameLog::FrameLog() : start_(wall_seconds()) {}
+
 void FrameLog::begin() {
   wall_ = wall_seconds();
   cpu_ = thread_seconds();
-  first_ = first_ < 0 ? wall_ : first_;
 }
 
 void FrameLog::end(bool drawn) {
-  entries_.push_back({wall_ - first_, wall_seconds() - wall_, thread_seconds() - cpu_, drawn});
+  entries_.push_back({wall_ - start_, wall_seconds() - wall_, thread_seconds() - cpu_, drawn});
 }
 
 std::string FrameLog::text() const {

@@ -10,13 +10,15 @@ namespace scenefile::viewer {
 
 class FrameLog {
  public:
+  FrameLog();
+
   /// Call it after reading the input.
   void begin();
   /// Call it before reading the input again. `drawn`: whether the frame shows the scene's picture.
   void end(bool drawn);
 
   struct Entry {
-    double at = 0;    ///< seconds since the first frame
+    double at = 0;    ///< seconds since the log was made
     double wall = 0;  ///< seconds
     double cpu = 0;   ///< seconds of the processor for this thread; other programs do not count
     bool drawn = false;
@@ -28,7 +30,7 @@ class FrameLog {
 
  private:
   std::vector<Entry> entries_;
-  double first_ = -1;
+  double start_;
   double wall_ = 0;
   double cpu_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace scenefile::viewer {
 
@@ -15,32 +16,47 @@ constexpr GLint clamp_to_edge = 0x812F;  // OpenGL 1.2
 }  // namespace
 
 GlPicture::~GlPicture() {
-  if (name_ != 0) {
-    glDeleteTextures(1, &name_);
-  }
+  glDeleteTextures(1, &name_);  // OpenGL ignores 0
+  glDeleteTextures(1, &next_name_);
 }
 
-void GlPicture::bind() {
-  if (name_ == 0) {
-    glGenTextures(1, &name_);
-  }
-  glBindTexture(GL_TEXTURE_2D, name_);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, clamp_to_edge);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, clamp_to_edge);
-}
-
-void GlPicture::show(const Texture& picture, std::uint64_t version) {
+bool GlPicture::show(const Texture& picture, std::uint64_t version, std::size_t texels) {
   if (version == version_ || picture.empty()) {
-    return;
+    return true;
   }
-  version_ = version;
-  bind();
+  if (next_name_ == 0) {
+    glGenTextures(1, &next_name_);
+    next_version_ = none;
+  }
+  glBindTexture(GL_TEXTURE_2D, next_name_);
+  if (version != next_version_) {
+    next_version_ = version;
+    next_row_ = 0;
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, clamp_to_edge);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, clamp_to_edge);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, picture.width, picture.height, 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, nullptr);
+    if (texels < picture.rgb.size() / 3) {
+      return false;
+    }
+  }
+  const std::size_t rows = std::max<std::size_t>(1, texels / std::size_t(picture.width));
+  const int count = int(std::min(rows, std::size_t(picture.height - next_row_)));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, picture.width, picture.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-               picture.rgb.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, next_row_, picture.width, count, GL_RGB, GL_UNSIGNED_BYTE,
+                  picture.texel(0, next_row_));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  next_row_ += count;
+  if (next_row_ == picture.height) {
+    std::swap(name_, next_name_);
+    version_ = version;
+    next_version_ = none;
+    glDeleteTextures(1, &next_name_);
+    next_name_ = 0;
+  }
+  return version_ == version;
 }
 
 void clear_window(int width, int height, float red, float green, float blue) {

@@ -3,6 +3,7 @@
 
 #include "scenefile/asset/image.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace scenefile::viewer {
@@ -15,8 +16,9 @@ class GlPicture {
   GlPicture(const GlPicture&) = delete;
   GlPicture& operator=(const GlPicture&) = delete;
 
-  /// `version` identifies pictures: does nothing if that version is already shown.
-  void show(const Texture& picture, std::uint64_t version);
+  /// `version` identifies pictures: does nothing if that version is already shown. Uploads about
+  /// `texels` at most: a larger picture is shown after several calls. Returns whether it is shown.
+  bool show(const Texture& picture, std::uint64_t version, std::size_t texels = ~std::size_t{0});
 
   /// The version of the current picture.
   std::uint64_t version() const { return version_; }
@@ -25,10 +27,13 @@ class GlPicture {
   unsigned name() const { return name_; }
 
  private:
-  void bind();
+  static constexpr std::uint64_t none = ~std::uint64_t{0};
 
   unsigned name_ = 0;
-  std::uint64_t version_ = ~std::uint64_t{0};
+  std::uint64_t version_ = none;
+  unsigned next_name_ = 0;  // of the texture that is being filled
+  std::uint64_t next_version_ = none;
+  int next_row_ = 0;
 };
 
 /// Clears the bound framebuffer of this size.

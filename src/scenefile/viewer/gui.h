@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+struct ImFontAtlas;
 struct ImVec2;
 
 namespace scenefile::viewer {
@@ -31,9 +32,12 @@ struct GuiFrame {
   std::function<unsigned(const std::string& path)> thumbnail;
 };
 
-/// Sets colors, spacing and fonts for this screen density. Returns a note if no good font was
-/// found; empty otherwise.
-std::string set_gui_style(double scale);
+/// Sets colors and spacing for this screen density.
+void set_gui_style(double scale);
+
+/// Fills the atlas with the fonts for this screen density. Returns a note if no good font was
+/// found; empty otherwise. May run on another thread while there is no context of ImGui.
+std::string build_fonts(ImFontAtlas& atlas, double scale);
 
 /// The text, truncated with an ellipsis to a width in pixels. Only while a frame is built.
 std::string fitting(const std::string& text, float room);

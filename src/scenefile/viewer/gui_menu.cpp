@@ -57,7 +57,7 @@ bool is_possible(const Session& session, Action action) {
   switch (action) {
     case Action::split:
     case Action::difference:
-      return !session.reference.empty();
+      return !session.reference->empty();
     case Action::hide_selected:
       return session.selected.has_value();
     case Action::undo_save:

@@ -94,7 +94,7 @@ void paint_split(const Session& session, const GuiFrame& frame) {
 }
 
 void paint_comparison(const Session& session, const GuiFrame& frame) {
-  if (session.compare == CompareView::off || session.reference.empty()) {
+  if (session.compare == CompareView::off || session.reference->empty()) {
     return;
   }
   if (session.compare == CompareView::split) {

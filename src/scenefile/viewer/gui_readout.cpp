@@ -39,7 +39,7 @@ void build_swatch(const char* name, const PixelValue& value) {
 void build_answers(const Session& session) {
   const PixelReadout& readout = session.readout;
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
-  if (!session.reference.empty()) {
+  if (!session.reference->empty()) {
     ImGui::TextDisabled("%s", "why the other picture differs, with ours as the reference:");
     build_lines(cause_text(session));
     ImGui::Spacing();

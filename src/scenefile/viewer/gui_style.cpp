@@ -99,25 +99,32 @@ void set_spacing(ImGuiStyle& style) {
 
 }  // namespace
 
-std::string set_gui_style(double scale) {
+void set_gui_style(double scale) {
   ImGuiStyle style;
   set_colors(style);
   set_spacing(style);
   style.ScaleAllSizes(static_cast<float>(scale));
   ImGui::GetStyle() = style;
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+}
+
+std::string build_fonts(ImFontAtlas& atlas, double scale) {
   atlas.Clear();
   const auto s = static_cast<float>(scale);
-  if (add_font(atlas, text_fonts, std::round(text_height * s)) &&
-      add_font(atlas, code_fonts, std::round(code_height * s))) {
-    return {};
+  std::string note;
+  if (!add_font(atlas, text_fonts, std::round(text_height * s)) ||
+      !add_font(atlas, code_fonts, std::round(code_height * s))) {
+    note = "no font was found: install fonts-dejavu-core for better text";
+    atlas.Clear();
+    ImFontConfig config;
+    config.SizePixels = std::round(13 * s);
+    atlas.AddFontDefault(&config);
+    atlas.AddFontDefault(&config);
   }
-  atlas.Clear();
-  ImFontConfig config;
-  config.SizePixels = std::round(13 * s);
-  atlas.AddFontDefault(&config);
-  atlas.AddFontDefault(&config);
-  return "no font was found: install fonts-dejavu-core for better text";
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  atlas.GetTexDataAsRGBA32(&pixels, &width, &height);  // what OpenGL will ask for
+  return note;
 }
 
 std::string fitting(const std::string& text, float room) {

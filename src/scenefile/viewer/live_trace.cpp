@@ -66,6 +66,7 @@ struct LiveTrace::Job {
 
 void LiveTrace::Job::run() {
   const Clock::time_point start = Clock::now();
+  const Rounding rounding = rounding_of(options.profile);
   double done = 0;
   const Progress progress = [&](double share) {
     done = share;
@@ -75,14 +76,15 @@ void LiveTrace::Job::run() {
   preview.interval_seconds = 0.15;
   preview.show = [&](const Image& image) {
     if (!cancelled) {
-      put({image, done, false, seconds_since(start), {}});
+      put({quantize(image, rounding), done, false, seconds_since(start), {}});
     }
   };
   TracedPicture last;
   try {
     RenderResult result =
         render(scene, *assets, options, {.progress = progress, .preview = preview});
-    last = {std::move(result.image), 1, true, seconds_since(start), failure_of(result.status)};
+    last = {quantize(result.image, rounding), 1, true, seconds_since(start),
+            failure_of(result.status)};
   } catch (const std::bad_alloc&) {
     last = {{}, 1, true, seconds_since(start), "out of memory while tracing"};
   }

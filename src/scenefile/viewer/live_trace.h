@@ -13,7 +13,7 @@ namespace scenefile::viewer {
 
 /// An intermediate or final picture.
 struct TracedPicture {
-  Image image;
+  Texture picture;
   double done = 0;        ///< fraction of the work, in [0, 1]
   bool complete = false;  ///< the last one
   double seconds = 0;     ///< wall time since the start

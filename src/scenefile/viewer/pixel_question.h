@@ -31,8 +31,8 @@ struct CauseQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderOptions options;
   std::optional<RealtimeOptions> realtime;  ///< of the assignment; `options` are then unused
-  Texture ours;                             ///< as drawn for the assignment; otherwise empty
-  Texture other;                            ///< the picture next to ours
+  std::shared_ptr<const Texture> ours;      ///< as drawn for the assignment; otherwise null
+  std::shared_ptr<const Texture> other;     ///< the picture next to ours
   std::string other_path;
 };
 

@@ -1,5 +1,6 @@
 #include "scenefile/viewer/scene_painter.h"
 
+#include "scenefile/io/parallel.h"
 #include "scenefile/view/headless.h"
 
 #include <atomic>
@@ -138,6 +139,7 @@ void ScenePainter::Impl::paint_jobs() {
 }
 
 void ScenePainter::Impl::work() {
+  lower_thread_priority();
   std::string error;
   if (const GetProcAddress find = context.begin(error)) {
     device = GlDevice::create(find, error);

@@ -54,8 +54,7 @@ bool tick_trace(Session& session) {
 bool tick_comparison(Session& session) {
   if (session.compare != CompareView::off && !session.compare_started && shows_traced(session) &&
       session.traced->complete) {
-    compare_with(session,
-                 quantize(session.traced->image, rounding_of(session.setup.trace.profile)));
+    compare_with(session, session.traced->picture);
   }
   std::optional<Comparison> done = session.comparing.take();
   if (!done) {
@@ -125,9 +124,9 @@ bool at_rest(const Session& session) {
 
 RenderOptions trace_options(const Session& session) {
   RenderOptions options = session.setup.trace;
-  const glm::ivec2 size = session.reference.empty()
+  const glm::ivec2 size = session.reference->empty()
                               ? session.pixels
-                              : glm::ivec2(session.reference.width, session.reference.height);
+                              : glm::ivec2(session.reference->width, session.reference->height);
   options.width = std::max(1, size.x);
   options.height = std::max(1, size.y);
   options.samples = session.settings.samples;
@@ -150,12 +149,14 @@ bool tick(Session& session, double now) {
 bool settled(const Session& session) {
   const bool tracing = wants_trace(session) && !(session.trace_started && !session.trace.busy() &&
                                                  session.traced && session.traced->complete);
-  const bool comparing = session.compare != CompareView::off && !session.reference.empty() &&
+  const bool comparing = session.compare != CompareView::off && session.shown != nullptr &&
+                         !session.reference->empty() &&
                          (!session.compare_started || session.comparing.busy());
   const bool thumbnails = session.start.open && session.thumbnails.busy();
-  return !session.loading.busy() && !session.load_again && !tracing && !comparing && !thumbnails &&
-         !session.readout.explaining.busy() && !session.cause.finding.busy() &&
-         (!session.readout.at || session.readout.asked) && session.held.empty();
+  return !session.loading.busy() && !session.load_again && session.pictures.empty() && !tracing &&
+         !comparing && !thumbnails && !session.readout.explaining.busy() &&
+         !session.cause.finding.busy() && (!session.readout.at || session.readout.asked) &&
+         session.held.empty();
 }
 
 double next_tick(const Session& session) {
@@ -171,8 +172,9 @@ double next_tick(const Session& session) {
   if (session.notice) {
     seconds = std::min(seconds, session.notice->until - session.now);
   }
-  if (session.comparing.busy() || session.loading.busy() || session.thumbnails.busy() ||
-      session.readout.explaining.busy() || session.cause.finding.busy()) {
+  if (session.comparing.busy() || session.loading.busy() || session.reading.busy() ||
+      session.thumbnails.busy() || session.readout.explaining.busy() ||
+      session.cause.finding.busy()) {
     seconds = std::min(seconds, 0.05);
   }
   return std::max(seconds, 0.01);
@@ -184,7 +186,7 @@ void picture_changed(Session& session) {
   session.trace_started = false;
   session.traced.reset();
   session.compare_started = false;
-  session.compared = {};
+  session.compared.reset();
   session.readout.asked = false;
   session.readout.terms.clear();
 }
@@ -254,29 +256,29 @@ void toggle_hidden(Session& session, std::uint32_t row) {
 }
 
 bool wants_picture(const Session& session) {
-  return session.compare != CompareView::off && !session.reference.empty() &&
+  return session.compare != CompareView::off && !session.reference->empty() &&
          session.shown != nullptr && !session.compare_started && !wants_trace(session) &&
          !session.comparing.busy() && at_rest(session);
 }
 
 void compare_with(Session& session, Texture ours) {
-  if (session.comparing.busy() || session.reference.empty()) {
+  if (session.comparing.busy() || session.reference->empty()) {
     return;
   }
   session.compare_started = true;
-  session.compared = ours;
+  session.compared = std::make_shared<const Texture>(std::move(ours));
   session.comparing.start(
-      [reference = session.reference, ours = std::move(ours), wake = session.setup.wake] {
-        Comparison comparison = compare_pictures(reference, ours);
+      [reference = session.reference, ours = session.compared, wake = session.setup.wake] {
+        Comparison comparison = compare_pictures(*reference, *ours);
         wake();
         return comparison;
       });
 }
 
 double picture_aspect(const Session& session, const glm::dvec2& room) {
-  return session.reference.empty()
+  return session.reference->empty()
              ? room.x / room.y
-             : static_cast<double>(session.reference.width) / session.reference.height;
+             : static_cast<double>(session.reference->width) / session.reference->height;
 }
 
 Box picture_box(const Session& session, const Box& room) {
@@ -311,7 +313,7 @@ CameraView camera_view(const Session& session) {
 }
 
 bool shows_traced(const Session& session) {
-  return wants_trace(session) && session.traced && session.traced->image.width > 0;
+  return wants_trace(session) && session.traced && !session.traced->picture.empty();
 }
 
 DrawOptions draw_options(const Session& session) {

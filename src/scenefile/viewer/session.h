@@ -25,6 +25,7 @@
 
 #include <glm/glm.hpp>
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <set>
@@ -55,6 +56,19 @@ struct SceneOnShow {
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
   std::string not_remembered{};  ///< why the list of recent files was not saved; empty: it was
+};
+
+/// A file to read as the reference.
+struct PictureRequest {
+  std::string path;
+  bool or_scene = false;  ///< if it is not a picture, it is opened as a scene
+  bool changed = false;   ///< the reference has changed: errors wait for its next change
+};
+
+struct ReadPicture {
+  Texture picture;          ///< empty: see `error`
+  std::string error;        ///< one line
+  bool is_picture = false;  ///< as far as its first bytes tell
 };
 
 /// A message that is shown for a short time.
@@ -141,7 +155,9 @@ struct Session {
 
   // The reference.
   std::string reference_path;
-  Texture reference;  ///< empty: none
+  std::shared_ptr<const Texture> reference = std::make_shared<Texture>();  ///< empty: none
+  std::deque<PictureRequest> pictures;  ///< the first one is being read
+  Background<ReadPicture> reading;
   std::uint64_t reference_version = 0;
   CompareView compare = CompareView::off;
   double split = 0.5;            ///< fraction of the picture that shows ours
@@ -149,7 +165,7 @@ struct Session {
   Background<Comparison> comparing;
   std::optional<Comparison> comparison;  ///< of the current or previous picture
   std::uint64_t comparison_version = 0;
-  Texture compared;  ///< our picture in the comparison
+  std::shared_ptr<const Texture> compared;  ///< our picture in the comparison; null: none
   CauseSearch cause;
 
   PixelReadout readout;
@@ -179,8 +195,8 @@ void close_start_panel(Session& session);
 /// Opens the path that was chosen in the panel, or typed: a folder is listed, a picture becomes the
 /// reference, anything else is opened as a scene. Shows a notice if there is no such file.
 void choose(Session& session, const std::string& path);
-/// Opens a picture as the reference. Returns false, with a notice, if it is not a picture.
-bool open_reference(Session& session, const std::string& path);
+/// Starts reading a picture as the reference. A notice is shown if it is not a picture.
+void open_reference(Session& session, const std::string& path);
 /// Handles files or folders dropped on the window: pictures become the reference, anything else is
 /// opened as a scene.
 void drop(Session& session, const std::vector<std::string>& paths);

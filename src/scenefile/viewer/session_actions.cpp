@@ -96,7 +96,7 @@ void next_light(Session& session) {
 
 // Switches the split view on or off.
 void split(Session& session) {
-  if (session.reference.empty()) {
+  if (session.reference->empty()) {
     say(session,
         "there is no reference; drop a picture into the window, or name one: "
         "scenefile view SCENE REFERENCE.png",
@@ -108,7 +108,7 @@ void split(Session& session) {
 
 // Cycles through the views of the difference.
 void difference(Session& session) {
-  if (session.reference.empty()) {
+  if (session.reference->empty()) {
     split(session);
     return;
   }

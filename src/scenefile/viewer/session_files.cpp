@@ -218,31 +218,66 @@ void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   }
 }
 
-// Returns false if the file is not a picture.
-bool read_reference(Session& session, const std::string& path, std::string& error) {
+// Runs on another thread.
+ReadPicture read_picture(const std::string& path) {
+  ReadPicture read;
   const Limits limits;
   const Result<std::string> bytes = read_file(path, limits.file_bytes);
   if (!bytes) {
-    error = bytes.error().text;
-    return false;
+    read.error = bytes.error().text;
+    return read;
   }
+  read.is_picture = is_image(*bytes);
   std::uint64_t budget = limits.texture_bytes;
-  Texture picture = decode_image(*bytes, limits, budget, error);
-  if (picture.empty()) {
-    error = fmt::format("{}: {}", path, error);
-    return false;
+  read.picture = decode_image(*bytes, limits, budget, read.error);
+  if (read.picture.empty()) {
+    read.error = fmt::format("{}: {}", path, read.error);
   }
-  session.reference = std::move(picture);
+  return read;
+}
+
+void read_next_picture(Session& session) {
+  if (!session.pictures.empty() && !session.reading.busy()) {
+    session.reading.start([path = session.pictures.front().path, wake = session.setup.wake] {
+      ReadPicture read = read_picture(path);
+      wake();
+      return read;
+    });
+  }
+}
+
+void read_picture_later(Session& session, PictureRequest request) {
+  session.pictures.push_back(std::move(request));
+  read_next_picture(session);
+}
+
+void show_reference(Session& session, Texture picture) {
+  session.reference = std::make_shared<const Texture>(std::move(picture));
   ++session.reference_version;
   session.comparison.reset();
   forget_cause(session);
   picture_changed(session);
-  return true;
 }
 
-bool is_picture(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, Limits().file_bytes);
-  return bytes && is_image(*bytes);
+void accept(Session& session, const PictureRequest& request, ReadPicture read) {
+  if (request.or_scene && !read.is_picture) {
+    open_scene(session, request.path);
+  } else if (read.picture.empty()) {
+    if (!request.changed) {
+      say(session, read.error, true);
+    }
+  } else if (!request.changed) {
+    show_reference(session, std::move(read.picture));
+    session.reference_path = request.path;
+    if (session.compare == CompareView::off) {
+      session.compare = CompareView::split;
+    }
+    if (session.broken != nullptr || session.shown != nullptr) {
+      watch_files(session, session.broken != nullptr ? *session.broken : *session.shown);
+    }
+  } else if (request.path == session.reference_path) {
+    show_reference(session, std::move(read.picture));
+  }
 }
 
 }  // namespace
@@ -257,13 +292,19 @@ bool tick_files(Session& session) {
       start_loading(session);
     }
   }
+  if (std::optional<ReadPicture> read = session.reading.take()) {
+    const PictureRequest request = std::move(session.pictures.front());
+    session.pictures.pop_front();
+    accept(session, request, *std::move(read));
+    read_next_picture(session);
+    news = true;
+  }
   if (session.now - session.watched_at >= watch_interval) {
     session.watched_at = session.now;
     ++session.looks;
     if (session.watch.changed()) {
-      std::string ignored;
       if (!session.reference_path.empty()) {
-        read_reference(session, session.reference_path, ignored);
+        read_picture_later(session, {session.reference_path, false, true});
       }
       start_loading(session);
       news = true;
@@ -304,34 +345,22 @@ void choose(Session& session, const std::string& path) {
     go_to_folder(session.start, path);
   } else if (!stamp_of(path).exists) {
     say(session, path + ": there is no such file", true);
-  } else if (!is_scene_name(path) && is_picture(path)) {
-    open_reference(session, path);
+  } else if (!is_scene_name(path)) {
+    read_picture_later(session, {path, true, false});
   } else {
     open_scene(session, path);
   }
 }
 
-bool open_reference(Session& session, const std::string& path) {
-  std::string error;
-  if (!read_reference(session, path, error)) {
-    say(session, error, true);
-    return false;
-  }
-  session.reference_path = path;
-  if (session.compare == CompareView::off) {
-    session.compare = CompareView::split;
-  }
-  if (session.shown != nullptr) {
-    watch_files(session, session.broken != nullptr ? *session.broken : *session.shown);
-  }
-  return true;
+void open_reference(Session& session, const std::string& path) {
+  read_picture_later(session, {path, false, false});
 }
 
 void drop(Session& session, const std::vector<std::string>& paths) {
   session.notice.reset();  // about an earlier drop
   for (const std::string& path : paths) {
-    if (!is_folder(path) && !is_scene_name(path) && is_picture(path)) {
-      open_reference(session, path);
+    if (!is_folder(path) && !is_scene_name(path)) {
+      read_picture_later(session, {path, true, false});
     } else {
       open_scene(session, path);
     }

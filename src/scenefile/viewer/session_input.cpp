@@ -16,7 +16,7 @@ constexpr double split_slack = 8;
 
 bool near_split(const Session& session, const glm::dvec2& at) {
   const Box& box = session.picture;
-  return session.compare == CompareView::split && !session.reference.empty() && at.y >= box.at.y &&
+  return session.compare == CompareView::split && !session.reference->empty() && at.y >= box.at.y &&
          at.y < box.at.y + box.size.y &&
          std::abs(at.x - (box.at.x + session.split * box.size.x)) <= split_slack;
 }

@@ -47,8 +47,8 @@ bool wants_cause(const Session& session) {
   // For the assignment Realtime, only a picture that the comparison has drawn can be compared.
   const bool drawn =
       !session.realtime ||
-      (!session.compared.empty() && draws_whole_scene(session) && session.camera == session.home);
-  return session.readout.at && !session.reference.empty() && session.setup.find_cause &&
+      (session.compared != nullptr && draws_whole_scene(session) && session.camera == session.home);
+  return session.readout.at && !session.reference->empty() && session.setup.find_cause &&
          !session.cause.asked && !session.cause.finding.busy() && drawn;
 }
 
@@ -121,8 +121,8 @@ void locate_pixel(Session& session) {
   readout.pixel = glm::clamp(glm::ivec2(glm::floor(*readout.at * glm::dvec2(readout.size))),
                              glm::ivec2(0), readout.size - 1);
   readout.other.reset();
-  if (!session.reference.empty()) {
-    const std::uint8_t* const v = session.reference.texel(readout.pixel.x, readout.pixel.y);
+  if (!session.reference->empty()) {
+    const std::uint8_t* const v = session.reference->texel(readout.pixel.x, readout.pixel.y);
     readout.other = PixelValue{v[0], v[1], v[2]};
   }
 }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <cmath>
 #include <memory>
@@ -119,6 +120,7 @@ class Window {
  private:
   bool create_window();
   std::unique_ptr<ScenePainter> create_painter(std::string& error);
+  void start_fonts(double scale);
   void create_gui();
   void install_callbacks();
   void open_files();
@@ -149,12 +151,16 @@ class Window {
   }
 
   const WindowOptions& options_;
-  GlfwEnd glfw_;  // after the session's threads, which wake the window
+  std::atomic<bool> awake_{false};  // whether GLFW can be woken
+  GlfwEnd glfw_;                    // after the session's threads, which wake the window
   Session session_;
   GLFWwindow* window_ = nullptr;
   GLFWwindow* painter_window_ = nullptr;  // never shown; for the context of the painter
   bool gui_ready_ = false;
   std::unique_ptr<Canvas> canvas_;
+  const std::unique_ptr<ImFontAtlas> fonts_ = std::make_unique<ImFontAtlas>();
+  Background<std::string> building_fonts_;  // while the window is being created
+  double fonts_scale_ = 0;
   double gui_scale_ = 0;
   glm::ivec2 framebuffer_{1};
   int frames_due_ = frames_after_event;
@@ -218,9 +224,17 @@ std::unique_ptr<ScenePainter> Window::create_painter(std::string& error) {
                               glfwPostEmptyEvent, error);
 }
 
+void Window::start_fonts(double scale) {
+  fonts_scale_ = scale;
+  building_fonts_.start([scale, &fonts = *fonts_] { return build_fonts(fonts, scale); });
+}
+
 void Window::create_gui() {
+  if (const std::string note = building_fonts_.take(true).value_or(""); !note.empty()) {
+    say(session_, note, true);
+  }
   IMGUI_CHECKVERSION();
-  ImGui::CreateContext();
+  ImGui::CreateContext(fonts_.get());
   ImGui::GetIO().IniFilename = nullptr;  // the window keeps its own settings
   install_callbacks();
   ImGui_ImplGlfw_InitForOpenGL(window_, false);
@@ -228,6 +242,8 @@ void Window::create_gui() {
   gui_ready_ = true;
 }
 
+// The scene is read, fonts are prepared and shaders compiled by other threads, while this one waits
+// for the display.
 WindowResult Window::open() {
   std::string note;
   session_.settings = load_settings(options_.settings, note);
@@ -236,14 +252,28 @@ WindowResult Window::open() {
     session_.settings.window_height = options_.size->y;
   }
   session_.settings.ray_tracing = options_.ray_tracing.value_or(session_.settings.ray_tracing);
+  session_.setup = options_.setup;
+  session_.realtime = options_.setup.realtime.has_value();
+  session_.realtime_panel = options_.setup.realtime.value_or(RealtimeOptions());
+  session_.setup.wake = [this] {
+    if (awake_) {
+      glfwPostEmptyEvent();
+    }
+  };
+  if (!note.empty()) {
+    say(session_, note, true);
+  }
+  open_files();
   glfwSetErrorCallback(remember_error);
   glfw_.due = glfwInit() == GLFW_TRUE;
   if (!glfw_.due) {
     return {WindowStatus::no_display, "no window can be opened: " + last_glfw_error};
   }
+  awake_ = true;
   if (!create_window()) {
     return {WindowStatus::failed, "no window with OpenGL 4.1 can be opened: " + last_glfw_error};
   }
+  start_fonts(screen_density(window_) * session_.settings.text_scale);
   glfwSetWindowUserPointer(window_, this);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(scripted() ? 0 : 1);
@@ -253,16 +283,8 @@ WindowResult Window::open() {
     return {WindowStatus::failed, error};
   }
   canvas_ = std::make_unique<Canvas>(std::move(painter));
+  canvas_->warm_up(session_);
   create_gui();
-  session_.setup = options_.setup;
-  session_.realtime = options_.setup.realtime.has_value();
-  session_.realtime_panel = options_.setup.realtime.value_or(RealtimeOptions());
-  session_.setup.wake = glfwPostEmptyEvent;
-  session_.now = glfwGetTime();
-  if (!note.empty()) {
-    say(session_, note, true);
-  }
-  open_files();
   return {};
 }
 
@@ -460,11 +482,12 @@ void Window::begin_gui_frame() {
   const double scale = screen_density(window_) * session_.settings.text_scale;
   if (scale != gui_scale_) {
     gui_scale_ = scale;
-    const std::string note = set_gui_style(scale);
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-    if (!note.empty()) {
-      say(session_, note, true);
+    set_gui_style(scale);
+    if (scale != fonts_scale_) {
+      fonts_scale_ = scale;
+      build_fonts(*fonts_, scale);
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
     }
   }
   ImGui_ImplOpenGL3_NewFrame();
@@ -503,7 +526,9 @@ void Window::draw_frame(bool best) {
   if (best) {
     canvas_->finish(session_);  // so that the panels have its figures
   }
-  canvas_->update(session_);
+  if (!canvas_->update(session_, best)) {
+    stir();
+  }
   begin_gui_frame();
   build_gui(session_, gui_frame(), glm::max(size, glm::ivec2(1)));
   ImGui::Render();

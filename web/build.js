@@ -36,13 +36,13 @@ const examples = [
 
 const schema = (name) => readFileSync(join(root, 'schema', name), 'utf8');
 
-/** Generated modules that the sources import by name. */
+/** Modules that the sources import by name: JavaScript of the core, and generated ones. */
 const made = (contents) => ({
   name: 'made',
   setup({ onResolve, onLoad }) {
     onResolve({ filter: /^scenefile-/ }, ({ path }) =>
-      path === 'scenefile-page-tools'
-        ? { path: resolve(modules, 'scenefile-page-tools.js') }
+      path.startsWith('scenefile-page-')
+        ? { path: resolve(modules, `${path}.js`) }
         : { path, namespace: 'made' },
     );
     onLoad({ filter: /.*/, namespace: 'made' }, ({ path }) => ({ contents: contents[path](), loader: 'js' }));
@@ -93,11 +93,14 @@ mkdirSync(output, { recursive: true });
 // What the page rarely needs is in separate files, loaded on demand.
 const { metafile } = await bundle('main', { format: 'esm', splitting: true });
 await bundle('worker');
+await bundle('view-worker');
 for (const name of ['index.html', 'style.css', 'icon.svg', 'manifest.webmanifest']) {
   cpSync(join(here, 'src', name), join(output, name));
 }
 cpSync(join(modules, 'scenefile-page.wasm'), join(output, 'scenefile.wasm'));
-cpSync(join(modules, 'scenefile-page-tools.wasm'), join(output, 'scenefile-tools.wasm'));
+for (const name of ['tools', 'view']) {
+  cpSync(join(modules, `scenefile-page-${name}.wasm`), join(output, `scenefile-${name}.wasm`));
+}
 for (const { path, files } of examples) {
   for (const name of [path, ...files]) {
     const own = join(here, 'examples', name);

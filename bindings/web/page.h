@@ -2,6 +2,7 @@
 // Shared by the functions for the page (page.cpp, page_tools.cpp).
 
 #include "scenefile/asset/image.h"
+#include "scenefile/base/realtime.h"
 #include "scenefile/base/result.h"
 #include "scenefile/io/file.h"
 #include "scenefile/trace/trace_scene.h"
@@ -28,6 +29,7 @@ struct Page {
   std::string answer;
   std::vector<std::uint8_t> pixels;
   LoadedScene scene;
+  int opened = 0;  ///< changes whenever `scene` does
   RenderCamera written_camera;
   std::optional<TraceScene> traced;  ///< of `scene`; built by the first picture
 };
@@ -111,6 +113,15 @@ inline RenderOptions picture_options(int profile, int mode, int features, int wi
   options.max_depth = max_depth >= 0 ? max_depth : options.max_depth;
   options.threads = 1;
   return in_range(options);
+}
+
+/// The settings of the profile realtime: parameter 1, parameter 2, near, far, filter, milestone.
+inline RealtimeOptions realtime_options(const double* values) {
+  return {.tessellation = {static_cast<int>(values[0]), static_cast<int>(values[1])},
+          .near = values[2],
+          .far = values[3],
+          .filter = static_cast<Filter>(values[4]),
+          .milestone = static_cast<Milestone>(values[5])};
 }
 
 /// Writes a file to /out, from where JavaScript reads it.

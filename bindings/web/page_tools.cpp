@@ -3,6 +3,7 @@
 
 #include "page.h"
 #include "scenefile/asset/image_file.h"
+#include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/export/write_gltf.h"
 #include "scenefile/export/write_obj.h"
@@ -10,11 +11,15 @@
 #include "scenefile/format/edit_camera.h"
 #include "scenefile/format/layout.h"
 #include "scenefile/format/write_scene.h"
+#include "scenefile/import/read_gltf.h"
+#include "scenefile/import/read_obj_scene.h"
+#include "scenefile/io/asset_roots.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/scene_json.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string_view>
 
 namespace scenefile {
@@ -89,22 +94,22 @@ std::vector<std::string> convert(LoadedScene& scene, std::string_view to,
 extern "C" {
 
 /// Compares a picture with its reference as `scenefile diff --json` does; if the open scene can be
-/// drawn, it is used to find the mistakes. All profiles are tried where `profile` is -1.
+/// drawn, it is used to find the mistakes. `realtime`: the settings of that profile, or null.
 const char* page_compare(const std::uint8_t* reference, int width, int height,
                          const std::uint8_t* test, int test_width, int test_height, int profile,
-                         int mode, int features) {
+                         int mode, int features, const double* realtime) {
   return answered([&] {
     Page& p = page();
     const Texture a = texture_of(reference, width, height);
     const Texture b = texture_of(test, test_width, test_height);
-    std::vector<RenderOptions> profiles;
-    for (int i = 0; i < 2; ++i) {
-      if (profile < 0 || profile == i) {
-        profiles.push_back(picture_options(i, mode, features, width, height, 0, -1));
-      }
-    }
     CompareSettings settings;
-    settings.ways = possible_ways(profiles, features >= 0);
+    if (realtime != nullptr) {
+      settings.ways = {realtime_way(realtime_options(realtime), {})};
+    } else {
+      settings.ways =
+          possible_ways(std::array{picture_options(profile, mode, features, width, height, 0, -1)},
+                        features >= 0);
+    }
     const PictureComparison found =
         compare_pictures(a, b, p.scene.usable() ? &p.scene : nullptr, settings);
     maps().heat = heat_map(a, b);
@@ -141,6 +146,50 @@ const char* page_convert(const char* path, const char* to, int profile, int feat
     json.begin_array("files");
     for (const std::string& name : names) {
       json.value(name);
+    }
+    json.end_array();
+    json.key("scene");
+    add_scene(json, scene);
+    json.end_object();
+    return json.text();
+  });
+}
+
+/// Reads a glTF or OBJ file as a scene, and writes it as XML with its meshes and textures to /out.
+/// The answer lists the files, the scene first, and what was left out.
+const char* page_import(const char* path) {
+  return answered([&] {
+    const Limits limits;
+    const Result<std::string> bytes = read_file(path, limits.file_bytes);
+    if (!bytes) {
+      return error_json(bytes.error().text);
+    }
+    LoadedScene scene;
+    scene.path = path;
+    AssetRoots roots(asset_roots_options(path, access_of_page(), limits));
+    const ImportOptions options{
+        .stem = "model",
+        .fetch = [&](const std::string& name) { return contents_of(roots.read(name)); },
+        .limits = limits,
+    };
+    ImportedScene imported = lower_case(scene.path).ends_with(".obj")
+                                 ? read_obj_scene(*bytes, options, scene.diagnostics)
+                                 : read_gltf(*bytes, options, scene.diagnostics);
+    scene.written = std::move(imported.scene);
+    const std::string text =
+        scene.diagnostics.has_errors()
+            ? std::string()
+            : write_scene(scene.written, SceneFormat::xml, limits, scene.diagnostics);
+    Json json;
+    json.begin_object();
+    json.begin_array("files");
+    if (!scene.diagnostics.has_errors()) {
+      write_out("scene.xml", text);
+      json.value(std::string_view("scene.xml"));
+      for (const ImportedFile& file : imported.files) {
+        write_out(file.name, file.bytes);
+        json.value(file.name);
+      }
     }
     json.end_array();
     json.key("scene");

@@ -37,21 +37,49 @@ export class Stopped extends Error {
 
 export class Engine {
   #module;
+  #script;
   #worker = null;
   #ready = null;
   #waiting = new Map();
   #next = 1;
-  /** The versions of the files and the scene that this worker has. */
+  /** The versions of the files, the scene and the camera that this worker has. */
   generation = -1;
   opened = -1;
+  looked = 0;
 
-  /** With scenefile.wasm, or scenefile-tools.wasm, which can also compare and convert. */
-  constructor(module = 'scenefile.wasm') {
+  /** With scenefile.wasm; scenefile-tools.wasm, which can also compare and convert; or scenefile-view.wasm. */
+  constructor(module = 'scenefile.wasm', script = 'worker.js') {
     this.#module = module;
+    this.#script = script;
+  }
+
+  /**
+   * Sends files, scene and camera where the worker lacks them. `scene`: { path, text, files,
+   * filesVersion, version, course }; `look`: { version, camera }. Resolves to the core's answer
+   * about a scene that it opened, else to null.
+   */
+  async prepare(scene, look) {
+    let opened = null;
+    if (this.generation !== scene.filesVersion) {
+      await this.call('files', { files: [...scene.files] });
+      this.generation = scene.filesVersion;
+      this.opened = -1;
+    }
+    if (this.opened !== scene.version) {
+      await this.call('text', { path: scene.path, text: scene.text });
+      opened = await this.call('open', { path: scene.path, course: scene.course });
+      this.opened = scene.version;
+      this.looked = 0;
+    }
+    if (this.looked !== look.version) {
+      await this.call('look', { camera: look.camera });
+      this.looked = look.version;
+    }
+    return opened;
   }
 
   async #start() {
-    const worker = new Worker('worker.js');
+    const worker = new Worker(this.#script);
     this.#worker = worker;
     this.generation = -1;
     this.opened = -1;
@@ -108,6 +136,10 @@ export class Engine {
       reject(reason);
     }
     this.#waiting.clear();
+  }
+
+  get isStarted() {
+    return this.#ready !== null;
   }
 
   get busy() {

@@ -7,6 +7,7 @@ const maxBytes = 512 * 1024 * 1024;
 
 export const isSceneName = (path) => /\.(xml|json)$/i.test(path);
 export const isPictureName = (path) => /\.(png|jpe?g|gif|bmp|tga)$/i.test(path);
+export const isModelName = (path) => /\.(glb|gltf|obj)$/i.test(path);
 export const baseName = (path) => path.slice(path.lastIndexOf('/') + 1);
 
 // Files that archivers and operating systems add.

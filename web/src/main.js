@@ -5,7 +5,7 @@ import { afterPause, byId, download, h } from './dom.js';
 import { Editor } from './editor.js';
 import { Engine } from './engine.js';
 import { explanation } from './explain.js';
-import { baseName, fromDrop, fromInput, isPictureName, isSceneName, packed, readAll } from './files.js';
+import { baseName, fromDrop, fromInput, isModelName, isPictureName, isSceneName, packed, readAll } from './files.js';
 import { linkOf, sceneOf } from './link.js';
 import { Picture } from './picture.js';
 import * as store from './store.js';
@@ -46,15 +46,18 @@ const scene = { id: '', path: 'scene.xml', files: new Map(), filesVersion: 0, ve
 
 const checker = new Engine();
 let panel = null; // EditPanel, once it has been shown
+let marks = null; // Marks, once something has been selected
 
 const editor = new Editor(byId('editor'), {
   changed: (changes) => {
     scene.version += 1;
     scene.unsafe = false;
+    marks?.forget();
     panelFollows(changes);
     checkSoon();
     saveSoon();
   },
+  moved: (line) => !panelIsShown() && mark((some) => some.selectAt(editor.offsetOfLine(line))),
 });
 
 const picture = new Picture(byId('canvas'), workers, {
@@ -62,10 +65,15 @@ const picture = new Picture(byId('canvas'), workers, {
     byId('stop').hidden = done >= 1;
     byId('progress').textContent = done >= 1 ? '' : `${Math.floor(100 * done)} %`;
   },
-  drawn(seconds) {
+  drawn(seconds, withGl) {
     store.end(scene.id);
+    if (!scene.unsafe) {
+      clearNotice('stopped');
+    }
     byId('stop').hidden = true;
-    byId('progress').textContent = `drawn in ${seconds.toFixed(2)} s`;
+    byId('progress').textContent = `drawn in ${seconds.toFixed(2)} s${withGl ? `, ${withGl.triangles} ${picture.options.draw === 1 ? 'lines' : 'triangles'}` : ''}`;
+    byId('left-out').textContent = (withGl && picture.options.profile !== 2 ? withGl.left_out : []).join('; ');
+    marks?.show();
     byId('canvas').dataset.drawn = String(Number(byId('canvas').dataset.drawn ?? 0) + 1);
     panel?.viewChanged(panelIsShown());
   },
@@ -76,6 +84,7 @@ const picture = new Picture(byId('canvas'), workers, {
     byId('view-reset').disabled = !elsewhere;
     byId('view-write').disabled = !elsewhere;
     byId('cross').hidden = true;
+    marks?.moved();
     panel?.viewChanged(panelIsShown());
   },
 });
@@ -131,8 +140,11 @@ const sceneNow = () => ({
   files: scene.files,
   filesVersion: scene.filesVersion,
   version: scene.version,
-  course: byId('course-reading').checked,
+  course: readsLikeCourse(),
 });
+
+// As with the same profile of the program.
+const readsLikeCourse = () => byId('course-reading').checked || picture.options.profile !== 1;
 
 async function run({ anyway = false } = {}) {
   if (anyway) {
@@ -266,12 +278,14 @@ function setDocument({ id = store.newId(), path, content, files = new Map(), opt
   store.hold(id);
   byId('name').value = baseName(path);
   document.title = `${baseName(path)} – scenefile`;
-  for (const key of ['stopped', 'failed', 'scenes', 'opened']) {
+  for (const key of ['stopped', 'failed', 'scenes', 'opened', 'converted']) {
     clearNotice(key);
   }
   closeComparison();
   byId('explain-result').replaceChildren();
   byId('cross').hidden = true;
+  byId('left-out').textContent = '';
+  marks?.forget();
   picture.camera = null;
   applyOptions(options);
   byId('findings').replaceChildren();
@@ -302,8 +316,15 @@ async function take(list, forComparison = false) {
   const scenes = [...files.keys()].filter(isSceneName);
   const [[firstPath, firstBytes]] = files;
   const wanted = new Set([...(await namedFiles())].map((name) => baseName(name.replaceAll('\\', '/')).toLowerCase()));
-  if (forComparison || (files.size === 1 && isPictureName(firstPath) && !wanted.has(baseName(firstPath).toLowerCase()))) {
+  const isWanted = (path) => wanted.has(baseName(path).toLowerCase());
+  if (forComparison || (files.size === 1 && isPictureName(firstPath) && !isWanted(firstPath))) {
     compareWith(baseName(firstPath), firstBytes);
+    return;
+  }
+  const model = [...files.keys()].find(isModelName);
+  // The scene may be waiting for this mesh; glTF files cannot be meshes of a scene.
+  if (scenes.length === 0 && model !== undefined && !isWanted(model)) {
+    await openModel(files, model);
     return;
   }
   if (scenes.length === 0) {
@@ -318,6 +339,24 @@ async function take(list, forComparison = false) {
     return;
   }
   openFrom(files, scenes, scenes[0]);
+}
+
+// Opens a glTF or OBJ file as a new scene.
+async function openModel(files, path) {
+  try {
+    const { files: made, findings } = await picture.importModel(files, path);
+    const messages = findings.filter(({ severity }) => severity !== 'note').map(({ message }) => message);
+    if (made.size === 0) {
+      throw new Error(messages[0] ?? 'it has no contents');
+    }
+    const [[scenePath, content], ...others] = made;
+    setDocument({ path: baseName(path).replace(/\.\w+$/, scenePath.slice(scenePath.lastIndexOf('.'))), content: text.decode(content), files: new Map(others) });
+    if (messages.length > 0) {
+      notice('converted', messages.slice(0, 5).join('; '));
+    }
+  } catch (error) {
+    failed(new Error(`${baseName(path)} cannot be imported: ${error.message}`));
+  }
 }
 
 function openFrom(files, scenes, path) {
@@ -335,7 +374,7 @@ function openFrom(files, scenes, path) {
 // The files that the scene names, as far as the checker knows.
 async function namedFiles() {
   try {
-    const { files = [] } = await checker.call('check', { path: scene.path, depth: 0, course: byId('course-reading').checked });
+    const { files = [] } = await checker.call('check', { path: scene.path, depth: 0, course: readsLikeCourse() });
     return files.map(({ name }) => name);
   } catch {
     return [];
@@ -357,14 +396,36 @@ async function openExample({ path, files }) {
 
 // Picture settings.
 
+const realtimeIds = ['parameter-1', 'parameter-2', 'near', 'far', 'filter', 'milestone'];
+
+// Valid settings of the profile realtime; otherwise null.
+function realtimeOf(values) {
+  if (!Array.isArray(values) || values.length !== 6 || !values.every(Number.isFinite)) {
+    return null;
+  }
+  const [parameter1, parameter2, near, far, filter, milestone] = values;
+  const isWhole = (value, least, most) => Number.isInteger(value) && value >= least && value <= most;
+  return isWhole(parameter1, 1, 1024) && isWhole(parameter2, 1, 1024) && near > 0 && near < far && isWhole(filter, 0, 4) && isWhole(milestone, 0, 1)
+    ? values
+    : null;
+}
+
+// The settings that are stored and linked.
+function keptOptions() {
+  const { profile, mode, features, width, height, draw, realtime } = picture.options;
+  return { profile, mode, features, width, height, ...(draw < 0 ? {} : { draw }), ...(profile === 2 ? { realtime } : {}) };
+}
+
 function applyOptions(options) {
   if (options !== null && typeof options === 'object') {
     const whole = (value, least, most, otherwise) =>
       Number.isInteger(value) && value >= least && value <= most ? value : otherwise;
     picture.options = {
       ...picture.options,
-      profile: whole(options.profile, 0, 1, 1),
+      profile: whole(options.profile, 0, 2, 1),
       mode: whole(options.mode, 0, 2, 0),
+      draw: whole(options.draw, 0, 6, -1),
+      realtime: realtimeOf(options.realtime) ?? picture.options.realtime,
       features: whole(options.features, -1, 127, -1),
       width: whole(options.width, 1, 4096, 640),
       height: whole(options.height, 1, 4096, 480),
@@ -374,9 +435,17 @@ function applyOptions(options) {
 }
 
 function showOptions() {
-  const { profile, mode, features, width, height } = picture.options;
+  const { profile, mode, features, width, height, draw, realtime } = picture.options;
+  const isRealtime = profile === 2;
   byId('profile').value = String(profile);
-  byId('mode').value = String(mode);
+  byId('mode-trace').hidden = byId('mode-trace').disabled = isRealtime;
+  byId('mode').value = picture.isGl ? `gl${Math.max(0, draw)}` : String(mode);
+  byId('features-menu').hidden = isRealtime;
+  byId('realtime').hidden = !isRealtime;
+  realtimeIds.forEach((id, i) => {
+    byId(id).value = String(realtime[i]);
+    byId(id).removeAttribute('aria-invalid');
+  });
   const all = [...sizes];
   if (!all.some(([w, hh]) => w === width && hh === height)) {
     all.push([width, height]);
@@ -404,8 +473,28 @@ function featuresChanged() {
   const boxes = [...byId('features').querySelectorAll('input')];
   changeOptions({ features: boxes.reduce((bits, box, i) => bits | (box.checked ? 1 << i : 0), 0) });
 }
-byId('profile').addEventListener('change', () => changeOptions({ profile: Number(byId('profile').value), features: -1 }));
-byId('mode').addEventListener('change', () => changeOptions({ mode: Number(byId('mode').value) }));
+// Profiles read files differently.
+byId('profile').addEventListener('change', () => {
+  Object.assign(picture.options, { profile: Number(byId('profile').value), features: -1 });
+  showOptions();
+  saveSoon();
+  scene.version += 1;
+  run();
+});
+byId('mode').addEventListener('change', () => {
+  const { value } = byId('mode');
+  changeOptions(value.startsWith('gl') ? { draw: Number(value.slice(2)) } : { mode: Number(value), draw: -1 });
+});
+for (const id of realtimeIds) {
+  byId(id).addEventListener('change', () => {
+    const realtime = realtimeOf(realtimeIds.map((other) => (byId(other).value === '' ? NaN : Number(byId(other).value))));
+    if (realtime === null) {
+      byId(id).setAttribute('aria-invalid', 'true');
+    } else {
+      changeOptions({ realtime });
+    }
+  });
+}
 byId('size').addEventListener('change', () => {
   const [width, height] = byId('size').value.split('x').map(Number);
   changeOptions({ width, height });
@@ -455,10 +544,10 @@ function compareHow() {
   picture.paint();
 }
 
-function showComparison({ working, otherSize, answer }) {
+function showComparison({ working, otherSize, openGl, answer }) {
   const box = byId('compare-result');
-  if (working || otherSize) {
-    box.replaceChildren(working ? 'Comparing…' : 'The pictures have different sizes.');
+  if (working || otherSize || openGl) {
+    box.replaceChildren(working ? 'Comparing…' : otherSize ? 'The pictures have different sizes.' : 'Choose a mode of ray tracing, or the profile realtime, to compare.');
     return;
   }
   const parts = [];
@@ -520,7 +609,13 @@ async function showPanel() {
         },
         files: () => [...scene.files.keys()].filter((path) => !isSceneName(path)),
         view: () => picture.view,
-        selected: (model, item) => item !== null && item.from >= 0 && editor.selectLine(editor.lineAt(item.from)),
+        viewport: () => picture.viewport,
+        selected(model, item) {
+          if (item !== null && item.from >= 0) {
+            editor.selectLine(editor.lineAt(item.from));
+          }
+          mark((some) => some.select(item));
+        },
       });
     } catch (error) {
       failed(new Error(`The panels cannot be loaded: ${error.message}`));
@@ -539,10 +634,31 @@ function panelFollows(changes) {
   }
 }
 
+// Marks over the picture, loaded when something is first selected.
+
+async function mark(act) {
+  try {
+    const { Marks } = await import('./marks.js');
+    marks ??= new Marks({
+      text: () => editor.text,
+      picture,
+      all: () => byId('helpers').checked,
+      failed: (error) => byId('helpers').checked && failed(new Error(`Lights and camera cannot be shown: ${error.message}.`)),
+    });
+    act(marks);
+  } catch (error) {
+    failed(new Error(`The selection cannot be shown: ${error.message}`));
+  }
+}
+byId('helpers').addEventListener('change', () => mark((some) => some.show()));
+
 // Moving the camera, and explaining pixels.
 
 const canvas = byId('canvas');
 let drag = null;
+
+canvas.addEventListener('pointerenter', () => picture.warmUp());
+canvas.addEventListener('focus', () => picture.warmUp());
 
 canvas.addEventListener('pointerdown', (event) => {
   drag = { x: event.clientX, y: event.clientY, moved: false };
@@ -558,8 +674,11 @@ canvas.addEventListener('pointermove', (event) => {
   }
   drag = { x: event.clientX, y: event.clientY, moved: true };
   const { height } = canvas.getBoundingClientRect();
-  if (event.shiftKey || event.buttons === 4) {
+  const how = event.shiftKey || event.buttons === 4 ? 'pan' : event.ctrlKey ? 'look' : byId('drag').value;
+  if (how === 'pan') {
     picture.move(-dx / height, dy / height);
+  } else if (how === 'look') {
+    picture.turn((-dx / height) * picture.view.fov_y, (dy / height) * picture.view.fov_y);
   } else {
     picture.orbit((dx / height) * Math.PI, (dy / height) * Math.PI);
   }
@@ -580,7 +699,47 @@ canvas.addEventListener('wheel', (event) => {
     picture.closer(Math.exp(Math.max(-50, Math.min(50, event.deltaY)) / 250));
   }
 }, { passive: false });
+// Flying, as in the program's window: keys that are held, and whether it is fast.
+const flying = { w: [0, 0, 1], a: [-1, 0, 0], s: [0, 0, -1], d: [1, 0, 0], q: [0, -1, 0], e: [0, 1, 0] };
+const held = new Set();
+let flown = 0; // when the last step was made
+
+function flyOn(time) {
+  if (held.size === 0) {
+    flown = 0;
+    return;
+  }
+  const seconds = flown === 0 ? 1 / 60 : Math.min(0.1, (time - flown) / 1000);
+  flown = time;
+  const speed = held.has('shift') ? 2 : 0.5;
+  const by = [0, 1, 2].map((axis) => speed * seconds * [...held].reduce((sum, key) => sum + (flying[key]?.[axis] ?? 0), 0));
+  if (by.some((x) => x !== 0)) {
+    picture.fly(...by);
+  }
+  requestAnimationFrame(flyOn);
+}
+
+canvas.addEventListener('keyup', ({ key }) => {
+  held.delete(key.toLowerCase());
+  if (held.size === 1) {
+    held.delete('shift');
+  }
+});
+canvas.addEventListener('blur', () => held.clear());
 canvas.addEventListener('keydown', (event) => {
+  const key = event.key.toLowerCase();
+  if (picture.view !== null && !event.ctrlKey && !event.metaKey && !event.altKey && key in flying) {
+    event.preventDefault();
+    const starts = held.size === 0;
+    held.add(key);
+    if (event.shiftKey) {
+      held.add('shift');
+    }
+    if (starts) {
+      requestAnimationFrame(flyOn);
+    }
+    return;
+  }
   const step = Math.PI / 36;
   const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   const arrow = arrows[event.key];
@@ -627,19 +786,31 @@ async function explainAt(x, y) {
   byId('pixel-y').value = String(y);
   const box = canvas.getBoundingClientRect();
   const stage = byId('stage').getBoundingClientRect();
-  const mark = byId('cross');
-  mark.style.left = `${box.left - stage.left + ((x + 0.5) / canvas.width) * box.width}px`;
-  mark.style.top = `${box.top - stage.top + ((y + 0.5) / canvas.height) * box.height}px`;
-  mark.hidden = false;
+  const cross = byId('cross');
+  cross.style.left = `${box.left - stage.left + ((x + 0.5) / canvas.width) * box.width}px`;
+  cross.style.top = `${box.top - stage.top + ((y + 0.5) / canvas.height) * box.height}px`;
+  cross.hidden = false;
   byId('explain-panel').open = true;
   try {
-    const found = await picture.explain(x, y);
-    byId('explain-result').replaceChildren(...explanation(found, selectLine));
-    const line = found.document.pixel.rays[0]?.surface?.object.at(-1).line;
-    if (line !== undefined) {
+    let line;
+    if (picture.isGl) {
+      const found = await picture.callGl('pick', { x, y });
+      line = found.line;
+      byId('explain-result').replaceChildren(h('p', {}, found.object === undefined ? 'There is no object at this pixel.' : [`${found.object}, `,
+        h('button', { className: 'link', type: 'button', onclick: () => selectLine(line) }, `line ${line}`)]));
+    } else {
+      const found = await picture.explain(x, y);
+      byId('explain-result').replaceChildren(...explanation(found, selectLine));
+      line = found.document.pixel.rays[0]?.surface?.object.at(-1).line;
+    }
+    if (line === undefined) {
+      marks?.select(null);
+    } else {
       editor.selectLine(line);
       if (panelIsShown()) {
         panel.selectAt(editor.offsetOfLine(line));
+      } else {
+        mark((some) => some.selectAt(editor.offsetOfLine(line)));
       }
     }
   } catch (error) {
@@ -654,6 +825,7 @@ byId('explain-form').addEventListener('submit', (event) => {
 new ResizeObserver(() => {
   byId('cross').hidden = true;
   panel?.viewChanged(panelIsShown());
+  marks?.paint();
 }).observe(canvas);
 
 // Saving and exporting.
@@ -705,8 +877,7 @@ for (const button of document.querySelectorAll('[data-format]')) {
 }
 
 byId('share').addEventListener('click', async () => {
-  const { profile, mode, features, width, height } = picture.options;
-  const link = linkOf({ name: baseName(scene.path), text: editor.fileText, options: { profile, mode, features, width, height } });
+  const link = linkOf({ name: baseName(scene.path), text: editor.fileText, options: keptOptions() });
   const named = [...scene.files].length;
   history.replaceState(null, '', link);
   const words = named > 0 ? ' Textures and meshes are not part of the link; send a zip of the scene and its files instead.' : '';
@@ -742,11 +913,10 @@ byId('name').addEventListener('change', () => {
 
 const saveSoon = afterPause(400, async () => {
   const { id, path, unsafe, filesSaved } = scene;
-  const { profile, mode, features, width, height } = picture.options;
   try {
     const files = filesSaved ? null : scene.files;
     scene.filesSaved = true;
-    await store.save({ id, path, text: editor.fileText, options: { profile, mode, features, width, height }, unsafe }, files);
+    await store.save({ id, path, text: editor.fileText, options: keptOptions(), unsafe }, files);
     clearNotice('saving');
     document.body.dataset.saved = String(scene.version);
   } catch (error) {

@@ -1,5 +1,6 @@
-// The picture: drawn by several workers in strips, a coarse one first; from other viewpoints by
-// orbiting, with quick previews; and compared with the user's own picture.
+// The picture: traced by several workers in strips, a coarse one first, or drawn by one with WebGL2;
+// from other viewpoints by orbiting and flying, with quick previews; and compared with the user's own
+// picture.
 
 import { Engine, Stopped } from './engine.js';
 
@@ -7,6 +8,9 @@ const stripTime = 200; // milliseconds that a strip should take
 const minRows = 8; // of a strip: each also traces rows around it
 const frameTime = 45; // milliseconds for a preview
 const patience = 120; // milliseconds for canceled work to finish, before its worker is terminated
+const glPatience = 1000; // the same for WebGL2, whose worker takes longer to start again
+const glTimeout = 30_000; // milliseconds; without a graphics card, the first drawing may take seconds
+const coarse = 2; // traced previews are at most this much smaller, if WebGL2 is quicker
 
 const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
@@ -23,6 +27,9 @@ function rotated(v, axis, angle) {
 export class Picture {
   #engines;
   #tools = new Engine('scenefile-tools.wasm');
+  #gl = new Engine('scenefile-view.wasm', 'view-worker.js');
+  #glBegun = 0;
+  #glSeconds = Infinity; // that the last drawing with WebGL2 took
   #canvas;
   #ours = document.createElement('canvas');
   #mineCanvas = document.createElement('canvas');
@@ -35,8 +42,10 @@ export class Picture {
   #told;
   #scale = 4;
 
-  options = { profile: 1, mode: 0, features: -1, width: 640, height: 480, samples: 0, maxDepth: -1 };
+  // `draw`: a mode of OpenGL; -1: traced. `realtime`: parameter 1, parameter 2, near, far, filter, milestone.
+  options = { profile: 1, mode: 0, features: -1, width: 640, height: 480, samples: 0, maxDepth: -1, draw: -1, realtime: [5, 5, 0.1, 100, 0, 0] };
   pixels = null; // RGBA of the finished picture
+  viewport = [1, 1]; // the part of the picture, at its lower left, that shows what the camera sees
   written = null; // the camera of the file
   camera = null; // after orbiting; null: that of the file
   mine = null; // { name, width, height, data }
@@ -50,30 +59,17 @@ export class Picture {
     this.#resize();
   }
 
+  /** Whether WebGL2 draws the picture. */
+  get isGl() {
+    return this.options.profile === 2 || this.options.draw >= 0;
+  }
+
   get hasScene() {
     return this.#scene !== null;
   }
 
-  // Sends files, scene and camera to a worker that lacks them.
-  async #prepared(engine) {
-    const scene = this.#scene;
-    let opened = null;
-    if (engine.generation !== scene.filesVersion) {
-      await engine.call('files', { files: [...scene.files] });
-      engine.generation = scene.filesVersion;
-      engine.opened = -1;
-    }
-    if (engine.opened !== scene.version) {
-      await engine.call('text', { path: scene.path, text: scene.text });
-      opened = await engine.call('open', { path: scene.path, course: scene.course });
-      engine.opened = scene.version;
-      engine.looked = 0;
-    }
-    if (engine.looked !== this.#lookVersion) {
-      await engine.call('look', { camera: this.camera && flat(this.camera) });
-      engine.looked = this.#lookVersion;
-    }
-    return opened;
+  #prepared(engine) {
+    return engine.prepare(this.#scene, { version: this.#lookVersion, camera: this.camera && flat(this.camera) });
   }
 
   async #endOldWork() {
@@ -87,6 +83,9 @@ export class Picture {
     }
     if (this.#tools.busy) {
       this.#tools.stop();
+    }
+    if (this.#gl.busy && performance.now() - this.#glBegun > glPatience) {
+      this.#gl.stop();
     }
     return job;
   }
@@ -185,6 +184,17 @@ export class Picture {
     const pixels = new Uint8Array(4 * width * height);
     this.#told.progress(0);
     try {
+      if (this.isGl) {
+        const drawn = await this.#drawGl(job);
+        if (drawn === null) {
+          return;
+        }
+        const { data } = this.#ours.getContext('2d').getImageData(0, 0, width, height);
+        this.pixels = new Uint8Array(data.buffer);
+        this.#told.drawn((performance.now() - start) / 1000, drawn);
+        await this.#compare(job);
+        return;
+      }
       const small = { ...this.options, width: Math.ceil(width / 8), height: Math.ceil(height / 8), samples: 1 };
       await this.#prepared(this.#engines[0]);
       const coarse = await this.#renderWith(this.#engines[0], small, 0, small.height);
@@ -204,9 +214,49 @@ export class Picture {
     } catch (error) {
       if (job === this.#job && error.reason !== 'replaced') {
         this.#job += 1;
+        if (this.#gl.busy) {
+          this.#gl.stop();
+        }
         this.#engines.filter((engine) => engine.busy).forEach((engine) => engine.stop());
         this.#told.failed(error);
       }
+    }
+  }
+
+  // Paints a picture drawn with WebGL2. Resolves to the core's answer, or null if it is obsolete.
+  async #drawGl(job) {
+    this.#glBegun = performance.now();
+    const { bitmap, ...drawn } = await this.callGl('draw');
+    this.#glSeconds = (performance.now() - this.#glBegun) / 1000;
+    if (job === this.#job) {
+      this.#ours.getContext('2d').drawImage(bitmap, 0, 0);
+      this.viewport = drawn.viewport;
+      this.paint();
+    }
+    bitmap.close();
+    return job === this.#job ? drawn : null;
+  }
+
+  /** A call of the worker that draws with WebGL2. */
+  async callGl(call, args = {}) {
+    await this.#prepared(this.#gl);
+    const { options } = this;
+    const draw = options.profile === 2 ? Math.max(0, options.draw) : options.draw;
+    return this.#gl.call(call, { options: { ...options, draw }, ...args }, { timeout: glTimeout });
+  }
+
+  /** Draws with WebGL2 once, so that previews can use it. */
+  async warmUp() {
+    if (this.#scene === null || this.#gl.isStarted) {
+      return;
+    }
+    try {
+      await this.callGl('draw');
+      const begun = performance.now();
+      (await this.callGl('draw')).bitmap.close();
+      this.#glSeconds = (performance.now() - begun) / 1000;
+    } catch {
+      // Previews are traced.
     }
   }
 
@@ -270,11 +320,15 @@ export class Picture {
     return toOrigin > 0.01 ? toOrigin : Math.max(1, Math.hypot(...position));
   }
 
+  #turning(u, right, up) {
+    const vertical = Math.abs(this.written.v[1]) > 0.05 ? [0, Math.sign(this.written.v[1]), 0] : this.written.v;
+    return (x) => rotated(rotated(x, u, -up), vertical, -right);
+  }
+
   orbit(right, up) {
     const { position, u, v, w, fov_y } = this.view;
     const pivot = plus(position, w, -this.#distance());
-    const vertical = Math.abs(this.written.v[1]) > 0.05 ? [0, Math.sign(this.written.v[1]), 0] : this.written.v;
-    const turn = (x) => rotated(rotated(x, u, -up), vertical, -right);
+    const turn = this.#turning(u, right, up);
     this.#moveTo({ position: plus(pivot, turn(plus(position, pivot, -1))), u: turn(u), v: turn(v), w: turn(w), fov_y });
   }
 
@@ -287,6 +341,20 @@ export class Picture {
   closer(factor) {
     const { position, w } = this.view;
     this.#moveTo({ ...this.view, position: plus(position, w, (factor - 1) * this.#distance()) });
+  }
+
+  /** Turns the view without moving the camera. */
+  turn(right, up) {
+    const { position, u, v, w, fov_y } = this.view;
+    const turn = this.#turning(u, right, up);
+    this.#moveTo({ position, u: turn(u), v: turn(v), w: turn(w), fov_y });
+  }
+
+  /** Moves along the axes of the view, in multiples of the distance that `+` and `-` change. */
+  fly(right, up, ahead) {
+    const { position, u, v, w } = this.view;
+    const by = Math.min(this.#distance(), 1000);
+    this.#moveTo({ ...this.view, position: plus(plus(plus(position, u, right * by), v, up * by), w, -ahead * by) });
   }
 
   resetView() {
@@ -308,6 +376,10 @@ export class Picture {
       let drawn = -1;
       while (drawn !== this.#lookVersion && job === this.#job) {
         drawn = this.#lookVersion;
+        if (this.isGl || (this.#scale > coarse && this.#glSeconds < 2 * frameTime / 1000)) {
+          await this.#drawGl(job);
+          continue;
+        }
         const begun = performance.now();
         const width = Math.max(16, Math.round(this.options.width / this.#scale));
         const height = Math.max(12, Math.round(this.options.height / this.#scale));
@@ -377,6 +449,10 @@ export class Picture {
     if (mine === null || this.camera !== null) {
       return;
     }
+    if (options.profile !== 2 && options.draw >= 0) {
+      this.#told.compared({ openGl: true });
+      return;
+    }
     if (mine.width !== options.width || mine.height !== options.height) {
       this.#told.compared({ otherSize: true });
       return;
@@ -386,7 +462,7 @@ export class Picture {
     await this.#prepared(this.#tools);
     const found = await this.#tools.call(
       'compare',
-      { reference, test: mine, options, anyProfile: false },
+      { reference, test: mine, options },
       { timeout: 120_000 },
     );
     if (job === this.#job) {
@@ -403,6 +479,13 @@ export class Picture {
       await this.#prepared(engine);
     }
     return engine.call(call, args, options);
+  }
+
+  /** A model of another program as the files of a scene, the scene first. */
+  async importModel(files, path) {
+    await this.#tools.call('files', { files: [...files] });
+    this.#tools.generation = -1; // no scene is open
+    return this.#tools.call('importModel', { path }, { timeout: 60_000 });
   }
 
   /** The scene as files of another format. */

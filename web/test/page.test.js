@@ -14,6 +14,7 @@ import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 
 import { serverOf } from '../serve.js';
+import { linkOf } from '../src/link.js';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const root = dirname(dirname(here));
@@ -342,6 +343,259 @@ test('profiles, modes, features and sizes', async () => {
   assert.equal(new Set(seen).size, seen.length - 1, 'only the picture of the profile course appears twice');
 });
 
+/** The peak signal-to-noise ratio in dB between the canvas and a picture of the native program. */
+async function likeNative(path, ...options) {
+  const file = join(scratch, 'native.png');
+  execFileSync(process.env.NATIVE, ['render', path, '-o', file, '--quiet', '--size', '320x240', ...options]);
+  return page.evaluate(async (base64) => {
+    const picture = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]));
+    const { width, height } = picture;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(picture, 0, 0);
+    const canvas = document.getElementById('canvas');
+    const [a, b] = [context, canvas.getContext('2d')].map((some) => some.getImageData(0, 0, width, height).data);
+    const sum = a.reduce((total, value, i) => total + (value - b[i]) ** 2, 0);
+    return canvas.width !== width ? 0 : 10 * Math.log10(255 ** 2 / Math.max(1e-9, sum / ((a.length * 3) / 4)));
+  }, readFileSync(file).toString('base64'));
+}
+
+const glModes = ['shaded', 'wireframe', 'normals', 'uv', 'depth', 'objects', 'boxes'];
+const inSize = { width: 320, height: 240 };
+
+/** Opens a scene with these options of the picture. */
+async function openWith(path, options) {
+  const text = readFileSync(join(root, path), 'utf8');
+  await open(linkOf({ name: path.slice(path.lastIndexOf('/') + 1), text, options: { profile: 1, mode: 0, features: -1, ...inSize, ...options } }));
+}
+
+test('OpenGL draws like the native program, in every mode', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+  for (const path of ['scenes/hello.xml', 'web/examples/lights.xml', 'web/examples/templates.json']) {
+    for (const profile of [0, 1]) {
+      await openWith(path, { profile, draw: 0 });
+      const like = await likeNative(join(root, path), '--engine', 'gl', '--profile', ['course', 'fine'][profile]);
+      assert.ok(like > 40, `${path}, profile ${profile}: ${like} dB`);
+      await page.goto('about:blank');
+    }
+  }
+  await openWith('scenes/hello.xml', { draw: 2 });
+  const like = await likeNative(join(root, 'scenes/hello.xml'), '--engine', 'gl', '--mode', 'normals');
+  assert.ok(like > 40, `normals: ${like} dB`);
+  const seen = new Set();
+  for (const mode of glModes) {
+    if (mode !== 'normals') {
+      await andDraw(() => page.selectOption('#mode', { label: `OpenGL ${mode}` }));
+    } else {
+      await andDraw(() => page.selectOption('#mode', { label: 'OpenGL normals' }).then(() => page.selectOption('#size', '640x480')).then(() => drawn()).then(() => page.selectOption('#size', '320x240')));
+    }
+    const { hash, values } = await canvasOf();
+    assert.ok(values > 2, mode);
+    seen.add(hash);
+  }
+  assert.equal(seen.size, glModes.length);
+});
+
+test('OpenGL says what it leaves out, and a picture can be saved', async () => {
+  await openWith('scenes/hello.xml', { draw: 0 });
+  assert.match(await page.textContent('#left-out'), /reflections of mirrors/);
+  assert.match(await page.textContent('#progress'), /\d+ triangles/);
+  const { bytes } = await save('#save-png');
+  assert.equal(bytes.readUInt32BE(16), 320);
+  await andDraw(() => page.selectOption('#mode', { label: 'ray' }));
+  assert.equal(await page.textContent('#left-out'), '');
+});
+
+test('OpenGL orbits, looks around and flies', async () => {
+  await openWith('scenes/hello.xml', { draw: 0 });
+  const seen = [await pixels()];
+  const box = await page.locator('#canvas').boundingBox();
+  const look = async (act) => {
+    await andDraw(act);
+    await page.waitForTimeout(50);
+    seen.push(await pixels());
+  };
+  const drag = async () => {
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 40, box.y + box.height / 2 + 10, { steps: 4 });
+    await page.mouse.up();
+  };
+  await look(drag);
+  await look(async () => {
+    await page.keyboard.down('Control');
+    await drag();
+    await page.keyboard.up('Control');
+  });
+  await page.selectOption('#drag', 'look');
+  await look(drag);
+  await page.focus('#canvas');
+  for (const key of ['w', 's', 'a', 'd', 'q', 'e', 'W']) {
+    await look(async () => {
+      await page.keyboard.down(key);
+      await page.waitForTimeout(150);
+      await page.keyboard.up(key);
+    });
+  }
+  assert.equal(new Set(seen).size, seen.length);
+  await andDraw(() => page.click('#view-reset'));
+  assert.equal(await pixels(), seen[0]);
+});
+
+test('while the camera moves, traced and OpenGL pictures are drawn', async () => {
+  await openWith('scenes/hello.xml', {});
+  const before = await drawnCount();
+  const first = await pixels();
+  await page.focus('#canvas');
+  await page.waitForTimeout(500);
+  await page.keyboard.down('d');
+  await page.waitForFunction((hash) => {
+    const canvas = document.getElementById('canvas');
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    return `${canvas.width} ${data.reduce((h, value) => Math.imul(h ^ value, 0x01000193), 0x811c9dc5)}` !== hash;
+  }, first);
+  assert.equal(await drawnCount(), before, 'the picture changes before the camera rests');
+  await page.keyboard.up('d');
+  await drawn(page, before + 1);
+});
+
+const realtimeWith = async (change) => {
+  for (const [id, value] of Object.entries(change)) {
+    await (id === 'filter' || id === 'milestone' ? page.selectOption(`#${id}`, { label: value }) : page.fill(`#${id}`, value));
+    await page.keyboard.press('Tab');
+  }
+};
+
+test('the profile realtime is that of the native program', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+  const path = join(root, 'web/examples/lights.xml');
+  const like = async (...options) => {
+    const db = await likeNative(path, '--profile', 'realtime', ...options);
+    assert.ok(db > 35, `${options}: ${db} dB`);
+  };
+  await openWith('web/examples/lights.xml', {});
+  await andDraw(() => page.selectOption('#profile', { label: 'realtime' }));
+  assert.equal(await page.isVisible('#features-menu'), false);
+  await like();
+  await andDraw(() => realtimeWith({ milestone: 'Action' }));
+  await like('--milestone', 'action');
+  for (const filter of ['invert', 'grayscale', 'blur', 'sharpen']) {
+    await andDraw(() => realtimeWith({ filter }));
+    await like('--milestone', 'action', '--filter', filter);
+  }
+  await andDraw(() => realtimeWith({ filter: 'none' }));
+  await andDraw(() => realtimeWith({ 'parameter-1': '2' }));
+  await andDraw(() => realtimeWith({ 'parameter-2': '3' }));
+  await like('--milestone', 'action', '--parameters', '2,3');
+  await andDraw(() => realtimeWith({ near: '6' }));
+  await andDraw(() => realtimeWith({ far: '8' }));
+  await like('--milestone', 'action', '--parameters', '2,3', '--near', '6', '--far', '8');
+  await page.fill('#near', '9');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.getAttribute('#near', 'aria-invalid'), 'true', 'near is less than far');
+  await page.click('#share');
+  await page.waitForSelector('[data-key="shared"]');
+  await page.reload();
+  await drawn();
+  assert.equal(await page.inputValue('#parameter-2'), '3');
+  await like('--milestone', 'action', '--parameters', '2,3', '--near', '6', '--far', '8');
+});
+
+test('compares with a picture of realtime, and names the mistake', async () => {
+  await openWith('web/examples/lights.xml', { profile: 2, realtime: [5, 5, 0.1, 100, 0, 1] });
+  const lit = readFileSync(join(root, 'web/examples/lights.xml'), 'utf8');
+  await andDraw(() => type(lit.replaceAll(/<specular[^>]*>/g, '')));
+  const { bytes } = await save('#save-png');
+  await andDraw(() => type(lit));
+  await page.setInputFiles('#picture-input', { name: 'mine.png', mimeType: 'image/png', buffer: bytes });
+  await page.waitForSelector('#compare-result ul.claims');
+  assert.match(await page.innerText('#compare-result'), /specular/);
+});
+
+const cursorLine = () =>
+  page.evaluate(() => document.getElementById('editor').shadowRoot.querySelector('.cm-activeLine').textContent);
+/** The box of the outline, in pixels of the picture; null if there is none. */
+const outlineBox = () =>
+  page.evaluate(() => {
+    const canvas = document.getElementById('marks');
+    const { width, data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    for (let i = 3; i < data.length; i += 4) {
+      if (data[i] > 0) {
+        const [x, y] = [((i - 3) / 4) % width, Math.floor((i - 3) / 4 / width)];
+        box.splice(0, 4, Math.min(box[0], x), Math.min(box[1], y), Math.max(box[2], x), Math.max(box[3], y));
+      }
+    }
+    return box[0] === Infinity ? null : box;
+  });
+const outlined = () => page.waitForFunction(() => document.getElementById('marks')?.dataset.outline === 'true');
+
+test('an object in the OpenGL picture selects its line, and a line outlines its object', async () => {
+  await openWith('scenes/hello.xml', { draw: 0 });
+  const box = await page.locator('#canvas').boundingBox();
+  await page.mouse.click(box.x + box.width * 0.5, box.y + box.height * 0.5);
+  await page.waitForSelector('#explain-result .link');
+  assert.match(await cursorLine(), /name="sphere"/);
+  await outlined();
+  const sphere = await outlineBox();
+  assert.ok(sphere[0] < 160 && sphere[2] > 160 && sphere[2] - sphere[0] < 200, `around the ball: ${sphere}`);
+  await page.locator('.cm-line', { hasText: 'name="cube"' }).click();
+  await page.waitForFunction(() => document.getElementById('marks').dataset.outline === 'true');
+  await page.waitForTimeout(300);
+  const cube = await outlineBox();
+  assert.ok(cube[2] - cube[0] > sphere[2] - sphere[0] + 20, `around the board: ${cube}`);
+  await page.mouse.click(box.x + 4, box.y + 4);
+  await page.waitForSelector('text=There is no object at this pixel.');
+  assert.equal(await outlineBox(), null);
+});
+
+test('what is selected in the panels is outlined, also over traced pictures', async () => {
+  await openWith('web/examples/templates.json', {});
+  await openPanels();
+  const boxes = [];
+  for (const item of [row('group').last(), page.locator('#edit-tree [role=treeitem]').last()]) {
+    await item.click();
+    await outlined();
+    boxes.push(await outlineBox());
+  }
+  assert.ok(boxes.every((some) => some !== null));
+  await row('Global data').click();
+  assert.equal(await outlineBox(), null);
+});
+
+test('lights and camera are shown on demand, and when they are selected', async () => {
+  await openWith('web/examples/lights.xml', {});
+  const lines = (least, most = Infinity) =>
+    page.waitForFunction(([low, high]) => {
+      const count = Number(document.getElementById('marks')?.dataset.lines);
+      return count >= low && count <= high;
+    }, [least, most === Infinity ? 1e9 : most]);
+  await page.check('#helpers');
+  await lines(6);
+  const all = Number(await page.getAttribute('#marks', 'data-lines'));
+  await page.focus('#canvas');
+  await andDraw(() => page.keyboard.press('-'));
+  await lines(all + 1); // the camera of the file
+  await page.uncheck('#helpers');
+  await lines(0, 0);
+  await openPanels();
+  await row('light').first().click();
+  await lines(3);
+});
+
+test('without WebGL2 pictures are traced, and OpenGL says why it cannot draw', async () => {
+  const plain = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu', '--disable-software-rasterizer'] });
+  try {
+    const some = await plain.newPage();
+    some.setDefaultTimeout(patience);
+    await some.goto(`${origin}/`);
+    await drawn(some);
+    await some.selectOption('#mode', { label: 'OpenGL shaded' });
+    await some.waitForSelector('text=The picture cannot be drawn: this browser has no WebGL2 for workers.');
+    await some.selectOption('#mode', { label: 'ray' });
+    await drawn(some, 2);
+  } finally {
+    await plain.close();
+  }
+});
+
 const wholeText = async () => (await save('#save-scene')).bytes.toString();
 const row = (name) => page.locator('#edit-tree [role=treeitem]').filter({ hasText: name });
 const field = (name) => page.getByLabel(name, { exact: true });
@@ -602,6 +856,32 @@ test('saves the scene, a zip, a PNG and every format', async () => {
     const { bytes } = await save(`[data-format=${format}]`);
     assert.match(bytes.subarray(0, 400).toString('latin1'), start);
   }
+});
+
+test('imports glTF and OBJ models as scenes', async () => {
+  await openWith('scenes/hello.xml', { profile: 0 });
+  const saved = [];
+  for (const format of ['glb', 'gltf', 'obj']) {
+    saved.push(await save(`[data-format="${format}"]`));
+  }
+  for (const { name, bytes } of saved) {
+    await andDraw(() => give({ [name]: bytes }));
+    assert.equal(await page.inputValue('#name'), name.endsWith('.zip') ? 'scene.xml' : 'hello.xml', name);
+    assert.match(await wholeText(), /<scenefile>[^]*<object type="primitive" name="mesh"/, name);
+    assert.equal(await page.isVisible('#missing'), false);
+    assert.ok((await canvasOf()).values > 50, name);
+  }
+  await give({ 'broken.glb': 'glTF nothing' });
+  await page.waitForSelector('.notice.error:has-text("broken.glb cannot be imported")');
+});
+
+test('a mesh that the scene lacks is added, not imported', async () => {
+  await open();
+  const withMesh = textured.replace('name="cube"', 'name="mesh" filename="mesh/thing.obj"');
+  await andDraw(() => give({ 'mesh.xml': withMesh }));
+  await andDraw(() => give({ 'thing.obj': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' }));
+  assert.equal(await page.inputValue('#name'), 'mesh.xml');
+  assert.equal(await page.textContent('#missing ul').catch(() => ''), 'image/wall.png (texture)');
 });
 
 test('a link holds the scene and takes precedence over the stored one', async () => {

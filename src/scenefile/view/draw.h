@@ -25,8 +25,8 @@
 
 namespace scenefile {
 
-/// Looks up an OpenGL function by name, null if it does not exist; such as glfwGetProcAddress or
-/// eglGetProcAddress.
+/// Looks up an OpenGL function by name, null if it does not exist; such as glfwGetProcAddress,
+/// eglGetProcAddress or find_webgl_function.
 using GlFunction = void (*)();
 using GetProcAddress = GlFunction (*)(const char* name);
 
@@ -34,7 +34,7 @@ using GetProcAddress = GlFunction (*)(const char* name);
 /// compiled at first use.
 class GlDevice {
  public:
-  /// For the current context; null, with `error` set, if it is older than OpenGL 4.1.
+  /// For the current context; null, with `error` set, if it is older than OpenGL 4.1 or ES 3.0.
   static std::unique_ptr<GlDevice> create(GetProcAddress find, std::string& error);
   ~GlDevice();
   GlDevice(const GlDevice&) = delete;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
 #include <utility>
 
 namespace scenefile {
@@ -38,7 +39,9 @@ std::unique_ptr<GlDevice> GlDevice::create(GetProcAddress find, std::string& err
   int minor = 0;
   gl.GetIntegerv(gl::MAJOR_VERSION, &major);
   gl.GetIntegerv(gl::MINOR_VERSION, &minor);
-  if (major * 10 + minor < 41) {
+  const std::string_view version(reinterpret_cast<const char*>(gl.GetString(gl::VERSION)));
+  gl.es = version.starts_with("OpenGL ES");
+  if (major * 10 + minor < (gl.es ? 30 : 41)) {
     error = fmt::format("OpenGL 4.1 is needed, the driver has {}.{}", major, minor);
     return nullptr;
   }

@@ -119,6 +119,7 @@ inline constexpr Enum TRIANGLES = 0x0004, LINES = 0x0001, UNSIGNED_INT = 0x1405,
 
 /// The functions by name.
 struct Functions {
+  bool es = false;  ///< of OpenGL ES, such as WebGL2
 #define ROW(result, name, parameters) result(SCENEFILE_GL_CALL* name) parameters = nullptr;
   SCENEFILE_GL_FUNCTIONS(ROW)
 #undef ROW

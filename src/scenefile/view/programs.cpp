@@ -12,9 +12,15 @@ namespace scenefile {
 
 namespace {
 
-// For WebGL2, the same text follows "#version 300 es" and precision qualifiers.
-std::string preamble(const ProgramKey& key) {
-  std::string text = "#version 410 core\n";
+// The only difference between the shaders of OpenGL and those of OpenGL ES.
+std::string version_of(const gl::Functions& gl) {
+  return gl.es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                 "precision highp sampler2D;\n"
+               : "#version 410 core\n";
+}
+
+std::string preamble(const gl::Functions& gl, const ProgramKey& key) {
+  std::string text = version_of(gl);
   const auto define = [&](const char* name, int value) {
     text += fmt::format("#define {} {}\n", name, value);
   };
@@ -89,8 +95,8 @@ gl::Name Programs::link(const std::string& vertex_text, const std::string& fragm
 
 Program Programs::build(const ProgramKey& key) {
   const gl::Name name =
-      link(preamble(key) + scene_vert,
-           preamble(key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
+      link(preamble(gl_, key) + scene_vert,
+           preamble(gl_, key) + (key.output == Output::nothing ? "void main() {}\n" : scene_frag));
   if (name == 0) {
     return {};
   }
@@ -124,7 +130,7 @@ const Program& Programs::use(const ProgramKey& key) {
 
 const FilterProgram& Programs::use_filter() {
   if (!filter_) {
-    const std::string version = "#version 410 core\n";
+    const std::string version = version_of(gl_);
     filter_.emplace();
     filter_->name = link(version + filter_vert, version + filter_frag);
     filter_->kind = gl_.GetUniformLocation(filter_->name, "kind");

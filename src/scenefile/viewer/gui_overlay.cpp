@@ -1,7 +1,7 @@
 // Overlays on the picture.
 
-#include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
+#include "scenefile/view/helpers.h"
 #include "scenefile/viewer/gui.h"
 #include "scenefile/viewer/gui_colors.h"
 
@@ -197,56 +197,11 @@ void paint_selection(const Session& session, const GuiFrame& frame) {
   draw.PopClipRect();
 }
 
-// A cross at the light, or an arrow through the center of the scene for a directional light.
-void paint_light(const Projection& projection, const RenderLight& light, const Bounds& scene,
-                 ImU32 color, double scale) {
-  const double size = scene.empty() ? 1 : glm::length(scene.max - scene.min);
-  const auto width = static_cast<float>(1.5 * scale);
-  const glm::dvec3 direction(light.direction);
-  if (!has_position(light.type)) {
-    const glm::dvec3 middle = scene.empty() ? glm::dvec3(0) : 0.5 * (scene.min + scene.max);
-    const glm::dvec3 from = middle - 0.5 * size * direction;
-    const glm::dvec3 to = from + 0.25 * size * direction;
-    const glm::dvec3 side = glm::normalize(glm::cross(
-        direction, std::abs(direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
-    projection.paint(from, to, color, width);
-    for (const double s : {-1.0, 1.0}) {
-      projection.paint(to, to - 0.05 * size * direction + s * 0.025 * size * side, color, width);
-    }
-    return;
+void paint_lines(const Projection& projection, const std::vector<WorldLine>& lines, ImU32 color,
+                 double width) {
+  for (const WorldLine& line : lines) {
+    projection.paint(line.from, line.to, color, static_cast<float>(width));
   }
-  const glm::dvec3 at(light.position);
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 reach(0);
-    reach[axis] = 0.03 * size;
-    projection.paint(at - reach, at + reach, color, width);
-  }
-  if (has_direction(light.type)) {
-    projection.paint(at, at + 0.15 * size * direction, color, width);
-  }
-}
-
-// The view pyramid of the scene's camera.
-void paint_camera(const Projection& projection, const RenderCamera& camera, double aspect,
-                  double size, ImU32 color, double scale) {
-  const auto width = static_cast<float>(scale);
-  const double depth = 0.15 * size;
-  const double half = depth * std::tan(camera.fov_y / 2);
-  std::array<glm::dvec3, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double x = i == 0 || i == 3 ? -1 : 1;
-    const double y = i < 2 ? -1 : 1;
-    corners[i] =
-        camera.position - depth * camera.w + x * half * aspect * camera.u + y * half * camera.v;
-  }
-  for (std::size_t i = 0; i < 4; ++i) {
-    projection.paint(camera.position, corners[i], color, width);
-    projection.paint(corners[i], corners[(i + 1) % 4], color, width);
-  }
-  projection.paint(corners[2], 0.5 * (corners[2] + corners[3]) + 0.5 * half * camera.v, color,
-                   width);
-  projection.paint(corners[3], 0.5 * (corners[2] + corners[3]) + 0.5 * half * camera.v, color,
-                   width);
 }
 
 void paint_axes(const Projection& projection, double length, double scale) {
@@ -282,13 +237,15 @@ void paint_helpers(const Session& session, const GuiFrame& frame) {
     const bool chosen =
         selected != nullptr && selected->kind == RowKind::light && selected->source == light.source;
     if (all || chosen) {
-      paint_light(projection, light, box, rgba(chosen ? color_accent : 0xffe080), frame.scale);
+      paint_lines(projection, light_helper(light, box), rgba(chosen ? color_accent : 0xffe080),
+                  1.5 * frame.scale);
     }
   }
   const bool camera_chosen = selected != nullptr && selected->kind == RowKind::camera;
   if ((all || camera_chosen) && session.camera != session.home) {
-    paint_camera(projection, render_camera(session.home), picture.size.x / picture.size.y, size,
-                 rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
+    paint_lines(projection,
+                camera_helper(render_camera(session.home), picture.size.x / picture.size.y, box),
+                rgba(camera_chosen ? color_accent : 0xd0d0d0), frame.scale);
   }
   draw.PopClipRect();
 }

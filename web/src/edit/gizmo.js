@@ -2,6 +2,7 @@
 // follows the pointer; the text changes once, when the pointer is released.
 
 import { byId } from '../dom.js';
+import { along, depthOf, dot, projection } from '../projection.js';
 import { handleOf, moveItem, scaleItem, transformed, turnItem, worldOf } from './placing.js';
 
 const svgName = 'http://www.w3.org/2000/svg';
@@ -11,8 +12,6 @@ const circle = Array.from({ length: 49 }, (_, i) => [Math.cos((i * Math.PI) / 24
 const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [(i & 1) - 0.5, ((i >> 1) & 1) - 0.5, (i >> 2) - 0.5]);
 const edges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-const along = (a, b, t) => a.map((x, i) => x + t * b[i]);
 const unit = (v) => v.map((x) => x / (Math.hypot(...v) || 1));
 
 function element(name, attributes, parent) {
@@ -24,16 +23,6 @@ function element(name, attributes, parent) {
   return made;
 }
 
-/** Positions in the picture, in pixels; null if behind the camera. */
-export function projection({ position, u, v, w, fov_y: angle }, width, height) {
-  const scale = height / 2 / Math.tan(angle / 2);
-  return (point) => {
-    const from = along(point, position, -1);
-    const depth = -dot(from, w);
-    return depth < 1e-4 ? null : [width / 2 + (scale * dot(from, u)) / depth, height / 2 - (scale * dot(from, v)) / depth];
-  };
-}
-
 export class Gizmo {
   #host;
   #svg = element('svg', { id: 'gizmo', 'aria-hidden': 'true' });
@@ -41,7 +30,7 @@ export class Gizmo {
   #item = null;
   #drag = null;
 
-  /** `host`: view() of the picture, apply(edit). */
+  /** `host`: view() and viewport() of the picture, apply(edit). */
   constructor(host) {
     this.#host = host;
     byId('stage').append(this.#svg);
@@ -86,7 +75,7 @@ export class Gizmo {
   }
 
   #draw(handle, view, canvas) {
-    const project = projection(view, canvas.width, canvas.height);
+    const project = projection(view, canvas.width, canvas.height, this.#host.viewport());
     const { origin } = handle;
     const center = project(origin);
     const outline = element('g', { class: 'outline' }, this.#svg);
@@ -102,7 +91,7 @@ export class Gizmo {
     if (center === null || (handle.position !== null && this.#how !== 'move')) {
       return;
     }
-    const depth = -dot(along(origin, view.position, -1), view.w);
+    const depth = depthOf(view, origin);
     const length = 2 * size * depth * Math.tan(view.fov_y / 2);
     // Scaling acts along the object's own axes; moving and rotating use the axes of its parent.
     const space = this.#how === 'scale' ? worldOf(this.#model, handle.item) : handle.space;

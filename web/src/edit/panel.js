@@ -50,10 +50,10 @@ export class EditPanel {
   #form = byId('edit-fields');
   #gizmo;
 
-  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item), view() of the picture. */
+  /** `host`: text() of the scene, change(changes), files() other than the scene, selected(model, item), view() and viewport() of the picture. */
   constructor(host) {
     this.#host = host;
-    this.#gizmo = new Gizmo({ view: host.view, apply: (edit) => this.#apply(edit) });
+    this.#gizmo = new Gizmo({ view: host.view, viewport: host.viewport, apply: (edit) => this.#apply(edit) });
     this.#tree.addEventListener('keydown', (event) => this.#treeKey(event));
     this.#form.addEventListener('submit', (event) => event.preventDefault());
     const actions = {

@@ -101,15 +101,18 @@ pkg-config."
   DEPENDS libglm-dev libfmt-dev libexpat1-dev libpng-dev libjpeg-dev zlib1g-dev libisal-dev libtbb-dev libembree-dev)
 
 if(TARGET scenefile_python)
-  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  foreach(part MAJOR MINOR)
+    get_directory_property(python_${part} DIRECTORY ${PROJECT_SOURCE_DIR}/python DEFINITION Python_VERSION_${part})
+  endforeach()
+  math(EXPR next_minor "${python_MINOR} + 1")
   scenefile_deb(python python3-scenefile
 "read, edit, render and compare CS123 scene files (Python 3)
 The module scenefile for Python reads, checks, edits and draws scenes of Brown
 University's computer graphics courses. Pictures are NumPy arrays. It names the
 mistake that explains a wrong picture, and grades a class."
     SECTION python
-    DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
-      "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy)
+    DEPENDS "python3 (>= ${python_MAJOR}.${python_MINOR})"
+      "python3 (<< ${python_MAJOR}.${next_minor})" python3-numpy)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/postinst ${PROJECT_SOURCE_DIR}/packages/python3-scenefile/prerm)
 endif()

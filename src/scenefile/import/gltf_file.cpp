@@ -38,6 +38,9 @@ std::string split(std::string_view bytes, Chunks& chunks) {
     return fmt::format("it is version {} of GLB, and only 2 is supported", version);
   }
   const std::uint32_t length = number_at(bytes, 8);
+  if (length < header + chunk_header) {
+    return fmt::format("its header says that it has {} bytes, fewer than the header", length);
+  }
   if (length > bytes.size()) {
     return fmt::format("the file ends early: it should have {} bytes and has {}", length,
                        bytes.size());
@@ -56,9 +59,6 @@ std::string split(std::string_view bytes, Chunks& chunks) {
       chunks.binary = bytes.substr(at, size);
     }
     at += std::min<std::size_t>((size + 3) / 4 * 4, bytes.size() - at);
-    if (at > bytes.size()) {
-      break;
-    }
   }
   return chunks.json.empty() ? "it has no JSON chunk" : "";
 }

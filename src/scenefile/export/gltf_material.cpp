@@ -83,10 +83,11 @@ std::string gltf_material(const RenderMaterial& material, const RenderGlobal& gl
                         largest(pbr.emissive));
   }
   extensions.insert("KHR_materials_specular");
+  // Blender 3.4 reads only the color of two ways to say that there is no highlight.
   more += R"("KHR_materials_specular":)";
   more += largest(pbr.f0) > 0
               ? fmt::format(R"({{"specularColorFactor":{}}})", list(pbr.f0 / f0_of(pbr.ior)))
-              : R"({"specularFactor":0})";
+              : R"({"specularFactor":0,"specularColorFactor":[0,0,0]})";
   if (pbr.transmission > 0) {
     extensions.insert({"KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume"});
     more += fmt::format(R"(,"KHR_materials_transmission":{{"transmissionFactor":{}}})"

@@ -213,10 +213,11 @@ web-test: web ## build the page and the package, and test them; CORPUS=DIR: also
 	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }
 
 .PHONY: ci-full
-ci-full: ## all checks, including slow ones: .ci/run, Debian 13, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
+ci-full: ## all checks, including slow ones: .ci/run, Debian 13, Blender, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
 	@$(MAKE) $(QUIET) docs-test
+	@$(MAKE) $(QUIET) interchange CORPUS="$(SCENEFILE_CORPUS)"
 	@$(MAKE) $(QUIET) python
 	@$(MAKE) $(QUIET) packages-tried
 	@scripts/bare-machine trixie --make-packages out/packages-trixie
@@ -268,14 +269,34 @@ docs: build ## build the documentation site: out/site/index.html
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
 	@scripts/library-reference
 	@mkdocs build --quiet
-	@echo "The site is in out/site."
+	@echo "The site is in out/site; python3 -m http.server -d out/site shows it, with its search."
+
+# The scripts of the page's folder need playwright, which npm installs there.
+WEB_MODULES = [ -d web/node_modules/playwright-core ] || (cd web && npm ci --ignore-scripts --no-audit --no-fund)
+
+.PHONY: screenshots
+screenshots: build ## take the screenshots of the documentation again; that of the page needs "make web" first
+	@scripts/install-deps tests browser
+	@[ ! -f out/page/index.html ] || { $(WEB_MODULES); }
+	@scripts/screenshots $(BUILD)
 
 .PHONY: docs-test
-docs-test: build ## check that every link leads somewhere, every command shown runs, and the examples work
+docs-test: docs ## check that every link leads somewhere, every command shown runs, and the examples work
 	@scripts/install-deps tests docs
 	@tests/docs/pages.py links
 	@tests/docs/pages.py commands $(BUILD)/scenefile
 	@/usr/bin/python3 tests/docs/examples.py $(BUILD)/scenefile
+	@scripts/install-deps browser
+	@$(WEB_MODULES)
+	@node tests/docs/site.js out/site
+
+.PHONY: interchange
+interchange: build ## CORPUS=DIR: exported scenes pass the Khronos validator, and survive a trip through Blender
+	@scripts/install-deps interchange
+	@cd tests/interchange && npm ci --no-audit --no-fund
+	@node tests/interchange/validate.js $(BUILD)/scenefile scenes $(CORPUS)
+	@blender --background --factory-startup -noaudio --python-exit-code 1 --python tests/interchange/blender.py -- \
+	  $(BUILD)/scenefile scenes $(CORPUS)
 
 .PHONY: python
 python: ## build the Python module, build/python/python/scenefile, and test it

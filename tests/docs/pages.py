@@ -62,6 +62,8 @@ def dead_links():
             target = (page.parent / name).resolve() if name else page
             if not target.exists():
                 dead.append(f"{page.relative_to(ROOT)}: {link}: no such file")
+            elif page.is_relative_to(ROOT / "docs") and not target.is_relative_to(ROOT / "docs"):
+                dead.append(f"{page.relative_to(ROOT)}: {link}: not on the site, which has only the files of docs/")
             elif anchor and target.suffix == ".md" and anchor not in anchors(target):
                 dead.append(f"{page.relative_to(ROOT)}: {link}: no such heading")
     return dead, count

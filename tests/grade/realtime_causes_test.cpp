@@ -11,6 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace scenefile {
@@ -133,6 +135,30 @@ TEST(RealtimeCauses, NamesNothingForCorrectProgramsAndUnknownMistakes) {
                               "strange-stripes", "strange-bent", "strange-noise"}) {
     EXPECT_EQ(fixture.named(panel, mistake), "") << mistake;
   }
+}
+
+TEST(RealtimeCauses, ValuesAddedToThePictureAreNotMistakesOfLighting) {
+  const Fixture scene;
+  const Texture reference = scene.right(panel_of(Milestone::action));
+  const auto causes_of = [&](const auto& change) {
+    Texture test = reference;
+    for (std::size_t i = 0; i < test.rgb.size(); ++i) {
+      test.rgb[i] = static_cast<std::uint8_t>(std::clamp(change(int(test.rgb[i]), i % 3), 0, 255));
+    }
+    std::string whats;
+    for (const Claim& claim :
+         find_realtime_causes(reference, test, scene.view(panel_of(Milestone::action))).claims) {
+      whats += claim.what + '\n';
+    }
+    return whats;
+  };
+  EXPECT_EQ(causes_of([](int v, std::size_t) { return v + 10; }),
+            "10 of 255 was added to all values\n");
+  EXPECT_EQ(causes_of([](int v, std::size_t) { return v - 12; }),
+            "12 of 255 was subtracted from all values\n");
+  EXPECT_EQ(causes_of([](int v, std::size_t) { return v + 3; }), "");
+  EXPECT_EQ(causes_of([](int v, std::size_t c) { return c == 0 ? v + 10 : v; }), "");
+  EXPECT_EQ(causes_of([](int v, std::size_t) { return v / 64 * 64; }), "");
 }
 
 TEST(RealtimeCauses, FindsTheSettingsOfAReference) {

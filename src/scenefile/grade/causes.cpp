@@ -174,7 +174,9 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   sim.interleave(different);
   sim.prepare_clean();
   sim.first_measured = sim.list.size();
-  add_curves(sim);
+  for (Hypothesis& curve : fitted_curves(sim.points, sim.clean({}).reference)) {
+    sim.list.push_back(std::move(curve));
+  }
   if (sim.usable) {
     add_background(sim);
     add_factors(sim);

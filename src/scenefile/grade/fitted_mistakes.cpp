@@ -72,43 +72,43 @@ void add_color_of_light(Simulation& sim, std::size_t light) {
 
 }  // namespace
 
-void add_curves(Simulation& sim) {
+std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference) {
+  std::vector<Hypothesis> list;
   std::vector<double> factors;
   std::vector<double> powers;
   std::vector<double> steps;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
-    const dvec3& r = sim.clean({}).reference[i];
-    const dvec3& t = sim.points[i].test;
-    for (int channel = 0; sim.points[i].differs && channel < 3; ++channel) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3& r = reference[i];
+    const dvec3& t = points[i].test;
+    for (int channel = 0; points[i].differs && channel < 3; ++channel) {
       if (r[channel] > 20 && r[channel] < 235 && t[channel] > 4 && t[channel] < 250) {
         factors.push_back((t[channel] + 0.5) / (r[channel] + 0.5));
         powers.push_back(std::log((t[channel] + 0.5) / 255) / std::log((r[channel] + 0.5) / 255));
       }
-      if (sim.points[i].differs && t[channel] > 0 && t[channel] < 255) {
+      if (points[i].differs && t[channel] > 0 && t[channel] < 255) {
         steps.push_back(t[channel] - r[channel]);
       }
     }
   }
   if (const std::optional<double> n = common_value(steps); n && std::abs(*n) > 4) {
-    sim.list.push_back({Cause::brightness,
-                        fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
-                                    *n > 0 ? "added to" : "subtracted from"),
-                        Stage::picture,
-                        {},
-                        {},
-                        [n = *n / 255](const dvec3& c) { return n + clamped(c); }});
+    list.push_back({Cause::brightness,
+                    fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
+                                *n > 0 ? "added to" : "subtracted from"),
+                    Stage::picture,
+                    {},
+                    {},
+                    [n = *n / 255](const dvec3& c) { return n + clamped(c); }});
   }
   if (const std::optional<double> k = common_value(factors); k && std::abs(*k - 1) > 0.05) {
-    sim.list.push_back(
-        {Cause::brightness,
-         fmt::format("the picture is {:.2f} times as bright as it should be", *k),
-         Stage::picture,
-         {},
-         {},
-         [k = *k](const dvec3& c) { return k * glm::clamp(c, dvec3(0), dvec3(1)); }});
+    list.push_back({Cause::brightness,
+                    fmt::format("the picture is {:.2f} times as bright as it should be", *k),
+                    Stage::picture,
+                    {},
+                    {},
+                    [k = *k](const dvec3& c) { return k * glm::clamp(c, dvec3(0), dvec3(1)); }});
   }
   if (const std::optional<double> p = common_value(powers); p && std::abs(*p - 1) > 0.05) {
-    sim.list.push_back(
+    list.push_back(
         {Cause::gamma,
          *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
                               1 / *p)
@@ -120,6 +120,7 @@ void add_curves(Simulation& sim) {
            return glm::pow(glm::clamp(c, dvec3(0), dvec3(1)), dvec3(p));
          }});
   }
+  return list;
 }
 
 void add_background(Simulation& sim) {

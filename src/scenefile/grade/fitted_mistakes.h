@@ -5,8 +5,9 @@
 
 namespace scenefile {
 
-/// The brightness, the gamma, or a number that was added, estimated from the pictures.
-void add_curves(Simulation& sim);
+/// The brightness, the gamma, or a number that was added, estimated from the colors of the
+/// reference at the points.
+std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference);
 /// A uniform color where nothing is hit.
 void add_background(Simulation& sim);
 /// Terms and lights that are too bright or too dark by a factor, estimated from the pictures.

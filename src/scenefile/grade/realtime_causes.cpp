@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/claims.h"
 #include "scenefile/grade/evidence.h"
+#include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
 #include "scenefile/grade/undrawn.h"
@@ -30,6 +31,11 @@ constexpr std::size_t few_points = 120;    // ... and several
 constexpr std::size_t most_partners = 40;  // mistakes per start that need a new rasterization
 constexpr std::size_t least_strict = 40;   // differing edge pixels needed to search by only those
 constexpr double rival_margin = 0.03;
+// Stricter than for ray tracers: the rasterizer reproduces a picture nearly exactly.
+constexpr double enough_explained = 0.9;
+constexpr double enough_pixels = 0.9;
+// Several mistakes can imitate almost anything roughly.
+constexpr double enough_together = 0.95;
 constexpr double necessary = 0.01;  // what each of several mistakes must add to the others
 constexpr double promising = 0.02;
 
@@ -41,7 +47,8 @@ struct Tried {
   double broken = 0;
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
   bool good() const {
-    return explained >= enough && exact >= enough_exact && broken <= max_broken;
+    return explained >= (together.size() == 1 ? enough_explained : enough_together) &&
+           exact >= enough_pixels && broken <= max_broken;
   }
 };
 
@@ -71,6 +78,7 @@ class Search {
     }
     list_ = realtime_hypotheses(view_, drawn_.right().scene.scene, test_.width, test_.height);
     add_fitted();
+    listed_ = list_.size();
     if (pixels.different.size() >= few_pixels) {
       set_points(pixels, false);
       search();
@@ -206,6 +214,10 @@ class Search {
       }
     }
     right_ = colors({}, clean_, points_.size());
+    list_.resize(listed_);
+    for (Hypothesis& h : fitted_curves(points_, right_)) {
+      list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
+    }
   }
 
   Tried rated(Together together, const Score& s, std::size_t count) const {
@@ -537,6 +549,7 @@ class Search {
   const RealtimeDrawn drawn_;
   std::shared_ptr<const Visibility> clean_;
   std::vector<RealtimeHypothesis> list_;
+  std::size_t listed_ = 0;  // those that do not depend on the points
   std::vector<Point> points_;
   Colors right_;  // at the points, without mistakes
   bool stopped_ = false;

@@ -72,9 +72,9 @@ Scene files of Brown University's computer graphics courses (CS123, CSCI1230)
 describe a camera, lights and a scene graph of simple shapes, in XML or JSON.
 This program checks them and reports each mistake with its line, its column and
 how to fix it, draws them by ray tracing or with OpenGL as the course's own
-programs do, explains the color of a pixel, compares pictures, names the mistake
-that explains a difference, grades the pictures of a class, and converts scenes
-to and from glTF and Wavefront OBJ, and to POV-Ray."
+programs do, explains the color of a pixel, compares pictures, names the
+mistake that explains a difference, grades the pictures of a class, and
+converts scenes to and from glTF and Wavefront OBJ, and to POV-Ray."
   RECOMMENDS libegl1 libgl1-mesa-dri SUGGESTS scenefile-window)
 # Pages link to LICENSE; Debian has one copy of its text for all packages.
 file(CREATE_LINK copyright ${PROJECT_BINARY_DIR}/LICENSE SYMBOLIC)

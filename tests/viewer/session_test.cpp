@@ -317,6 +317,18 @@ TEST_F(SessionTest, ClicksHitTheRealtimePicture) {
   EXPECT_EQ(session.selected, sphere);
   click(399, 1);
   EXPECT_FALSE(session.selected.has_value()) << "beyond the camera's view";
+  session.realtime_panel.milestone = Milestone::lights_camera;
+  const CameraView whole = camera_view(session);
+  const glm::dvec2 at = whole.box.at + whole.box.size * glm::dvec2(0.35, 0.5);
+  click(at.x, at.y);
+  EXPECT_EQ(session.selected, sphere);
+  session.realtime_panel.near = 6;
+  click(at.x, at.y);
+  EXPECT_FALSE(session.selected.has_value()) << "its front is clipped, its back culled";
+  session.realtime_panel.near = 0.1;
+  session.realtime_panel.far = 5.4;
+  click(at.x, at.y);
+  EXPECT_FALSE(session.selected.has_value());
 }
 
 TEST_F(SessionTest, KeysOfTheAssignment) {

@@ -156,7 +156,7 @@ struct DrawStats {
   std::uint32_t shadow_calls = 0;  ///< 0 if the shadow maps were still valid
   std::uint32_t shadow_maps = 0;   ///< square depth images in use
   std::uint64_t objects = 0;
-  std::uint64_t triangles = 0;   ///< or lines; of all objects
+  std::uint64_t triangles = 0;   ///< of all objects; wireframe shows their edges
   std::uint64_t left_out = 0;    ///< farthest visible objects, skipped if too many
   std::uint32_t shadowless = 0;  ///< lights without shadows, because their shadow maps do not fit
   int samples = 1;               ///< per pixel

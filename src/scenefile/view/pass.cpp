@@ -403,13 +403,12 @@ class Pass {
       gl_.BindBuffer(gl::ELEMENT_ARRAY_BUFFER, geometry.lines.name());
       gl_.DrawElementsInstanced(gl::LINES, geometry.line_indices, gl::UNSIGNED_INT, nullptr,
                                 instances);
-      stats_.triangles += batch.count * static_cast<std::uint64_t>(geometry.line_indices / 2);
     } else {
       gl_.BindBuffer(gl::ELEMENT_ARRAY_BUFFER, geometry.triangles.name());
       gl_.DrawElementsInstanced(gl::TRIANGLES, geometry.triangle_indices, gl::UNSIGNED_INT, nullptr,
                                 instances);
-      stats_.triangles += batch.count * static_cast<std::uint64_t>(geometry.triangle_indices / 3);
     }
+    stats_.triangles += batch.count * static_cast<std::uint64_t>(geometry.triangle_indices / 3);
     ++stats_.draw_calls;
   }
 

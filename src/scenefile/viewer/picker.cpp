@@ -14,6 +14,25 @@ struct Picker::Impl {
   Accelerator accelerator;
 };
 
+namespace {
+
+bool is_drawn(const Hit& hit, const Ray& ray, const PickPlanes& planes) {
+  const double depth = hit.t * glm::dot(ray.direction, planes.forward);
+  if (depth < planes.near || depth > planes.far) {
+    return false;
+  }
+  if (hit.shape == Shape::mesh) {
+    return true;  // which side is visible depends on the file
+  }
+  // A reflection shows the inside, as OpenGL does.
+  const glm::dmat3& matrix = hit.object_from_world.linear;
+  const double toward =
+      glm::dot(surface_at(hit.shape, hit.face, hit.object_point).normal, matrix * ray.direction);
+  return glm::determinant(matrix) > 0 ? toward < 0 : toward > 0;
+}
+
+}  // namespace
+
 Picker::Picker(const RenderScene& scene, const Assets& assets)
     : impl_(std::make_unique<Impl>(scene, assets)) {}
 Picker::~Picker() = default;
@@ -25,7 +44,8 @@ Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspe
   return {camera.position, glm::normalize(direction)};
 }
 
-std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden) const {
+std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden,
+                                 const std::optional<PickPlanes>& planes) const {
   constexpr int most_hidden = 64;  // one behind another along the ray
   const Accelerator& accelerator = impl_->accelerator;
   if (accelerator.status() != AcceleratorStatus::ready) {
@@ -43,7 +63,7 @@ std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden) const {
         hidden.contains(pick.source) ||
         std::any_of(pick.instances.begin(), pick.instances.end(),
                     [&](std::uint32_t source) { return hidden.contains(source); });
-    if (!is_hidden) {
+    if (!is_hidden && (!planes || is_drawn(hit, ray, *planes))) {
       return pick;
     }
     from = hit.t + 1e-7 * std::max(1.0, hit.t);

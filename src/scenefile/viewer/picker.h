@@ -18,6 +18,14 @@ namespace scenefile::viewer {
 /// Sources (of RenderPrimitive, RenderInstance, RenderLight) that the user has hidden.
 using Hidden = std::set<std::uint32_t>;
 
+/// What a picture of the assignment Realtime shows of a ray: hits between two planes, on front
+/// faces.
+struct PickPlanes {
+  glm::dvec3 forward{0, 0, -1};  ///< the view direction, unit length
+  double near = 0;
+  double far = 0;
+};
+
 struct Pick {
   std::uint32_t source = 0;              ///< of the primitive
   std::vector<std::uint32_t> instances;  ///< sources of the instances around it, outermost first
@@ -39,7 +47,8 @@ class Picker {
 
   /// The nearest object that is not hidden; nullopt also if the scene is too deep or too large for
   /// the search. The direction of `ray` has unit length. Thread-safe.
-  std::optional<Pick> pick(const Ray& ray, const Hidden& hidden = {}) const;
+  std::optional<Pick> pick(const Ray& ray, const Hidden& hidden = {},
+                           const std::optional<PickPlanes>& planes = {}) const;
 
  private:
   struct Impl;

@@ -27,10 +27,19 @@ Ray ray_under(const Session& session, const glm::dvec2& at) {
                      view.aspect);
 }
 
+std::optional<Pick> pick_under(const Session& session, const Ray& ray) {
+  std::optional<PickPlanes> planes;
+  if (session.realtime) {
+    planes = {-render_camera(session.camera).w, session.realtime_panel.near,
+              session.realtime_panel.far};
+  }
+  return session.shown->picker->pick(ray, session.hidden, planes);
+}
+
 // The point of the scene under the pointer, or one at the pivot's distance.
 glm::dvec3 point_under(const Session& session) {
   const Ray ray = ray_under(session, session.pointer.at);
-  if (const std::optional<Pick> pick = session.shown->picker->pick(ray, session.hidden)) {
+  if (const std::optional<Pick> pick = pick_under(session, ray)) {
     return pick->point;
   }
   return ray.origin + ray.direction * glm::length(session.camera.pivot - session.camera.position);
@@ -40,7 +49,7 @@ glm::dvec3 point_under(const Session& session) {
 void select_under(Session& session) {
   const SceneOnShow& scene = *session.shown;
   const Ray ray = ray_under(session, session.pointer.at);
-  const std::optional<Pick> pick = scene.picker->pick(ray, session.hidden);
+  const std::optional<Pick> pick = pick_under(session, ray);
   const Box& box = session.picture;
   read_pixel(session, (session.pointer.at - box.at) / box.size);
   if (!pick || pick->source >= scene.outline.row_of_source.size()) {

@@ -22,7 +22,7 @@ void ask_for_terms(Session& session) {
     return;
   }
   if (session.realtime) {
-    readout.terms = "Terms exist only for ray tracing, not for the assignment Realtime.";
+    readout.terms = "Terms exist only for ray tracing.";
     return;
   }
   PixelQuestion question{

@@ -24,7 +24,7 @@ std::uint64_t fingerprint(std::string_view bytes) {
 }
 
 // An upper bound for the state of such a picture.
-std::uint64_t most_bytes(const Options& options) {
+std::uint64_t max_bytes(const Options& options) {
   return std::uint64_t(options.render.width) * std::uint64_t(options.render.height) * 16 +
          (1u << 20);
 }
@@ -39,7 +39,7 @@ Outcome resume(const Options& options, const CheckpointKey& key, std::string& st
   if (!std::filesystem::exists(options.checkpoint, ignored) && !ignored) {
     return {};
   }
-  const Result<std::string> bytes = read_file(options.checkpoint, most_bytes(options));
+  const Result<std::string> bytes = read_file(options.checkpoint, max_bytes(options));
   if (!bytes && bytes.error().kind == ErrorKind::limit) {
     return refusal(options, "the file is longer than a checkpoint of this picture");
   }

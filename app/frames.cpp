@@ -48,7 +48,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double usual_fps = 24;
-constexpr std::size_t most_frames = 1000000;
+constexpr std::size_t max_frames = 1000000;
 
 // All frames of the motion; frame number 1 has index 0.
 struct Motion {
@@ -69,9 +69,9 @@ Outcome read_path(const Options& options, const Camera& camera, Motion& motion) 
   motion.fps = options.fps.value_or(path->fps.value_or(usual_fps));
   const double start = path->views.front().time;
   const double frames = std::floor((path->views.back().time - start) * motion.fps + 1e-9) + 1;
-  if (frames > static_cast<double>(most_frames)) {
+  if (frames > static_cast<double>(max_frames)) {
     return {ExitCode::limit,
-            fmt::format("{}: more than {} frames", escaped(options.path, 400), most_frames)};
+            fmt::format("{}: more than {} frames", escaped(options.path, 400), max_frames)};
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(frames); ++i) {
     motion.cameras.push_back(camera_at(path->views, start + static_cast<double>(i) / motion.fps));

@@ -41,7 +41,7 @@ std::vector<std::string> part_paths(const Options& options) {
       paths.push_back(argument);
       continue;
     }
-    for (const std::string& name : files_in(argument, 2 * std::size_t{most_parts})) {
+    for (const std::string& name : files_in(argument, 2 * std::size_t{max_parts})) {
       const std::string path = argument + (argument.ends_with('/') ? "" : "/") + name;
       if (!name.starts_with('.') && kind_of_part(path) != PartKind::none) {
         paths.push_back(path);

@@ -133,9 +133,9 @@ std::string set_parameters(Options& options, const std::string& value) {
   }
   TessellationParameters& parameters = options.realtime_panel.tessellation;
   std::string wrong =
-      set_number(value.substr(0, comma), 1, most_tessellation, parameters.parameter1);
+      set_number(value.substr(0, comma), 1, max_tessellation, parameters.parameter1);
   return wrong.empty()
-             ? set_number(value.substr(comma + 1), 1, most_tessellation, parameters.parameter2)
+             ? set_number(value.substr(comma + 1), 1, max_tessellation, parameters.parameter2)
              : wrong;
 }
 
@@ -306,7 +306,7 @@ std::string set_part(Options& options, const std::string& value) {
   std::string wrong =
       slash == std::string::npos
           ? fmt::format("{} is not a part such as 3/64", quoted(value))
-          : set_number(value.substr(slash + 1), std::uint32_t{1}, most_parts, part.count);
+          : set_number(value.substr(slash + 1), std::uint32_t{1}, max_parts, part.count);
   if (wrong.empty()) {
     wrong = set_number(value.substr(0, slash), std::uint32_t{1}, part.count, part.index);
     part.index -= wrong.empty() ? 1 : 0;

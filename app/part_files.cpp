@@ -15,7 +15,7 @@ namespace scenefile::app {
 namespace {
 
 constexpr int rows_of_a_band = 16;
-constexpr std::uint64_t most_bytes_of_class = std::uint64_t{1} << 36;
+constexpr std::uint64_t max_bytes_of_class = std::uint64_t{1} << 36;
 constexpr std::size_t bytes_at_once = std::size_t{1} << 20;
 
 // What is wrong with the rows; empty if they are intact.
@@ -58,7 +58,7 @@ Result<PartCandidate> check_part_file(const std::string& path) {
   if (!file) {
     return file.error();
   }
-  const Result<std::string> start = file->read(0, most_part_head_bytes);
+  const Result<std::string> start = file->read(0, max_part_head_bytes);
   if (!start) {
     return start.error();
   }
@@ -93,7 +93,7 @@ Result<void> write_part_file(const std::string& path, const DividedPicture& pict
 }
 
 Result<GradePart> read_grade_part(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, most_bytes_of_class);
+  const Result<std::string> bytes = read_file(path, max_bytes_of_class);
   if (!bytes) {
     return bytes.error();
   }

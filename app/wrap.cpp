@@ -11,8 +11,8 @@ namespace scenefile::app {
 namespace {
 
 constexpr std::size_t usual_width = 80;
-constexpr std::size_t least_width = 40;
-constexpr std::size_t most_width = 100;
+constexpr std::size_t min_width = 40;
+constexpr std::size_t max_width = 100;
 
 // 0: unknown.
 std::size_t given_width() {
@@ -28,7 +28,7 @@ std::size_t given_width() {
 std::size_t help_width() {
   std::size_t width = given_width();
   width = width == 0 ? terminal_width(Stream::answer) : width;
-  return width == 0 ? usual_width : std::clamp(width, least_width, most_width);
+  return width == 0 ? usual_width : std::clamp(width, min_width, max_width);
 }
 
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent,

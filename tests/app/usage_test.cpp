@@ -263,7 +263,7 @@ TEST(Usage, ThePageOfCodesIsUpToDate) {
   std::ifstream file(SCENEFILE_SOURCE "/docs/diagnostics.md", std::ios::binary);
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(run_program({"help", "--markdown"}).out, page)
-      << "make docs writes docs/diagnostics.md anew";
+      << "make docs updates docs/diagnostics.md";
 }
 
 TEST(Usage, EveryCodeHasAPage) {

@@ -94,9 +94,7 @@ class PovPicture : public testing::Test {
     return decode_image(*png, limits, budget, error);
   }
 
-  void expect_alike(double least_db) {
-    EXPECT_GE(compare_images(ours(), theirs()).psnr_db, least_db);
-  }
+  void expect_alike(double min_db) { EXPECT_GE(compare_images(ours(), theirs()).psnr_db, min_db); }
 
   SceneBuilder scene_;
   std::vector<std::string> paths_;

@@ -150,7 +150,7 @@ TEST(WriteGltf, ReportsWhatIsLost) {
 TEST(WriteGltf, RejectsMoreNodesThanAllowed) {
   Diagnostics diagnostics;
   const Scene scene = read_scene(scene_of(block(cube) + block(cube)), {}, diagnostics);
-  EXPECT_EQ(write_gltf(scene, prepare(scene, {}), {}, {.most_nodes = 1}, diagnostics), "");
+  EXPECT_EQ(write_gltf(scene, prepare(scene, {}), {}, {.max_nodes = 1}, diagnostics), "");
   EXPECT_TRUE(diagnostics.has_errors());
 }
 

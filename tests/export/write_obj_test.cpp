@@ -63,7 +63,7 @@ TEST(WriteObj, CopiesTemplates) {
   Diagnostics diagnostics;
   EXPECT_EQ(read_back(write_obj(scene.scene, {}, {}, diagnostics).obj).triangles.size(), 24u);
   diagnostics = Diagnostics();
-  EXPECT_EQ(write_obj(scene.scene, {}, {.most_triangles = 23}, diagnostics).obj, "");
+  EXPECT_EQ(write_obj(scene.scene, {}, {.max_triangles = 23}, diagnostics).obj, "");
   ASSERT_TRUE(diagnostics.has_errors());
   EXPECT_EQ(diagnostics.list().back().code, &export_size_limit);
 }

@@ -133,7 +133,7 @@ def judge(folder, output, good, result):
         return "no message"
     if status >= 3 and output and now != old_output(output):
         return "the output was touched"
-    # Without a texture, a model has one file less beside it.
+    # Without a texture, a model has one file less next to it.
     less = warned and status == good["status"] and set(good["before"]) <= set(listing) <= set(good["listing"])
     if listing != good["listing"] and listing != good["before"] and not less:
         return "left %s" % sorted(set(listing) - set(good["before"]))

@@ -177,8 +177,8 @@ TEST(RealtimeMesh, ExtremeParametersAreClamped) {
   EXPECT_EQ(count(Shape::cone, 1, 1), 6u);
   EXPECT_EQ(count(Shape::cylinder, 1, 1), 12u);
   EXPECT_EQ(count(Shape::cube, -7, 0), 12u);
-  EXPECT_EQ(count(Shape::cylinder, 1, 1 << 30), 4u * most_tessellation);
-  EXPECT_EQ(count(Shape::sphere, 1 << 30, 3), 3u * (2 * most_tessellation - 2));
+  EXPECT_EQ(count(Shape::cylinder, 1, 1 << 30), 4u * max_tessellation);
+  EXPECT_EQ(count(Shape::sphere, 1 << 30, 3), 3u * (2 * max_tessellation - 2));
   EXPECT_EQ(count(Shape::mesh, 5, 5), 0u);
 }
 

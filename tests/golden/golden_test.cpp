@@ -29,7 +29,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 }
 
 // Other processors round and fuse operations differently, which can move an edge by a sample.
-constexpr double least_db = 45;
+constexpr double min_db = 45;
 
 constexpr Golden goldens[] = {
     {"showcase.xml", "showcase-fine", Profile::fine, Mode::ray},
@@ -70,7 +70,7 @@ TEST_P(GoldenPicture, IsAsAccepted) {
   const Texture accepted = decode_image(*bytes, limits, budget, error);
   ASSERT_EQ(accepted.width, ours.width) << error;
   ASSERT_EQ(accepted.height, ours.height);
-  EXPECT_GE(compare_images(ours, accepted).psnr_db, least_db);
+  EXPECT_GE(compare_images(ours, accepted).psnr_db, min_db);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ours, GoldenPicture, testing::ValuesIn(goldens), [](const auto& i) {

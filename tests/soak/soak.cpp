@@ -27,7 +27,7 @@ namespace {
 using namespace scenefile;
 namespace fs = std::filesystem;
 
-constexpr double most_growth = 0.01;
+constexpr double max_growth = 0.01;
 // Sanitizers keep freed memory to detect its use, so memory cannot be measured.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool memory_counts = false;
@@ -134,6 +134,6 @@ int main(int argc, char** argv) {
           files.size(), count, memory * 1e-6, 100 * growth / memory, allocated * 1e-3,
           more_allocated * 1e-3, left_open)
           .c_str());
-  const bool grown = memory_counts && growth > std::max(most_growth * memory, slack_bytes);
+  const bool grown = memory_counts && growth > std::max(max_growth * memory, slack_bytes);
   return grown || left_open != 0 ? 1 : 0;
 }

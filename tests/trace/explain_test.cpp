@@ -229,7 +229,7 @@ TEST(Explain, AnySampleCanBeShown) {
   options.width = options.height = 20;
   const Explainer explainer(b.scene, b.assets, options);
   const PixelRecord pixel = explainer.explain(6, 10);
-  ASSERT_GT(pixel.samples.size(), 4u) << "an edge is sampled anew";
+  ASSERT_GT(pixel.samples.size(), 4u) << "an edge gets more samples";
   EXPECT_FALSE(pixel.samples[pixel.shown].refined);
   for (std::uint32_t i = 0; i < pixel.samples.size(); ++i) {
     EXPECT_EQ(explainer.explain(6, 10, i).shown, i);

@@ -89,7 +89,7 @@ TEST(PartFile, ImpossibleHeadersAreRejected) {
   };
   refused([](PartHead& h) { h.index = h.picture.count; });
   refused([](PartHead& h) { h.picture.count = 0; });
-  refused([](PartHead& h) { h.picture.count = most_parts + 1; });
+  refused([](PartHead& h) { h.picture.count = max_parts + 1; });
   refused([](PartHead& h) { h.picture.region = {}; });
   refused([](PartHead& h) { h.picture.region.x0 = -1; });
   refused([](PartHead& h) { h.picture.region.y1 = 1 << 30; });

@@ -39,7 +39,7 @@ TEST(RecentFiles, AreBounded) {
     EXPECT_EQ(add_recent_file(path, "/" + std::to_string(i)), "");
   }
   const std::vector<std::string> files = load_recent_files(path);
-  EXPECT_EQ(files.size(), most_recent_files);
+  EXPECT_EQ(files.size(), max_recent_files);
   EXPECT_EQ(files.front(), "/29");
 }
 

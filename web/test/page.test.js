@@ -884,7 +884,7 @@ test('a mesh that the scene lacks is added, not imported', async () => {
   assert.equal(await page.textContent('#missing ul').catch(() => ''), 'image/wall.png (texture)');
 });
 
-test('a link holds the scene and takes precedence over the stored one', async () => {
+test('a link contains the scene and takes precedence over the stored one', async () => {
   await open();
   const changed = hello.replace('v="35"', 'v="50"');
   await type(changed);

@@ -104,7 +104,7 @@ bool read_bmp_header(std::string_view bytes, ImageHeader& header, std::string& e
   header.width = h.width;
   header.height = h.height;
   // The limits have already rejected sizes for which this product could overflow.
-  header.least_bytes = h.pixels_at + h.row_bytes() * h.height;
+  header.min_bytes = h.pixels_at + h.row_bytes() * h.height;
   return error.empty();
 }
 

@@ -15,7 +15,7 @@ struct ImageHeader {
   std::uint64_t height = 0;
   std::uint64_t working_bytes =
       0;  ///< needed for decoding, in addition to the 3 * width * height of the result
-  std::uint64_t least_bytes = 0;  ///< a smaller file cannot hold that many pixels
+  std::uint64_t min_bytes = 0;  ///< a smaller file cannot hold that many pixels
 };
 
 /// One image format over bytes in memory. Each function returns false and sets `error` if the

@@ -48,7 +48,7 @@ std::string implausible(const ImageHeader& header, std::size_t bytes) {
   if (header.width == 0 || header.height == 0) {
     return "an image needs at least one pixel";
   }
-  if (bytes < header.least_bytes) {
+  if (bytes < header.min_bytes) {
     return fmt::format("that many cannot be in {} bytes: the file is truncated or damaged", bytes);
   }
   return {};

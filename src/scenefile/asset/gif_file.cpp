@@ -31,7 +31,7 @@ bool read_gif_header(std::string_view bytes, ImageHeader& header, std::string&) 
   header.width = in.u16();
   header.height = in.u16();
   // A code of at least 3 bits encodes at most 4096 pixels.
-  header.least_bytes = header.width * header.height / (max_codes * 8 / 3);
+  header.min_bytes = header.width * header.height / (max_codes * 8 / 3);
   return true;
 }
 

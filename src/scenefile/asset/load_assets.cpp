@@ -53,9 +53,9 @@ class TextureLoader {
   // A batch that is decoded in parallel fits the budget, so that the same textures are rejected as
   // in sequence, and its files take little memory.
   bool fits(std::size_t encoded, std::uint64_t decoded) const {
-    constexpr std::size_t most_files = 64;
-    constexpr std::size_t most_bytes = 64'000'000;
-    return waiting_.size() < most_files && encoded_ + encoded <= most_bytes &&
+    constexpr std::size_t max_files = 64;
+    constexpr std::size_t max_bytes = 64'000'000;
+    return waiting_.size() < max_files && encoded_ + encoded <= max_bytes &&
            decoded_ + decoded <= budget_;
   }
 

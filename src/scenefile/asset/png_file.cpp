@@ -103,7 +103,7 @@ bool read_png_header(std::string_view bytes, ImageHeader& header, std::string& e
   const std::uint64_t bits = header.width * depth * (rgb ? 3 : 1);
   header.working_bytes = is_indexed(bytes) ? header.width * header.height : 0;
   // Deflate shrinks to 1/1032 at best (zlib, "Technical Details").
-  header.least_bytes = (bits / 8 + 1) * header.height / 1032;
+  header.min_bytes = (bits / 8 + 1) * header.height / 1032;
   return true;
 }
 

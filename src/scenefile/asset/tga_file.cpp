@@ -68,7 +68,7 @@ bool read_tga_header(std::string_view bytes, ImageHeader& header, std::string&) 
   const std::uint64_t pixels = header.width * header.height;
   const std::uint64_t pixel_bytes = (h.bits + 7) / 8;
   const std::uint64_t data = h.packed() ? pixels / 128 * (1 + pixel_bytes) : pixels * pixel_bytes;
-  header.least_bytes =
+  header.min_bytes =
       header_bytes + h.id_bytes + h.palette_length * ((h.palette_bits + 7) / 8) + data;
   return true;
 }

@@ -100,7 +100,7 @@ inline F next_up(F x) {
              ? std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + 1)
              : x;
 }
-inline double least_lane(F x) {
+inline double min_of_lanes(F x) {
   return x;
 }
 inline double greatest_lane(F x) {

@@ -9,7 +9,7 @@
 
 namespace scenefile {
 
-/// The two sliders of the assignment. Values are clamped to 1 to most_tessellation, and further to
+/// The two sliders of the assignment. Values are clamped to 1 to max_tessellation, and further to
 /// the minimum of each shape: 2 rings for a sphere, 3 wedges for a round shape.
 struct TessellationParameters {
   int parameter1 = 5;  ///< rings of a sphere or cap, stacks of a cylinder or cone, tiles of a cube
@@ -18,7 +18,7 @@ struct TessellationParameters {
   friend bool operator==(const TessellationParameters&, const TessellationParameters&) = default;
 };
 
-inline constexpr int most_tessellation = 1024;
+inline constexpr int max_tessellation = 1024;
 
 /// The two halves of the assignment.
 enum class Milestone : std::uint8_t {

@@ -9,7 +9,7 @@ namespace scenefile {
 namespace {
 
 constexpr int blocks_across = 24;
-constexpr int least_block = 4;  // pixels
+constexpr int min_block = 4;  // pixels
 
 int difference_at(const Texture& a, const Texture& b, int x, int y) {
   const std::uint8_t* p = a.texel(x, y);
@@ -29,7 +29,7 @@ struct Blocks {
 
 Blocks blocks_of(const Texture& a, const Texture& b, int threshold) {
   Blocks blocks;
-  blocks.size = std::max(least_block, std::max(a.width, a.height) / blocks_across);
+  blocks.size = std::max(min_block, std::max(a.width, a.height) / blocks_across);
   blocks.columns = (a.width + blocks.size - 1) / blocks.size;
   blocks.rows = (a.height + blocks.size - 1) / blocks.size;
   blocks.sums.resize(static_cast<std::size_t>(blocks.columns) * blocks.rows);

@@ -13,7 +13,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t most_fits = 4;
+constexpr std::size_t max_fits = 4;
 constexpr double must_change = 3;  // in 1/255; smaller changes could be rounding
 
 // The terms that one light contributes.
@@ -110,7 +110,7 @@ class Comparison {
   void offer(std::string what, const dvec3& color) {
     const dvec3 change =
         glm::abs(glm::clamp(color, dvec3(0), dvec3(1)) - glm::clamp(shown_, dvec3(0), dvec3(1)));
-    if (result_.fits.size() < most_fits && fits(255.0 * color) &&
+    if (result_.fits.size() < max_fits && fits(255.0 * color) &&
         255 * std::max({change.x, change.y, change.z}) > must_change) {
       result_.fits.push_back({std::move(what), 255.0 * color});
     }

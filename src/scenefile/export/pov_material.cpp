@@ -20,14 +20,14 @@ float mean(const glm::vec3& c) {
 
 // POV-Ray subtracts transmitted light from the surface color of glass, but the format adds it, so
 // the surface must not vanish completely.
-constexpr float most_transmit = 0.95f;
+constexpr float max_transmit = 0.95f;
 
 float transmit(const PovMaterial& m) {
   if (!m.transparent()) {
     return 0;
   }
   const float kt = m.global.transparent.value_or(m.options.transparent);
-  return std::min(most_transmit, kt * mean(m.material->transparent));
+  return std::min(max_transmit, kt * mean(m.material->transparent));
 }
 
 // The pigment also multiplies the ambient term, which would vanish with a black pigment.

@@ -7,7 +7,7 @@ namespace scenefile {
 namespace {
 
 constexpr double orthogonal_to = 1e-7;  // cosine; smaller ones count as orthogonal
-constexpr int most_sweeps = 60;
+constexpr int max_sweeps = 60;
 
 bool orthogonal(const glm::dvec3& a, const glm::dvec3& b, double cosine) {
   return std::abs(glm::dot(a, b)) <= cosine * glm::length(a) * glm::length(b);
@@ -57,7 +57,7 @@ TrsPair decompose(const DAffine& map) {
            orthogonal(b[1], b[2], cosine);
   };
   if (!done(orthogonal_to)) {
-    for (int sweep = 0; sweep < most_sweeps && !done(1e-15); ++sweep) {
+    for (int sweep = 0; sweep < max_sweeps && !done(1e-15); ++sweep) {
       for (const auto& [p, q] : pairs) {
         if (!orthogonal(b[p], b[q], 1e-15)) {
           make_orthogonal(b, v, p, q);

@@ -75,7 +75,7 @@ class GltfWriter {
 
   std::string write() {
     // A cheap lower bound: at least one node for each instance of a primitive.
-    too_large_ = count_virtual_primitives(ready_) > static_cast<double>(options_.most_nodes);
+    too_large_ = count_virtual_primitives(ready_) > static_cast<double>(options_.max_nodes);
     if (too_large_) {
       return refuse();
     }
@@ -98,7 +98,7 @@ class GltfWriter {
     diagnostics_.report(
         export_size_limit, {},
         fmt::format("with all instances of its templates the scene has more than {} nodes",
-                    options_.most_nodes));
+                    options_.max_nodes));
     return {};
   }
 
@@ -145,7 +145,7 @@ class GltfWriter {
       nodes_[index].next_sibling = std::exchange(nodes_[last].next_sibling, index);
     }
     last = index;
-    too_large_ = too_large_ || nodes_.size() > options_.most_nodes;
+    too_large_ = too_large_ || nodes_.size() > options_.max_nodes;
     return index;
   }
 

@@ -16,7 +16,7 @@ struct GltfOptions {
   bool binary = true;        ///< GLB, one binary file; otherwise JSON with embedded base64 data
   int segments = 64;         ///< per full turn on round sides; see geometry/tessellate.h
   float transparent = 0.5f;  ///< transparentcoeff if the scene gives none
-  std::size_t most_nodes = 4'000'000;  ///< in the file; templates count once per instance
+  std::size_t max_nodes = 4'000'000;  ///< in the file; templates count once per instance
 };
 
 /// Writes the scene. `ready` is the result of prepare(), `assets` the textures and meshes of its

@@ -37,11 +37,11 @@ class ObjWriter {
   }
 
   ObjScene write() {
-    if (count_triangles() > static_cast<double>(options_.most_triangles)) {
+    if (count_triangles() > static_cast<double>(options_.max_triangles)) {
       diagnostics_.report(
           export_size_limit, {},
           fmt::format("with all instances of its templates the scene has more than {} triangles",
-                      options_.most_triangles));
+                      options_.max_triangles));
       return {};
     }
     report_once(export_lost, "OBJ files have no lights and no camera", diagnostics_);

@@ -16,7 +16,7 @@ struct ObjOptions {
   std::string stem = "scene";  ///< prefix of the names of the other files; no blanks
   int segments = 64;           ///< per full turn on round sides; see geometry/tessellate.h
   float transparent = 0.5f;    ///< transparentcoeff if the scene gives none
-  std::uint64_t most_triangles = 20'000'000;  ///< including all instances of templates
+  std::uint64_t max_triangles = 20'000'000;  ///< including all instances of templates
 };
 
 /// The files: the scene itself, then STEM.mtl, then pictures STEM-1.png and so on.

@@ -456,7 +456,7 @@ void write_over(const Repair& repair, RepairedJson& repaired) {
   }
 }
 
-// Writes numbers that lack a digit beside their point as JSON.
+// Writes numbers without a digit next to their point as JSON.
 class NumberRepair {
  public:
   NumberRepair(std::string_view text, Diagnostics& diagnostics)
@@ -533,7 +533,7 @@ void report_json_error(const JsonError& error, std::string_view text, const Limi
 
 bool recover_json(JsonError error, std::string_view text, const Limits& limits,
                   RepairedJson& repaired, JsonTape& tape, Diagnostics& diagnostics) {
-  constexpr int most_faults = 50;
+  constexpr int max_faults = 50;
   if (repaired.text.empty()) {
     repaired.text = text;
   }
@@ -549,7 +549,7 @@ bool recover_json(JsonError error, std::string_view text, const Limits& limits,
       diagnostics.report(*finding.code, place, finding.message);
     }
     last = {place.line, std::move(finding.message)};
-    if (finding.repair.text.empty() || fault == most_faults) {
+    if (finding.repair.text.empty() || fault == max_faults) {
       return false;
     }
     write_over(finding.repair, repaired);

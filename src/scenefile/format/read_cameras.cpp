@@ -16,9 +16,9 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t most_views = 100000;
-constexpr double most_seconds = 1e6;
-constexpr double most_fps = 1000;
+constexpr std::size_t max_views = 100000;
+constexpr double max_seconds = 1e6;
+constexpr double max_fps = 1000;
 
 constexpr std::string_view look_name = row_of(camera_rows, Field::look).json;
 constexpr std::string_view focus_key = "focus";
@@ -64,7 +64,7 @@ class CameraReader {
     const bool good = for_each_member(0, [&](const std::string& key, JsonIndex k, JsonIndex value) {
       if (key == "fps") {
         double fps = 0;
-        const bool read = number(value, 1e-3, most_fps, fps);
+        const bool read = number(value, 1e-3, max_fps, fps);
         path_.fps = fps;
         return read;
       }
@@ -138,8 +138,8 @@ class CameraReader {
       return fail(array, "expected a list of views");
     }
     for (JsonIndex item = array + 1; item < tape_.end(array); item = tape_.end(item)) {
-      if (path_.views.size() == most_views) {
-        return fail(item, fmt::format("there are more than {} views", most_views));
+      if (path_.views.size() == max_views) {
+        return fail(item, fmt::format("there are more than {} views", max_views));
       }
       if (!tape_.is_object(item)) {
         return fail(item, "expected a view, an object");
@@ -160,7 +160,7 @@ class CameraReader {
     bool has_focus = false;
     const bool good = for_each_member(item, [&](const std::string& key, JsonIndex k, JsonIndex v) {
       if (key == "time") {
-        return number(v, 0, most_seconds, view.time);
+        return number(v, 0, max_seconds, view.time);
       }
       if (key == focus_key) {
         has_focus = true;

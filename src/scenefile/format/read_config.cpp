@@ -25,7 +25,7 @@ using Size = int CourseConfig::*;
 using Switch = bool CourseConfig::*;
 using Depth = std::optional<int> CourseConfig::*;
 
-constexpr int most_bounces = 64;
+constexpr int max_bounces = 64;
 
 struct Key {
   std::string_view name;  // "Section/key"
@@ -106,7 +106,7 @@ struct ConfigReader {
 
   void set(const IniEntry& entry, const Key& key, Depth field) const {
     int number = 0;
-    if (read_number(entry, key, 0, most_bounces, number)) {
+    if (read_number(entry, key, 0, max_bounces, number)) {
       config.*field = number;
     }
   }

@@ -32,12 +32,12 @@ constexpr std::size_t count_names(const ValueRow<Owner> (&rows)[N]) {
 }
 
 /// Of one block.
-inline constexpr std::size_t most_fields = 16;
+inline constexpr std::size_t max_fields = 16;
 
 /// The names of a block's children; `field` is the index of the row.
 template <std::size_t Count, typename Owner, std::size_t N>
 constexpr std::array<FieldName, Count> names_of(const ValueRow<Owner> (&rows)[N]) {
-  static_assert(N <= most_fields);
+  static_assert(N <= max_fields);
   std::array<FieldName, Count> names{};
   std::size_t next = 0;
   for (std::size_t i = 0; i < N; ++i) {
@@ -89,7 +89,7 @@ class SeenFields {
   Location place(std::size_t field) const { return places_[field]; }
 
  private:
-  std::array<Location, most_fields> places_{};
+  std::array<Location, max_fields> places_{};
 };
 
 /// Stores the places of the children that findings can refer to.

@@ -31,12 +31,12 @@ NestedTrees find_nested_trees(const Scene& scene) {
 }
 
 // Enough for handwritten scenes; comparing all pairs of names would be quadratic.
-constexpr std::size_t most_suggestions = 100;
+constexpr std::size_t max_suggestions = 100;
 
 std::vector<std::string_view> some_masters(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const NodeId master : scene.templates) {
-    if (names.size() < most_suggestions) {
+    if (names.size() < max_suggestions) {
       names.push_back(scene.nodes[master].name);
     }
   }
@@ -119,7 +119,7 @@ void XmlReferences::resolve_empty(const XmlContext& context, Scene& scene,
     Node& node = scene.nodes[use.node];
     node.name = std::exchange(node.instance_of, {});
     const std::string_view near =
-        ++suggestions <= most_suggestions ? nearest_name(node.name, masters) : std::string_view();
+        ++suggestions <= max_suggestions ? nearest_name(node.name, masters) : std::string_view();
     context.diagnostics.report(
         xml_empty_tree, use.place,
         fmt::format("the tree {} is empty, and no master has that name{}", quoted(node.name),

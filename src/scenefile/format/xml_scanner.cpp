@@ -10,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t most_plain_attributes = 16;
+constexpr std::size_t max_plain_attributes = 16;
 
 /// Classes of characters in plain XML, as bits.
 enum CharacterClass : std::uint8_t {
@@ -157,7 +157,7 @@ class TagScanner {
     std::vector<XmlAttribute>& all = token_.attributes;
     const auto same = [&](const XmlAttribute& other) { return other.name == attribute_.name; };
     plain_ =
-        plain_ && all.size() < most_plain_attributes && std::none_of(all.begin(), all.end(), same);
+        plain_ && all.size() < max_plain_attributes && std::none_of(all.begin(), all.end(), same);
     all.push_back(attribute_);
   }
 

@@ -200,8 +200,8 @@ Mesh make_cone(int stacks, int wedges) {
 }  // namespace
 
 Mesh realtime_mesh(Shape shape, const TessellationParameters& parameters) {
-  const int p1 = std::clamp(parameters.parameter1, 1, most_tessellation);
-  const int wedges = std::clamp(parameters.parameter2, 3, most_tessellation);
+  const int p1 = std::clamp(parameters.parameter1, 1, max_tessellation);
+  const int wedges = std::clamp(parameters.parameter2, 3, max_tessellation);
   switch (shape) {
     case Shape::cube:
       return make_cube(p1);

@@ -152,7 +152,7 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
         {sim.list[i].cause, sim.list[i].what,
          fmt::format(
              "simulating this mistake explains {} of the pixels that differ; the others are "
-             "spots",
+             "specks",
              percent(1 - share(looked_at, differing))),
          1 - share(looked_at, differing)});
   }

@@ -56,7 +56,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "Which vectors the specular term multiplies."},
     {Cause::attenuation, "Attenuation of lights",
      "Distant surfaces are too bright or too dark; near ones may be too bright.",
-     "Point and spot lights are multiplied by min(1, 1 / (c + l d + q d^2)), with the coefficients "
+     "Point lights and spotlights are multiplied by min(1, 1 / (c + l d + q d^2)), with the "
+     "coefficients "
      "of the file; directional lights have no attenuation.",
      "Which coefficient belongs to which power of the distance, how the distance is measured, and "
      "the clamp to 1."},
@@ -113,7 +114,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "What is compared between objects, and in which space it is measured."},
     {Cause::lights, "Lights",
      "Light comes from the wrong side, is missing, or has the wrong color.",
-     "Directional lights have a direction of travel; point and spot lights a position. Vectors in "
+     "Directional lights have a direction of travel; point lights and spotlights a position. "
+     "Vectors in "
      "the lighting equation point to the light and have unit length.",
      "How each type of light is read, the sign and length of its vector, and the loop over all."},
     {Cause::reflection, "Combining reflections",

@@ -88,7 +88,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     }
   }
   if (!same.empty()) {
-    report.claims.back().what += same + ": the pictures are the same";
+    report.claims.back().what += same + ": these give the same picture";
   }
 }
 

@@ -112,7 +112,7 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
         {Cause::gamma,
          *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
                               1 / *p)
-                : fmt::format("values were taken to the power of {:.2f}", *p),
+                : fmt::format("values were raised to the power of {:.2f}", *p),
          Stage::picture,
          {},
          {},
@@ -208,7 +208,7 @@ void add_factors(Simulation& sim) {
   try_factor(Cause::refraction, "refraction is",
              [](Trial& t, double k) { t.mistakes.glass_factor *= k; });
   const std::size_t lights = sim.view->scene->lights.size();
-  try_factor(Cause::lights, "the light of all lights is", [](Trial& t, double k) {
+  try_factor(Cause::lights, "the light from all lights is", [](Trial& t, double k) {
     for (RenderLight& light : t.scene.lights) {
       light.color *= static_cast<float>(k);
     }

@@ -11,26 +11,27 @@ void add_other_features(HypothesisList& list) {
   const RenderOptions& o = list.view.options;
   if (o.mode == Mode::intersect && o.profile == Profile::course &&
       list.any_type([](LightType type) { return !is_in_intersect(type); })) {
-    list.add(Cause::features,
-             "point and spot lights are counted, and the reference is of a mode that only has "
-             "directional lights",
-             [](Trial& t) { t.mistakes.all_lights = true; });
+    list.add(
+        Cause::features,
+        "point lights and spotlights are counted, but the reference's mode only has directional "
+        "lights",
+        [](Trial& t) { t.mistakes.all_lights = true; });
   }
   if (o.mode == Mode::intersect) {
     list.add(Cause::features,
-             "shadows, reflections and textures are drawn, and the reference has none",
+             "shadows, reflections and textures are drawn, but the reference has none",
              [](Trial& t) {
                t.options.mode = Mode::ray;
                t.options.features = Features();
                t.options.features.texture_filter = false;
                t.options.features.refract = false;
              });
-    list.add(Cause::features, "shadows are drawn, and the reference has none", [](Trial& t) {
+    list.add(Cause::features, "shadows are drawn, but the reference has none", [](Trial& t) {
       t.options.mode = Mode::ray;
       t.options.features = Features{true, false, false, false, false, false, false};
     });
     list.add(Cause::features,
-             "point and spot lights and shadows are drawn, and the reference has none",
+             "point lights, spotlights and shadows are drawn, but the reference has none",
              [](Trial& t) {
                t.options.mode = Mode::ray;
                t.mistakes.all_lights = true;
@@ -39,12 +40,12 @@ void add_other_features(HypothesisList& list) {
   } else if (o.mode == Mode::normals) {
     for (const auto& [mode, features, what] :
          {std::tuple(Mode::ray, Features{true, true, false, true, false, false, false},
-                     "the picture is lit, and the reference shows normals as colors"),
+                     "the picture is lit, but the reference shows normals as colors"),
           std::tuple(Mode::ray, Features{false, false, false, false, false, false, false},
-                     "the picture is lit, without shadows, and the reference shows normals as "
+                     "the picture is lit, without shadows, but the reference shows normals as "
                      "colors"),
           std::tuple(Mode::intersect, Features{false, false, false, false, false, false, false},
-                     "the picture is lit by directional lights alone, and the reference shows "
+                     "the picture is lit by directional lights alone, but the reference shows "
                      "normals as colors")}) {
       list.add(Cause::features, what, [mode = mode, features = features](Trial& t) {
         t.options.mode = mode;
@@ -53,19 +54,19 @@ void add_other_features(HypothesisList& list) {
     }
   } else if (o.mode == Mode::ray) {
     if (!o.features.shadows) {
-      list.add(Cause::features, "shadows are drawn, and the reference has none",
+      list.add(Cause::features, "shadows are drawn, but the reference has none",
                [](Trial& t) { t.options.features.shadows = true; });
     }
     if (!o.features.reflect) {
-      list.add(Cause::features, "reflections are drawn, and the reference has none",
+      list.add(Cause::features, "reflections are drawn, but the reference has none",
                [](Trial& t) { t.options.features.reflect = true; });
     }
     if (!o.features.refract) {
-      list.add(Cause::features, "glass is drawn, and the reference has none",
+      list.add(Cause::features, "glass is drawn, but the reference has none",
                [](Trial& t) { t.options.features.refract = true; });
     }
     if (!o.features.texture) {
-      list.add(Cause::features, "textures are drawn, and the reference has none",
+      list.add(Cause::features, "textures are drawn, but the reference has none",
                [](Trial& t) { t.options.features.texture = true; });
     }
     if (o.features.depthoffield && list.scene.camera.aperture > 0) {
@@ -97,13 +98,14 @@ void add_mode_of_reference(HypothesisList& list) {
                t.options.features.shadows = t.options.features.reflect = false;
                t.options.features.refract = t.options.features.texture = false;
              });
-    list.add(Cause::features,
-             "point and spot lights are not counted: the picture is of a mode that only has "
-             "directional lights",
-             [](Trial& t) {
-               t.options.mode = Mode::intersect;
-               t.options.profile = Profile::course;
-             });
+    list.add(
+        Cause::features,
+        "point lights and spotlights are not counted, as in the mode that only has directional "
+        "lights",
+        [](Trial& t) {
+          t.options.mode = Mode::intersect;
+          t.options.profile = Profile::course;
+        });
   }
 }
 

@@ -76,7 +76,7 @@ void add_lights(HypothesisList& list) {
     list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
   };
   if (positional) {
-    put({{L::not_normalized, "vectors to point and spot lights are not normalized"}});
+    put({{L::not_normalized, "vectors to point lights and spotlights are not normalized"}});
   }
   if (positional && directional) {
     put({{L::reversed, "vectors to all lights point the wrong way"}});
@@ -88,7 +88,7 @@ void add_lights(HypothesisList& list) {
         [](RenderLight& l) { l.type = is_infinitely_far(l.type) ? LightType::point : l.type; });
   }
   if (positional) {
-    put({{L::reversed_positional, "vectors to point and spot lights point away from them"},
+    put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},
          {L::to_origin, "point lights shine along one direction everywhere"}});
     change_lights(list, Cause::lights, "lights are at the world's origin",
                   [](RenderLight& l) { l.position = glm::vec3(0); });
@@ -150,7 +150,8 @@ void add_reversed_shading(HypothesisList& list) {
   }
   if (positional) {
     put({{L::reversed_positional_shading,
-          "vectors to point and spot lights point away from them in the lighting; shadow rays are "
+          "vectors to point lights and spotlights point away from them in the lighting; shadow "
+          "rays are "
           "right"}});
   }
 }
@@ -182,7 +183,7 @@ void add_written_lights(HypothesisList& list) {
     put(L::directional_as_long_as_written, "directions of directional lights are not normalized");
   }
   if (longer && list.any_type(has_cone)) {
-    put(L::spot_as_long_as_written, "directions of spot lights are not normalized");
+    put(L::spot_as_long_as_written, "directions of spotlights are not normalized");
   }
   if (longer && list.any_type(is_infinitely_far) && list.any_type(has_cone)) {
     put(L::as_long_as_written, "directions of lights are not normalized");
@@ -259,12 +260,13 @@ void add_spots(HypothesisList& list) {
       }
     });
   };
-  spot("spots shine in all directions", [](RenderLight& l) { l.type = LightType::point; });
-  spot("spots have no penumbra: full light up to the outer angle",
+  spot("spotlights shine in all directions", [](RenderLight& l) { l.type = LightType::point; });
+  spot("spotlights have no penumbra: full light up to the outer angle",
        [](RenderLight& l) { l.inner_angle = l.outer_angle; });
-  put({{S::linear, "spots fall off linearly instead of by the smoothstep"}});
-  spot("spots end at their inner angle", [](RenderLight& l) { l.outer_angle = l.inner_angle; });
-  spot("the penumbra is outside the angle of the spot, not inside", [](RenderLight& l) {
+  put({{S::linear, "spotlights fall off linearly instead of by the smoothstep"}});
+  spot("spotlights end at their inner angle",
+       [](RenderLight& l) { l.outer_angle = l.inner_angle; });
+  spot("the penumbra is outside the angle of the spotlight, not inside", [](RenderLight& l) {
     const float penumbra = l.outer_angle - l.inner_angle;
     l.inner_angle = l.outer_angle;
     l.outer_angle += penumbra;
@@ -272,42 +274,43 @@ void add_spots(HypothesisList& list) {
   spot("the penumbra is used as the inner angle", [](RenderLight& l) {
     l.inner_angle = std::min(l.outer_angle - l.inner_angle, l.outer_angle);
   });
-  spot("inner and outer angle of spots are mixed up: angle and penumbra are swapped",
+  spot("inner and outer angle of spotlights are mixed up: angle and penumbra are swapped",
        [](RenderLight& l) {
          const float penumbra = l.outer_angle - l.inner_angle;
          const float outer = l.outer_angle;
          l.outer_angle = penumbra;
          l.inner_angle = std::max(0.0f, penumbra - outer);
        });
-  spot("the angle of spots is that of full light halfway into the penumbra", [](RenderLight& l) {
-    const float half = (l.outer_angle - l.inner_angle) / 2;
-    l.inner_angle += half;
-    l.outer_angle += half;
-  });
-  spot("spots fall off from their axis, not from the inner angle",
+  spot("the angle of spotlights is that of full light halfway into the penumbra",
+       [](RenderLight& l) {
+         const float half = (l.outer_angle - l.inner_angle) / 2;
+         l.inner_angle += half;
+         l.outer_angle += half;
+       });
+  spot("spotlights fall off from their axis, not from the inner angle",
        [](RenderLight& l) { l.inner_angle = 0; });
-  spot("the angle of the spot is used as the full angle of the cone", [](RenderLight& l) {
+  spot("the angle of the spotlight is used as the full angle of the cone", [](RenderLight& l) {
     const float penumbra = l.outer_angle - l.inner_angle;
     l.outer_angle /= 2;
     l.inner_angle = std::max(0.0f, l.outer_angle - penumbra);
   });
-  spot("both angles of the spot are halved", [](RenderLight& l) {
+  spot("both angles of the spotlight are halved", [](RenderLight& l) {
     l.inner_angle /= 2;
     l.outer_angle /= 2;
   });
-  spot("both angles of the spot are doubled", [](RenderLight& l) {
+  spot("both angles of the spotlight are doubled", [](RenderLight& l) {
     l.inner_angle *= 2;
     l.outer_angle *= 2;
   });
-  put({{S::in_cosine, "the falloff of spots is between cosines, not between angles"},
-       {S::linear_in_cosine, "spots fall off linearly between cosines"},
-       {S::inverted, "spots are dark inside and bright outside"},
-       {S::penumbra_inverted, "the falloff of spots runs the wrong way in the penumbra"},
-       {S::no_limit, "spots shine beyond their outer angle"},
-       {S::squared, "the falloff of spots is applied twice"},
-       {S::cosine_power, "spots fall off by the cosine"},
-       {S::reversed_axis, "spots shine backward"}});
-  spot("spots shine along the opposite direction",
+  put({{S::in_cosine, "the falloff of spotlights is between cosines, not between angles"},
+       {S::linear_in_cosine, "spotlights fall off linearly between cosines"},
+       {S::inverted, "spotlights are dark inside and bright outside"},
+       {S::penumbra_inverted, "the falloff of spotlights runs the wrong way in the penumbra"},
+       {S::no_limit, "spotlights shine beyond their outer angle"},
+       {S::squared, "the falloff of spotlights is applied twice"},
+       {S::cosine_power, "spotlights fall off by the cosine"},
+       {S::reversed_axis, "spotlights shine backward"}});
+  spot("spotlights shine along the opposite direction",
        [](RenderLight& l) { l.direction = -l.direction; });
 }
 
@@ -339,8 +342,8 @@ void add_shadows(HypothesisList& list) {
        {S::keeps_diffuse, "shadows remove only the specular term"},
        {S::half, "shadows take half of the light"}});
   if (list.any_type(has_cone)) {
-    put({{S::spot_along_axis, "shadow rays of spots run along the axis of the spot"},
-         {S::spot_without, "spots cast no shadows"}});
+    put({{S::spot_along_axis, "shadow rays of spotlights run along the axis of the spotlight"},
+         {S::spot_without, "spotlights cast no shadows"}});
   }
   if (list.any_type(is_plain_point)) {
     put({{S::point_without, "point lights cast no shadows"}});

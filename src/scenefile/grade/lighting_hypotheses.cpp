@@ -19,7 +19,7 @@ void add_ambient(HypothesisList& list) {
     });
   }
   if (list.scene.global.ambient != 1) {
-    list.add(Cause::ambient, "the ambient term lacks the global coefficient",
+    list.add(Cause::ambient, "the ambient term is missing the global coefficient",
              [](Trial& t) { t.scene.global.ambient = 1; });
   }
   using A = AmbientMistake;
@@ -51,18 +51,18 @@ void add_diffuse(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<D>> rows) {
     list.set_each(Cause::diffuse, &ModelMistakes::diffuse, rows);
   };
-  put({{D::no_coefficient, "the diffuse term lacks the global coefficient"},
+  put({{D::no_coefficient, "the diffuse term is missing the global coefficient"},
        {D::absolute,
         "the diffuse term takes the absolute value of N.L: surfaces are lit from behind"},
        {D::absolute_everywhere,
         "the absolute value of N.L is taken: surfaces are lit from behind, with highlights"},
        {D::not_clamped, "N.L is not clamped to 0: lights darken surfaces that face away"},
-       {D::no_cosine, "the diffuse term lacks N.L"},
+       {D::no_cosine, "the diffuse term is missing N.L"},
        {D::by_view, "the diffuse term uses N.V, not N.L"},
        {D::half_lambert, "the diffuse term uses (N.L + 1) / 2, not N.L"},
        {D::squared, "the diffuse term has N.L twice"},
-       {D::no_color, "the diffuse term lacks the color of the material"},
-       {D::no_light_color, "the diffuse term lacks the color of the light"},
+       {D::no_color, "the diffuse term is missing the color of the material"},
+       {D::no_light_color, "the diffuse term is missing the color of the light"},
        {D::color_of_ambient, "the diffuse term takes the ambient color"},
        {D::color_of_specular, "the diffuse term takes the specular color"}});
 }
@@ -87,17 +87,17 @@ void add_specular(HypothesisList& list) {
     list.set_each(Cause::specular, &ModelMistakes::specular, rows);
   };
   list.set(Cause::blinn, &ModelMistakes::specular, S::blinn,
-           "highlights are Blinn's (N.H)^n, and the equation has Phong's (R.V)^n");
+           "highlights are Blinn's (N.H)^n, but the equation has Phong's (R.V)^n");
   list.set(Cause::blinn, &ModelMistakes::specular, S::blinn_four,
-           "highlights are Blinn's with four times the exponent, and the equation has Phong's "
+           "highlights are Blinn's with four times the exponent, but the equation has Phong's "
            "(R.V)^n");
-  put({{S::no_coefficient, "the specular term lacks the global coefficient"},
+  put({{S::no_coefficient, "the specular term is missing the global coefficient"},
        {S::times_cosine, "the specular term is multiplied by N.L"},
        {S::absolute, "the specular term takes the absolute value of R.V"},
        {S::negative_power, "R.V is not clamped to 0 before it is raised to the exponent"},
        {S::clamped_mirror, "R of the specular term is computed with N.L clamped to 0"},
-       {S::no_exponent, "the specular term lacks the exponent"},
-       {S::reversed_mirror, "R of the specular term points the wrong way"},
+       {S::no_exponent, "the specular term is missing the exponent"},
+       {S::reversed_mirror, "R of the specular term has the wrong sign"},
        {S::by_light_view, "the specular term uses L.V, not R.V"},
        {S::by_normal_view, "the specular term uses N.V, not R.V"},
        {S::mirror_of_view_wrong, "the eye vector of the specular term points away from the eye"},
@@ -107,8 +107,8 @@ void add_specular(HypothesisList& list) {
        {S::exponent_half, "the exponent of highlights is halved"},
        {S::exponent_quarter, "the exponent of highlights is divided by 4"},
        {S::exponent_four, "the exponent of highlights is multiplied by 4"},
-       {S::no_color, "the specular term lacks the color of the material"},
-       {S::no_light_color, "the specular term lacks the color of the light"},
+       {S::no_color, "the specular term is missing the color of the material"},
+       {S::no_light_color, "the specular term is missing the color of the light"},
        {S::diffuse_color, "the specular term takes the diffuse color"},
        {S::squared_coefficient, "the specular term has the global coefficient twice"},
        {S::times_shininess, "the specular term is multiplied by the exponent"},
@@ -129,7 +129,7 @@ void add_normals(HypothesisList& list) {
        {N::by_inverse, "normals are transformed by the inverse, not transposed"},
        {N::by_transpose, "normals are transformed by the transpose, not inverted"},
        {N::inverted, "normals point inward"},
-       {N::toward_eye, "normals are turned toward the eye"},
+       {N::toward_eye, "normals are flipped toward the viewer"},
        {N::not_normalized, "normals are not normalized after the transform"},
        {N::raw_not_normalized, "normals are never normalized"},
        {N::gradient_not_normalized, "normals are never normalized (gradients)"},

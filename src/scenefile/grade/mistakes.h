@@ -52,7 +52,7 @@ enum class NearestMistake : std::uint8_t {
 
 enum class LightVectorMistake : std::uint8_t {
   none,
-  not_normalized,  ///< vectors to point and spot lights
+  not_normalized,  ///< vectors to point lights and spotlights
   reversed,        ///< vectors to all lights
   reversed_directional,
   reversed_positional,

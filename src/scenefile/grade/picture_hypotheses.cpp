@@ -37,14 +37,14 @@ void add_curve(Hypotheses& list, std::string what, double (*curve)(double)) {
 void add_gamma(Hypotheses& list) {
   add_curve(list, "gamma 2.2 was applied, but the format has no gamma correction",
             [](double v) { return std::pow(v, 1 / 2.2); });
-  add_curve(list, "values were taken to the power of 2.2 (gamma the wrong way)",
+  add_curve(list, "values were raised to the power of 2.2 (inverse gamma)",
             [](double v) { return std::pow(v, 2.2); });
   add_curve(list, "gamma 2 was applied (a square root), but the format has no gamma correction",
             [](double v) { return std::sqrt(v); });
   add_curve(list, "gamma 1.8 was applied, but the format has no gamma correction",
             [](double v) { return std::pow(v, 1 / 1.8); });
   add_curve(list, "values were squared", [](double v) { return v * v; });
-  add_curve(list, "values were taken to the power of 1.8",
+  add_curve(list, "values were raised to the power of 1.8",
             [](double v) { return std::pow(v, 1.8); });
   add_curve(list, "values were encoded as sRGB, but the format has no gamma correction", srgb_code);
   add_curve(list, "values were decoded from sRGB, but the format has no gamma correction",

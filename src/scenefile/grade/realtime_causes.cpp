@@ -460,7 +460,7 @@ class Search {
       }
     }
     if (!same.empty()) {
-      report_.claims.back().what += same + ": the pictures are the same";
+      report_.claims.back().what += same + ": these give the same picture";
     }
   }
 

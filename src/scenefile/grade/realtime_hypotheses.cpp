@@ -149,7 +149,7 @@ class Maker {
       add_filter(
           filter == Filter::none ? fmt::format("the filter {} is not applied", word_of(right))
           : right == Filter::none
-              ? fmt::format("the filter {} is applied, and the reference has none", word_of(filter))
+              ? fmt::format("the filter {} is applied, but the reference has none", word_of(filter))
               : fmt::format("the filter {} is applied instead of {}", word_of(filter),
                             word_of(right)),
           steps_of(filter));
@@ -260,10 +260,10 @@ class Maker {
                     "samples beyond the border repeat its pixels (clamp), and those of "
                     "the reference wrap around"),
           std::pair(B::black,
-                    "samples beyond the border are black, and those of the reference "
+                    "samples beyond the border are black, but those of the reference "
                     "wrap around"),
           std::pair(B::mirror,
-                    "samples beyond the border are mirrored, and those of the reference "
+                    "samples beyond the border are mirrored, but those of the reference "
                     "wrap around")}) {
       FilterSteps steps = right;
       steps.border = border;
@@ -360,7 +360,7 @@ class Maker {
       return;
     }
     add(Cause::tessellation,
-        fmt::format("{} drawn with the parameters {}, and the reference has {}{}{}", whose,
+        fmt::format("{} drawn with the parameters {}, but the reference has {}{}{}", whose,
                     parameters_text(p), parameters_text(right), why.empty() ? "" : ": ", why),
         Touches::raster, [p, shape](RealtimeTrial& t) {
           if (shape) {
@@ -569,13 +569,13 @@ class Maker {
       const bool any = std::any_of(view_.scene->lights.begin(), view_.scene->lights.end(),
                                    [&](const RenderLight& l) { return l.type == type; });
       if (any && !has_light(view_.panel.milestone, type)) {
-        add_lights(fmt::format("{} lights are drawn, and the milestone {} has none", word_of(type),
+        add_lights(fmt::format("{} lights are drawn, but the milestone {} has none", word_of(type),
                                word_of(view_.panel.milestone)),
                    [type](LightType t) { return t == type; });
       }
     }
     if (view_.panel.milestone == Milestone::lights_camera) {
-      add_lights("point and spot lights are drawn, and the milestone lights-camera has none",
+      add_lights("point lights and spotlights are drawn, but the milestone lights-camera has none",
                  [](LightType t) { return has_light(Milestone::action, t); });
     } else {
       add(Cause::lights, "only directional lights are drawn, as in the milestone lights-camera",

@@ -213,7 +213,7 @@ RealtimeOptions fitted_depths(const Texture& picture, const RealtimeDrawn& drawn
   open.far = std::max(start.far, defaults.far);
   const std::vector<PixelDepth> depths = depths_of(picture, drawn, open);
   const auto [first, last] = shown_range(depths);
-  // Planes that cut off only a few pixels are no evidence.
+  // Planes that cut off only a few pixels are not evidence.
   if (last > first && first >= 3 * few_pixels) {
     open.near = round_number(depths[first - 1].depth, depths[first].depth);
   }

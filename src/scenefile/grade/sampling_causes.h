@@ -1,5 +1,5 @@
 #pragma once
-// Causes about the samples of pixels: blur, samples that miss, rays beside the centers of pixels.
+// Causes about the samples of pixels: blur, samples that miss, rays that miss the centers of pixels.
 // Internal to grade.
 
 #include "scenefile/grade/candidates.h"

@@ -47,7 +47,7 @@ void add_textures(HypothesisList& list) {
        {T::added, "textures are added to the diffuse color, not blended with it"},
        {T::blend_drops_color, "the diffuse color's share of the blend is missing"},
        {T::no_coefficient_on_rest,
-        "the diffuse color blended with the texture lacks its coefficient"},
+        "the diffuse color blended with the texture is missing its coefficient"},
        {T::unlit, "textures are drawn without N.L"},
        {T::blue_red, "red and blue of textures are swapped"},
        {T::gray, "textures are gray"},
@@ -56,12 +56,12 @@ void add_textures(HypothesisList& list) {
        {T::decoded, "textures are decoded with gamma 2.2"}});
   if (list.view.options.features.texture_filter) {
     list.set(Cause::features, &ModelMistakes::texture, T::not_filtered,
-             "textures are not filtered, and those of the reference are");
+             "textures are not filtered, but those of the reference are");
   } else {
     list.set(Cause::features, &ModelMistakes::texture, T::filtered_centered,
-             "textures are filtered, and those of the reference are not");
+             "textures are filtered, but those of the reference are not");
     list.set(Cause::features, &ModelMistakes::texture, T::filtered,
-             "textures are filtered (half a texel off), and those of the reference are not");
+             "textures are filtered (half a texel off), but those of the reference are not");
   }
   put({{T::ambient_too, "the texture replaces the ambient color as well"}});
   uv({{U::round_flip_u, "textures run the wrong way around spheres, cylinders and cones"},
@@ -102,7 +102,7 @@ void add_mirrors(HypothesisList& list) {
     list.set_each(Cause::reflection, &ModelMistakes::mirror, rows);
   };
   put({{M::color_ignored, "the reflective color is ignored"},
-       {M::no_coefficient, "reflections lack the global specular coefficient"},
+       {M::no_coefficient, "reflections are missing the global specular coefficient"},
        {M::neither, "reflections have no weight: neither coefficient nor reflective color"},
        {M::blended_coefficient,
         "reflections are blended with the lighting (by coefficient and color), not added"},
@@ -126,7 +126,7 @@ void add_mirrors(HypothesisList& list) {
        {M::along_normal, "reflected rays follow the normal"},
        {M::straight, "reflected rays continue straight ahead"},
        {M::no_shadows, "reflections show no shadows"},
-       {M::no_ambient, "reflections lack the ambient term"},
+       {M::no_ambient, "reflections are missing the ambient term"},
        {M::doubled, "reflections are added twice"},
        {M::halved, "reflections are halved"},
        {M::diffuse_coefficient, "reflections are weighted by the diffuse coefficient"},
@@ -152,7 +152,7 @@ void add_glass(HypothesisList& list) {
        {G::one_side, "rays are bent on the way in, not on the way out"},
        {G::entering_always, "the ratio of the indices is the same on the way in and out"},
        {G::shaded_inside, "the inner walls of transparent objects are lit and weighted again"},
-       {G::no_coefficient, "refraction lacks the global transparent coefficient"},
+       {G::no_coefficient, "refraction is missing the global transparent coefficient"},
        {G::color_ignored, "the transparent color is ignored"},
        {G::blended, "refraction is blended with the lighting, not added"},
        {G::no_total_reflection, "total internal reflection is black"},

@@ -270,8 +270,8 @@ std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture&
                black ? "the picture is black: nothing is drawn"
                      : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
                                    only[1], only[2]),
-               black ? "all pixels are black, and the reference shows something"
-                     : "all pixels are equal, and the reference shows something",
+               black ? "all pixels are black, but the reference shows something"
+                     : "all pixels are equal, but the reference shows something",
                1};
 }
 

@@ -175,7 +175,7 @@ bool read_indices(const GltfFile& file, std::uint32_t accessor, std::vector<std:
       case Component::int8:
       case Component::int16:
       case Component::float32:
-        error = " holds indices, which must be unsigned";
+        error = " contains indices, which must be unsigned";
         return false;
     }
   }

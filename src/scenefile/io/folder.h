@@ -38,7 +38,7 @@ Result<void> remove_file(const std::string& path);
 /// the folder cannot be read.
 std::vector<std::string> files_in(const std::string& folder, std::size_t most = 10000);
 
-/// What a folder holds.
+/// An entry of a folder.
 struct FolderEntry {
   std::string name;
   std::string path;     ///< the folder's, and the name

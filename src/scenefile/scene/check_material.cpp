@@ -15,10 +15,10 @@ namespace {
 constexpr float byte_habit = 16;  // no student's file uses a larger color on purpose
 constexpr float huge_color = 255;
 constexpr float huge_shininess = 1e4f;
-constexpr float least_ior = 0.25f;
-constexpr float most_ior = 5;
-constexpr float least_repeat = 1e-3f;
-constexpr float most_repeat = 1e4f;
+constexpr float min_ior = 0.25f;
+constexpr float max_ior = 5;
+constexpr float small_repeat = 1e-3f;
+constexpr float large_repeat = 1e4f;
 
 struct Color {
   Field field;
@@ -79,7 +79,7 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
                     fmt::format("ior 0 of the transparent {} counts as 1, so light passes straight "
                                 "through it; glass has 1.5",
                                 subject.what));
-  } else if (ior != 0 && (ior < least_ior || ior > most_ior)) {
+  } else if (ior != 0 && (ior < min_ior || ior > max_ior)) {
     reporter.report(material_ior_unusual, subject, Field::ior,
                     fmt::format("ior {} of the {} is not that of a real material", number_text(ior),
                                 subject.what));
@@ -113,7 +113,7 @@ void check_texture(const TextureUse& texture, std::string_view name, const Subje
   const std::pair<char, float> repeats[] = {{'u', texture.repeat_u}, {'v', texture.repeat_v}};
   for (const auto& [axis, repeat] : repeats) {
     const float size = std::abs(repeat);
-    if (repeat < 0 || !(size >= least_repeat && size <= most_repeat)) {
+    if (repeat < 0 || !(size >= small_repeat && size <= large_repeat)) {
       reporter.report(std::isfinite(repeat) ? material_repeat : scene_not_finite, place,
                       fmt::format("{} {} repeats {} times along {}", name, quoted(texture.file),
                                   number_text(repeat), axis));

@@ -16,9 +16,9 @@ namespace {
 
 constexpr double lights_of_the_format = 8;
 // Each suggestion compares with every name; this keeps a file with many wrong names linear.
-constexpr std::size_t most_suggestions = 100;
-constexpr std::size_t most_names = 1000;
-constexpr std::size_t most_loop_names = 8;
+constexpr std::size_t max_suggestions = 100;
+constexpr std::size_t max_names = 1000;
+constexpr std::size_t max_loop_names = 8;
 
 Subject subject_of(const Scene& scene, NodeId id) {
   return {"node", scene.nodes[id].location, id};
@@ -49,7 +49,7 @@ void check_names(const Scene& scene, const TemplateNames& names, Reporter& repor
 std::vector<std::string_view> some_names(const Scene& scene) {
   std::vector<std::string_view> names;
   for (const NodeId id : scene.templates) {
-    if (names.size() < most_names && id < scene.nodes.size()) {
+    if (names.size() < max_names && id < scene.nodes.size()) {
       names.push_back(scene.nodes[id].name);
     }
   }
@@ -77,7 +77,7 @@ bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& r
         return 0;
       }
       if (names.find(node.instance_of) == names.end()) {
-        const bool suggest = ++unknown <= most_suggestions;
+        const bool suggest = ++unknown <= max_suggestions;
         reporter.report(
             tree_unknown_template, subject_of(scene, id), Field::instance_of,
             unknown_text(node.instance_of, suggest ? known : std::vector<std::string_view>{}));
@@ -98,9 +98,9 @@ std::string loop_text(const Scene& scene, const TemplateGraph& graph,
                       std::span<const std::uint32_t> loop) {
   std::string text;
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    if (loop.size() > most_loop_names && i == most_loop_names / 2) {
+    if (loop.size() > max_loop_names && i == max_loop_names / 2) {
       text += "... -> ";
-      i = loop.size() - most_loop_names / 2;
+      i = loop.size() - max_loop_names / 2;
     }
     text += escaped(scene.nodes[graph.heads[loop[i]]].name, 40) + " -> ";
   }

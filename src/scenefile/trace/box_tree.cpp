@@ -8,7 +8,7 @@ namespace scenefile {
 namespace {
 
 constexpr std::size_t bins = 16;
-constexpr std::uint32_t most_in_leaf = 4;
+constexpr std::uint32_t max_in_leaf = 4;
 
 FloatBox empty_box() {
   constexpr float far = std::numeric_limits<float>::max();
@@ -146,12 +146,12 @@ BoxTree::BoxTree(const std::vector<FloatBox>& boxes) : items_(boxes.size()) {
 }
 
 BoxTree::Child BoxTree::make(Work& work, std::uint32_t first, std::uint32_t last, int level) {
-  if (last - first <= most_in_leaf) {
+  if (last - first <= max_in_leaf) {
     return {first, last - first};
   }
   std::uint32_t* const items = items_.data();
   const auto half = static_cast<std::uint32_t>(
-      work.parted(items + first, items + last, level < most_levels) - items);
+      work.parted(items + first, items + last, level < max_levels) - items);
   const auto index = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back(
       {{work.box(items + first, items + half), work.box(items + half, items + last)}, {}});

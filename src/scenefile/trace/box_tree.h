@@ -41,8 +41,8 @@ class BoxTree {
   struct Work;
 
   // Beyond this depth the heuristic is replaced by halving.
-  static constexpr int most_levels = 64;
-  static constexpr int most_waiting = most_levels + 32 + 1;
+  static constexpr int max_levels = 64;
+  static constexpr int max_waiting = max_levels + 32 + 1;
 
   Child make(Work& work, std::uint32_t first, std::uint32_t last, int level);
 
@@ -93,7 +93,7 @@ void BoxTree::search(const Ray& ray, double t_min, const End& end, const Visit& 
     Child child;
   };
   const BoxRay prepared(ray);
-  std::array<Waiting, most_waiting> waiting;
+  std::array<Waiting, max_waiting> waiting;
   std::size_t count = 0;
   const auto push = [&](double enter, Child child) {
     if (enter != never) {

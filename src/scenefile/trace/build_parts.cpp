@@ -44,7 +44,7 @@ class Builder {
       whole = unite(whole, box);
     }
     group.extent = extent_of(whole);
-    if (group.parts.size() > most_parts_without_bvh) {
+    if (group.parts.size() > max_parts_without_bvh) {
       add_scene(group, boxes);
     }
   }
@@ -89,7 +89,7 @@ class Builder {
       group.boxes.push_back(padded(scaled(box, scale), whole));
     }
     scenes_.add(group);
-    if (group.parts.size() > PartTree::most_parts) {
+    if (group.parts.size() > PartTree::max_parts) {
       group.boxes = {};
     }
   }

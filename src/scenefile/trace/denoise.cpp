@@ -22,8 +22,8 @@ constexpr float plane_width = 0.05f;  // sine of the angle to the tangent plane
 
 constexpr float color_width = 0.7f;      // in standard errors
 constexpr float invisible = 1.0f / 512;  // standard errors that are invisible in 8 bits
-constexpr float most_errors = 3;         // by which a channel may change
-constexpr float least_weight = 1e-3f;
+constexpr float max_errors = 3;          // by which a channel may change
+constexpr float negligible_weight = 1e-3f;
 
 float square(float x) {
   return x * x;
@@ -144,14 +144,14 @@ class Filter {
     around(x, y, window, [&](int i, int j) {
       const PixelStatistics& q = pixels_[index(i, j)];
       float weight = likeness(p, q);
-      if (weight > least_weight) {
+      if (weight > negligible_weight) {
         weight *= std::exp(-color_excess(x, y, i, j));
         sum += weight * q.signal;
         weights += weight;
       }
     });
     const glm::vec3 signal =
-        glm::clamp(sum / weights, p.signal - most_errors * error, p.signal + most_errors * error);
+        glm::clamp(sum / weights, p.signal - max_errors * error, p.signal + max_errors * error);
     return p.rest + p.scale * signal;
   }
 

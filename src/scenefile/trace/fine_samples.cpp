@@ -136,7 +136,7 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))),
       plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options),
                         blurs_strongly(tracer.scene, tracer.options))),
-      least_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
+      min_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
 // A sample that covers a quarter of the pixel, as in the first round of four.
 CameraSample FineSampler::sample_at(int x, int y, std::uint32_t index,
@@ -175,7 +175,7 @@ std::uint32_t FineSampler::next_count(std::uint32_t count) const {
 }
 
 bool FineSampler::worth(double variance, std::uint32_t count, std::uint32_t more) const {
-  return variance * gain(count, more) > least_gain_;
+  return variance * gain(count, more) > min_gain_;
 }
 
 bool FineSampler::enough(const PixelSamples& samples, std::uint16_t mark) const {
@@ -200,7 +200,7 @@ std::uint16_t FineSampler::mark_of(const Contrast& contrast) const {
   // The center sample is discarded, so the first round must gain what is left to gain.
   const std::uint32_t first = next_count(0);
   const double all = variance_of_contrast * contrast.edges * (1 - error_of(first)) / first;
-  if (all <= share_for_first_round * least_gain_) {
+  if (all <= share_for_first_round * min_gain_) {
     return 0;
   }
   const double rounded = std::ceil(std::sqrt(double(contrast.most)) / mark_unit);

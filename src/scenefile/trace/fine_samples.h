@@ -86,7 +86,7 @@ class FineSampler {
   const CameraRays& camera_;
   std::uint32_t seed_;
   SamplePlan plan_;
-  double least_gain_;  // per sample, for a sample to be worth its time
+  double min_gain_;  // per sample, for a sample to be worth its time
 };
 
 }  // namespace scenefile

@@ -19,7 +19,7 @@ inline Steps no_steps() {
 }
 
 /// Below this cosine, at grazing angles, derivatives do not grow any further.
-inline constexpr double least_cosine = 1.0 / 64;
+inline constexpr double min_cosine = 1.0 / 64;
 
 /// The derivatives of the unit direction of a camera ray; a step is `width` pixels.
 inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_y, F width) {
@@ -42,7 +42,7 @@ inline Steps camera_steps(const CameraFrame& camera, F x, F y, F lens_x, F lens_
 inline Steps arriving_steps(const Steps& origin, const Steps& direction, const V3& ray,
                             const V3& normal, F t) {
   const F cosine = dot(ray, normal);
-  const F slant = copysign(max(abs(cosine), splat(least_cosine)), cosine);
+  const F slant = copysign(max(abs(cosine), splat(min_cosine)), cosine);
   const auto on_surface = [&](const V3& from, const V3& turn) {
     const V3 moved = from + t * turn;
     return moved - (dot(moved, normal) / slant) * ray;
@@ -117,7 +117,7 @@ inline Steps refracted_steps(const V3& ray, const V3& normal, F eta, const Steps
                              const Steps& turn) {
   const F cosine = -dot(ray, normal);
   const F squared = splat(1) - eta * eta * (splat(1) - cosine * cosine);
-  const F out = sqrt(max(squared, splat(least_cosine * least_cosine)));
+  const F out = sqrt(max(squared, splat(min_cosine * min_cosine)));
   const F along = eta * cosine - out;
   const F rate = eta - eta * eta * cosine / out;
   const auto refracted = [&](const V3& d, const V3& n) {
@@ -179,7 +179,7 @@ inline TexelFootprint texel_footprint(const UvStep& right, const UvStep& down, F
 }
 
 /// The maximum number of lookups along an elongated footprint; more would cost more than they show.
-inline constexpr double most_taps = 16;
+inline constexpr double max_taps = 16;
 
 /// The index of a texel, wrapped around to 0 .. size - 1.
 inline F wrapped(F index, F size) {
@@ -227,7 +227,7 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
   const F shorter = part * select(rightward, below, right);
   const F major_x = part * select(rightward, pixel.right_x, pixel.down_x);
   const F major_y = part * select(rightward, pixel.right_y, pixel.down_y);
-  const F width = max(max(shorter, longer / splat(most_taps)), splat(1));
+  const F width = max(max(shorter, longer / splat(max_taps)), splat(1));
   // Chooses the level whose texels are about as wide as the footprint.
   const F last = textures.levels() - splat(1);
   F level = splat(0);
@@ -236,7 +236,7 @@ V3 filtered(const Textures& textures, F x, F y, const TexelFootprint& pixel, F g
     wider = wider & (level < last) & !(width < texel);
     level = select(wider, level + splat(1), level);
   }
-  const F taps = select(limited, clamp(-floor(-(longer / width)), 1, most_taps), splat(1));
+  const F taps = select(limited, clamp(-floor(-(longer / width)), 1, max_taps), splat(1));
   V3 sum{splat(0), splat(0), splat(0)};
   for (int quarter = 0; quarter < 4; ++quarter) {
     const M here = quarter == 0 ? wanted : wanted & quarters;

@@ -15,8 +15,8 @@ namespace {
 constexpr std::string_view first_line = "scenefile part 1\n";
 // The start of the first line in every version.
 constexpr std::string_view name_of_format = "scenefile part ";
-constexpr std::uint32_t most_layers = 4096;
-constexpr int most_side = 1 << 20;
+constexpr std::uint32_t max_layers = 4096;
+constexpr int max_side = 1 << 20;
 
 using Length = std::uint32_t;
 using Checksum = std::uint64_t;
@@ -90,10 +90,10 @@ bool is_rounding(Rounding rounding) {
 bool is_possible(const PartHead& head) {
   const DividedPicture& picture = head.picture;
   const PixelRegion& region = picture.region;
-  return picture.count > 0 && picture.count <= most_parts && head.index < picture.count &&
+  return picture.count > 0 && picture.count <= max_parts && head.index < picture.count &&
          is_rounding(picture.rounding) && region.x0 >= 0 && region.y0 >= 0 &&
-         region.x0 < region.x1 && region.y0 < region.y1 && region.x1 <= most_side &&
-         region.y1 <= most_side &&
+         region.x0 < region.x1 && region.y0 < region.y1 && region.x1 <= max_side &&
+         region.y1 <= max_side &&
          std::all_of(picture.layers.begin(), picture.layers.end(),
                      [](const Layer& layer) { return is_kind(layer.kind); });
 }
@@ -183,7 +183,7 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
   }
   const auto length = read_value<Length>(bytes.substr(at));
   at += sizeof length;
-  if (length > most_part_head_bytes - at - sizeof(Checksum)) {
+  if (length > max_part_head_bytes - at - sizeof(Checksum)) {
     return "the part is damaged: its header is too long";
   }
   if (bytes.size() < at + length + sizeof(Checksum)) {
@@ -202,11 +202,11 @@ std::string decode_part_head(std::string_view bytes, PartHead& head,
   const auto layers = read_value<std::uint32_t>(body);
   body.remove_prefix(sizeof layers);
   PartHead read;
-  read.picture.layers.resize(std::min(layers, most_layers));
+  read.picture.layers.resize(std::min(layers, max_layers));
   read.ranges.resize(read.picture.layers.size());
   std::size_t needed = 0;
   for_each_value(read, [&](const auto& value) { needed += sizeof value; });
-  if (layers > most_layers || needed != body.size()) {
+  if (layers > max_layers || needed != body.size()) {
     return impossible;
   }
   for_each_value(read, [&](auto& value) {

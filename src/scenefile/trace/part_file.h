@@ -39,7 +39,7 @@ struct PartKey {
 /// What all parts of a picture have in common.
 struct DividedPicture {
   PartKey key;
-  std::uint32_t count = 1;                ///< number of parts, up to most_parts
+  std::uint32_t count = 1;                ///< number of parts, up to max_parts
   PixelRegion region;                     ///< the pixels of the merged picture
   Rounding rounding = Rounding::nearest;  ///< for 8-bit output
   int max_depth = 0;                      ///< for layer_picture()
@@ -71,7 +71,7 @@ std::size_t part_row_bytes(const DividedPicture& picture, int width);
 std::string encode_part_head(const PartHead& head);
 
 /// The maximum size of a header: this many bytes of a file are enough to decode it.
-inline constexpr std::size_t most_part_head_bytes = std::size_t{1} << 16;
+inline constexpr std::size_t max_part_head_bytes = std::size_t{1} << 16;
 
 /// Decodes the result of encode_part_head() at the start of a file. Returns an error text for
 /// people; empty on success. `bytes_before_rows`: the size of everything before the rows.

@@ -29,7 +29,7 @@ class PartTree {
   /// Up to this number, shapes are tested one by one.
   static constexpr std::size_t fewest_parts = 8;
   /// With more parts, a BVH does not pay off, because the rays of bundles are too far apart.
-  static constexpr std::size_t most_parts = 65536;
+  static constexpr std::size_t max_parts = 65536;
 
   PartTree() = default;
   explicit PartTree(const std::vector<FloatBox>& boxes);

@@ -11,7 +11,7 @@ namespace scenefile {
 bool empty(const PixelRegion& region);
 
 /// The maximum number of parts.
-inline constexpr std::uint32_t most_parts = 1000000;
+inline constexpr std::uint32_t max_parts = 1000000;
 
 /// The pixels of part `index` of `count`, counted from 0. The parts cover the region without
 /// overlap; each is a rectangle of whole tiles (pieces.h), about the same number in each. Empty if

@@ -15,7 +15,7 @@ namespace scenefile {
 inline constexpr std::uint32_t max_instances_entered = 1u << 22;
 
 /// Groups with at most this many parts are searched one by one.
-inline constexpr std::size_t most_parts_without_bvh = 3;
+inline constexpr std::size_t max_parts_without_bvh = 3;
 
 /// The state of one ray query.
 struct Query {

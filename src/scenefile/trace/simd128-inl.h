@@ -131,7 +131,7 @@ inline F next_up(F x) {
   const F next{wasm_i64x2_add(x.v, wasm_i64x2_const_splat(1))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
 }
-inline double least_lane(F x) {
+inline double min_of_lanes(F x) {
   return std::min(wasm_f64x2_extract_lane(x.v, 0), wasm_f64x2_extract_lane(x.v, 1));
 }
 inline double greatest_lane(F x) {

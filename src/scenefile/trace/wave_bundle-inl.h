@@ -66,7 +66,7 @@ inline Bundle bundle_of(const Chunk& chunk, const Heading& heading) {
   Bundle bundle;
   const M lanes_of_it = mask;
   const auto enclose = [&](F x, double& low, double& high) {
-    low = least_lane(select(lanes_of_it, x, far));
+    low = min_of_lanes(select(lanes_of_it, x, far));
     high = greatest_lane(select(lanes_of_it, x, -far));
   };
   const F sign = splat(heading.sign);
@@ -135,10 +135,10 @@ unsigned touched(const Boxes& boxes, int at, const Bundle& bundle, const Heading
   for (int i = 0; i < 2; ++i) {
     const F slope_low = splat(bundle.slope_low[i]);
     const F slope_high = splat(bundle.slope_high[i]);
-    const F least_side = splat(bundle.origin_low[1 + i]) + min(slope_low * near, slope_low * far);
-    const F most_side = splat(bundle.origin_high[1 + i]) + max(slope_high * near, slope_high * far);
-    meets = meets & (least_side <= load_floats(boxes.max[heading.side[i]] + at)) &
-            (most_side >= load_floats(boxes.min[heading.side[i]] + at));
+    const F min_side = splat(bundle.origin_low[1 + i]) + min(slope_low * near, slope_low * far);
+    const F max_side = splat(bundle.origin_high[1 + i]) + max(slope_high * near, slope_high * far);
+    meets = meets & (min_side <= load_floats(boxes.max[heading.side[i]] + at)) &
+            (max_side >= load_floats(boxes.min[heading.side[i]] + at));
   }
   return bits(meets);
 }

@@ -151,7 +151,7 @@ inline F next_up(F x) {
   const F next{hn::BitCast(D(), hn::Add(hn::BitCast(integers, x.v), hn::Set(integers, 1)))};
   return select(x < splat(std::numeric_limits<double>::infinity()), next, x);
 }
-inline double least_lane(F x) {
+inline double min_of_lanes(F x) {
   return hn::GetLane(hn::MinOfLanes(D(), x.v));
 }
 inline double greatest_lane(F x) {

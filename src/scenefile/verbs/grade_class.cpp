@@ -26,7 +26,7 @@ namespace {
 constexpr double default_min_psnr_db = 40;
 // Pictures with a smaller mean square difference, in 1/255, show the same scene: this is a PSNR of
 // 32 dB, which another program reaches in spite of different edges.
-constexpr double most_of_same = 40;
+constexpr double same_scene_mean_square = 40;
 
 // A student, with the path of the picture for each reference; empty if there is none.
 struct StudentFolder {
@@ -348,7 +348,7 @@ struct ClassGrader::State {
     };
     const double here = off(reference);
     const Reference* best = nullptr;
-    double least = most_of_same;
+    double least = same_scene_mean_square;
     for (const Reference& r : references_) {
       if (r.scene && reference.scene && r.scene->text == reference.scene->text) {
         continue;

@@ -11,8 +11,8 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::size_t most_files = 20000;
-constexpr int most_folders = 8;
+constexpr std::size_t max_files = 20000;
+constexpr int max_folders = 8;
 
 // Only letters and digits, in lower case.
 std::string plain(std::string_view name) {
@@ -58,11 +58,11 @@ std::string ending_of(std::string_view name) {
 void add_files(const std::string& folder, bool (*wanted)(std::string_view),
                const std::vector<std::string>& above, std::vector<FoundFile>& files) {
   for (const FolderEntry& entry : entries_of(folder)) {
-    if (files.size() >= most_files) {
+    if (files.size() >= max_files) {
       return;
     }
     if (entry.folder && !entry.link) {
-      if (above.size() < most_folders) {
+      if (above.size() < max_folders) {
         std::vector<std::string> inside = above;
         inside.push_back(entry.name);
         add_files(entry.path, wanted, inside, files);

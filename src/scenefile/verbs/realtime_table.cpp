@@ -58,9 +58,9 @@ std::string read_row(const Cells& cells, RealtimeRow& row) {
   RealtimeOptions& panel = row.panel;
   double p1 = panel.tessellation.parameter1;
   double p2 = panel.tessellation.parameter2;
-  if (!read_number(cells, "parameter1", 1, most_tessellation, p1) ||
-      !read_number(cells, "parameter2", 1, most_tessellation, p2)) {
-    return fmt::format("parameter1 and parameter2 are numbers from 1 to {}", most_tessellation);
+  if (!read_number(cells, "parameter1", 1, max_tessellation, p1) ||
+      !read_number(cells, "parameter2", 1, max_tessellation, p2)) {
+    return fmt::format("parameter1 and parameter2 are numbers from 1 to {}", max_tessellation);
   }
   panel.tessellation = {static_cast<int>(p1), static_cast<int>(p2)};
   if (!read_number(cells, "near", 1e-9, 1e9, panel.near) ||

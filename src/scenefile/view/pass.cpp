@@ -40,7 +40,7 @@ struct Item {
 };
 
 // More than any scene written by hand needs; bounds the time for deeply nested templates.
-constexpr double most_work = 6e8;
+constexpr double max_work = 6e8;
 constexpr double work_of_triangle = 15;
 // Between two looks at whether the drawing is interrupted.
 constexpr std::size_t objects_per_check = 256;
@@ -84,9 +84,9 @@ class Pass {
         boxes_(output == Output::box),
         lines_(output == Output::flat_color),
         // All shadow maps together may take as long as the picture.
-        most_work_(output == Output::nothing
-                       ? most_work / double(std::max<std::size_t>(1, drawing.shadows.views.size()))
-                       : most_work) {}
+        max_work_(output == Output::nothing
+                      ? max_work / double(std::max<std::size_t>(1, drawing.shadows.views.size()))
+                      : max_work) {}
 
   DrawStats draw() {
     choose_objects();
@@ -228,7 +228,7 @@ class Pass {
           {key, glm::length(middle - frame_.camera.position), work_of(object, key), i});
       work += items_.back().work;
     }
-    if (work > most_work_) {
+    if (work > max_work_) {
       leave_out_farthest();
     }
     if (options_.realtime) {  // at equal depth the first in the file is visible
@@ -269,13 +269,13 @@ class Pass {
     };
     const auto easier = [](const Item& a, const Item& b) { return a.work < b.work; };
     const double least = std::min_element(items_.begin(), items_.end(), easier)->work;
-    const auto at_most = std::min(items_.size(), static_cast<std::size_t>(most_work_ / least));
+    const auto at_most = std::min(items_.size(), static_cast<std::size_t>(max_work_ / least));
     const auto end = items_.begin() + std::ptrdiff_t(at_most);
     std::nth_element(items_.begin(), end, items_.end(), nearer);
     std::sort(items_.begin(), end, nearer);
     double work = 0;
     std::size_t kept = 0;
-    while (kept < at_most && work + items_[kept].work <= most_work_) {
+    while (kept < at_most && work + items_[kept].work <= max_work_) {
       work += items_[kept++].work;
     }
     kept = std::max<std::size_t>(kept, 1);
@@ -433,7 +433,7 @@ class Pass {
   Output output_;
   bool boxes_;
   bool lines_;
-  double most_work_;
+  double max_work_;
   int emitter_count_ = 0;
   std::vector<Item> items_;
   std::vector<Batch> batches_;

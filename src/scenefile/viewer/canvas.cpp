@@ -12,7 +12,7 @@ namespace {
 
 // If pictures take longer (in seconds) while the camera moves, they get coarser.
 constexpr double slow_picture = 0.04;
-constexpr int most_hurry = 4;
+constexpr int max_hurry = 4;
 // At rest, each picture is better than the one before by this many steps.
 constexpr int refinement = 2;
 // For scenes with more objects, the first picture is coarse, because its time is not known yet.
@@ -133,7 +133,7 @@ void Canvas::accept(Session& session, Painted painted) {
   }
   // Better pictures, drawn at rest, say little about the time of coarser ones.
   if (recipe.version != painted_.recipe.version || recipe.hurry == moving_hurry_) {
-    moving_hurry_ = painted.seconds > slow_picture       ? std::min(recipe.hurry + 1, most_hurry)
+    moving_hurry_ = painted.seconds > slow_picture       ? std::min(recipe.hurry + 1, max_hurry)
                     : painted.seconds < slow_picture / 8 ? std::max(recipe.hurry - 1, 0)
                                                          : recipe.hurry;
   }

@@ -13,9 +13,9 @@ namespace scenefile::viewer {
 namespace {
 
 // The sliders of the course's program; other values can be typed after Ctrl+click.
-constexpr int most_of_slider = 25;
-constexpr float most_near = 10;
-constexpr float most_far = 100;
+constexpr int slider_max = 25;
+constexpr float max_near = 10;
+constexpr float max_far = 100;
 
 bool depth_slider(const char* name, double& depth, float least, float most) {
   auto value = static_cast<float>(depth);
@@ -27,10 +27,10 @@ bool depth_slider(const char* name, double& depth, float least, float most) {
 }
 
 bool parameter_slider(const char* name, int& parameter) {
-  if (!ImGui::SliderInt(name, &parameter, 1, most_of_slider)) {
+  if (!ImGui::SliderInt(name, &parameter, 1, slider_max)) {
     return false;
   }
-  parameter = std::clamp(parameter, 1, most_tessellation);
+  parameter = std::clamp(parameter, 1, max_tessellation);
   return true;
 }
 
@@ -43,8 +43,8 @@ bool build_controls(RealtimeOptions& panel) {
   panel.milestone = static_cast<Milestone>(milestone);
   changed |= parameter_slider("parameter 1", panel.tessellation.parameter1);
   changed |= parameter_slider("parameter 2", panel.tessellation.parameter2);
-  changed |= depth_slider("near plane", panel.near, 0.01F, most_near);
-  changed |= depth_slider("far plane", panel.far, 0.1F, most_far);
+  changed |= depth_slider("near plane", panel.near, 0.01F, max_near);
+  changed |= depth_slider("far plane", panel.far, 0.1F, max_far);
   static constexpr std::array<const char*, 5> filters{"no filter", "invert", "grayscale", "blur",
                                                       "sharpen"};
   int filter = static_cast<int>(panel.filter);

@@ -184,7 +184,7 @@ std::string build_folder(Session& session, const GuiFrame& frame) {
   if (panel.choices.empty()) {
     ImGui::TextDisabled("%s", "there are no scenes here");
   } else if (panel.cut_off) {
-    ImGui::TextDisabled("%s", fmt::format("only the first {} are listed", most_choices).c_str());
+    ImGui::TextDisabled("%s", fmt::format("only the first {} are listed", max_choices).c_str());
   }
   ImGui::EndChild();
   return chosen;

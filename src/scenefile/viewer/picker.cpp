@@ -46,14 +46,14 @@ Ray ray_through(const RenderCamera& camera, const glm::dvec2& point, double aspe
 
 std::optional<Pick> Picker::pick(const Ray& ray, const Hidden& hidden,
                                  const std::optional<PickPlanes>& planes) const {
-  constexpr int most_hidden = 64;  // one behind another along the ray
+  constexpr int max_hidden = 64;  // one behind another along the ray
   const Accelerator& accelerator = impl_->accelerator;
   if (accelerator.status() != AcceleratorStatus::ready) {
     return std::nullopt;
   }
   double from = 0;
   Hit hit;
-  for (int i = 0; i < most_hidden && accelerator.closest(ray, from, 1e300, hit); ++i) {
+  for (int i = 0; i < max_hidden && accelerator.closest(ray, from, 1e300, hit); ++i) {
     Pick pick;
     pick.source = hit.source;
     pick.instances = accelerator.instances_of_closest(ray, from, 1e300);

@@ -26,7 +26,7 @@ std::vector<std::string> load_recent_files(const std::string& path) {
     const std::size_t end = std::min(text->find('\n', begin), text->size());
     std::string line = text->substr(begin, end - begin);
     if (!line.starts_with('/') || line.find('\0') != std::string::npos ||
-        files.size() == most_recent_files) {
+        files.size() == max_recent_files) {
       return {};
     }
     files.push_back(std::move(line));
@@ -42,7 +42,7 @@ std::string add_recent_file(const std::string& path, const std::string& scene) {
   std::vector<std::string> files = load_recent_files(path);
   files.erase(std::remove(files.begin(), files.end(), scene), files.end());
   files.insert(files.begin(), scene);
-  files.resize(std::min(files.size(), most_recent_files));
+  files.resize(std::min(files.size(), max_recent_files));
   std::string text;
   for (const std::string& file : files) {
     text += file + '\n';

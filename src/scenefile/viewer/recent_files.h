@@ -7,7 +7,7 @@
 namespace scenefile::viewer {
 
 /// The maximum number of paths in the list.
-inline constexpr std::size_t most_recent_files = 12;
+inline constexpr std::size_t max_recent_files = 12;
 
 /// The path in the state folder: `xdg_state_home` if it is an absolute path, otherwise .local/state
 /// in `home`; empty if neither is given.

@@ -34,8 +34,8 @@ bool list_choices(const std::string& folder, std::vector<Choice>& choices) {
   std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
     return a.kind != b.kind ? a.kind < b.kind : natural_less(a.name, b.name);
   });
-  const bool fits = choices.size() <= most_choices;
-  choices.resize(std::min(choices.size(), most_choices));
+  const bool fits = choices.size() <= max_choices;
+  choices.resize(std::min(choices.size(), max_choices));
   return fits;
 }
 

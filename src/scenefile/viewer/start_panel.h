@@ -17,13 +17,13 @@ struct Choice {
 };
 
 /// A longer list is cut off.
-inline constexpr std::size_t most_choices = 2000;
+inline constexpr std::size_t max_choices = 2000;
 
 struct StartPanel {
   bool open = false;
   std::string folder;               ///< absolute
-  std::vector<Choice> choices;      ///< what the folder holds: folders, scenes, pictures
-  bool cut_off = false;             ///< the folder holds more than `most_choices`
+  std::vector<Choice> choices;      ///< the contents of the folder: folders, scenes, pictures
+  bool cut_off = false;             ///< the folder contains more than `max_choices`
   std::vector<std::string> recent;  ///< absolute paths
   std::string typed;                ///< the path in the field
   bool opening = false;             ///< closes when the requested scene can be drawn

@@ -10,7 +10,7 @@ namespace scenefile::viewer {
 
 namespace {
 
-constexpr std::size_t most_known = 512;
+constexpr std::size_t max_known = 512;
 
 RenderOptions thumbnail_options() {
   RenderOptions options = default_options(Profile::fine);
@@ -100,7 +100,7 @@ bool Thumbnails::tick(const LoadScene& load, const std::function<void()>& wake) 
   bool news = false;
   if (std::optional<Thumbnail> done = job_.take()) {
     if (!*stopped_) {
-      if (known_.size() >= most_known) {
+      if (known_.size() >= max_known) {
         known_.clear();
       }
       known_.insert_or_assign(path_, std::move(*done));

@@ -264,7 +264,7 @@ function jsonText(value, indent, unit, broad) {
 }
 
 // The text of something to insert: made from a description, or moved from elsewhere with its lines
-// indented anew.
+// indented again.
 function pieceText(piece, indent, unit, broad) {
   if (piece.moved !== undefined) {
     const [first, ...rest] = piece.moved.split('\n');

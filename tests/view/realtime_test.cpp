@@ -17,8 +17,9 @@ constexpr double byte = 1.0 / 255;
 class Realtime : public Drawn {
  protected:
   Texture drawn(const SceneBuilder& builder, const RealtimeOptions& realtime, int width = 32,
-                int height = 32) {
+                int height = 32, DrawMode mode = DrawMode::shaded) {
     DrawOptions options;
+    options.mode = mode;
     options.realtime = realtime;
     Drawing drawing = uploaded(builder);
     std::string error;
@@ -240,6 +241,8 @@ TEST_F(Realtime, CountsItsTriangles) {
   builder.add(Shape::sphere, place({0, 0, -3}), builder.glowing(glm::vec3(1)));
   builder.add(Shape::cube, place({0, 1, -3}), 0);
   drawn(builder, {{4, 7}, 0.1, 100});
+  EXPECT_EQ(stats.triangles, 7u * (2 * 4 - 2) + 12 * 4 * 4);
+  drawn(builder, {{4, 7}, 0.1, 100}, 32, 32, DrawMode::wireframe);
   EXPECT_EQ(stats.triangles, 7u * (2 * 4 - 2) + 12 * 4 * 4);
 }
 

@@ -1,5 +1,6 @@
 #include "scenefile/format/xml_fields.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/suggest.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/codes.h"
@@ -123,7 +124,7 @@ void report_unknown_element(const XmlContext& context, const XmlTag& tag, std::s
 std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& tag,
                                       std::span<const FieldName> names, std::string_view block) {
   for (const FieldName& n : names) {
-    if (n.name == tag.name) {
+    if (same_name(n.name, tag.name)) {
       if (n.alias) {
         context.report(
             xml_alias_element, tag,

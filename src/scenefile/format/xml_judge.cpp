@@ -196,6 +196,11 @@ std::optional<LimitFault> limit_fault(const XmlToken& token, const Limits& limit
   if (token.kind == XmlTokenKind::text || token.kind == XmlTokenKind::cdata) {
     return std::nullopt;
   }
+  if (token.attributes.size() <= limits.attributes &&
+      token.written.size() <=
+          std::min<std::size_t>({limits.name_bytes, limits.value_bytes, max_markup_bytes - 1})) {
+    return std::nullopt;  // the usual case
+  }
   const auto name_too_long = [&] {
     return LimitFault{&xml_length_limit,
                       fmt::format("a name in <{}> is longer than the limit of {} bytes",

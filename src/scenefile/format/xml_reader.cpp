@@ -114,7 +114,7 @@ bool EventReader::is_plain() const {
     case XmlTokenKind::empty:
       return token_.plain && !(open_.empty() && has_root_);
     case XmlTokenKind::end:
-      return token_.plain && !open_.empty() && open_.back() == token_.name;
+      return token_.plain && !open_.empty() && same_name(open_.back(), token_.name);
     case XmlTokenKind::text:
     case XmlTokenKind::comment:
     case XmlTokenKind::cdata:

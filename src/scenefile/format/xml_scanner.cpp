@@ -71,132 +71,143 @@ bool ends_name(char c) {
 class TagScanner {
  public:
   TagScanner(std::string_view text, XmlToken& token)
-      : begin_(text.data()), end_(begin_ + text.size()), p_(begin_ + 1), token_(token) {}
+      : begin_(text.data()), end_(begin_ + text.size()), token_(token) {}
 
+  // The hot loop of reading: keeps its place in registers, and leaves it to functions that are not
+  // inlined only if something is not plain.
   void run() {
     token_.attributes.clear();
-    is_end_ = p_ != end_ && *p_ == '/';
-    p_ += is_end_ ? 1 : 0;
-    token_.name = read_name();
-    while (read_attribute()) {
-      add_attribute();
+    const char* p = begin_ + 1;
+    const bool is_end = p != end_ && *p == '/';
+    p = read_name(p + is_end, token_.name);
+    while (true) {
+      const char* const before = p;
+      p = skip(p, end_, blank);
+      if (p == end_ || ends_name(*p)) {
+        break;
+      }
+      if (p == before || is_end) {
+        plain_ = false;
+      }
+      XmlAttribute attribute;
+      bool well_formed = true;
+      p = read_attribute(p, attribute, well_formed);
+      if (!well_formed) {
+        break;
+      }
+      add(attribute);
     }
-    finish();
-    token_.written = between(begin_, p_);
+    p = finish(p, is_end);
+    token_.written = between(begin_, p);
     token_.plain = plain_;
     token_.needs_decoding = needs_decoding_;
   }
 
  private:
-  std::string_view read_name() {
-    const char* const name = p_;
-    plain_ = plain_ && p_ != end_ && is(*p_, name_start);
-    p_ = skip(p_, end_, name_part);
-    while (p_ != end_ && !ends_name(*p_)) {
+  const char* read_name(const char* p, std::string_view& name) {
+    const char* const first = p;
+    if (p == end_ || !is(*p, name_start)) {
       plain_ = false;
-      ++p_;
     }
-    return between(name, p_);
+    p = skip(p, end_, name_part);
+    while (p != end_ && !ends_name(*p)) {
+      plain_ = false;
+      ++p;
+    }
+    name = between(first, p);
+    return p;
   }
 
-  // Returns false if no well-formed attribute follows. Keeps the available parts of a truncated
-  // one.
-  bool read_attribute() {
-    const char* const before = p_;
-    p_ = skip(p_, end_, blank);
-    if (p_ == end_ || ends_name(*p_)) {
-      return false;
+  // Keeps the available parts of a truncated attribute.
+  const char* read_attribute(const char* p, XmlAttribute& attribute, bool& well_formed) {
+    p = skip(read_name(p, attribute.name), end_, blank);
+    if (p == end_) {
+      return p;
     }
-    plain_ = plain_ && p_ != before && !is_end_;
-    attribute_ = {read_name(), {}};
-    p_ = skip(p_, end_, blank);
-    if (p_ != end_) {
-      if (*p_ != '=') {
-        plain_ = false;
-        return false;
+    if (*p == '=') {
+      p = skip(p + 1, end_, blank);
+      if (p == end_) {
+        return p;
       }
-      p_ = skip(p_ + 1, end_, blank);
-    }
-    if (p_ != end_) {
-      if (*p_ != '"' && *p_ != '\'') {
-        plain_ = false;
-        return false;
+      if (*p == '"' || *p == '\'') {
+        return read_value(p, attribute.value);
       }
-      read_value();
     }
-    return true;
+    plain_ = false;
+    well_formed = false;
+    return p;
   }
 
-  void read_value() {
-    const char quote = *p_++;
-    const char* const value = p_;
-    while ((p_ = skip(p_, end_, value_part)) != end_ && *p_ != quote) {
-      pass_special();
+  const char* read_value(const char* p, std::string_view& value) {
+    const char quote = *p++;
+    const char* const first = p;
+    while ((p = skip(p, end_, value_part)) != end_ && *p != quote) {
+      p = pass_special(p);
     }
-    attribute_.value = between(value, p_);
-    p_ += p_ == end_ ? 0 : 1;
+    value = between(first, p);
+    return p == end_ ? p : p + 1;
   }
 
   // The first character of a value that is not in the class value_part.
-  void pass_special() {
-    const char c = *p_;
+  const char* pass_special(const char* p) {
+    const char c = *p;
+    if (c == '>' || c == '"' || c == '\'') {
+      return p + 1;
+    }
     if (c == '&' || static_cast<unsigned char>(c) < ' ') {
       needs_decoding_ = true;
       plain_ = false;
-      ++p_;
-    } else if (c == '>' || c == '"' || c == '\'') {
-      ++p_;
-    } else {
-      const std::size_t size = plain_character(between(p_, end_));
-      plain_ = plain_ && size != 0;
-      p_ += std::max<std::size_t>(size, 1);
+      return p + 1;
     }
+    const std::size_t size = plain_character(between(p, end_));
+    plain_ = plain_ && size != 0;
+    return p + std::max<std::size_t>(size, 1);
   }
 
-  void add_attribute() {
+  void add(const XmlAttribute& attribute) {
     std::vector<XmlAttribute>& all = token_.attributes;
-    const auto same = [&](const XmlAttribute& other) { return other.name == attribute_.name; };
-    plain_ =
-        plain_ && all.size() < max_plain_attributes && std::none_of(all.begin(), all.end(), same);
-    all.push_back(attribute_);
+    if (all.size() >= max_plain_attributes) {
+      plain_ = false;
+    }
+    // Only of plain tags, which have few attributes.
+    for (std::size_t i = 0; plain_ && i < all.size(); ++i) {
+      plain_ = !same_name(all[i].name, attribute.name);
+    }
+    all.push_back(attribute);
   }
 
-  // Decides what follows the last attribute.
-  void finish() {
+  // Decides what follows the last attribute; returns the end of the tag.
+  const char* finish(const char* p, bool is_end) {
     bool is_empty = false;
-    if (p_ != end_ && *p_ == '/' && p_ + 1 != end_ && p_[1] == '>') {
+    if (p != end_ && *p == '/' && p + 1 != end_ && p[1] == '>') {
       is_empty = true;
-      plain_ = plain_ && !is_end_;
-      p_ += 2;
-    } else if (p_ != end_ && *p_ == '>') {
-      ++p_;
+      plain_ = plain_ && !is_end;
+      p += 2;
+    } else if (p != end_ && *p == '>') {
+      ++p;
     } else {
       plain_ = false;
-      pass_rest();
-      is_empty = p_[-1] == '>' && p_[-2] == '/';
+      p = pass_rest(p);
+      is_empty = p[-1] == '>' && p[-2] == '/';
     }
-    token_.kind = is_end_    ? XmlTokenKind::end
-                  : is_empty ? XmlTokenKind::empty
-                             : XmlTokenKind::start;
+    token_.kind = is_end ? XmlTokenKind::end : is_empty ? XmlTokenKind::empty : XmlTokenKind::start;
+    return p;
   }
 
-  void pass_rest() {
-    while (p_ != end_ && *p_ != '>') {
-      const char c = *p_++;
+  const char* pass_rest(const char* p) const {
+    while (p != end_ && *p != '>') {
+      const char c = *p++;
       if (c == '"' || c == '\'') {
-        p_ = std::find(p_, end_, c);
-        p_ += p_ == end_ ? 0 : 1;
+        p = std::find(p, end_, c);
+        p += p == end_ ? 0 : 1;
       }
     }
-    p_ += p_ == end_ ? 0 : 1;
+    return p == end_ ? p : p + 1;
   }
 
   const char* begin_;
   const char* end_;
-  const char* p_;
   XmlToken& token_;
-  XmlAttribute attribute_;
-  bool is_end_ = false;
   bool plain_ = true;
   bool needs_decoding_ = false;
 };
@@ -296,7 +307,7 @@ bool is_tag(std::string_view text) {
 
 const XmlAttribute* XmlTag::find(std::string_view attribute) const {
   for (const XmlAttribute& a : attributes) {
-    if (a.name == attribute) {
+    if (same_name(a.name, attribute)) {
       return &a;
     }
   }

@@ -138,6 +138,10 @@ void SceneBuilder::end() {
     --ignored_;
     return;
   }
+  if (top().block == Block::leaf) {
+    frames_.pop_back();  // most elements; never directly in an implicit transblock
+    return;
+  }
   const Frame ended = top();
   frames_.pop_back();
   switch (ended.block) {
@@ -358,11 +362,10 @@ bool SceneBuilder::ignore(const Code& code, const XmlTag& tag, std::string messa
 }
 
 bool SceneBuilder::push(Block block, NodeId node, std::string_view element) {
-  Frame frame;
+  Frame& frame = frames_.emplace_back();
   frame.block = block;
   frame.node = node;
   frame.element = element;
-  frames_.push_back(frame);
   return true;
 }
 

@@ -278,7 +278,7 @@ bool is_canonical(const XmlTag& tag, const Signature& signature) {
     return false;
   }
   for (std::size_t i = 0; i < signature.parts; ++i) {
-    if (tag.attributes[i].name != signature.forms.front().names[i]) {
+    if (!same_name(tag.attributes[i].name, signature.forms.front().names[i])) {
       return false;
     }
   }

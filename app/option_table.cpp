@@ -274,7 +274,7 @@ std::string set_layers(Options& options, const std::string& value) {
   const bool known = std::any_of(options.render.layers.begin(), options.render.layers.end(),
                                  [&](const Layer& layer) { return layer_name(layer) == wrong; });
   return known ? fmt::format("{} is in the list twice", wrong)
-               : unknown_word("layer", wrong, layer_words());
+               : unknown_word("layer", wrong, layer_words);
 }
 
 std::string set_crop(Options& options, const std::string& value) {
@@ -702,7 +702,7 @@ std::span<const std::string_view> words_of(const OptionRow& row) {
       Words{set_profile, profile_choices}, Words{set_engine, engine_words},
       Words{set_filter, filter_words},     Words{set_milestone, milestone_words},
       Words{set_mode, mode_words},         Words{set_features, feature_words()},
-      Words{set_layers, layer_words()},    Words{set_to, format_words},
+      Words{set_layers, layer_words},      Words{set_to, format_words},
       Words{set_compat, compat_words},     Words{set_completion, shell_words},
   };
   const auto found =

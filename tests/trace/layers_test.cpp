@@ -15,7 +15,7 @@ TEST(LayerWords, AreReadAndWritten) {
   ASSERT_EQ(layers.size(), 3U);
   EXPECT_EQ(layers[1], (Layer{LayerKind::light, 11}));
   EXPECT_EQ(layer_name(layers[1]), "light-12");
-  for (const std::string_view word : layer_words()) {
+  for (const std::string_view word : layer_words) {
     EXPECT_EQ(parse_layers(word, layers), "");
     EXPECT_EQ(layer_name(layers[0]), word);
   }

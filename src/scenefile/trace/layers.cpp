@@ -1,7 +1,6 @@
 #include "scenefile/trace/layers.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -9,16 +8,13 @@ namespace scenefile {
 
 namespace {
 
-// Indexed by LayerKind.
-constexpr std::array<std::string_view, 8> layer_names{
-    "depth", "normal", "uv", "albedo", "object-id", "light-1", "shadow", "reflection-depth"};
 constexpr std::string_view light_prefix = "light-";
 
 bool parse_layer(std::string_view word, Layer& layer) {
-  const auto found = std::find(layer_names.begin(), layer_names.end(), word);
-  layer.kind = static_cast<LayerKind>(found - layer_names.begin());
+  const auto found = std::find(layer_words.begin(), layer_words.end(), word);
+  layer.kind = static_cast<LayerKind>(found - layer_words.begin());
   layer.light = 0;
-  if (found != layer_names.end()) {
+  if (found != layer_words.end()) {
     return true;
   }
   if (!word.starts_with(light_prefix)) {
@@ -96,10 +92,6 @@ glm::vec3 color_of(const Layer& layer, const float* value, const ValueRange& dep
 
 }  // namespace
 
-std::span<const std::string_view> layer_words() {
-  return layer_names;
-}
-
 std::string_view parse_layers(std::string_view list, std::vector<Layer>& layers) {
   layers.clear();
   for (bool more = true; more;) {
@@ -121,7 +113,7 @@ std::string layer_name(const Layer& layer) {
   if (layer.kind == LayerKind::light) {
     return std::string(light_prefix) + std::to_string(layer.light + 1);
   }
-  return std::string(layer_names[static_cast<std::size_t>(layer.kind)]);
+  return std::string(word_of(layer.kind));
 }
 
 std::string missing_light(std::span<const Layer> layers, std::size_t lights) {

@@ -2,6 +2,7 @@
 // Names of layers, and layers as pictures: `depth normal uv albedo object-id light-1 shadow
 // reflection-depth`. Their contents: LayerKind and docs/layers.md.
 
+#include "scenefile/base/shape.h"
 #include "scenefile/trace/render.h"
 
 #include <limits>
@@ -12,8 +13,29 @@
 
 namespace scenefile {
 
-/// The names; "light-1" represents all layers of its kind.
-std::span<const std::string_view> layer_words();
+/// The name of a kind; that of the first light represents all lights.
+constexpr std::string_view word_of(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::depth:
+      return "depth";
+    case LayerKind::normal:
+      return "normal";
+    case LayerKind::uv:
+      return "uv";
+    case LayerKind::albedo:
+      return "albedo";
+    case LayerKind::object_id:
+      return "object-id";
+    case LayerKind::light:
+      return "light-1";
+    case LayerKind::shadow:
+      return "shadow";
+    case LayerKind::reflection_depth:
+      return "reflection-depth";
+  }
+  return {};
+}
+inline constexpr auto layer_words = words_of<LayerKind>();
 
 /// Parses a comma-separated list of names; light-1 is the scene's first light. Returns the first
 /// name that is unknown or repeated; empty on success. Does not check whether the lights exist.

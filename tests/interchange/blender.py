@@ -26,7 +26,7 @@ numpy.bool = bool  # Blender 3.4's importer uses the old name
 import bpy
 import OpenImageIO
 
-SIZE = (160, 120)
+SIZE = (157, 118)  # such that few centers of pixels are exactly on edges of the scenes
 COVERAGE, DEPTH, PSNR = 0.002, 1e-3, 38
 MOST_OBJECTS = 3000  # Blender needs minutes for more
 

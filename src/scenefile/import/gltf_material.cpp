@@ -82,9 +82,9 @@ bool near(const glm::vec3& a, const glm::vec3& b) {
 // the picture contains the base color.
 bool still_fits(const PbrMaterial& made, const PbrMaterial& read, bool textured) {
   return (textured || near(made.base, read.base)) && near(made.metallic, read.metallic) &&
-         near(made.roughness, read.roughness) && near(made.f0, read.f0) &&
-         near(made.transmission, read.transmission) && near(made.emissive, read.emissive) &&
-         (made.transmission == 0 || near(made.ior, read.ior));
+         (read.f0 == glm::vec3(0) || near(made.roughness, read.roughness)) &&
+         near(made.f0, read.f0) && near(made.transmission, read.transmission) &&
+         near(made.emissive, read.emissive) && (made.transmission == 0 || near(made.ior, read.ior));
 }
 
 Material written(const PhongColors& phong) {

@@ -404,6 +404,7 @@ export class Picture {
       }
     } catch (error) {
       if (error.reason !== 'replaced') {
+        this.#glSeconds = Infinity;
         this.#told.failed(error);
       }
     } finally {

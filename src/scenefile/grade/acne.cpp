@@ -56,12 +56,57 @@ bool right_beside(const Simulation& sim, const Point& p) {
   return right >= 1;
 }
 
+// Whether nearly all pixels that differ are inside of a few solid areas, such as a missing shadow
+// or a rectangle that was painted over. Acne is scattered.
+bool is_solid(const Simulation& sim) {
+  const int width = sim.test.width;
+  const int height = sim.test.height;
+  std::vector<std::uint8_t> off(std::size_t(width) * std::size_t(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      off[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+          largest_of(glm::abs(at(sim.test, x, y) - at(sim.reference, x, y))) > right_within;
+    }
+  }
+  std::size_t differing = 0;
+  std::size_t in_solid = 0;
+  std::vector<std::size_t> area;
+  for (std::size_t start = 0; start < off.size(); ++start) {
+    if (off[start] != 1) {
+      continue;
+    }
+    // The area of neighboring pixels that differ; visited ones become 2.
+    area.assign(1, start);
+    off[start] = 2;
+    std::size_t inner = 0;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+      const int cx = int(area[i] % std::size_t(width));
+      const int cy = int(area[i] / std::size_t(width));
+      int around_it = 0;
+      for (int y = std::max(cy - 1, 0); y <= std::min(cy + 1, height - 1); ++y) {
+        for (int x = std::max(cx - 1, 0); x <= std::min(cx + 1, width - 1); ++x) {
+          const std::size_t other = std::size_t(y) * std::size_t(width) + std::size_t(x);
+          around_it += off[other] != 0 ? 1 : 0;
+          if (off[other] == 1) {
+            off[other] = 2;
+            area.push_back(other);
+          }
+        }
+      }
+      inner += around_it == 9 ? 1 : 0;
+    }
+    differing += area.size();
+    in_solid += 5 * inner >= 2 * area.size() ? area.size() : 0;
+  }
+  return 10 * in_solid >= 7 * differing;
+}
+
 }  // namespace
 
 std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, double least) {
   std::vector<Claim> claims;
   if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray ||
-      sim.turn_of(made) != Turn()) {
+      sim.turn_of(made) != Turn() || (made.empty() && is_solid(sim))) {
     return {};
   }
   const Trial trial = sim.trial_of(made);

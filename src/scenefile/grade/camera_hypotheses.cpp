@@ -126,6 +126,16 @@ void add_camera(HypothesisList& list) {
                   [up](RenderCamera& c) { c.v = glm::normalize(up); });
       edit_camera(list, "neither right nor up of the camera is normalized",
                   [up](RenderCamera& c) { c.u = glm::cross(-c.w, glm::normalize(up)); });
+      edit_camera(list, "up is not made perpendicular to the view, and right is not normalized",
+                  [up](RenderCamera& c) {
+                    c.v = glm::normalize(up);
+                    c.u = glm::cross(c.v, c.w);
+                  });
+      edit_camera(list, "the up vector is neither normalized nor made perpendicular to the view",
+                  [up](RenderCamera& c) {
+                    c.v = up;
+                    c.u = glm::cross(up, c.w);
+                  });
       edit_camera(list, "the camera's right axis is not normalized, and up is computed from it",
                   [up](RenderCamera& c) {
                     c.u = glm::cross(-c.w, glm::normalize(up));

@@ -92,7 +92,7 @@ std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Si
   for (const Tried& t : more) {
     const Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
     if (whole.score.left < 0.6 * found.score.left && good(whole) &&
-        each_needed(sim, whole.mistakes)) {
+        (sure(whole) || !any_measured(sim, whole.mistakes)) && each_needed(sim, whole.mistakes)) {
       return whole;
     }
   }
@@ -157,15 +157,21 @@ bool each_needed(const Simulation& sim, const Combination& mistakes) {
 }
 
 Tried without_needless(Simulation& sim, Tried found) {
-  const Simulation::Base b = sim.base(sim.points.size());
+  const std::size_t count = sim.points.size();
+  const Simulation::Base b = sim.base(count);
   for (std::size_t i = 0; found.mistakes.size() > 1 && i < found.mistakes.size();) {
-    if (needed(sim, found.mistakes, i)) {
+    Combination fewer = found.mistakes;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+    Tried rest = sim.rated(fewer, sim.score_of(fewer, count), b);
+    const Combination one{found.mistakes[i]};
+    // A mistake that explains nothing by itself, and nearly nothing beside the others.
+    const bool idle = rest.explained > found.explained - 0.04 && rest.exact > found.exact - 0.04 &&
+                      sim.rated(one, sim.score_of(one, count), b).explained < 0.015;
+    if (!idle && needed(sim, found.mistakes, i)) {
       ++i;
       continue;
     }
-    Combination fewer = found.mistakes;
-    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-    found = sim.rated(fewer, sim.score_of(fewer, sim.points.size()), b);
+    found = std::move(rest);
     i = 0;
   }
   return found;

@@ -3,6 +3,7 @@
 #include "scenefile/grade/acne.h"
 #include "scenefile/grade/claims.h"
 #include "scenefile/grade/fitted_mistakes.h"
+#include "scenefile/grade/placed_copy.h"
 #include "scenefile/grade/sampling_causes.h"
 #include "scenefile/grade/several_mistakes.h"
 #include "scenefile/grade/undrawn.h"
@@ -55,6 +56,13 @@ bool shows_much(const Simulation& sim, const Tried& t) {
   return matched >= 0.5 * bright;
 }
 
+bool equal_colors(const Colors& a, const Colors& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const dvec3& x, const dvec3& y) {
+    return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
+                               glm::clamp(y, dvec3(0), dvec3(255)))) <= 1;
+  });
+}
+
 void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& others,
            CauseReport& report) {
   const Simulation::Base b = sim.base(sim.points.size());
@@ -73,11 +81,19 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     return;
   }
   std::string same;
+  const Colors shown = sim.predicted(found.mistakes, sim.points.size());
+  int same_cause = 0;
   for (const Tried& t : others) {
     const Hypothesis& h = sim.list[t.mistakes.front()];
     const bool listed = h.cause == sim.list[found.mistakes.front()].cause ||
                         std::any_of(report.rivals.begin(), report.rivals.end(),
                                     [&](const Claim& c) { return c.cause == h.cause; });
+    if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) && same_cause < 2 &&
+        h.cause == sim.list[found.mistakes.front()].cause &&
+        equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
+      ++same_cause;
+      same += "; or " + h.what;
+    }
     if (t.mistakes.size() == 1 && !listed && good(t) && report.rivals.size() < 3 &&
         t.score.raw <= found.score.raw + rival_margin * b.left) {
       report.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
@@ -137,7 +153,7 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
-      alone.front().broken <= max_broken) {
+      alone.front().broken <= max_broken && shows_much(sim, alone.front())) {
     const Hypothesis& h = sim.list[alone.front().mistakes.front()];
     report.partial.push_back(
         {h.cause, h.what,
@@ -155,9 +171,18 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   if (pixels.off.size() < few_pixels && pixels.different.size() < few_pixels) {
     return report;
   }
-  if (std::optional<Claim> undrawn =
-          claim_of_undrawn_part(sim.reference, sim.test, pixels.different)) {
-    report.claims.push_back(*std::move(undrawn));
+  std::optional<Claim> undrawn = claim_of_undrawn_part(sim.reference, sim.test, pixels.different);
+  if (undrawn) {
+    // A color other than black may be an object that fills the view.
+    const glm::ivec3 only = only_color(sim.test).value_or(glm::ivec3(0));
+    if (!sim.usable || std::max({only.x, only.y, only.z}) <= 2) {
+      report.claims.push_back(*std::move(undrawn));
+      return report;
+    }
+    look_for = LookFor::single_mistakes;
+  }
+  if (std::optional<Claim> copy = claim_of_placed_copy(sim.reference, sim.test, pixels.different)) {
+    report.claims.push_back(*std::move(copy));
     return report;
   }
   sim.list = picture_hypotheses();
@@ -179,10 +204,18 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   }
   if (sim.usable) {
     add_background(sim);
+    add_zooms(sim);
     add_factors(sim);
   }
   if (sim.significant()) {
     search(sim, look_for, report);
+  }
+  if (undrawn) {
+    if (report.claims.empty()) {
+      report.claims.push_back(*std::move(undrawn));
+      report.partial.clear();
+    }
+    return report;
   }
   if (report.claims.empty() && !sim.stopped) {
     std::optional<Claim> found = claim_of_blur(sim, pixels);

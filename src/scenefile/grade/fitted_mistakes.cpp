@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <utility>
 
 namespace scenefile {
 
@@ -12,8 +15,8 @@ namespace {
 
 using glm::dvec3;
 
-// The value that most of `found` agree on, if they do.
-std::optional<double> common_value(std::vector<double>& found) {
+// The value that most of `found` agree on, within 4 % or the tolerance, if they do.
+std::optional<double> common_value(std::vector<double>& found, double tolerance_of_value = 0.01) {
   if (found.size() < 3 * few_pixels) {
     return std::nullopt;
   }
@@ -21,9 +24,143 @@ std::optional<double> common_value(std::vector<double>& found) {
   std::nth_element(found.begin(), middle, found.end());
   const double value = *middle;
   const auto close = std::count_if(found.begin(), found.end(), [&](double x) {
-    return std::abs(x - value) <= 0.04 * std::max(std::abs(value), 0.25);
+    return std::abs(x - value) <= std::max(0.04 * std::abs(value), tolerance_of_value);
   });
   return 2 * static_cast<std::size_t>(close) >= found.size() ? std::optional(value) : std::nullopt;
+}
+
+// Values of a channel in the reference and in the test.
+using Pairs = std::vector<std::pair<double, double>>;
+
+std::optional<double> common_step(const Pairs& pairs) {
+  std::vector<double> steps;
+  for (const auto& [r, t] : pairs) {
+    steps.push_back(t - r);
+  }
+  return common_value(steps);
+}
+
+// Whether the values say anything about a factor or an exponent.
+bool in_the_middle(double r, double t) {
+  return r > 20 && r < 235 && t > 4 && t < 250;
+}
+
+std::optional<double> common_factor(const Pairs& pairs) {
+  std::vector<double> factors;
+  for (const auto& [r, t] : pairs) {
+    if (in_the_middle(r, t)) {
+      factors.push_back((t + 0.5) / (r + 0.5));
+    }
+  }
+  return common_value(factors);
+}
+
+std::optional<double> common_power(const Pairs& pairs) {
+  std::vector<double> powers;
+  for (const auto& [r, t] : pairs) {
+    if (in_the_middle(r, t)) {
+      powers.push_back(std::log((t + 0.5) / 255) / std::log((r + 0.5) / 255));
+    }
+  }
+  return common_value(powers);
+}
+
+void add_to_picture(std::vector<Hypothesis>& list, Cause cause, std::string what,
+                    std::function<dvec3(const dvec3&)> color) {
+  list.push_back({cause, std::move(what), Stage::picture, {}, {}, std::move(color)});
+}
+
+// test = factor * reference + offset
+struct Line {
+  double factor = 1;
+  double offset = 0;  // of 255
+};
+
+// The line on which most pairs lie, by the median of the slopes between distant pairs.
+std::optional<Line> common_line(const Pairs& pairs) {
+  std::vector<double> slopes;
+  for (std::size_t gap = pairs.size() / 2;
+       gap > pairs.size() / 2 - std::min<std::size_t>(pairs.size() / 2, 3); --gap) {
+    for (std::size_t i = 0; i + gap < pairs.size(); ++i) {
+      const double distance = pairs[i + gap].first - pairs[i].first;
+      if (std::abs(distance) > 30) {
+        slopes.push_back((pairs[i + gap].second - pairs[i].second) / distance);
+      }
+    }
+  }
+  const std::optional<double> factor = common_value(slopes);
+  if (!factor) {
+    return std::nullopt;
+  }
+  std::vector<double> offsets;
+  for (const auto& [r, t] : pairs) {
+    offsets.push_back(t - *factor * r);
+  }
+  const std::optional<double> offset = common_value(offsets, 1.5);
+  return offset ? std::optional(Line{*factor, *offset}) : std::nullopt;
+}
+
+// Another brightness and contrast of all values, or of each channel.
+void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& list) {
+  Pairs all;
+  for (const Pairs& pairs : by_channel) {
+    all.insert(all.end(), pairs.begin(), pairs.end());
+  }
+  const auto is_bent = [](const Line& line) {
+    return std::abs(line.offset) > 3 && std::abs(line.factor - 1) > 0.03;
+  };
+  if (const std::optional<Line> line = common_line(all); line && is_bent(*line)) {
+    add_to_picture(
+        list, Cause::brightness,
+        line->offset > 0
+            ? fmt::format("values are {:.2f} times those of the reference, plus {:.0f} of 255: "
+                          "black is lifted",
+                          line->factor, line->offset)
+            : fmt::format("values are {:.2f} times those of the reference, minus {:.0f} of 255: "
+                          "the contrast is higher",
+                          line->factor, -line->offset),
+        [line = *line](const dvec3& c) { return line.factor * clamped(c) + line.offset / 255; });
+  }
+  dvec3 factors(1);
+  dvec3 offsets(0);
+  bool lines = false;
+  for (int channel = 0; channel < 3; ++channel) {
+    const Pairs& pairs = by_channel[std::size_t(channel)];
+    if (const std::optional<Line> line = common_line(pairs); line && is_bent(*line)) {
+      factors[channel] = line->factor;
+      offsets[channel] = line->offset;
+      lines = true;
+    } else if (const std::optional<double> k = common_factor(pairs)) {
+      factors[channel] = *k;
+    }
+  }
+  const auto spread = [](const dvec3& v) { return largest_of(v) - std::min({v.x, v.y, v.z}); };
+  if (spread(factors) > 0.05 || spread(offsets) > 3) {
+    add_to_picture(
+        list, Cause::brightness,
+        fmt::format("red is {:.2f} times, green {:.2f} times, blue {:.2f} times as bright as in "
+                    "the reference{}",
+                    factors.x, factors.y, factors.z,
+                    lines ? fmt::format(", plus {:.0f} {:.0f} {:.0f} of 255", offsets.x, offsets.y,
+                                        offsets.z)
+                          : std::string()),
+        [=](const dvec3& c) { return factors * clamped(c) + offsets / 255.0; });
+  }
+}
+
+struct Zoom {
+  bool across = false;
+  bool up = false;
+  const char* words = "";  // with the size of objects
+};
+
+// What is left of the difference if the film is larger by a factor, at the first points.
+double left_with_film(const Simulation& sim, const Zoom& zoom, double factor, std::size_t count) {
+  Trial trial = sim.right_trial(false);
+  trial.scene.camera.u *= zoom.across ? factor : 1;
+  trial.scene.camera.v *= zoom.up ? factor : 1;
+  return score(sim.points, count, sim.draw(trial, *sim.shapes, sim.points, count, Turn(), nullptr))
+      .left;
 }
 
 bool any_texture(const Simulation& sim) {
@@ -74,52 +211,40 @@ void add_color_of_light(Simulation& sim, std::size_t light) {
 
 std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference) {
   std::vector<Hypothesis> list;
-  std::vector<double> factors;
-  std::vector<double> powers;
-  std::vector<double> steps;
+  Pairs all;
+  std::array<Pairs, 3> by_channel;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const dvec3& r = reference[i];
     const dvec3& t = points[i].test;
-    for (int channel = 0; points[i].differs && channel < 3; ++channel) {
-      if (r[channel] > 20 && r[channel] < 235 && t[channel] > 4 && t[channel] < 250) {
-        factors.push_back((t[channel] + 0.5) / (r[channel] + 0.5));
-        powers.push_back(std::log((t[channel] + 0.5) / 255) / std::log((r[channel] + 0.5) / 255));
-      }
+    for (int channel = 0; channel < 3; ++channel) {
       if (points[i].differs && t[channel] > 0 && t[channel] < 255) {
-        steps.push_back(t[channel] - r[channel]);
+        all.emplace_back(r[channel], t[channel]);
+      }
+      if (t[channel] > 0 && t[channel] < 255) {
+        by_channel[std::size_t(channel)].emplace_back(r[channel], t[channel]);
       }
     }
   }
-  if (const std::optional<double> n = common_value(steps); n && std::abs(*n) > 4) {
-    list.push_back({Cause::brightness,
-                    fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
-                                *n > 0 ? "added to" : "subtracted from"),
-                    Stage::picture,
-                    {},
-                    {},
-                    [n = *n / 255](const dvec3& c) { return n + clamped(c); }});
+  if (const std::optional<double> n = common_step(all); n && std::abs(*n) > 4) {
+    add_to_picture(list, Cause::brightness,
+                   fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
+                               *n > 0 ? "added to" : "subtracted from"),
+                   [n = *n / 255](const dvec3& c) { return n + clamped(c); });
   }
-  if (const std::optional<double> k = common_value(factors); k && std::abs(*k - 1) > 0.05) {
-    list.push_back({Cause::brightness,
-                    fmt::format("the picture is {:.2f} times as bright as it should be", *k),
-                    Stage::picture,
-                    {},
-                    {},
-                    [k = *k](const dvec3& c) { return k * glm::clamp(c, dvec3(0), dvec3(1)); }});
+  if (const std::optional<double> k = common_factor(all); k && std::abs(*k - 1) > 0.05) {
+    add_to_picture(list, Cause::brightness,
+                   fmt::format("the picture is {:.2f} times as bright as it should be", *k),
+                   [k = *k](const dvec3& c) { return k * clamped(c); });
   }
-  if (const std::optional<double> p = common_value(powers); p && std::abs(*p - 1) > 0.05) {
-    list.push_back(
-        {Cause::gamma,
-         *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
-                              1 / *p)
-                : fmt::format("values were raised to the power of {:.2f}", *p),
-         Stage::picture,
-         {},
-         {},
-         [p = *p](const dvec3& c) {
-           return glm::pow(glm::clamp(c, dvec3(0), dvec3(1)), dvec3(p));
-         }});
+  if (const std::optional<double> p = common_power(all); p && std::abs(*p - 1) > 0.05) {
+    add_to_picture(
+        list, Cause::gamma,
+        *p < 1 ? fmt::format("gamma {:.2f} was applied, but the format has no gamma correction",
+                             1 / *p)
+               : fmt::format("values were raised to the power of {:.2f}", *p),
+        [p = *p](const dvec3& c) { return glm::pow(clamped(c), dvec3(p)); });
   }
+  add_lines(by_channel, list);
   return list;
 }
 
@@ -226,4 +351,53 @@ void add_factors(Simulation& sim) {
     add_color_of_light(sim, i);
   }
 }
+void add_zooms(Simulation& sim) {
+  static constexpr std::array<Zoom, 3> zooms{
+      {{true, true, "the picture is zoomed: objects are {:.3g} times as large as they should be"},
+       {true, false, "objects are {:.3g} times as wide as they should be, and as high"},
+       {false, true, "objects are {:.3g} times as high as they should be, and as wide"}}};
+  const std::size_t coarse = std::min<std::size_t>(sim.points.size(), 100);
+  const std::size_t fine = std::min<std::size_t>(sim.points.size(), 300);
+  const double as_it_is = left_with_film(sim, zooms[0], 1, coarse);
+  for (const Zoom& zoom : zooms) {
+    double best = 1;
+    double least = as_it_is;
+    for (int k = -30; k <= 30; ++k) {
+      const double factor = std::exp(0.04 * k);
+      if (const double left = left_with_film(sim, zoom, factor, coarse); left < least) {
+        least = left;
+        best = factor;
+      }
+    }
+    if (least > 0.75 * as_it_is || best == 1) {
+      continue;
+    }
+    least = left_with_film(sim, zoom, best, fine);
+    for (const double step : {0.02, 0.01, 0.005, 0.0025, 0.001}) {
+      for (const double factor : {best * std::exp(step), best * std::exp(-step)}) {
+        if (const double left = left_with_film(sim, zoom, factor, fine); left < least) {
+          least = left;
+          best = factor;
+        }
+      }
+    }
+    std::string what = fmt::format(fmt::runtime(zoom.words), 1 / best);
+    if (zoom.across && zoom.up) {
+      const double half = sim.view->scene->camera.fov_y / 2;
+      const double degrees = 180 / std::numbers::pi;
+      what += fmt::format(" (a height angle of {:.1f} degrees, not {:.1f})",
+                          2 * degrees * std::atan(best * std::tan(half)), 2 * degrees * half);
+    }
+    sim.list.push_back({Cause::camera,
+                        std::move(what),
+                        Stage::camera,
+                        [zoom, best](Trial& t) {
+                          t.scene.camera.u *= zoom.across ? best : 1;
+                          t.scene.camera.v *= zoom.up ? best : 1;
+                        },
+                        {},
+                        {}});
+  }
+}
+
 }  // namespace scenefile

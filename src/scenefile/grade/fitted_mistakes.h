@@ -5,9 +5,11 @@
 
 namespace scenefile {
 
-/// The brightness, the gamma, or a number that was added, estimated from the colors of the
+/// Brightness, contrast and gamma, of all values or by channel, estimated from the colors of the
 /// reference at the points.
 std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference);
+/// A camera that shows objects larger or smaller, or stretched.
+void add_zooms(Simulation& sim);
 /// A uniform color where nothing is hit.
 void add_background(Simulation& sim);
 /// Terms and lights that are too bright or too dark by a factor, estimated from the pictures.

@@ -101,10 +101,16 @@ void add_lights(HypothesisList& list) {
     list.add(Cause::lights, "only the last light is used", [](Trial& t) {
       t.scene.lights.erase(t.scene.lights.begin(), t.scene.lights.end() - 1);
     });
-    list.add(Cause::lights, "the last light is left out",
-             [](Trial& t) { t.scene.lights.pop_back(); });
-    list.add(Cause::lights, "the first light is left out",
-             [](Trial& t) { t.scene.lights.erase(t.scene.lights.begin()); });
+    static constexpr std::size_t max_lights = 24;
+    const std::size_t count = list.scene.lights.size();
+    for (std::size_t i = 0; i < std::min(count, max_lights); ++i) {
+      list.add(Cause::lights,
+               i == 0           ? std::string("the first light is left out")
+               : i + 1 == count ? std::string("the last light is left out")
+                                : fmt::format("light {} ({}) is left out", i + 1,
+                                              word_of(list.scene.lights[i].type)),
+               [i](Trial& t) { t.scene.lights.erase(t.scene.lights.begin() + std::ptrdiff_t(i)); });
+    }
     change_lights(list, Cause::lights, "the light is divided by the number of lights",
                   [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
   }

@@ -29,6 +29,30 @@ void add_ambient(HypothesisList& list) {
            "the ambient term is added only where a light arrives");
   list.set(Cause::ambient, &ModelMistakes::ambient, A::unlit_only,
            "the ambient term is added only where no light arrives");
+  const float ka = list.scene.global.ambient;
+  for (const auto& [k, what] :
+       {std::pair(list.scene.global.diffuse, "the ambient term has the diffuse coefficient"),
+        std::pair(list.scene.global.specular, "the ambient term has the specular coefficient")}) {
+    if (k != ka) {
+      list.add(Cause::ambient, what, [k = k](Trial& t) { t.scene.global.ambient = k; });
+    }
+  }
+  const auto tinted = [&](const char* what, const glm::vec3& by) {
+    list.add(Cause::ambient, what, [by](Trial& t) {
+      for (RenderMaterial& m : t.scene.materials) {
+        m.ambient *= by;
+      }
+    });
+  };
+  if (!list.scene.lights.empty()) {
+    glm::vec3 sum(0);
+    for (const RenderLight& light : list.scene.lights) {
+      sum += light.color;
+    }
+    tinted("the ambient term is multiplied by the color of each light, and added for each", sum);
+    tinted("the ambient term is multiplied by the color of the first light",
+           list.scene.lights.front().color);
+  }
   list.add(Cause::ambient, "the diffuse color is used as the ambient color", [](Trial& t) {
     for (RenderMaterial& m : t.scene.materials) {
       m.ambient = m.diffuse;
@@ -40,6 +64,14 @@ void add_ambient(HypothesisList& list) {
 
 void add_diffuse(HypothesisList& list) {
   using D = DiffuseMistake;
+  const RenderGlobal& global = list.scene.global;
+  for (const auto& [k, what] :
+       {std::pair(global.ambient, "the diffuse term has the ambient coefficient"),
+        std::pair(global.specular, "the diffuse term has the specular coefficient")}) {
+    if (k != global.diffuse) {
+      list.add(Cause::diffuse, what, [k = k](Trial& t) { t.scene.global.diffuse = k; });
+    }
+  }
   for (const double factor : {0.0, 2.0, 0.5}) {
     list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, factor,
              factor == 0   ? "the diffuse term is missing"

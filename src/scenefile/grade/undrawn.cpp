@@ -99,6 +99,22 @@ bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
   return static_cast<double>(most) >= nearly_all_pixels * static_cast<double>(u.count);
 }
 
+// Whether what is drawn equals the reference at its place. Otherwise, the picture is not a part of
+// the reference: it may show the scene smaller, for example.
+bool rest_is_right(const Undrawn& u) {
+  std::size_t drawn = 0;
+  std::size_t wrong = 0;
+  for (int y = 0; y < u.test.height; ++y) {
+    for (int x = 0; x < u.test.width; ++x) {
+      if (!u.blank(x, y)) {
+        ++drawn;
+        wrong += u.differs_at(x, y) ? 1 : 0;
+      }
+    }
+  }
+  return static_cast<double>(wrong) <= (1 - nearly_all_pixels) * static_cast<double>(drawn);
+}
+
 // "rows 120 to 239 of 240 are not drawn", "every second row is not drawn". `gaps`: the lines where
 // the reference shows something; `missing`: by line, whether the test shows nothing.
 std::string gaps_text(const std::vector<int>& gaps, const std::vector<bool>& missing,
@@ -252,30 +268,44 @@ std::string missing_grid(const Undrawn& u) {
 
 // The test has a single color, such as black, and the reference does not.
 std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture& test) {
-  const Bytes only = bytes_at(test, test.width / 2, test.height / 2);
-  std::size_t same = 0;
+  const std::optional<glm::ivec3> only = only_color(test);
+  if (!only) {
+    return std::nullopt;
+  }
+  const Bytes color{only->x, only->y, only->z};
   std::size_t shown = 0;
   for (int y = 0; y < test.height; ++y) {
     for (int x = 0; x < test.width; ++x) {
-      same += largest_step(bytes_at(test, x, y), only) <= 2 ? 1 : 0;
-      shown += largest_step(bytes_at(reference, x, y), only) > off_by ? 1 : 0;
+      shown += largest_step(bytes_at(reference, x, y), color) > off_by ? 1 : 0;
     }
   }
-  const double all = static_cast<double>(test.width) * test.height;
-  if (static_cast<double>(same) < 0.9995 * all || static_cast<double>(shown) < 0.005 * all) {
+  if (static_cast<double>(shown) < 0.005 * test.width * test.height) {
     return std::nullopt;
   }
-  const bool black = *std::max_element(only.begin(), only.end()) <= 2;
-  return Claim{Cause::black,
-               black ? "the picture is black: nothing is drawn"
-                     : fmt::format("the picture has one color, {} {} {}: nothing is drawn", only[0],
-                                   only[1], only[2]),
-               black ? "all pixels are black, but the reference shows something"
-                     : "all pixels are equal, but the reference shows something",
-               1};
+  const bool black = std::max({only->x, only->y, only->z}) <= 2;
+  return Claim{
+      Cause::black,
+      black ? "the picture is black: nothing is drawn"
+            : fmt::format("the whole picture shows one color, {} {} {}", only->x, only->y, only->z),
+      black ? "all pixels are black, but the reference shows something"
+            : "all pixels are equal, and those of the reference are not",
+      1};
 }
 
 }  // namespace
+
+std::optional<glm::ivec3> only_color(const Texture& picture) {
+  const Bytes only = bytes_at(picture, picture.width / 2, picture.height / 2);
+  std::size_t same = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      same += largest_step(bytes_at(picture, x, y), only) <= 2 ? 1 : 0;
+    }
+  }
+  return static_cast<double>(same) < 0.9995 * picture.width * picture.height
+             ? std::nullopt
+             : std::optional(glm::ivec3(only[0], only[1], only[2]));
+}
 
 std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Texture& test,
                                            const std::vector<std::uint32_t>& different) {
@@ -284,6 +314,9 @@ std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Textu
   }
   Undrawn u{reference, test};
   if (!find_empty_color(different, u)) {
+    return std::nullopt;
+  }
+  if (!rest_is_right(u)) {
     return std::nullopt;
   }
   std::string what = missing_lines(u, true);

@@ -4,11 +4,16 @@
 
 #include "scenefile/grade/causes.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace scenefile {
+
+/// The color of a picture whose pixels all have the same; nullopt if they do not.
+std::optional<glm::ivec3> only_color(const Texture& picture);
 
 /// A claim that the whole test picture has one color, or about the part of it that is not drawn.
 /// For a part, the reference must continue across its border, so that a missing object is not

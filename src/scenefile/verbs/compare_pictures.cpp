@@ -16,6 +16,8 @@ namespace {
 
 // Share of pixels. If more differ, the scene or its settings are not those of the reference.
 constexpr double max_share_unlike = 0.1;
+// If at most this share differs, a picture shows the scene.
+constexpr double max_share_right = 0.02;
 
 std::string_view profile_option(Profile profile) {
   return profile == Profile::course ? "--profile course" : "--profile fine";
@@ -115,6 +117,16 @@ bool explained_by_one(const CauseReport& report) {
          (report.claims.size() == 1 && report.claims.front().explained > 0.95);
 }
 
+// The share of the reference's pixels that differ from our picture drawn this way.
+double share_unlike(const Texture& reference, const LoadedScene& scene, const DrawnWay& way) {
+  if (way.realtime) {
+    return find_realtime_causes(reference, reference, realtime_view_of(scene, way))
+        .share_scene_unlike;
+  }
+  const SceneView view = view_of(scene, way);
+  return find_causes(reference, reference, &view).share_scene_unlike;
+}
+
 // Looks for causes; uses the scene if possible.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
                      const CompareSettings& settings, const std::function<bool(double)>& go_on,
@@ -150,16 +162,9 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.drawn_with = way->words;
   found.where = place_to_look(reference, test, scene, way);
-}
-
-// The share of the reference's pixels that differ from our picture drawn this way.
-double share_unlike(const Texture& reference, const LoadedScene& scene, const DrawnWay& way) {
-  if (way.realtime) {
-    return find_realtime_causes(reference, reference, realtime_view_of(scene, way))
-        .share_scene_unlike;
+  if (found.causes.share_scene_unlike > max_share_unlike) {
+    found.exchanged = share_unlike(test, *scene, *way) <= max_share_right;
   }
-  const SceneView view = view_of(scene, way);
-  return find_causes(reference, reference, &view).share_scene_unlike;
 }
 
 // The picture in the size of the reference if only the size differs, not the shape.
@@ -171,6 +176,21 @@ std::optional<Texture> scaled_like(const Texture& picture, const Texture& refere
     return std::nullopt;
   }
   return scaled(picture, reference.width, reference.height);
+}
+
+// Whether a picture of another size than the reference shows the scene; without a scene, whether it
+// equals the reference after scaling.
+bool is_right(const Texture& test, const LoadedScene* scene, const CompareSettings& settings,
+              const PictureComparison& found) {
+  if (!found.scene_used || found.realtime) {
+    return found.causes.share_different < 0.001;
+  }
+  const std::vector<DrawnWay> ways =
+      settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()} : settings.ways;
+  const auto way = std::find_if(ways.begin(), ways.end(),
+                                [&](const DrawnWay& w) { return w.words == found.drawn_with; });
+  return found.causes.share_scene_unlike <= max_share_unlike &&
+         share_unlike(test, *scene, way == ways.end() ? ways.front() : *way) <= max_share_right;
 }
 
 }  // namespace
@@ -246,6 +266,10 @@ PictureComparison compare_pictures(const Texture& reference, const Texture& test
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
     look_for_causes(reference, shown, scene, settings, go_on, found);
+    if (found.scaled && found.causes.claims.empty()) {
+      found.right_at_other_size = is_right(test, scene, settings, found);
+      found.causes.partial.clear();
+    }
   }
   return found;
 }
@@ -271,6 +295,14 @@ std::string causes_text(const PictureComparison& found) {
   if (found.scene_used && report.share_scene_unlike <= max_share_unlike &&
       !found.drawn_with.empty()) {
     text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
+  }
+  if (found.exchanged) {
+    return text +
+           "the second picture shows the scene, and the first does not: give the reference "
+           "first\n";
+  }
+  if (found.right_at_other_size) {
+    return text + "cause: none; the picture is right, at another size\n";
   }
   if (found.scene_used && report.share_scene_unlike > max_share_unlike) {
     text += fmt::format(
@@ -351,6 +383,8 @@ void add_measures(Json& json, const PictureMeasures& m) {
 void add_comparison(Json& json, const PictureComparison& found) {
   json.add("same", found.broken.empty());
   json.add("scaled", found.scaled.has_value());
+  json.add("right_at_other_size", found.right_at_other_size);
+  json.add("exchanged", found.exchanged);
   add_measures(json, found.measures);
   add_clauses(json, "broken", found.broken);
   add_claims(json, "causes", found.causes.claims);

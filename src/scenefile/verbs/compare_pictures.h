@@ -69,6 +69,8 @@ struct PictureComparison {
   bool realtime = false;             ///< whether the reference is of the assignment Realtime
   std::string drawn_with;            ///< DrawnWay::words of the reference; empty: unknown
   bool scene_used = false;           ///< whether the search for causes had a scene
+  bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
+  bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 };
 

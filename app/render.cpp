@@ -165,12 +165,15 @@ std::string summary_text(const RenderReport& report) {
 ExitCode run_render(const Options& given, Context& context) {
   Options options = given;
   const Clock::time_point start = Clock::now();
-  if (const ExitCode status = check_render_outputs(options); status != ExitCode::fine) {
-    return status;
-  }
   RenderReport report;
   report.options = options.render;
   report.output = options.output;
+  if (const ExitCode status = check_render_outputs(options); status != ExitCode::fine) {
+    LoadedScene unread;
+    unread.path = options.arguments.front();
+    report.error = "an output cannot be written";
+    return options.json ? worse(status, answer(render_json(unread, report))) : status;
+  }
   LoadedScene scene = load_for_tracing(options, context);
   Outcome outcome{status_of(scene), {}};
   if (const auto realtime = realtime_options(options);

@@ -38,6 +38,13 @@ struct Render : ::testing::Test {
   std::string scene;
 };
 
+TEST_F(Render, AnOutputThatCannotBeWrittenIsAnAnswerInJson) {
+  const ProgramRun run =
+      run_program({"render", scene, "-o", folder.path("none/out.png"), "--json"});
+  EXPECT_NE(run.status, 0);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("\"written\": false"), HasSubstr("\"error\": ")));
+}
+
 TEST_F(Render, WritesAPictureOfTheSize) {
   const ProgramRun run = render({});
   EXPECT_EQ(run.status, 0);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -241,6 +242,82 @@ TEST(Causes, AConstantAddedToAllValues) {
     expect_named(
         Cause::brightness, nothing,
         each_value([=](const std::uint8_t* pixel, int channel) { return pixel[channel] + step; }));
+  }
+}
+
+TEST(Causes, ContrastAndTintOfTheWholePicture) {
+  expect_named(Cause::brightness, nothing, each_value([](const std::uint8_t* pixel, int channel) {
+                 return static_cast<int>(std::lround(0.8 * pixel[channel] + 26));
+               }));
+  expect_named(
+      Cause::brightness, nothing, each_value([](const std::uint8_t* pixel, int channel) {
+        constexpr std::array<double, 3> factors{1.2, 1, 0.75};
+        return static_cast<int>(std::lround(factors[std::size_t(channel)] * pixel[channel]));
+      }));
+}
+
+// The pixel of the picture at a place that is computed from the pixel's own; black outside.
+Change moved(const std::function<glm::ivec2(const glm::ivec2&)>& from) {
+  return [=](const Texture& t) {
+    Texture result = t;
+    for (int y = 0; y < t.height; ++y) {
+      for (int x = 0; x < t.width; ++x) {
+        const glm::ivec2 p = from({x, y});
+        const bool inside = p.x >= 0 && p.y >= 0 && p.x < t.width && p.y < t.height;
+        for (int k = 0; k < 3; ++k) {
+          result.rgb[std::size_t(3 * (y * t.width + x) + k)] =
+              inside ? t.texel(p.x, p.y)[k] : std::uint8_t(0);
+        }
+      }
+    }
+    return result;
+  };
+}
+
+TEST(Causes, CopiesAtAnotherPlace) {
+  for (const bool with_scene : {true, false}) {
+    expect_named(Cause::viewport, nothing, moved([](const glm::ivec2& p) {
+                   return p.y < height / 2 ? glm::ivec2(-1) : glm::ivec2(2 * p.x, 2 * p.y - height);
+                 }),
+                 with_scene);
+    expect_named(Cause::viewport, nothing,
+                 moved([](const glm::ivec2& p) { return p - glm::ivec2(3, -2); }), with_scene);
+    expect_named(Cause::viewport, nothing, moved([](const glm::ivec2& p) { return p / 2; }),
+                 with_scene);
+  }
+}
+
+TEST(Causes, AZoomIsFitted) {
+  const GeneratedScene scene(1);
+  const SceneView view = view_of(scene);
+  GeneratedScene zoomed(1);
+  RenderCamera& camera = zoomed.builder.scene.camera;
+  camera.fov_y = 2 * std::atan(std::tan(camera.fov_y / 2) / 1.3);
+  const CauseReport report =
+      find_causes(reference_of(scene, false), zoomed.drawn_by_student({}), &view);
+  ASSERT_EQ(report.claims.size(), 1u) << said(report);
+  EXPECT_NE(report.claims.front().what.find("objects are 1.3 times as large"), std::string::npos)
+      << said(report);
+}
+
+TEST(Causes, OneOfSeveralLightsIsLeftOut) {
+  expect_named_if_changed(Cause::lights, [](RenderScene& scene) {
+    if (scene.lights.size() > 1) {
+      scene.lights.erase(scene.lights.begin() + 1);
+    }
+  });
+}
+
+TEST(Causes, ASolidAreaIsNotAcne) {
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const Texture painted = filled([](int x, int y) {
+      return x >= 40 && x < 52 && y >= 44 && y < 52;
+    })(scene.drawn_by_student({}));
+    const CauseReport report = find_causes(reference_of(scene, false), painted, &view);
+    EXPECT_TRUE(report.claims.empty() || report.claims.front().cause != Cause::acne)
+        << seed << ": " << said(report);
   }
 }
 

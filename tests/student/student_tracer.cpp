@@ -213,15 +213,15 @@ constexpr KnownMistake table[] = {
     {"strange-steps", "strange", ""},
     {"strange-rim", "strange", ""},
     {"strange-stripes", "strange", ""},
-    {"strange-contrast", "strange", ""},
+    {"output-contrast", "output", "brightness"},
     {"strange-saturation", "strange", ""},
     {"strange-moved-object", "strange", ""},
     {"strange-headlight", "strange", ""},
     {"strange-bumps", "strange", ""},
     {"strange-posterized", "strange", ""},
     {"strange-fisheye", "strange", ""},
-    {"strange-warm", "strange", ""},
-    {"strange-lifted", "strange", ""},
+    {"output-warm", "output", "brightness"},
+    {"output-lifted", "output", "brightness"},
     {"strange-soft-shadows", "strange", ""},
     {"strange-depth-dark", "strange", ""},
     {"strange-oren", "strange", ""},
@@ -459,15 +459,15 @@ class Tracer {
       const float middle = (color.x + color.y + color.z) / 3;
       color = middle + 1.5f * (color - middle);
     }
-    if (has("strange-warm")) {
+    if (has("output-warm")) {
       color *= vec3(1.1f, 1.0f, 0.75f);
     }
     for (int i = 0; i < 3; ++i) {
       float c = color[i];
-      if (has("strange-contrast")) {
+      if (has("output-contrast")) {
         c = 1.35f * (c - 0.5f) + 0.5f;
       }
-      if (has("strange-lifted")) {
+      if (has("output-lifted")) {
         c = 0.85f * std::min(std::max(c, 0.0f), 1.0f) + 0.1f;
       }
       if (has("strange-posterized")) {

@@ -11,11 +11,12 @@ using glm::dvec3;
 constexpr double necessary = 0.01;  // share of the difference that each of several changes
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
 
-// When other mistakes are present, a factor that fits the rest proves little.
-bool any_measured(const Simulation& sim, const Combination& mistakes) {
-  return mistakes.size() > 1 && std::any_of(mistakes.begin(), mistakes.end(), [&](std::size_t i) {
-           return i >= sim.first_measured && sim.list[i].cause != Cause::background;
-         });
+// Three mistakes, or a fitted number besides others, adapt to much.
+bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
+  return mistakes.size() > 2 ||
+         (mistakes.size() > 1 && std::any_of(mistakes.begin(), mistakes.end(), [&](std::size_t i) {
+            return i >= sim.first_measured && sim.list[i].cause != Cause::background;
+          }));
 }
 
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
@@ -43,7 +44,12 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   }
   // Whatever moves everything out of sight gives darkness.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
-  return changed >= necessary * sim.weight_that_differs(count) && gained >= 0.4 * changed &&
+  const double differs = sim.weight_that_differs(count);
+  // What changes little, or was fitted, must be right there: it could hide another mistake.
+  const bool patch =
+      gained < 0.05 * differs || (mistakes[member] >= sim.first_measured &&
+                                  sim.list[mistakes[member]].cause != Cause::background);
+  return changed >= necessary * differs && gained >= (patch ? 0.8 : 0.4) * changed &&
          (!moves || shown >= 0.1 * gained);
 }
 
@@ -92,7 +98,8 @@ std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Si
   for (const Tried& t : more) {
     const Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
     if (whole.score.left < 0.6 * found.score.left && good(whole) &&
-        (sure(whole) || !any_measured(sim, whole.mistakes)) && each_needed(sim, whole.mistakes)) {
+        (sure(whole) || !needs_to_be_sure(sim, whole.mistakes)) &&
+        each_needed(sim, whole.mistakes)) {
       return whole;
     }
   }
@@ -134,6 +141,14 @@ Combination joined(Combination a, const Combination& b) {
 
 bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) {
   if (sim.list[other].stage == Stage::shapes && sim.shapes->parts.size() > max_shapes_to_edit) {
+    return false;
+  }
+  // Fitted curves of the finished picture adapt to whatever is wrong besides.
+  const auto is_fitted_curve = [&](std::uint16_t i) {
+    return i >= sim.first_measured && sim.list[i].stage == Stage::picture;
+  };
+  if (!start.empty() &&
+      (is_fitted_curve(other) || std::any_of(start.begin(), start.end(), is_fitted_curve))) {
     return false;
   }
   return std::none_of(start.begin(), start.end(), [&](std::uint16_t i) {
@@ -197,7 +212,7 @@ std::optional<Tried> first_good(Simulation& sim, const std::vector<Tried>& best)
       break;
     }
     const Tried fewer = without_needless(sim, t);
-    if (good(fewer) && (sure(fewer) || !any_measured(sim, fewer.mistakes))) {
+    if (good(fewer) && (sure(fewer) || !needs_to_be_sure(sim, fewer.mistakes))) {
       return completed(sim, fewer);
     }
   }
@@ -219,7 +234,10 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
     return result;
   }
   // Among those with the same remaining difference, the first in the list.
-  const double limit = tie_limit(result.front().score.raw, all);
+  const double least = result.front().score.raw;
+  // A fitted number is exact where a mistake of known size is only nearly so.
+  const bool fitted = result.front().mistakes.front() >= sim.first_measured;
+  const double limit = fitted ? least + 0.003 * all : tie_limit(least, all);
   auto last = result.begin();
   while (last != result.end() && last->score.raw <= limit) {
     ++last;

@@ -56,6 +56,34 @@ bool shows_much(const Simulation& sim, const Tried& t) {
   return matched >= 0.5 * bright;
 }
 
+// A number that was fitted must explain more than others: fits adapt to whatever is wrong.
+bool nearly_sure(const Tried& t) {
+  return t.explained >= 0.95 && t.exact >= 0.9;
+}
+
+bool is_about_brightness(Cause cause) {
+  return cause == Cause::brightness || cause == Cause::gamma;
+}
+
+// Whether a mistake is right nearly everywhere where it changes the picture. Otherwise it only
+// happens to reduce the difference.
+bool reproduces_its_part(const Simulation& sim, const Tried& t) {
+  const std::size_t count = sim.points.size();
+  const Colors with = sim.predicted(t.mistakes, count);
+  const Colors without = sim.predicted({}, count);
+  double changed = 0;
+  double right = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
+    if (largest_of(glm::abs(c - glm::clamp(without[i], dvec3(0), dvec3(255)))) > right_within) {
+      changed += p.weight;
+      right += largest_of(outside(c, p.low, p.high)) <= exact_within ? p.weight : 0;
+    }
+  }
+  return changed >= part * sim.weight_that_differs(count) && right >= nearly_all * changed;
+}
+
 bool equal_colors(const Colors& a, const Colors& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const dvec3& x, const dvec3& y) {
     return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
@@ -85,10 +113,14 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   int same_cause = 0;
   for (const Tried& t : others) {
     const Hypothesis& h = sim.list[t.mistakes.front()];
-    const bool listed = h.cause == sim.list[found.mistakes.front()].cause ||
+    // A brightness that fits as well is no news.
+    const bool noise = is_about_brightness(h.cause) &&
+                       !is_about_brightness(sim.list[found.mistakes.front()].cause);
+    const bool listed = noise || h.cause == sim.list[found.mistakes.front()].cause ||
                         std::any_of(report.rivals.begin(), report.rivals.end(),
                                     [&](const Claim& c) { return c.cause == h.cause; });
     if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) && same_cause < 2 &&
+        t.mistakes.front() < sim.first_measured &&
         h.cause == sim.list[found.mistakes.front()].cause &&
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       ++same_cause;
@@ -108,6 +140,18 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
 }
 
+// The mistake without a fitted number that gives the same picture, if there is one.
+Tried of_known_size(const Simulation& sim, const Tried& found, const std::vector<Tried>& alone) {
+  const Colors shown = sim.predicted(found.mistakes, sim.points.size());
+  for (const Tried& t : alone) {
+    if (t.mistakes.front() < sim.first_measured && good(t) &&
+        equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
+      return t;
+    }
+  }
+  return found;
+}
+
 void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
@@ -123,7 +167,8 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   std::optional<Tried> found;
-  if (!alone.empty() && good(alone.front())) {
+  if (!alone.empty() && good(alone.front()) &&
+      (alone.front().mistakes.front() < sim.first_measured || nearly_sure(alone.front()))) {
     if (alone.front().exact < nearly_all) {
       report.claims = claims_of_acne(sim, {}, alone.front().exact);
     }
@@ -147,18 +192,23 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
       found = std::move(more);
     }
   }
+  if (found && found->mistakes.size() == 1 && found->mistakes.front() >= sim.first_measured) {
+    found = of_known_size(sim, *found, alone);
+  }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
     claim(sim, with_shift(sim, *found), alone, report);
     return;
   }
-  if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
-      alone.front().broken <= max_broken && shows_much(sim, alone.front())) {
-    const Hypothesis& h = sim.list[alone.front().mistakes.front()];
-    report.partial.push_back(
-        {h.cause, h.what,
-         evidence_of_share(alone.front().explained) + "; something else is wrong, too",
-         alone.front().explained});
+  for (const Tried& t : alone) {
+    if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_measured &&
+        shows_much(sim, t) && reproduces_its_part(sim, t)) {
+      const Hypothesis& h = sim.list[t.mistakes.front()];
+      report.partial.push_back({h.cause, h.what,
+                                evidence_of_share(t.explained) + "; something else is wrong, too",
+                                t.explained});
+      return;
+    }
   }
 }
 

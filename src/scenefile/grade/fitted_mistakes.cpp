@@ -107,7 +107,7 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
     all.insert(all.end(), pairs.begin(), pairs.end());
   }
   const auto is_bent = [](const Line& line) {
-    return std::abs(line.offset) > 3 && std::abs(line.factor - 1) > 0.03;
+    return std::abs(line.offset) > 3 && std::abs(line.factor - 1) > 0.03 && line.factor > 0.03;
   };
   if (const std::optional<Line> line = common_line(all); line && is_bent(*line)) {
     add_to_picture(
@@ -135,7 +135,8 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
     }
   }
   const auto spread = [](const dvec3& v) { return largest_of(v) - std::min({v.x, v.y, v.z}); };
-  if (spread(factors) > 0.05 || spread(offsets) > 3) {
+  const double least = std::min({factors.x, factors.y, factors.z});
+  if (least > 0.03 && (spread(factors) > 0.05 || spread(offsets) > 3)) {
     add_to_picture(
         list, Cause::brightness,
         fmt::format("red is {:.2f} times, green {:.2f} times, blue {:.2f} times as bright as in "

@@ -75,25 +75,22 @@ void add_lights(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<L>> rows) {
     list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
   };
-  if (positional) {
-    put({{L::not_normalized, "vectors to point lights and spotlights are not normalized"}});
+  for (const LightType type : list.types) {
+    if (list.types.size() > 1) {
+      list.add(
+          Cause::lights, fmt::format("{} lights are left out", word_of(type)), [type](Trial& t) {
+            std::erase_if(t.scene.lights, [type](const RenderLight& l) { return l.type == type; });
+          });
+    }
   }
-  if (positional && directional) {
-    put({{L::reversed, "vectors to all lights point the wrong way"}});
-  }
-  if (directional) {
-    put({{L::reversed_directional, "directional lights shine the wrong way"}});
-    change_lights(
-        list, Cause::lights, "directional lights are used as point lights at their position",
-        [](RenderLight& l) { l.type = is_infinitely_far(l.type) ? LightType::point : l.type; });
-  }
-  if (positional) {
-    put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},
-         {L::to_origin, "point lights shine along one direction everywhere"}});
-    change_lights(list, Cause::lights, "lights are at the world's origin",
-                  [](RenderLight& l) { l.position = glm::vec3(0); });
-    change_lights(list, Cause::lights, "the position of lights is negated",
-                  [](RenderLight& l) { l.position = -l.position; });
+  if (list.types.size() > 2) {
+    for (const LightType type : list.types) {
+      list.add(Cause::lights, fmt::format("all lights but the {} ones are left out", word_of(type)),
+               [type](Trial& t) {
+                 std::erase_if(t.scene.lights,
+                               [type](const RenderLight& l) { return l.type != type; });
+               });
+    }
   }
   if (list.scene.lights.size() > 1) {
     list.add(Cause::lights, "only the first light is used",
@@ -111,25 +108,34 @@ void add_lights(HypothesisList& list) {
                                               word_of(list.scene.lights[i].type)),
                [i](Trial& t) { t.scene.lights.erase(t.scene.lights.begin() + std::ptrdiff_t(i)); });
     }
+  }
+  if (positional) {
+    put({{L::not_normalized, "vectors to point lights and spotlights are not normalized"}});
+  }
+  if (positional && directional) {
+    put({{L::reversed, "vectors to all lights point the wrong way"}});
+  }
+  if (directional) {
+    put({{L::reversed_directional, "directional lights shine the wrong way"}});
+    change_lights(
+        list, Cause::lights, "directional lights are used as point lights at their position",
+        [](RenderLight& l) { l.type = is_infinitely_far(l.type) ? LightType::point : l.type; });
+  }
+  if (positional) {
+    put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},
+         {L::to_origin, "point lights shine along one direction everywhere"},
+         {L::from_object_point,
+          "vectors to point lights and spotlights start at the point in the space of the object"}});
+    change_lights(list, Cause::lights, "lights are at the world's origin",
+                  [](RenderLight& l) { l.position = glm::vec3(0); });
+    change_lights(list, Cause::lights, "the position of lights is negated",
+                  [](RenderLight& l) { l.position = -l.position; });
+  }
+  if (list.scene.lights.size() > 1) {
+    list.set(Cause::lights, &ModelMistakes::brightest_light, true,
+             "only the brightest light counts: the maximum of the lights, not their sum");
     change_lights(list, Cause::lights, "the light is divided by the number of lights",
                   [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
-  }
-  for (const LightType type : list.types) {
-    if (list.types.size() > 1) {
-      list.add(
-          Cause::lights, fmt::format("{} lights are left out", word_of(type)), [type](Trial& t) {
-            std::erase_if(t.scene.lights, [type](const RenderLight& l) { return l.type == type; });
-          });
-    }
-  }
-  if (list.types.size() > 2) {
-    for (const LightType type : list.types) {
-      list.add(Cause::lights, fmt::format("all lights but the {} ones are left out", word_of(type)),
-               [type](Trial& t) {
-                 std::erase_if(t.scene.lights,
-                               [type](const RenderLight& l) { return l.type != type; });
-               });
-    }
   }
   change_lights(list, Cause::lights, "the color of lights is ignored: they are white",
                 [](RenderLight& l) { l.color = glm::vec3(1); });
@@ -246,6 +252,7 @@ void add_attenuation(HypothesisList& list) {
        {A::reversed_coefficients, "the coefficients of the attenuation are read in reverse order"},
        {A::diffuse_only, "highlights do not fade with distance"},
        {A::specular_only, "the diffuse term does not fade with distance"},
+       {A::to_eye, "the attenuation uses the distance from the light to the eye"},
        {A::one_plus, "1 is added to the attenuation polynomial"},
        {A::squared_distance, "the attenuation uses the squared distance as the distance"},
        {A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1"}});
@@ -375,7 +382,9 @@ void add_shadows(HypothesisList& list) {
     put({{S::directional_ends_at_position,
           "shadow rays of directional lights end at the light's position"}});
   }
-  put({{S::light_from_origin, "the light's distance is measured from the world's origin"}});
+  put({{S::light_from_origin, "the light's distance is measured from the world's origin"},
+       {S::light_to_eye,
+        "the distance of occluders is compared with the distance from the light to the eye"}});
   for (const double bias :
        {0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.75, 1.0, 2.0}) {
     list.set(Cause::shadows, &ModelMistakes::shadow_bias, bias,

@@ -132,6 +132,8 @@ void add_specular(HypothesisList& list) {
        {S::reversed_mirror, "R of the specular term has the wrong sign"},
        {S::by_light_view, "the specular term uses L.V, not R.V"},
        {S::by_normal_view, "the specular term uses N.V, not R.V"},
+       {S::by_normal_light, "the specular term uses N.L, not R.V"},
+       {S::mirror_not_doubled, "R of the specular term lacks a factor of 2: (N.L) N - L"},
        {S::mirror_of_view_wrong, "the eye vector of the specular term points away from the eye"},
        {S::eye_at_origin, "the eye of the specular term is at the world's origin"},
        {S::looks_along_camera, "the eye vector of the specular term is the same in all pixels"},

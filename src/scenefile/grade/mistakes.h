@@ -64,6 +64,7 @@ enum class LightVectorMistake : std::uint8_t {
   spot_as_long_as_written,
   as_long_as_written,  ///< directions of lights are not normalized
   to_origin,           ///< the direction from the origin, at every point
+  from_object_point,   ///< to point and spot lights: from the point in object space
 };
 
 enum class AttenuationMistake : std::uint8_t {
@@ -85,6 +86,7 @@ enum class AttenuationMistake : std::uint8_t {
   specular_only,
   one_plus,          ///< 1 / (1 + polynomial)
   squared_distance,  ///< the squared distance is used as the distance
+  to_eye,            ///< by the distance from the light to the eye
   clamped_below,     ///< max(1, f)
 };
 
@@ -125,6 +127,7 @@ enum class ShadowMistake : std::uint8_t {
   direction_unnormalized_far,  ///< shadow rays to directional lights have length 1
   squared_distance,            ///< compared with the square of the light's distance
   directional_ends_at_position,
+  light_to_eye,          ///< compared with the distance from the light to the eye
   light_from_origin,     ///< compared with the light's distance from the world's origin
   object_distance,       ///< t of rays that are normalized in object space
   only_camera_rays,      ///< no shadows in reflections
@@ -168,9 +171,11 @@ enum class SpecularMistake : std::uint8_t {
   negative_power,  ///< R.V below 0 is raised, too
   clamped_mirror,  ///< R is computed with N.L clamped to 0
   no_exponent,
-  by_light_view,    ///< L.V
-  reversed_mirror,  ///< R has the wrong sign
-  by_normal_view,   ///< N.V
+  by_light_view,       ///< L.V
+  reversed_mirror,     ///< R has the wrong sign
+  by_normal_view,      ///< N.V
+  by_normal_light,     ///< N.L
+  mirror_not_doubled,  ///< R = (N.L) N - L
   exponent_quarter,
   exponent_double,
   exponent_half,
@@ -205,6 +210,7 @@ enum class TextureMistake : std::uint8_t {
   decoded,                 ///< from sRGB
   ambient_too,             ///< replaces the ambient color as well
   no_coefficient_on_rest,  ///< the diffuse color's share lacks kd
+  over_lighting,           ///< blended with the finished lighting
   filtered,                ///< bilinear, half a texel off
   filtered_centered,       ///< bilinear
   not_filtered,
@@ -244,12 +250,14 @@ enum class MirrorMistake : std::uint8_t {
   blended_coefficient,  ///< ... by ks * color
   blended_all,
   blended_plain,     ///< ... by ks, without the reflective color
+  multiplied,        ///< mixed with the lighting times the reflection
   averaged,          ///< half lighting, half reflection
   not_chained,       ///< no weights after the first mirror
   last_weight_only,  ///< only the weight of the last mirror counts
   replaces,          ///< the lighting is dropped
   reversed,          ///< the reflected ray points into the surface
   wrong_sign,        ///< d + 2 (d.n) n
+  not_doubled,       ///< d - (d.n) n
   along_normal,
   straight,       ///< the ray is not deflected
   eye_at_camera,  ///< highlights in reflections are those for the camera
@@ -325,8 +333,9 @@ struct ModelMistakes {
   glm::dvec3 background{0};
   bool background_in_reflections = false;
   bool behind_in_reflections = true;  ///< reflected rays also hit objects behind their start
-  double orthographic = 0;  ///< parallel rays from a film at this distance; 0: perspective
-  bool all_lights = false;  ///< in a mode that only uses directional lights
+  double orthographic = 0;       ///< parallel rays from a film at this distance; 0: perspective
+  bool brightest_light = false;  ///< the maximum of the lights, not their sum
+  bool all_lights = false;       ///< in a mode that only uses directional lights
 };
 
 }  // namespace scenefile

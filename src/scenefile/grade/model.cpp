@@ -38,6 +38,13 @@ struct Model::Surface {
   dvec2 uv{0};
 };
 
+// What a mistake does with the texture, other than to replace the diffuse color.
+struct Model::TextureUse {
+  bool unlit = false;
+  dvec3 over{0};  // to blend with the finished lighting
+  double share_over = 0;
+};
+
 struct Model::Arrival {
   dvec3 to_light{0};  // as used for shading
   dvec3 toward{0};    // unit vector to the light
@@ -324,7 +331,7 @@ dvec3 lookup(const Texture& texture, double x, double y, bool filtered, bool wra
 
 }  // namespace
 
-dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
+dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
   const RenderMaterial& material = *s.material;
   dvec3 color(material.diffuse);
   switch (m_.diffuse) {
@@ -380,8 +387,12 @@ dvec3 Model::texture_or_plain(const Surface& s, bool& unlit) const {
     case TextureMistake::added:
       return plain + blend * t;
     case TextureMistake::unlit:
-      unlit = true;
+      use.unlit = true;
       break;
+    case TextureMistake::over_lighting:
+      use.over = t;
+      use.share_over = blend;
+      return plain;
     case TextureMistake::blue_red:
       std::swap(t.x, t.z);
       break;
@@ -458,6 +469,7 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
     case AttenuationMistake::clamped_below:
       return std::max(1.0, 1 / std::max(right, 1e-9));
     case AttenuationMistake::none:
+    case AttenuationMistake::to_eye:
     case AttenuationMistake::diffuse_only:
     case AttenuationMistake::specular_only:
       break;
@@ -517,7 +529,7 @@ double Model::written_length(const RenderLight& light) const {
   return index < m_.light_lengths.size() ? m_.light_lengths[index] : 1;
 }
 
-bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& on_light,
+bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_light,
                     Arrival& arriving) const {
   const LightVectorMistake mistake = m_.light_vector;
   if (!has_position(light.type)) {
@@ -541,7 +553,7 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
   if (has_rectangle(light.type)) {
     from += (2 * on_light.x - 1) * dvec3(light.half_u) + (2 * on_light.y - 1) * dvec3(light.half_v);
   }
-  const dvec3 way = from - point;
+  const dvec3 way = from - s.position;
   arriving.distance = glm::length(way);
   if (!(arriving.distance > 0)) {
     return false;
@@ -551,7 +563,10 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
   if (has_rectangle(light.type) && cosine <= 0) {
     return false;
   }
-  const double fading = faded(light.attenuation, arriving.distance, m_.attenuation);
+  const double fading = faded(
+      light.attenuation,
+      m_.attenuation == AttenuationMistake::to_eye ? glm::length(from - s.eye) : arriving.distance,
+      m_.attenuation);
   const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
                           mistake == LightVectorMistake::as_long_as_written;
   const double along = as_written ? cosine * written_length(light) : cosine;
@@ -576,6 +591,9 @@ bool Model::arrival(const RenderLight& light, const dvec3& point, const dvec2& o
       break;
     case LightVectorMistake::to_origin:
       arriving.to_light = unit(from);
+      break;
+    case LightVectorMistake::from_object_point:
+      arriving.to_light = unit(from - s.object_point);
       break;
     case LightVectorMistake::none:
     case LightVectorMistake::reversed_directional:
@@ -646,6 +664,9 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     case ShadowMistake::directional_ends_at_position:
       end = directional ? glm::length(dvec3(light.position) - s.position) : end;
       break;
+    case ShadowMistake::light_to_eye:
+      end = directional ? end : glm::length(dvec3(light.position) - s.eye);
+      break;
     case ShadowMistake::light_from_origin:
       end = directional ? end : glm::length(dvec3(light.position));
       break;
@@ -686,8 +707,8 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
                       std::vector<dvec3>* shares) const {
   const RenderGlobal& global = scene_.global;
   const RenderMaterial& material = *s.material;
-  bool unlit = false;
-  dvec3 base = texture_or_plain(s, unlit);
+  TextureUse use;
+  dvec3 base = texture_or_plain(s, use);
   const double ka = global.ambient;
   dvec3 ambient = ka * dvec3(material.ambient);
   if (m_.ambient == AmbientMistake::times_diffuse) {
@@ -783,7 +804,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       default:
         break;
     }
-    weight = unlit && m_.texture == TextureMistake::unlit ? 1 : weight;
+    weight = use.unlit ? 1 : weight;
     const dvec3 diffuse = m_.diffuse_factor * weight * base;
     double shine = glm::dot(2 * cosine * n - l, eye);
     switch (m_.specular) {
@@ -802,6 +823,12 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         break;
       case SpecularMistake::by_normal_view:
         shine = glm::dot(n, eye);
+        break;
+      case SpecularMistake::by_normal_light:
+        shine = cosine;
+        break;
+      case SpecularMistake::mirror_not_doubled:
+        shine = glm::dot(cosine * n - l, eye);
         break;
       default:
         break;
@@ -866,7 +893,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       Arrival arriving;
       const dvec2 on_light((i % side + 0.5) / side, (i / side + 0.5) / side);
       dvec3 color(0);
-      if (arrival(light, s.position, on_light, arriving)) {
+      if (arrival(light, s, on_light, arriving)) {
         const bool open = lit_by(light, arriving, color);
         lit = lit || open;
         of_light += color;
@@ -879,7 +906,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       shares->push_back(of_light);
       continue;
     }
-    sum += of_light;
+    sum = m_.brightest_light ? ambient + glm::max(sum - ambient, of_light) : sum + of_light;
     any_lit = any_lit || lit;
     any_shadow = any_shadow || !lit;
     if (!lit && m_.shadow == ShadowMistake::ambient_only) {
@@ -900,7 +927,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   } else if (m_.ambient == AmbientMistake::unlit_only && sum != ambient) {
     sum -= ambient;
   }
-  return sum;
+  return glm::mix(sum, use.over, use.share_over);
 }
 
 std::vector<dvec3> Model::light_shares(const ModelRay& ray) const {
@@ -1060,6 +1087,9 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::wrong_sign:
       direction = ray.direction + 2 * glm::dot(ray.direction, s.normal) * s.normal;
       break;
+    case MirrorMistake::not_doubled:
+      direction = ray.direction - glm::dot(ray.direction, s.normal) * s.normal;
+      break;
     case MirrorMistake::along_normal:
       direction = s.normal;
       break;
@@ -1092,6 +1122,10 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::blended_all:
     case MirrorMistake::blended_plain:
       local *= 1 - ks;
+      break;
+    case MirrorMistake::multiplied:
+      factor *= local;
+      local *= 1.0 - weights;
       break;
     case MirrorMistake::averaged:
       local *= 0.5;

@@ -109,13 +109,14 @@ class Model {
  private:
   struct Surface;
   struct Arrival;
+  struct TextureUse;
   bool meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max, bool shadow,
             ModelHit& hit) const;
   bool search(const ModelRay& ray, double t_min, double t_max, bool shadow,
               const ModelPart* without, ModelHit& hit) const;
   Surface surface(const ModelRay& ray, const ModelHit& hit) const;
-  glm::dvec3 texture_or_plain(const Surface& s, bool& unlit) const;
-  bool arrival(const RenderLight& light, const glm::dvec3& point, const glm::dvec2& on_light,
+  glm::dvec3 texture_or_plain(const Surface& s, TextureUse& use) const;
+  bool arrival(const RenderLight& light, const Surface& s, const glm::dvec2& on_light,
                Arrival& arriving) const;
   bool shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
                 int depth) const;

@@ -49,6 +49,7 @@ void add_textures(HypothesisList& list) {
        {T::no_coefficient_on_rest,
         "the diffuse color blended with the texture is missing its coefficient"},
        {T::unlit, "textures are drawn without N.L"},
+       {T::over_lighting, "textures are blended with the finished lighting: they are not lit"},
        {T::blue_red, "red and blue of textures are swapped"},
        {T::gray, "textures are gray"},
        {T::lookup_clamped, "textures end at their edges: the lookup does not wrap around"},
@@ -96,6 +97,9 @@ void add_mirrors(HypothesisList& list) {
   if (list.glass()) {
     list.add(Cause::reflection, "there are no reflections",
              [](Trial& t) { t.options.features.reflect = false; });
+  } else {
+    list.add(Cause::recursion_depth, "there are no reflections (recursion depth 0)",
+             [](Trial& t) { t.options.max_depth = 0; });
   }
   using M = MirrorMistake;
   const auto put = [&](std::initializer_list<Row<M>> rows) {
@@ -110,6 +114,8 @@ void add_mirrors(HypothesisList& list) {
        {M::blended_all, "reflections are blended with the lighting, not added"},
        {M::blended_plain,
         "reflections are blended with the lighting by only the coefficient, not added"},
+       {M::multiplied,
+        "reflections are mixed with the lighting as a product: (1 - r) c + r c reflected"},
        {M::averaged, "reflections and lighting are averaged, not added"},
        {M::replaces, "reflections replace the lighting"},
        {M::not_chained,
@@ -123,6 +129,7 @@ void add_mirrors(HypothesisList& list) {
        {M::all_materials, "everything that has highlights reflects"},
        {M::reversed, "reflected rays point into the surface"},
        {M::wrong_sign, "reflected rays have the wrong sign: d + 2 (d.n) n"},
+       {M::not_doubled, "reflected rays lack a factor of 2: d - (d.n) n"},
        {M::along_normal, "reflected rays follow the normal"},
        {M::straight, "reflected rays continue straight ahead"},
        {M::no_shadows, "reflections show no shadows"},
@@ -169,13 +176,12 @@ void add_depths(HypothesisList& list) {
     return;
   }
   for (const int depth : {0, 1, 2, 3, 4, 5, 6, 8, 10}) {
-    if (depth != list.view.options.max_depth && (depth != 0 || list.mirrors())) {
+    if (depth != list.view.options.max_depth && (depth != 0 || (list.mirrors() && list.glass()))) {
       list.add(Cause::recursion_depth,
-               depth == 0 && list.glass()
+               depth == 0
                    ? std::string("there is neither reflection nor refraction (recursion depth 0)")
-               : depth == 0 ? std::string("there are no reflections (recursion depth 0)")
-                            : fmt::format("the recursion ends at depth {}, not {}", depth,
-                                          list.view.options.max_depth),
+                   : fmt::format("the recursion ends at depth {}, not {}", depth,
+                                 list.view.options.max_depth),
                [depth](Trial& t) { t.options.max_depth = depth; });
     }
   }

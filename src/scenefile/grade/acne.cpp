@@ -15,7 +15,7 @@ using glm::dvec3;
 
 // Share of the pixels with acne that lie between right ones. Seen: 0.45 to 0.88 with acne, and at
 // most 0.18 for shadows in the wrong places.
-constexpr double min_scattered = 0.25;
+constexpr double min_scattered = 0.2;
 
 // Whether the test's color is `full` without some of the lights, after applying `shown`.
 template <typename Shown>

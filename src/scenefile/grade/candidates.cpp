@@ -11,12 +11,19 @@ using glm::dvec3;
 constexpr double necessary = 0.01;  // share of the difference that each of several changes
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
 
+// Whether the mistake has a number that was estimated from the pictures.
+bool is_fitted(const Simulation& sim, std::size_t mistake) {
+  return mistake >= sim.first_measured && sim.list[mistake].cause != Cause::background;
+}
+
+bool any_fitted(const Simulation& sim, const Combination& mistakes) {
+  return std::any_of(mistakes.begin(), mistakes.end(),
+                     [&](std::size_t i) { return is_fitted(sim, i); });
+}
+
 // Three mistakes, or a fitted number besides others, adapt to much.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
-  return mistakes.size() > 2 ||
-         (mistakes.size() > 1 && std::any_of(mistakes.begin(), mistakes.end(), [&](std::size_t i) {
-            return i >= sim.first_measured && sim.list[i].cause != Cause::background;
-          }));
+  return mistakes.size() > 2 || (mistakes.size() > 1 && any_fitted(sim, mistakes));
 }
 
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
@@ -28,6 +35,7 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   const Colors with = sim.predicted(mistakes, count);
   const Colors without = sim.predicted(fewer, count);
   double changed = 0;
+  double right = 0;
   double gained = 0;
   double shown = 0;  // of what is gained: not darkness
   for (std::size_t i = 0; i < count; ++i) {
@@ -35,9 +43,11 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
     const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
     const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
     if (largest_of(glm::abs(a - b)) > right_within) {
-      double gain = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
-      gain -= largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0;
+      const double now = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
+      const double gain =
+          now - (largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0);
       changed += p.weight;
+      right += now;
       gained += gain;
       shown += largest_of(p.test) > 16 ? gain : 0;
     }
@@ -45,12 +55,12 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   // Whatever moves everything out of sight gives darkness.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
   const double differs = sim.weight_that_differs(count);
-  // What changes little, or was fitted, must be right there: it could hide another mistake.
-  const bool patch =
-      gained < 0.05 * differs || (mistakes[member] >= sim.first_measured &&
-                                  sim.list[mistakes[member]].cause != Cause::background);
-  return changed >= necessary * differs && gained >= (patch ? 0.8 : 0.4) * changed &&
-         (!moves || shown >= 0.1 * gained);
+  // What changes little must be right there. A fitted number, and what changes little beside one,
+  // must also be needed nearly everywhere: it could hide another mistake.
+  const bool little = gained < 0.05 * differs;
+  const bool strict = is_fitted(sim, mistakes[member]) || (little && any_fitted(sim, mistakes));
+  return changed >= necessary * differs && gained >= (strict ? 0.8 : 0.4) * changed &&
+         (!little || right >= 0.9 * changed) && (!moves || shown >= 0.1 * gained);
 }
 
 // Moves points that the mistakes do not explain to the front, with one right point in four.
@@ -179,8 +189,12 @@ Tried without_needless(Simulation& sim, Tried found) {
     fewer.erase(fewer.begin() + std::ptrdiff_t(i));
     Tried rest = sim.rated(fewer, sim.score_of(fewer, count), b);
     const Combination one{found.mistakes[i]};
-    // A mistake that explains nothing by itself, and nearly nothing beside the others.
-    const bool idle = rest.explained > found.explained - 0.04 && rest.exact > found.exact - 0.04 &&
+    // A mistake that explains nothing by itself, and nearly nothing beside the others. If all is
+    // reproduced with it, without fitted numbers, the few points that need it are evidence enough.
+    const bool completes = found.exact >= 0.995 && rest.exact < found.exact - 0.01 &&
+                           !needs_to_be_sure(sim, found.mistakes);
+    const bool idle = !completes && rest.explained > found.explained - 0.04 &&
+                      rest.exact > found.exact - 0.04 &&
                       sim.rated(one, sim.score_of(one, count), b).explained < 0.015;
     if (!idle && needed(sim, found.mistakes, i)) {
       ++i;

@@ -155,7 +155,10 @@ Tried of_known_size(const Simulation& sim, const Tried& found, const std::vector
 void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    singles.push_back({i});
+    // Shifts by half a pixel show at edges, where find_shift() looks.
+    if (sim.list[i].cause != Cause::half_pixel_shift) {
+      singles.push_back({i});
+    }
   }
   if (sim.usable) {
     sim.fill_cache(screen);

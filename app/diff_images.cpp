@@ -55,7 +55,7 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
 
 std::string verdict_text(const PictureComparison& found, const std::string& scene,
                          const std::string& test) {
-  if (found.measures.difference.max == 0 && found.measures.same_size && !found.scaled) {
+  if (found.measures.difference.max == 0 && found.measures.same_size && !found.other_size()) {
     return "equal\n";
   }
   std::string text;
@@ -176,8 +176,8 @@ ExitCode diff_images(const Options& options, Context& context) {
                                      measures_text(found.measures, options.pixel_threshold) +
                                      verdict_text(found, options.scene, options.arguments[1]);
   ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
-  status = worse(status, write_maps(options, a.picture, found.scaled ? *found.scaled : b.picture,
-                                    found, context));
+  status = worse(status, write_maps(options, found.reference_of(a.picture),
+                                    found.test_of(b.picture), found, context));
   return text.empty() ? status : worse(status, answer(text));
 }
 

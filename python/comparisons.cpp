@@ -215,8 +215,10 @@ std::string text_of(const Comparison& c) {
 }
 
 py::bytes sheet_of(const Comparison& c) {
-  const Texture heat = heat_map(c.reference, c.test);
-  const std::array<const Texture*, 3> pictures{&c.reference, &c.test, &heat};
+  const Texture& reference = c.found.reference_of(c.reference);
+  const Texture& test = c.found.test_of(c.test);
+  const Texture heat = heat_map(reference, test);
+  const std::array<const Texture*, 3> pictures{&reference, &test, &heat};
   return png_of(side_by_side(pictures));
 }
 
@@ -247,13 +249,17 @@ void bind_comparisons(py::module_& m) {
                              [](const Comparison& c) { return tuple_of(c.found.causes.partial); })
       .def_property_readonly("drawn_with", [](const Comparison& c) { return c.found.drawn_with; })
       .def_property_readonly(
-          "heat_map", [](const Comparison& c) { return array_of(heat_map(c.reference, c.test)); })
+          "heat_map",
+          [](const Comparison& c) {
+            return array_of(heat_map(c.found.reference_of(c.reference), c.found.test_of(c.test)));
+          })
       .def_property_readonly("flip_map",
                              [](const Comparison& c) {
                                const std::vector<float>& errors = c.found.flip_errors;
                                const bool any = !errors.empty();
+                               const Texture& compared = c.found.test_of(c.test);
                                return py::array_t<float>(
-                                   {any ? c.test.height : 0, any ? c.test.width : 0},
+                                   {any ? compared.height : 0, any ? compared.width : 0},
                                    errors.data());
                              })
       .def("_repr_png_", &sheet_of)

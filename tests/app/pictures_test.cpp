@@ -140,9 +140,19 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
                     HasSubstr("PSNR ")));
   const ProgramRun cause =
       in_folder({"diff", "small.png", "wrong.png", "--scene", "ball.xml", "--heatmap", "map.png"});
-  EXPECT_THAT(cause.out, HasSubstr("cause: the ambient term is added twice"));
+  EXPECT_THAT(
+      cause.out,
+      AllOf(HasSubstr("expected 32x24; compared with our picture of the scene at that size"),
+            HasSubstr("cause: the ambient term is added twice"), HasSubstr("--size 64x48 ")));
   EXPECT_TRUE(std::filesystem::exists(folder.path("map.png")));
   draw("ball.xml", "tall.png", "32x48");
+  const ProgramRun shape =
+      in_folder({"diff", "right.png", "tall.png", "--scene", "ball.xml", "--json"});
+  EXPECT_EQ(shape.status, 1);
+  const rapidjson::Document answer = parse_json(shape.out);
+  EXPECT_TRUE(answer["reference_redrawn"].GetBool());
+  EXPECT_TRUE(answer["right_at_other_size"].GetBool());
+  EXPECT_EQ(answer["max_difference"].GetInt(), 0);
   EXPECT_THAT(in_folder({"diff", "right.png", "tall.png"}).out,
               HasSubstr("the size is 32x48, expected 64x48\n"));
   EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);

@@ -3,6 +3,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/trace/render.h"
 
 #include <fmt/format.h>
 
@@ -127,19 +128,23 @@ double share_unlike(const Texture& reference, const LoadedScene& scene, const Dr
   return find_causes(reference, reference, &view).share_scene_unlike;
 }
 
-// Looks for causes; uses the scene if possible.
+std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene,
+                              const CompareSettings& settings) {
+  return settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()}
+         : settings.ways_fit   ? settings.ways
+                               : ways_drawn(reference, scene, settings.ways);
+}
+
+// Looks for causes; uses the scene if there are ways to draw it.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const CompareSettings& settings, const std::function<bool(double)>& go_on,
+                     const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
                      PictureComparison& found) {
-  if (scene == nullptr || !scene->usable()) {
+  if (ways.empty()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
     found.where = place_to_look(reference, test, nullptr, nullptr);
     return;
   }
   found.scene_used = true;
-  std::vector<DrawnWay> ways = settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()}
-                               : settings.ways_fit   ? settings.ways
-                                                     : ways_drawn(reference, *scene, settings.ways);
   if (ways.front().realtime) {
     found.realtime = true;
     found.drawn_with = ways.front().words;
@@ -178,19 +183,26 @@ std::optional<Texture> scaled_like(const Texture& picture, const Texture& refere
   return scaled(picture, reference.width, reference.height);
 }
 
-// Whether a picture of another size than the reference shows the scene; without a scene, whether it
-// equals the reference after scaling.
-bool is_right(const Texture& test, const LoadedScene* scene, const CompareSettings& settings,
-              const PictureComparison& found) {
-  if (!found.scene_used || found.realtime) {
-    return found.causes.share_different < 0.001;
+// Our picture of the scene in the size of `test`, if that of the reference is another and our
+// picture of the scene matches the reference.
+std::optional<Texture> drawn_like(const Texture& test, const Texture& reference,
+                                  const LoadedScene& scene, const DrawnWay& way,
+                                  const std::function<bool(double)>& go_on) {
+  if ((test.width == reference.width && test.height == reference.height) || test.empty() ||
+      way.realtime || share_unlike(reference, scene, way) > max_share_right) {
+    return std::nullopt;
   }
-  const std::vector<DrawnWay> ways =
-      settings.ways.empty() ? std::vector<DrawnWay>{DrawnWay()} : settings.ways;
-  const auto way = std::find_if(ways.begin(), ways.end(),
-                                [&](const DrawnWay& w) { return w.words == found.drawn_with; });
-  return found.causes.share_scene_unlike <= max_share_unlike &&
-         share_unlike(test, *scene, way == ways.end() ? ways.front() : *way) <= max_share_right;
+  RenderOptions options = way.options;
+  options.width = test.width;
+  options.height = test.height;
+  options.crop = {};
+  RenderControl control;
+  control.progress = go_on ? [&go_on](double) { return go_on(0); } : Progress();
+  const RenderResult drawn = render(scene.ready.scene, scene.assets, options, std::move(control));
+  if (drawn.status != RenderStatus::complete) {
+    return std::nullopt;
+  }
+  return quantize(drawn.image, rounding_of(options.profile));
 }
 
 }  // namespace
@@ -249,26 +261,39 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
              : found;
 }
 
-PictureComparison compare_pictures(const Texture& reference, const Texture& test,
+PictureComparison compare_pictures(const Texture& given, const Texture& test,
                                    const LoadedScene* scene, const CompareSettings& settings,
                                    const std::function<bool(double)>& go_on) {
   PictureComparison found;
-  found.scaled = scaled_like(test, reference);
-  const Texture& shown = found.scaled ? *found.scaled : test;
+  std::vector<DrawnWay> ways;
+  const bool same_size = test.width == given.width && test.height == given.height;
+  if (!same_size && scene != nullptr && scene->usable()) {
+    ways = ways_of(given, *scene, settings);
+    found.drawn = drawn_like(test, given, *scene, ways.front(), go_on);
+  }
+  if (!same_size && !found.drawn) {
+    found.scaled = scaled_like(test, given);
+  }
+  const Texture& reference = found.reference_of(given);
+  const Texture& shown = found.test_of(test);
   found.measures = measure(reference, shown, settings.pixel_threshold, &found.flip_errors);
   found.broken = broken_thresholds(settings.thresholds, found.measures);
-  if (found.scaled) {
-    found.broken.insert(found.broken.begin(),
-                        fmt::format("the size is {}x{}, expected {}x{}; compared after scaling",
-                                    test.width, test.height, reference.width, reference.height));
+  if (found.other_size()) {
+    found.broken.insert(
+        found.broken.begin(),
+        fmt::format("the size is {}x{}, expected {}x{}; compared {}", test.width, test.height,
+                    given.width, given.height,
+                    found.drawn ? "with our picture of the scene at that size" : "after scaling"));
   }
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
-    look_for_causes(reference, shown, scene, settings, go_on, found);
-    if (found.scaled && found.causes.claims.empty()) {
-      found.right_at_other_size = is_right(test, scene, settings, found);
-      found.causes.partial.clear();
+    if (same_size && scene != nullptr && scene->usable()) {
+      ways = ways_of(given, *scene, settings);
+    }
+    look_for_causes(reference, shown, scene, ways, go_on, found);
+    if (found.other_size() && found.causes.claims.empty()) {
+      found.right_at_other_size = found.causes.share_different < 0.001;
     }
   }
   return found;
@@ -383,6 +408,7 @@ void add_measures(Json& json, const PictureMeasures& m) {
 void add_comparison(Json& json, const PictureComparison& found) {
   json.add("same", found.broken.empty());
   json.add("scaled", found.scaled.has_value());
+  json.add("reference_redrawn", found.drawn.has_value());
   json.add("right_at_other_size", found.right_at_other_size);
   json.add("exchanged", found.exchanged);
   add_measures(json, found.measures);

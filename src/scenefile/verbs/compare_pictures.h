@@ -60,8 +60,11 @@ struct PlaceToLook {
 
 struct PictureComparison {
   PictureMeasures measures;
-  /// The picture under test in the size of the reference, which was compared; nullopt if its size
-  /// is right, or if its shape is another.
+  /// Of a picture of another size than the reference: our picture of the scene in its size, which
+  /// took the place of the reference; only if our picture matches the reference at its size.
+  std::optional<Texture> drawn;
+  /// Otherwise, if only the size differs and not the shape: the picture in the size of the
+  /// reference, which was compared.
   std::optional<Texture> scaled;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds that were exceeded; empty: the same
@@ -72,10 +75,16 @@ struct PictureComparison {
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
+
+  bool other_size() const { return drawn || scaled; }
+  /// The pictures of equal size that were compared, if there are such.
+  const Texture& reference_of(const Texture& given) const { return drawn ? *drawn : given; }
+  const Texture& test_of(const Texture& given) const { return scaled ? *scaled : given; }
 };
 
 /// Compares the pictures, and looks for causes according to settings.look. A picture of another
-/// size and the same shape is never the same, but is compared after scaling. `scene`: the scene of
+/// size is never the same, but is compared with our picture of the scene in its size, or after
+/// scaling. `scene`: the scene of
 /// the reference with all assets, or null. `go_on` as for find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,

@@ -83,7 +83,7 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
           fmt::format("PSNR is {:.2f} dB, and a known mistake explains the difference",
                       compared.measures.difference.psnr_db)};
     }
-  } else if (report.partial.empty() && report.share_different < 0.001 && !compared.scaled) {
+  } else if (report.partial.empty() && report.share_different < 0.001 && !compared.other_size()) {
     result.verdict = Verdict::passed;
     result.reasons.clear();
   }
@@ -416,7 +416,7 @@ struct ClassGrader::State {
       result.reasons.emplace_back("it is a JPEG, which changes colors: a PNG is needed");
     }
     if (result.verdict == Verdict::differs && request_.thumbnails) {
-      result.png = thumbnail(reference.picture, compared.scaled ? *compared.scaled : *picture,
+      result.png = thumbnail(compared.reference_of(reference.picture), compared.test_of(*picture),
                              thumbnail_width_);
     }
     return result;

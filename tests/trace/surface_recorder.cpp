@@ -35,6 +35,8 @@ void SurfaceRecorder::met(const Ray& /*ray*/, double /*start*/, const SurfacePoi
     surfaces_.samples.back().hit = true;
     surfaces_.samples.back().normal = point.normal;
     surfaces_.samples.back().position = point.position;
+    surfaces_.samples.back().uv = point.object.uv;
+    surfaces_.samples.back().source = point.hit.source;
   }
 }
 

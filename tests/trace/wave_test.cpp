@@ -247,12 +247,30 @@ void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
   EXPECT_EQ(a.hit, b.hit);
   EXPECT_EQ(a.normal, b.normal);
   EXPECT_EQ(a.position, b.position);
+  EXPECT_EQ(a.uv, b.uv);
+  EXPECT_EQ(a.source, b.source);
   EXPECT_EQ(a.albedo, b.albedo);
   EXPECT_EQ(a.lit, b.lit);
   EXPECT_EQ(a.diffused, b.diffused);
   EXPECT_EQ(a.unshadowed, b.unshadowed);
   EXPECT_EQ(a.bounces, b.bounces);
   EXPECT_EQ(a.rays, b.rays);
+}
+
+/// The surface at the center of a pixel is what a single ray finds there.
+void expect_center(const Tracer& tracer, const CameraRays& camera, const DrawnPixel& pixel) {
+  const SurfaceSample& center = pixel.surfaces.center;
+  const Ray ray = camera.ray(glm::dvec2(pixel.at) + 0.5, {0, 0});
+  Hit hit;
+  ASSERT_EQ(tracer.accelerator.closest(ray, 0, std::numeric_limits<double>::infinity(), hit),
+            center.hit);
+  if (center.hit) {
+    const SurfacePoint point =
+        surface_point(tracer.scene, tracer.assets, ray, hit, !tracer.course());
+    EXPECT_EQ(center.position, point.position);
+    EXPECT_EQ(center.uv, point.object.uv);
+    EXPECT_EQ(center.source, hit.source);
+  }
 }
 
 /// Pixels traced in waves, and sample by sample.
@@ -262,7 +280,7 @@ void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, con
   const CameraRays camera = tracer.camera();
   const WaveScene scene(tracer, camera);
   WavePool pool;
-  const SurfaceWish wish{true, {2, 0}};
+  const SurfaceWish wish{true, {2, 0}, true};
   std::vector<glm::ivec2> places;
   for (int i = 0; i < 300; ++i) {
     places.emplace_back(i % options.width, i / options.width);
@@ -283,6 +301,7 @@ void expect_same_pixels(const SceneBuilder& b, const RenderOptions& options, con
       expect_same_surface(pixels[i].surfaces.samples[k], expected[i].surfaces.samples[k]);
     }
     EXPECT_EQ(pixels[i].surfaces.light_colors, expected[i].surfaces.light_colors);
+    expect_center(tracer, camera, pixels[i]);
   }
   EXPECT_EQ(counts.primary, expected_counts.primary);
 }

@@ -24,6 +24,7 @@ struct DrawnPixel {
 struct SurfaceWish {
   bool wanted = false;
   std::vector<std::uint32_t> lights;  ///< lights to record separately, into RenderScene::lights
+  bool centers = false;               ///< also the surface at the center of each pixel
 };
 
 inline std::vector<DrawnPixel> pixels_at(std::span<const glm::ivec2> places) {

@@ -9,7 +9,6 @@
 #include "scenefile/trace/wave_trail.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace scenefile {
@@ -78,7 +77,7 @@ struct Explainer::Impl {
 
   // As render() draws it.
   DrawnPixel draw(const glm::ivec2& at, MoreSamples& more) {
-    const SurfaceWish wish{true, {}};
+    const SurfaceWish wish{true, {}, false};
     RayCounts counts;
     WaveSampler drawn(waves, pool, wish, counts);
     const std::span<const glm::ivec2> only(&at, 1);
@@ -102,14 +101,6 @@ struct Explainer::Impl {
     return pixel;
   }
 
-  std::optional<ObjectRef> object_hit(const Ray& ray) const {
-    Hit hit;
-    if (!tracer.accelerator.closest(ray, 0, std::numeric_limits<double>::infinity(), hit)) {
-      return std::nullopt;
-    }
-    return object_at(tracer, ray, 0, hit);
-  }
-
   std::vector<SampleRecord> records_of(const std::vector<SurfaceSample>& samples) const {
     std::vector<SampleRecord> records;
     for (const SurfaceSample& sample : samples) {
@@ -118,7 +109,9 @@ struct Explainer::Impl {
       record.lens = sample.camera.lens;
       record.color = sample.color;
       record.rays = sample.rays;
-      record.object = object_hit(camera.ray(record.point, record.lens));
+      if (sample.hit) {
+        record.object = object_at(tracer, camera.ray(record.point, record.lens), 0, sample.source);
+      }
     }
     if (tracer.course() && !camera.has_lens() && tracer.options.features.super_sample) {
       link_cell(records);

@@ -2,7 +2,6 @@
 
 #include "scenefile/trace/course_samples.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/surface_point.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +10,7 @@ namespace scenefile {
 
 namespace {
 
-bool is_of_middle(LayerKind kind) {
+bool is_of_center(LayerKind kind) {
   return kind == LayerKind::depth || kind == LayerKind::uv || kind == LayerKind::object_id;
 }
 
@@ -95,35 +94,29 @@ LayerBuffers::LayerBuffers(const Tracer& tracer, const CameraRays& camera, Pictu
   }
 }
 
-void LayerBuffers::put(int x, int y, const PixelSurfaces& pixel) {
+bool LayerBuffers::need_centers() const {
   const std::vector<Layer>& kinds = tracer_.options.layers;
-  if (std::any_of(kinds.begin(), kinds.end(),
-                  [](const Layer& l) { return is_of_middle(l.kind); })) {
-    put_middle(x, y);
-  }
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [](const Layer& layer) { return is_of_center(layer.kind); });
+}
+
+void LayerBuffers::put(int x, int y, const PixelSurfaces& pixel) {
+  put_center(index(x, y), pixel.center);
   put_means(index(x, y), pixel);
 }
 
-void LayerBuffers::put_middle(int x, int y) {
-  const Ray ray = camera_.ray({x + 0.5, y + 0.5}, {0, 0});
-  const double infinity = std::numeric_limits<double>::infinity();
-  Hit hit;
-  const bool met = tracer_.accelerator.closest(ray, 0, infinity, hit);
-  SurfacePoint point;
-  double depth = infinity;
-  if (met) {
-    point = surface_point(tracer_.scene, tracer_.assets, ray, hit, !tracer_.course());
-    const RenderCamera& camera = tracer_.scene.camera;
-    depth = glm::dot(camera.position - point.position, camera.w);
-  }
+void LayerBuffers::put_center(std::size_t pixel, const SurfaceSample& center) {
+  const RenderCamera& camera = tracer_.scene.camera;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerKind kind = tracer_.options.layers[i].kind;
     if (kind == LayerKind::depth) {
-      store(layers_[i], index(x, y), glm::dvec3(depth));
+      const double depth = glm::dot(camera.position - center.position, camera.w);
+      store(layers_[i], pixel,
+            glm::dvec3(center.hit ? depth : std::numeric_limits<double>::infinity()));
     } else if (kind == LayerKind::uv) {
-      store(layers_[i], index(x, y), met ? glm::dvec3(point.object.uv, 0) : glm::dvec3(0));
+      store(layers_[i], pixel, glm::dvec3(center.uv, 0));
     } else if (kind == LayerKind::object_id) {
-      store(layers_[i], index(x, y), glm::dvec3(met ? hit.source + 1.0 : 0));
+      store(layers_[i], pixel, glm::dvec3(center.hit ? center.source + 1.0 : 0));
     }
   }
 }
@@ -133,7 +126,7 @@ void LayerBuffers::put_means(std::size_t pixel, const PixelSurfaces& surfaces) {
   std::size_t light = 0;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerKind kind = tracer_.options.layers[i].kind;
-    if (!is_of_middle(kind)) {
+    if (!is_of_center(kind)) {
       store(layers_[i], pixel, value_of(kind, means, light));
       light += kind == LayerKind::light ? 1 : 0;
     }

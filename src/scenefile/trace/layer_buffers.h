@@ -17,6 +17,8 @@ class LayerBuffers {
   LayerBuffers(const Tracer& tracer, const CameraRays& camera, PictureState& picture);
 
   bool empty() const { return layers_.empty(); }
+  /// Whether some layers show the surface at the center of each pixel (PixelSurfaces::center).
+  bool need_centers() const;
   /// The lights that have layers, and are recorded separately.
   const std::vector<std::uint32_t>& lights() const { return lights_; }
 
@@ -27,7 +29,7 @@ class LayerBuffers {
   std::size_t index(int x, int y) const {
     return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
   }
-  void put_middle(int x, int y);
+  void put_center(std::size_t pixel, const SurfaceSample& center);
   void put_means(std::size_t pixel, const PixelSurfaces& surfaces);
   std::vector<double> weights_of(const std::vector<SurfaceSample>& samples) const;
 

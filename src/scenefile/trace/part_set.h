@@ -31,11 +31,11 @@ struct SortedParts {
   /// A file of the whole that most files are parts of; if several are equally common, of the first.
   /// no_file if no header can be read.
   std::size_t usual = ~std::size_t{0};
-  std::vector<std::size_t> files;       ///< by part; no_file if there is no intact one
-  std::vector<std::uint32_t> missing;   ///< parts without an intact file
-  std::vector<std::size_t> doubled;     ///< files with a part that another file contains too
-  std::vector<std::size_t> damaged;     ///< files
-  std::vector<std::size_t> foreign;     ///< files with parts of something else
+  std::vector<std::size_t> files;      ///< by part; no_file if there is no intact one
+  std::vector<std::uint32_t> missing;  ///< parts without an intact file
+  std::vector<std::size_t> doubled;    ///< files with a part that another file contains too
+  std::vector<std::size_t> damaged;    ///< files
+  std::vector<std::size_t> foreign;    ///< files with parts of something else
 
   bool complete() const {
     return !files.empty() && missing.empty() && doubled.empty() && damaged.empty() &&

@@ -54,7 +54,8 @@ class Renderer {
         watch_(progress),
         picture_(picture),
         layers_(tracer, camera_, picture),
-        wish_{!layers_.empty() || !picture.statistics.empty(), layers_.lights()} {}
+        wish_{!layers_.empty() || !picture.statistics.empty(), layers_.lights(),
+              layers_.need_centers()} {}
 
   void run() {
     if (tracer_.course()) {

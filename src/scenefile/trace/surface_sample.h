@@ -20,18 +20,21 @@ struct SurfaceSample {
   bool hit = false;
   glm::dvec3 normal{0};    ///< for shading, including the bump map
   glm::dvec3 position{0};  ///< world space
-  Color albedo{0};         ///< the D of the lighting equation
-  Color lit{0};            ///< diffuse and specular light of all lights
-  Color diffused{0};       ///< the part of `lit` that is diffuse light from area lights
-  Color unshadowed{0};     ///< `lit` without shadows
-  int bounces = 0;         ///< maximum depth of reflections and refractions
-  std::uint32_t rays = 0;  ///< camera, reflected and refracted rays
+  glm::dvec2 uv{0};
+  std::uint32_t source = 0;  ///< of the primitive: RenderPrimitive::source
+  Color albedo{0};           ///< the D of the lighting equation
+  Color lit{0};              ///< diffuse and specular light of all lights
+  Color diffused{0};         ///< the part of `lit` that is diffuse light from area lights
+  Color unshadowed{0};       ///< `lit` without shadows
+  int bounces = 0;           ///< maximum depth of reflections and refractions
+  std::uint32_t rays = 0;    ///< camera, reflected and refracted rays
 };
 
 /// The samples of one pixel, in sampling order.
 struct PixelSurfaces {
   std::vector<SurfaceSample> samples;
   std::vector<Color> light_colors;  ///< by sample and separately recorded light
+  SurfaceSample center;             ///< the surface at the center of the pixel, if requested
 
   void clear() {
     samples.clear();

@@ -136,8 +136,10 @@ const std::vector<Part>& root_parts(const Parts& parts) {
 
 // The record for the samples from `first` on.
 WaveRecord from(const WaveRecord& record, int first) {
-  return {record.samples + first, record.light_colors + first * record.lights.size(),
-          record.lights};
+  WaveRecord rest = record;
+  rest.samples += first;
+  rest.light_colors += first * record.lights.size();
+  return rest;
 }
 
 void add(const RayCounts& more, RayCounts& counts) {
@@ -156,7 +158,8 @@ WaveScene::WaveScene(const Tracer& t, const CameraRays& c)
       course(t.course()),
       clear_shadows(!t.transmission.all_opaque()),
       fresnel(t.options.fresnel && t.options.features.refract),
-      tree(t.accelerator.part_tree()) {
+      tree(t.accelerator.part_tree()),
+      mesh_reach(t.accelerator.mesh_reach()) {
   for (const RenderMaterial& material : tracer.scene.materials) {
     materials.push_back(wave_material(tracer, material));
     put_density(tracer, materials.size() - 1, materials.back());

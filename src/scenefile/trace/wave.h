@@ -57,6 +57,7 @@ struct WaveRecord {
   SurfaceSample* samples = nullptr;       ///< except `camera` and `color`
   Color* light_colors = nullptr;          ///< by sample and separately recorded light
   std::span<const std::uint32_t> lights;  ///< recorded separately; into RenderScene::lights
+  bool only_surfaces = false;             ///< without light, textures and secondary rays
 };
 
 struct WaveScene;
@@ -91,6 +92,7 @@ struct WaveScene {
   bool by_footprint = false;     ///< a texture or bump map is filtered over footprints
   bool tests_all_parts = false;  ///< only shapes, and so few that each is tested
   const PartTree& tree;          ///< otherwise used unless there are instances or too many parts
+  double mesh_reach;             ///< Accelerator::mesh_reach()
 };
 
 /// The memory of a wave, to be reused for the same scene: it remembers recent occluders, which does

@@ -218,8 +218,7 @@ inline void follow_point(const WaveScene& scene, WaveMemory& memory, const WaveR
   const std::uint32_t children = std::uint32_t(mirrors) + std::uint32_t(refracts);
   const bool too_many = from.budget[ray] <= children;
   if constexpr (recording) {
-    record_branches({of_mirror, mirror}, {of_glass, glass}, too_many,
-                    memory.trail->of(from, ray));
+    record_branches({of_mirror, mirror}, {of_glass, glass}, too_many, memory.trail->of(from, ray));
   }
   if (children == 0 || too_many) {
     return;
@@ -284,9 +283,9 @@ inline void record_wall(const WaveScene& scene, const WaveRays& from, WaveMemory
                                   splat3(ray.direction));
   alignas(64) double normal[3][lanes];
   store_rows(facing, normal);
-  memory.trail->of(from, r).walls.push_back({object_at(scene.tracer, ray, from.start[r], hit),
-                                             walls.t[k], get(walls.position, k),
-                                             lane_of(normal, 0), direction, mirrored});
+  memory.trail->of(from, r).walls.push_back(
+      {object_at(scene.tracer, ray, from.start[r], hit.source), walls.t[k], get(walls.position, k),
+       lane_of(normal, 0), direction, mirrored});
 }
 
 inline void pass_wall(const WaveScene& scene, WaveMemory& memory, const WaveRays& from,

@@ -98,13 +98,17 @@ void color_by_normals(WavePoints& points) {
 }
 
 // Records the surfaces hit by camera rays; materials only if lighting is on.
-void record_surfaces(const WaveRays& rays, const WavePoints& points, bool lit,
-                     const WaveRecord& record) {
+void record_surfaces(const WaveScene& scene, const WaveRays& rays, const WaveHits& hits,
+                     const WavePoints& points, bool lit, const WaveRecord& record) {
   for (int k = 0; k < points.count; ++k) {
-    SurfaceSample& sample = record.samples[rays.node[points.ray[k]]];
+    const std::uint32_t r = points.ray[k];
+    SurfaceSample& sample = record.samples[rays.node[r]];
     sample.hit = true;
     sample.normal = get(points.normal, k);
     sample.position = get(points.position, k);
+    sample.uv = {points.u[k], points.v[k]};
+    sample.source = hits.part[r] < 0 ? hits.others[r].source
+                                     : scene.root[static_cast<std::size_t>(hits.part[r])].source;
     if (lit) {
       sample.albedo = get(points.diffuse, k);
     }
@@ -148,17 +152,22 @@ void add_signatures(const WaveRays& rays, const WavePoints& points, WaveMemory& 
 void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& next,
                       WaveMemory& memory, RayCounts& counts, const WaveRecord* record) {
   const Mode mode = scene.tracer.options.mode;
-  const bool lit = mode != Mode::normals;
+  const bool only_surfaces = record != nullptr && record->only_surfaces;
+  const bool lit = mode != Mode::normals && !only_surfaces;
   next.count = 0;
   find_hits(scene, rays, memory.hits);
   select_points(scene, rays, memory);
+  memory.points.with_uv = recording || record != nullptr;
   find_surfaces(scene, rays, memory.hits, lit, memory.points);
   if constexpr (recording) {
     record_met(scene, rays, memory.hits, lit, memory.points, *memory.trail);
   }
   std::fill_n(memory.points.lit, memory.points.count, 0u);
   if (record != nullptr) {
-    record_surfaces(rays, memory.points, lit, *record);
+    record_surfaces(scene, rays, memory.hits, memory.points, lit, *record);
+  }
+  if (only_surfaces) {
+    return;
   }
   if (lit) {
     find_lights(scene, rays, memory, counts, record);
@@ -174,6 +183,7 @@ void trace_generation(const WaveScene& scene, const WaveRays& rays, WaveRays& ne
   }
   if (mode == Mode::ray) {
     follow_points(scene, memory, rays, next, memory.points, false, counts);
+    memory.walls.with_uv = recording;
     find_surfaces(scene, rays, memory.hits, false, memory.walls);
     if constexpr (recording) {
       if (scene.fresnel) {

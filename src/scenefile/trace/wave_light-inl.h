@@ -180,7 +180,7 @@ inline void mark_penumbras(const LightSamples& samples, const F* seen, WaveNode*
 
 // Records the light of a separately recorded light for camera rays.
 inline void record_layers(const LightSamples& samples, const V3* sums, const RecordedLight* terms,
-                         const WaveRecord& record) {
+                          const WaveRecord& record) {
   const std::size_t kept = record.lights.size();
   const F count = splat(samples.count);
   const bool area = has_rectangle(samples.light.type);

@@ -76,8 +76,6 @@ struct WaveHits {
 /// What only explain.h needs of points; of waves of one lane.
 struct WavePointNotes {
   WaveVectors object_normal;
-  alignas(64) double u[wave_row];
-  alignas(64) double v[wave_row];
   WaveVectors texture;  ///< color of the texture, if `textured`
   bool has_uv[wave_row];
   bool bumped[wave_row];
@@ -102,6 +100,9 @@ struct WavePoints {
   alignas(64) double shininess[wave_row];
   WaveVectors color;
   std::uint32_t lit[wave_row];  ///< fine profile: one bit per visible light
+  bool with_uv = false;         ///< u and v are wanted
+  alignas(64) double u[wave_row];
+  alignas(64) double v[wave_row];
   WavePointNotes* notes = nullptr;
 };
 

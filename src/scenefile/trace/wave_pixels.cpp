@@ -3,6 +3,7 @@
 #include "scenefile/trace/course_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace scenefile {
@@ -16,6 +17,14 @@ std::vector<DrawnPixel*> pointers_to(std::vector<DrawnPixel>& pixels) {
     pointers.push_back(&pixel);
   }
   return pointers;
+}
+
+glm::dvec2 center_of(const glm::ivec2& pixel) {
+  return glm::dvec2(pixel) + 0.5;
+}
+
+CameraSample center_sample(const glm::ivec2& pixel) {
+  return {center_of(pixel), {}, {}, {}};
 }
 
 // The cells of the adaptive pattern for many pixels, each after the one that it refines.
@@ -94,11 +103,7 @@ void WavePool::give(WavePointer wave) {
 
 WaveSampler::WaveSampler(const WaveScene& scene, WavePool& pool, const SurfaceWish& wish,
                          RayCounts& counts)
-    : scene_(scene),
-      pool_(pool),
-      wish_(wish),
-      counts_(counts),
-      memory_(pool.take()) {}
+    : scene_(scene), pool_(pool), wish_(wish), counts_(counts), memory_(pool.take()) {}
 
 WaveSampler::~WaveSampler() {
   pool_.give(std::move(memory_));
@@ -146,10 +151,43 @@ void WaveSampler::add_surface(int index, PixelSurfaces& surfaces) const {
 
 std::span<const WaveSight> WaveSampler::middles(std::span<const glm::ivec2> pixels) {
   for (std::size_t k = 0; k < pixels.size(); ++k) {
-    samples_[k] = {glm::dvec2(pixels[k]) + 0.5, {}, {}, {}};
+    samples_[k] = center_sample(pixels[k]);
   }
   trace(static_cast<int>(pixels.size()), false);
   return {sights_.data(), pixels.size()};
+}
+
+// Sets the surfaces at the centers of the pixels, by a wave for those without a sample there. Its
+// rays do not count.
+void WaveSampler::find_centers(std::vector<DrawnPixel>& pixels) {
+  if (!wish_.centers) {
+    return;
+  }
+  std::vector<DrawnPixel*> left;
+  for (DrawnPixel& pixel : pixels) {
+    const SurfaceSample& first = pixel.surfaces.samples.front();
+    if (first.camera.point == center_of(pixel.at) && first.camera.lens == glm::dvec2(0)) {
+      pixel.surfaces.center = first;
+    } else {
+      left.push_back(&pixel);
+    }
+  }
+  std::vector<SurfaceSample> found(wave_samples);
+  WaveRecord record;
+  record.samples = found.data();
+  record.only_surfaces = true;
+  for (std::size_t first = 0; first < left.size(); first += wave_samples) {
+    const std::size_t size = std::min<std::size_t>(wave_samples, left.size() - first);
+    for (std::size_t k = 0; k < size; ++k) {
+      samples_[k] = center_sample(left[first + k]->at);
+    }
+    RayCounts not_counted;
+    trace_wave(scene_, samples_.data(), static_cast<int>(size), *memory_, sights_.data(),
+               not_counted, &record);
+    for (std::size_t k = 0; k < size; ++k) {
+      left[first + k]->surfaces.center = found[k];
+    }
+  }
 }
 
 void WaveSampler::lens_pixels(std::vector<DrawnPixel>& pixels) {
@@ -158,7 +196,7 @@ void WaveSampler::lens_pixels(std::vector<DrawnPixel>& pixels) {
       each * pixels.size(),
       [&](std::size_t i) -> CameraSample {
         const auto& [u, v] = course::lens_points[i % each];
-        return {glm::dvec2(pixels[i / each].at) + 0.5, {u, v}, {}, {}};
+        return {center_of(pixels[i / each].at), {u, v}, {}, {}};
       },
       [&](std::size_t i, int k) {
         DrawnPixel& pixel = pixels[i / each];
@@ -210,15 +248,13 @@ std::vector<DrawnPixel> WaveSampler::course(std::span<const glm::ivec2> places) 
     cell_pixels(pixels);
   } else {
     trace(
-        pixels.size(),
-        [&](std::size_t i) -> CameraSample {
-          return {glm::dvec2(pixels[i].at) + 0.5, {}, {}, {}};
-        },
+        pixels.size(), [&](std::size_t i) { return center_sample(pixels[i].at); },
         [&](std::size_t i, int k) {
           pixels[i].color = sights_[static_cast<std::size_t>(k)].color;
           add_surface(k, pixels[i].surfaces);
         });
   }
+  find_centers(pixels);
   return pixels;
 }
 
@@ -255,6 +291,7 @@ std::vector<DrawnPixel> WaveSampler::take_middles(const FineSampler& sampler,
   take(pointers_to(pixels), 1, [&](const DrawnPixel& pixel, std::uint32_t) {
     return sampler.middle(pixel.at.x, pixel.at.y);
   });
+  find_centers(pixels);
   return pixels;
 }
 
@@ -273,6 +310,7 @@ std::vector<DrawnPixel> WaveSampler::take(const FineSampler& sampler,
       return sampler.enough(pixel->samples, marks[static_cast<std::size_t>(pixel - pixels.data())]);
     });
   }
+  find_centers(pixels);
   return pixels;
 }
 

@@ -2,9 +2,8 @@
 // Samples pixels in waves.
 
 #include "scenefile/trace/drawn_pixel.h"
-#include "scenefile/trace/wave.h"
+#include "scenefile/trace/wave_memory.h"
 
-#include <array>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -55,14 +54,15 @@ class WaveSampler {
   void take(const std::vector<DrawnPixel*>& pixels, std::size_t each, const SampleOf& sample_of);
   void lens_pixels(std::vector<DrawnPixel>& pixels);
   void cell_pixels(std::vector<DrawnPixel>& pixels);
+  void find_centers(std::vector<DrawnPixel>& pixels);
 
   const WaveScene& scene_;
   WavePool& pool_;
   const SurfaceWish& wish_;
   RayCounts& counts_;
   WavePointer memory_;
-  std::array<CameraSample, wave_samples> samples_;
-  std::array<WaveSight, wave_samples> sights_;
+  WaveArray<CameraSample, wave_samples> samples_;
+  WaveArray<WaveSight, wave_samples> sights_;
   std::vector<SurfaceSample> surfaces_;  // by sample, if requested
   std::vector<Color> light_colors_;      // by sample and separately recorded light
 };

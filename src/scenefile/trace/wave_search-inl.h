@@ -215,9 +215,8 @@ inline Chunk shadow_chunk(const WavePoints& points, const WaveLight& light, int 
 inline Chunk light_chunk(const WaveScene& scene, const WavePoints& points, const WaveLight& light,
                          int at) {
   Chunk chunk = shadow_chunk(points, light, at);
-  const double reach = scene.tracer.accelerator.mesh_reach();
-  if (reach > 1) {
-    chunk.length = chunk.length * splat(reach);
+  if (scene.mesh_reach > 1) {
+    chunk.length = chunk.length * splat(scene.mesh_reach);
   } else if (light.at_a_point) {
     chunk.rays = {splat3(light.from), -chunk.rays.direction};
   }

@@ -164,13 +164,16 @@ struct ChunkShapes {
   V3 normal;  // in object space
 };
 
-// Keeps what only explain.h needs of shapes.
-inline void note_shapes(const ChunkShapes& shapes, WavePointNotes& notes, int at) {
+inline void store_uv(const ChunkShapes& shapes, WavePoints& points, int at) {
   F u;
   F v;
   object_uv(shapes.shape, shapes.face, shapes.point, !no_lanes(), u, v);
-  store(u, notes.u + at);
-  store(v, notes.v + at);
+  store(u, points.u + at);
+  store(v, points.v + at);
+}
+
+// Keeps what only explain.h needs of shapes.
+inline void note_shapes(const ChunkShapes& shapes, WavePointNotes& notes, int at) {
   store3(shapes.normal, notes.object_normal, at);
   std::fill_n(notes.has_uv + at, lanes, true);
   std::fill_n(notes.bumped + at, lanes, false);
@@ -187,8 +190,6 @@ inline void note_texture(const V3& color, M used, WavePointNotes& notes, int at)
 inline void note_one(const SurfacePoint& point, bool bumped, const std::optional<Color>& texture,
                      WavePointNotes& notes, int i) {
   put(point.object.normal, notes.object_normal, i);
-  notes.u[i] = point.object.uv.x;
-  notes.v[i] = point.object.uv.y;
   notes.has_uv[i] = point.has_uv;
   notes.bumped[i] = bumped;
   notes.textured[i] = texture.has_value();
@@ -227,6 +228,8 @@ inline void surface_of_one(const WaveScene& scene, const WaveRays& rays, const W
   put(point.position, points.position, i);
   put(point.normal, points.normal, i);
   put(point.geometric, points.geometric, i);
+  points.u[i] = point.object.uv.x;
+  points.v[i] = point.object.uv.y;
   put_material(scene.materials[hit.material], diffuse, points, i);
 }
 
@@ -447,6 +450,9 @@ inline void shape_surfaces(const WaveScene& scene, const WaveRays& rays, const W
   store3(normal, points.geometric, at);
   const bool filtered = !scene.course && scene.tracer.options.features.texture_filter;
   const ChunkShapes shapes{chunk.map, chunk.shape, load(faces), object_point, normal_there};
+  if (points.with_uv) {
+    store_uv(shapes, points, at);
+  }
   if constexpr (recording) {
     note_shapes(shapes, *points.notes, at);
   }

@@ -49,7 +49,7 @@ inline std::optional<TextureRecord> texture_record(const WaveScene& scene, const
   }
   const RenderMaterial& material = *points.material[k]->material;
   const Texture& texture = scene.tracer.assets.textures[material.texture.file];
-  const glm::dvec2 uv(notes.u[k], notes.v[k]);
+  const glm::dvec2 uv(points.u[k], points.v[k]);
   return TextureRecord{material.texture.file, texel_at(texture, material.texture, uv),
                        lookup_nearest(texture, material.texture, uv), get(notes.texture, k),
                        double(material.blend)};
@@ -65,7 +65,7 @@ inline void record_met(const WaveScene& scene, const WaveRays& rays, const WaveH
     const Hit hit = hit_of(scene, hits, r, ray);
     RayRecord& record = trail.of(rays, r);
     SurfaceRecord& s = record.surface.emplace();
-    s.object = object_at(scene.tracer, ray, rays.start[r], hit);
+    s.object = object_at(scene.tracer, ray, rays.start[r], hit.source);
     s.shape = hit.shape;
     s.face = hit.face;
     s.mesh = hit.mesh;
@@ -81,7 +81,7 @@ inline void record_met(const WaveScene& scene, const WaveRays& rays, const WaveH
     s.normal = get(points.normal, k);
     s.geometric = get(points.geometric, k);
     s.bumped = notes.bumped[k];
-    s.uv = {notes.u[k], notes.v[k]};
+    s.uv = {points.u[k], points.v[k]};
     s.has_uv = notes.has_uv[k];
     if (lit) {
       s.texture = texture_record(scene, points, notes, k);

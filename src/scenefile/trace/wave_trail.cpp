@@ -5,9 +5,9 @@
 
 namespace scenefile {
 
-ObjectRef object_at(const Tracer& tracer, const Ray& ray, double start, const Hit& hit) {
+ObjectRef object_at(const Tracer& tracer, const Ray& ray, double start, std::uint32_t source) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {hit.source, tracer.accelerator.instances_of_closest(ray, start, infinity)};
+  return {source, tracer.accelerator.instances_of_closest(ray, start, infinity)};
 }
 
 std::vector<Blocker> blockers_of(const Tracer& tracer, const Ray& to_light, double start,
@@ -25,8 +25,8 @@ std::vector<Blocker> blockers_of(const Tracer& tracer, const Ray& to_light, doub
     }
     hits.push_back(hit);
     const glm::i64vec3& density = tracer.transmission.density(hit.material);
-    found.push_back({object_at(tracer, to_light, from, hit), hit.t, Transmission::factor(density),
-                     same(itself)});
+    found.push_back({object_at(tracer, to_light, from, hit.source), hit.t,
+                     Transmission::factor(density), same(itself)});
     if (Transmission::blocks(density)) {
       break;
     }

@@ -19,8 +19,8 @@ struct WaveTrail {
   RayRecord& of(const WaveRays& generation, std::uint32_t r) { return rays[generation.node[r]]; }
 };
 
-/// The object that a ray hit first.
-ObjectRef object_at(const Tracer& tracer, const Ray& ray, double start, const Hit& hit);
+/// The object of primitive `source`, which a ray hit first.
+ObjectRef object_at(const Tracer& tracer, const Ray& ray, double start, std::uint32_t source);
 
 /// The objects between a point of the object `itself` and a light, each once, as they count for the
 /// shadow; objects behind an opaque one do not count.

@@ -189,7 +189,7 @@ std::optional<Texture> drawn_like(const Texture& test, const Texture& reference,
                                   const LoadedScene& scene, const DrawnWay& way,
                                   const std::function<bool(double)>& go_on) {
   if ((test.width == reference.width && test.height == reference.height) || test.empty() ||
-      way.realtime || share_unlike(reference, scene, way) > max_share_right) {
+      way.realtime || share_unlike(reference, scene, way) > max_share_unlike) {
     return std::nullopt;
   }
   RenderOptions options = way.options;

@@ -226,5 +226,14 @@ TEST(PhongPbr, HighlightsMirrorsAndGlassComeBack) {
   EXPECT_EQ(clear.ior, glass.ior);
 }
 
+TEST(PhongPbr, GlassWithoutHighlightIsSmooth) {
+  PhongColors glass;
+  glass.transparent = glm::vec3(0.5f);
+  glass.ior = 1.5f;
+  EXPECT_EQ(pbr_of(glass).roughness, 0) << "path tracers blur what is seen through rough glass";
+  glass.transparent = glm::vec3(0);
+  EXPECT_GT(pbr_of(glass).roughness, 0) << "a matte surface has no mirror images";
+}
+
 }  // namespace
 }  // namespace scenefile

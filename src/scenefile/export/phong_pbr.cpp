@@ -9,8 +9,9 @@ namespace scenefile {
 
 namespace {
 
-// Of surfaces without highlights. It means nothing there in glTF, but Blender's diffuse surfaces
-// brighten at grazing angles with the roughness; with this one they are nearest to Lambert's law.
+// Of opaque surfaces without highlights. It means nothing there in glTF, but Blender's diffuse
+// surfaces brighten at grazing angles with the roughness; with this one they are nearest to
+// Lambert's law.
 constexpr float matte_roughness = 0.5f;
 // Rougher nonmetals show highlights, but no mirror images.
 constexpr float mirror_roughness = 0.05f;
@@ -62,7 +63,7 @@ PbrMaterial pbr_of(const PhongColors& phong) {
   pbr.ior = through > 0 ? std::max(1.0f, phong.ior) : 1.5f;
   pbr.emissive = glm::max(phong.ambient, glm::vec3(0));
   pbr.f0 = glm::vec3(0);
-  pbr.roughness = matte_roughness;
+  pbr.roughness = through > 0 ? 0 : matte_roughness;
   if (largest(phong.reflective) > 0) {
     pbr.roughness = 0;
     pbr.f0 = unit_range(phong.reflective);

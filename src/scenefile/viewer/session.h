@@ -55,7 +55,6 @@ struct SceneOnShow {
   Outline outline;
   Bounds bounds;
   std::unique_ptr<const Picker> picker;
-  std::string not_remembered{};  ///< why the list of recent files was not saved; empty: it was
 };
 
 /// A file to read as the reference.

@@ -40,14 +40,9 @@ void start_loading(Session& session) {
     return;
   }
   session.load_again = false;
-  const std::string recent =
-      session.start.opening && session.path != "-" ? session.setup.recent_files : "";
   session.loading.start(
-      [load_scene = session.setup.load, path = session.path, recent, wake = session.setup.wake] {
+      [load_scene = session.setup.load, path = session.path, wake = session.setup.wake] {
         std::shared_ptr<SceneOnShow> scene = load(load_scene, path);
-        if (scene->opened.usable()) {
-          scene->not_remembered = add_recent_file(recent, absolute_path(path));
-        }
         wake();
         return scene;
       });
@@ -196,12 +191,18 @@ void show(Session& session, std::shared_ptr<const SceneOnShow> scene) {
   picture_changed(session);
 }
 
-void close_opened_panel(Session& session, const std::string& not_remembered) {
-  if (session.start.opening) {
-    close_start_panel(session);
-    if (!not_remembered.empty()) {
-      say(session, "cannot save the list of recent files: " + not_remembered, true);
-    }
+void close_opened_panel(Session& session) {
+  if (!session.start.opening) {
+    return;
+  }
+  close_start_panel(session);
+  if (session.path == "-") {
+    return;
+  }
+  const std::string error =
+      add_recent_file(session.setup.recent_files, absolute_path(session.path));
+  if (!error.empty()) {
+    say(session, "cannot save the list of recent files: " + error, true);
   }
 }
 
@@ -211,7 +212,7 @@ void accept(Session& session, std::shared_ptr<SceneOnShow> scene) {
   }
   watch_files(session, *scene);
   if (scene->opened.usable()) {
-    close_opened_panel(session, scene->not_remembered);
+    close_opened_panel(session);
     show(session, std::move(scene));
   } else {
     session.broken = std::move(scene);

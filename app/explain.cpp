@@ -4,6 +4,7 @@
 #include "app/load.h"
 #include "app/load_picture.h"
 #include "app/output.h"
+#include "app/realtime.h"
 #include "scenefile/base/text.h"
 
 #include <fmt/format.h>
@@ -48,31 +49,39 @@ ExitCode run_explain(const Options& given, Context& context) {
   if (const ExitCode status = load_mine(options, mine, context); status != ExitCode::fine) {
     return status;
   }
-  const LoadedScene scene = load_for_tracing(options, context);
+  LoadedScene scene = load_for_tracing(options, context);
+  const std::optional<RealtimeOptions> realtime = realtime_options(options);
+  if (realtime && status_of(scene) == ExitCode::fine) {
+    check_realtime(*realtime, scene);
+  }
   if (!options.json) {
     say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
                       wants_color(Stream::chatter)));
   }
   if (const ExitCode status = status_of(scene); status != ExitCode::fine) {
     return options.json ? worse(status, answer(explain_json(scene, options.render, nullptr,
-                                                            "the scene cannot be used")))
+                                                            "the scene cannot be used", realtime)))
                         : status;
   }
   context.phase = "tracing";
   Result<ExplainReport> report =
-      explain_pixel(scene, options.render, options.pixel->x, options.pixel->y, options.sample);
+      realtime
+          ? explain_realtime_pixel(scene, *realtime, {options.render.width, options.render.height},
+                                   {options.pixel->x, options.pixel->y}, options.sample)
+          : explain_pixel(scene, options.render, options.pixel->x, options.pixel->y,
+                          options.sample);
   if (!report) {
     const Outcome outcome = outcome_of(report.error(), context);
     if (options.json) {
       return worse(outcome.status,
-                   answer(explain_json(scene, options.render, nullptr, outcome.error)));
+                   answer(explain_json(scene, options.render, nullptr, outcome.error, realtime)));
     }
     say_error(outcome.error);
     return outcome.status;
   }
   if (!options.mine.empty()) {
     const std::uint8_t* const v = mine.picture.texel(options.pixel->x, options.pixel->y);
-    report->yours = compare_with_yours(scene.ready.scene, report->pixel, {v[0], v[1], v[2]});
+    add_yours(scene, {v[0], v[1], v[2]}, *report);
   }
   if (options.json) {
     return answer(explain_json(scene, options.render, &*report));

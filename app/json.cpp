@@ -153,15 +153,7 @@ void add_object_ids(Json& json, const LoadedScene& scene) {
 }
 
 void add_realtime(Json& json, const RealtimeReport& report) {
-  const RealtimeOptions& options = report.options;
-  json.add("milestone", word_of(options.milestone));
-  json.begin_array("parameters");
-  json.value(options.tessellation.parameter1);
-  json.value(options.tessellation.parameter2);
-  json.end_array();
-  json.add("near", options.near);
-  json.add("far", options.far);
-  json.add("filter", word_of(options.filter));
+  add_realtime_options(json, report.options);
   json.add("lights_drawn", std::uint64_t{report.lights});
   json.begin_array("lights_skipped");
   for (const SkippedLight& light : report.skipped_lights) {

@@ -28,7 +28,7 @@ inline constexpr unsigned for_pictures = for_diff | for_grade;
 inline constexpr unsigned for_tracing = for_render | for_explain | for_frames;
 /// Options of the profile realtime.
 inline constexpr unsigned for_realtime =
-    for_render | for_frames | for_check | for_info | for_view | for_pictures;
+    for_render | for_explain | for_frames | for_check | for_info | for_view | for_pictures;
 inline constexpr unsigned for_all_readers = for_tracing | for_check | for_info | for_convert;
 
 struct OptionRow {

@@ -122,7 +122,7 @@ std::string check_realtime_options(const Options& options, unsigned command) {
     return {};
   }
   if ((command & for_realtime) == 0) {
-    return "--profile realtime is for render, frames, view, check, info, diff and grade";
+    return "--profile realtime is for render, explain, frames, view, check, info, diff and grade";
   }
   constexpr std::string_view words =
       "--profile realtime draws the course's assignment with OpenGL: leave {} out";

@@ -115,6 +115,12 @@ viewer::WindowOptions window_options(const Options& options, viewer::Script scri
   return window;
 }
 
+void say_failure(const viewer::WindowResult& result) {
+  const bool no_display = result.status == viewer::WindowStatus::no_display;
+  say_error(result.error +
+            (no_display ? "; \"scenefile render\" draws to a file without a screen" : ""));
+}
+
 }  // namespace
 
 ExitCode run_view(const Options& options, Context& context) {
@@ -134,12 +140,17 @@ ExitCode run_view(const Options& options, Context& context) {
   }
   const bool unattended = !script.steps.empty();
   context.phase = "showing the window";
-  const viewer::WindowResult result =
-      viewer::run_window(window_options(options, std::move(script)));
+  viewer::WindowOptions window = window_options(options, std::move(script));
+  bool opened = true;
+  window.failed = [&](const viewer::WindowResult& result) {
+    opened = false;
+    say_failure(result);
+  };
+  const viewer::WindowResult result = viewer::run_window(window);
   if (result.status != viewer::WindowStatus::closed) {
-    const bool no_display = result.status == viewer::WindowStatus::no_display;
-    say_error(result.error +
-              (no_display ? "; \"scenefile render\" draws to a file without a screen" : ""));
+    if (opened) {
+      say_failure(result);
+    }
     return ExitCode::environment;
   }
   if (unattended && !result.shown) {

@@ -78,13 +78,16 @@ std::string explain_for_view(const viewer::PixelQuestion& question) {
   try {
     LoadedScene scene = loaded_of(*question.scene);
     scene.ready.scene = question.drawn;
+    const RenderOptions& options = question.options;
     Result<ExplainReport> report =
-        explain_pixel(scene, question.options, question.pixel.x, question.pixel.y);
+        question.realtime ? explain_realtime_pixel(scene, *question.realtime,
+                                                   {options.width, options.height}, question.pixel)
+                          : explain_pixel(scene, options, question.pixel.x, question.pixel.y);
     if (!report) {
       return report.error().text + '\n';
     }
     if (question.other) {
-      report->yours = compare_with_yours(scene.ready.scene, report->pixel, *question.other);
+      add_yours(scene, *question.other, *report);
     }
     return explain_text(scene, *report);
   } catch (const std::bad_alloc&) {

@@ -43,6 +43,17 @@ TEST_F(Explain, AMissIsExplainedToo) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("the background is black"), HasSubstr("= 0 0 0 of 255")));
 }
 
+TEST_F(Explain, RealtimeShowsTheTrianglesTerms) {
+  const ProgramRun run = explain("16,12", {"--profile", "realtime", "--filter", "invert"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("--profile realtime --parameters 5,5 --filter invert"),
+                             HasSubstr("color = 1 - sum of 1 pixel of the frame"),
+                             HasSubstr("shows sphere root/#1 (line 14)"), HasSubstr("triangle "),
+                             HasSubstr("directional light (line 9)"), HasSubstr("sum ")));
+  EXPECT_THAT(explain("0,0", {"--profile", "realtime"}).out, HasSubstr("nothing is drawn here"));
+  EXPECT_EQ(explain("16,12", {"--profile", "realtime", "--sample", "1"}).status, 2);
+}
+
 TEST_F(Explain, NormalsAreColors) {
   EXPECT_THAT(explain("16,12", {"--mode", "normals"}).out, HasSubstr("(normal + 1) / 2 ="));
   EXPECT_THAT(explain("16,12", {"--mode", "intersect"}).out, HasSubstr("mode intersect"));

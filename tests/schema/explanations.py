@@ -17,7 +17,8 @@ except ImportError:
     sys.exit(77)
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent.parent / "schema"
-WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"], ["--mode", "intersect"])
+WAYS = ([], ["--profile", "course", "--features", "all"], ["--mode", "normals"], ["--mode", "intersect"],
+        ["--profile", "realtime"], ["--profile", "realtime", "--milestone", "action", "--filter", "blur"])
 PIXELS = ("0,0", "20,24", "32,20", "33,30", "45,28", "60,40")
 
 
@@ -45,6 +46,7 @@ def broken(document):
         return next(r for r in d["pixel"]["rays"] if r.get("lights"))
     yield change(lambda d: d.pop("pixel"))
     yield change(lambda d: d.update(error="none"))
+    yield change(lambda d: d.update(profile="realtime"))
     yield change(lambda d: d["pixel"]["value"].append(0))
     yield change(lambda d: d["pixel"].update(rays=[]))
     yield change(lambda d: lit(d).pop("local"))

@@ -1,10 +1,14 @@
 // Pictures of the assignment Realtime, compared with a software rasterizer and known values.
 
 #include "scenefile/asset/compare_images.h"
+#include "scenefile/verbs/explain.h"
 #include "view/build_scene.h"
 #include "view/software_realtime.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace scenefile {
 
@@ -13,6 +17,8 @@ namespace {
 using namespace view_test;
 
 constexpr double byte = 1.0 / 255;
+
+using PixelValue = std::array<std::uint8_t, 3>;
 
 class Realtime : public Drawn {
  protected:
@@ -106,6 +112,108 @@ TEST_F(Realtime, AgreesWithASoftwareRasterizer) {
         EXPECT_GT(compare_images(ours, software.picture).psnr_db, 50);
       }
     }
+  }
+}
+
+// The largest difference of a channel, in 1/255.
+double largest_difference(const PixelValue& a, const std::uint8_t* b) {
+  double most = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    most = std::max(most, std::abs(double(a[c]) - b[c]));
+  }
+  return most;
+}
+
+// Each pixel's terms: they must add up to the frame's pixels, and those to what OpenGL draws.
+TEST_F(Realtime, TermsOfAPixelAddUpToWhatIsDrawn) {
+  const SceneBuilder builder = everything();
+  LoadedScene loaded;
+  loaded.ready.scene = builder.scene;
+  const glm::ivec2 size(48, 36);
+  int compared = 0;
+  int off = 0;
+  double largest_weight = 0;
+  for (const RealtimeOptions& realtime :
+       {RealtimeOptions{{5, 5}, 0.1, 100, Filter::none, Milestone::lights_camera},
+        RealtimeOptions{{2, 3}, 5.2, 6.5, Filter::none, Milestone::action},
+        RealtimeOptions{{7, 4}, 0.1, 100, Filter::invert, Milestone::action},
+        RealtimeOptions{{7, 4}, 0.1, 100, Filter::grayscale, Milestone::lights_camera},
+        RealtimeOptions{{1, 9}, 0.1, 100, Filter::blur, Milestone::action},
+        RealtimeOptions{{12, 17}, 0.1, 100, Filter::sharpen, Milestone::action}}) {
+    const Texture drawn_picture = drawn(builder, realtime, size.x, size.y);
+    const int step = realtime.filter == Filter::none ? 1 : 3;
+    // The kernel of sharpen amplifies the rounding of the frame by 25/9.
+    const double rounding = realtime.filter == Filter::sharpen ? 3 : 1;
+    for (int y = 0; y < size.y; y += step) {
+      for (int x = 0; x < size.x; x += step) {
+        const Result<ExplainReport> report = explain_realtime_pixel(loaded, realtime, size, {x, y});
+        ASSERT_TRUE(report);
+        ++compared;
+        const double most = largest_difference(report->pixel.value, drawn_picture.texel(x, y));
+        off += most > rounding ? 1 : 0;
+        const RealtimePixel& pixel = report->realtime->pixel;
+        double weights = 0;
+        for (std::size_t i = 0; i < pixel.shares.size(); ++i) {
+          weights += pixel.shares[i].weight;
+          const RayRecord& ray = report->realtime->shares[i].rays.front();
+          glm::dvec3 sum = ray.ambient;
+          for (const LightRecord& light : ray.lights) {
+            sum += light.contribution;
+          }
+          EXPECT_LT(glm::length(sum - report->pixel.samples[i].color), 1e-12);
+        }
+        largest_weight = std::max(largest_weight, std::abs(weights - 1));
+      }
+    }
+  }
+  EXPECT_GT(compared, 4000);
+  EXPECT_LE(off, 4) << "pixels whose triangle depends on the driver's rounding";
+  EXPECT_LT(largest_weight, 1e-9);
+}
+
+// A value of the student with a known mistake, in a filtered picture of a mixed frame.
+TEST_F(Realtime, TheOtherValueIsComparedThroughFilterAndFrame) {
+  SceneBuilder builder = everything();
+  LoadedScene loaded;
+  loaded.ready.scene = builder.scene;
+  const glm::ivec2 size(48, 36);
+  const RealtimeOptions realtime{{5, 5}, 0.1, 100, Filter::blur, Milestone::action};
+  builder.scene.global.ambient = 0;
+  const Texture theirs = drawn(builder, realtime, size.x, size.y);
+  int explained = 0;
+  for (int x = 4; x < 40; x += 6) {
+    Result<ExplainReport> report = explain_realtime_pixel(loaded, realtime, size, {x, 20});
+    ASSERT_TRUE(report);
+    const std::uint8_t* const v = theirs.texel(x, 20);
+    add_yours(loaded, {v[0], v[1], v[2]}, *report);
+    const auto& fits = report->yours->fits;
+    explained += std::any_of(fits.begin(), fits.end(), [](const YoursFit& fit) {
+      return fit.what == "without the ambient term";
+    });
+  }
+  EXPECT_EQ(explained, 6);
+}
+
+TEST_F(Realtime, AnExplainedPixelNamesItsObjectInsideInstances) {
+  SceneBuilder builder;
+  builder.add(Shape::cube, place({0, 0, 0}), builder.glowing({1, 0, 0}));
+  builder.add(Shape::sphere, place({1.5f, 0, 0}), builder.glowing({0, 1, 0}));
+  builder.scene.groups.emplace_back();
+  builder.add(Shape::cube, place({0, 50, 0}), 0);
+  builder.add_instance(0, place({-2, 0, -6}));
+  builder.add_instance(0, place({1, 0, -6}));
+  LoadedScene loaded;
+  loaded.ready.scene = builder.scene;
+  const Texture picture = drawn(builder, {}, 64, 48);
+  for (const auto& [x, source, instance] :
+       {std::tuple(12, 0u, 3u), std::tuple(25, 1u, 3u), std::tuple(42, 0u, 4u)}) {
+    const Result<ExplainReport> report = explain_realtime_pixel(loaded, {}, {64, 48}, {x, 24});
+    ASSERT_TRUE(report);
+    const auto& object = report->pixel.samples.front().object;
+    ASSERT_TRUE(object.has_value()) << x;
+    EXPECT_EQ(object->source, source);
+    EXPECT_EQ(object->instances, std::vector{instance});
+    EXPECT_LE(largest_difference(report->pixel.value, picture.texel(x, 24)), 0);
   }
 }
 

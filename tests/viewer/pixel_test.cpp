@@ -32,9 +32,12 @@ struct PixelTest : ::testing::Test {
     session.setup.explain_pixel = [this](const PixelQuestion& question) {
       ++explained;
       const glm::dvec3 eye = question.drawn.camera.position;
-      return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}", question.pixel.x,
+      return fmt::format("terms of {},{} from z {:.3f}, {} lights, beside {}{}", question.pixel.x,
                          question.pixel.y, eye.z, question.drawn.lights.size(),
-                         question.other ? int((*question.other)[0]) : -1);
+                         question.other ? int((*question.other)[0]) : -1,
+                         question.realtime ? fmt::format(", parameter 1 is {}",
+                                                         question.realtime->tessellation.parameter1)
+                                           : "");
     };
     session.setup.find_cause = [this](const CauseQuestion& question,
                                       const std::function<bool()>& /*go_on*/) {
@@ -151,7 +154,20 @@ TEST_F(PixelTest, RealtimeComparesTheDrawnPicture) {
   compare_with(session, std::move(ours));
   settle();
   EXPECT_EQ(session.cause.text, "cause at 80x60 realtime");
-  EXPECT_EQ(explained, 0);
+}
+
+TEST_F(PixelTest, TermsFollowThePanelOfRealtime) {
+  perform(session, Action::realtime);
+  click(200, 150);
+  settle();
+  EXPECT_THAT(session.readout.terms, HasSubstr("parameter 1 is 5"));
+  session.realtime_panel.tessellation.parameter1 = 7;
+  picture_changed(session);
+  settle();
+  EXPECT_THAT(session.readout.terms, HasSubstr("parameter 1 is 7"));
+  perform(session, Action::realtime);
+  settle();
+  EXPECT_THAT(session.readout.terms, Not(HasSubstr("parameter")));
 }
 
 TEST_F(PixelTest, AnotherSceneClosesIt) {

@@ -139,7 +139,10 @@ class Remarks {
   void about_light(const SurfaceRecord& s, const LightRecord& record) {
     const std::uint32_t light = record.light;
     if (record.unlit == Unlit::in_this_mode) {
-      add(RemarkKind::light_of_another_mode, "the course's ray caster only uses directional lights",
+      add(RemarkKind::light_of_another_mode,
+          pixel_.options.mode == Mode::intersect
+              ? "the course's ray caster only uses directional lights"
+              : "this milestone does not use lights of this type",
           light);
     } else if (record.unlit == Unlit::out_of_reach) {
       add(RemarkKind::light_out_of_reach, reach_text(scene_.lights[light], s.position), light);

@@ -16,6 +16,10 @@ using glm::dvec3;
 constexpr std::size_t max_fits = 4;
 constexpr double must_change = 3;  // in 1/255; smaller changes could be rounding
 
+dvec3 clamped(const dvec3& color) {
+  return glm::clamp(color, dvec3(0), dvec3(1));
+}
+
 // The terms that one light contributes.
 struct LightTerms {
   std::uint32_t light = 0;
@@ -70,51 +74,34 @@ Terms terms_of(const PixelRecord& pixel) {
   return terms;
 }
 
-class Comparison {
- public:
-  Comparison(const RenderScene& scene, const PixelRecord& pixel,
-             const std::array<std::uint8_t, 3>& value)
-      : scene_(scene), pixel_(pixel), yours_(value[0], value[1], value[2]) {
-    result_.value = value;
-  }
+// Our color with a known mistake.
+struct Variant {
+  std::string what;
+  dvec3 color{0};
+  bool subset = false;   // a subset of the terms: the last resort
+  bool useless = false;  // the subset has a term that is zero
+};
 
-  Yours run() {
-    const dvec3 ours = 255.0 * glm::clamp(dvec3(pixel_.color), dvec3(0), dvec3(1));
-    result_.equal = fits(ours);
-    const RayRecord* const ray = pixel_.rays.empty() ? nullptr : &pixel_.rays.front();
-    if (result_.equal || ray == nullptr || pixel_.options.mode == Mode::normals) {
-      return result_;
-    }
-    shown_ = dvec3(ray->color);
-    if (!ray->surface.has_value()) {
-      return result_;
+// The variants of one record; none if it shows the background.
+class Variants {
+ public:
+  Variants(const RenderScene& scene, const PixelRecord& pixel) : scene_(scene), pixel_(pixel) {}
+
+  std::vector<Variant> all() {
+    if (pixel_.rays.empty() || !pixel_.rays.front().surface.has_value()) {
+      return {};
     }
     terms_ = terms_of(pixel_);
-    surface_ = &*ray->surface;
+    surface_ = &*pixel_.rays.front().surface;
     try_single_terms();
     try_variants();
     try_colors();
-    if (result_.fits.empty()) {
-      try_subsets();
-    }
-    return result_;
+    try_subsets();
+    return std::move(list_);
   }
 
  private:
-  bool fits(const dvec3& color_255) const {
-    // Course pictures are truncated, others rounded: the values differ by up to half a step.
-    const dvec3 off = glm::abs(glm::clamp(color_255, dvec3(0), dvec3(255)) - 0.25 - yours_);
-    return std::max({off.x, off.y, off.z}) <= yours_tolerance;
-  }
-
-  void offer(std::string what, const dvec3& color) {
-    const dvec3 change =
-        glm::abs(glm::clamp(color, dvec3(0), dvec3(1)) - glm::clamp(shown_, dvec3(0), dvec3(1)));
-    if (result_.fits.size() < max_fits && fits(255.0 * color) &&
-        255 * std::max({change.x, change.y, change.z}) > must_change) {
-      result_.fits.push_back({std::move(what), 255.0 * color});
-    }
-  }
+  void offer(std::string what, const dvec3& color) { list_.push_back({std::move(what), color}); }
 
   // "light 2 (spot)": counted from 1 in the order of the scene.
   std::string light_name(const LightTerms& l) const {
@@ -131,7 +118,8 @@ class Comparison {
     offer("without any shadow", all + terms_.hidden());
     for (const LightTerms& l : terms_.lights) {
       if (terms_.lights.size() > 1) {
-        offer(fmt::format("without {}, as in its shadow", light_name(l)),
+        offer(fmt::format("without {}{}", light_name(l),
+                          pixel_.options.features.shadows ? ", as in its shadow" : ""),
               all - l.diffuse - l.specular);
         offer(fmt::format("without the shadow of {}", light_name(l)), all + l.hidden);
         offer(fmt::format("with only {} and the ambient term", light_name(l)),
@@ -260,36 +248,98 @@ class Comparison {
                                      {"transparency", terms_.glass},
                                      {"what shadows remove", terms_.hidden()}}};
     for (unsigned set = 1; set < 1u << parts.size(); ++set) {
-      dvec3 color(0);
+      Variant v;
+      v.subset = true;
       std::string names;
-      bool useless = false;
       for (std::size_t i = 0; i < parts.size(); ++i) {
         if ((set >> i & 1) != 0) {
-          useless = useless || parts[i].color == dvec3(0);
-          color += parts[i].color;
+          v.useless = v.useless || parts[i].color == dvec3(0);
+          v.color += parts[i].color;
           names += fmt::format("{}{}", names.empty() ? "" : " + ", parts[i].name);
         }
       }
-      if (!useless) {
-        offer(fmt::format("with only these terms: {}", names), color);
-      }
+      v.what = fmt::format("with only these terms: {}", names);
+      list_.push_back(std::move(v));
     }
   }
 
   const RenderScene& scene_;
   const PixelRecord& pixel_;
-  dvec3 yours_;
-  dvec3 shown_{0};
   Terms terms_;
   const SurfaceRecord* surface_ = nullptr;
-  Yours result_;
+  std::vector<Variant> list_;
 };
+
+bool fits(const dvec3& color_255, const dvec3& yours) {
+  // Course pictures are truncated, others rounded: the values differ by up to half a step.
+  const dvec3 off = glm::abs(glm::clamp(color_255, dvec3(0), dvec3(255)) - 0.25 - yours);
+  return std::max({off.x, off.y, off.z}) <= yours_tolerance;
+}
+
+double change(const dvec3& a, const dvec3& b) {
+  const dvec3 off = glm::abs(clamped(a) - clamped(b));
+  return 255 * std::max({off.x, off.y, off.z});
+}
+
+// The records' colors with the variant of that name; a record without it keeps its color.
+std::vector<dvec3> changed_colors(std::vector<dvec3> colors,
+                                  const std::vector<std::vector<Variant>>& variants,
+                                  const std::string& what) {
+  for (std::size_t k = 0; k < colors.size(); ++k) {
+    const auto& known = variants[k];
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const Variant& v) { return v.what == what; });
+    if (found != known.end()) {
+      colors[k] = found->color;
+    }
+  }
+  return colors;
+}
 
 }  // namespace
 
+Yours compare_with_yours(const RenderScene& scene, std::span<const PixelRecord> records,
+                         const PixelOf& pixel_of, const std::array<std::uint8_t, 3>& value) {
+  Yours result;
+  result.value = value;
+  const dvec3 yours(value[0], value[1], value[2]);
+  std::vector<dvec3> colors;
+  for (const PixelRecord& record : records) {
+    colors.emplace_back(record.color);
+  }
+  result.equal = fits(255.0 * clamped(pixel_of(colors)), yours);
+  if (result.equal || records.front().options.mode == Mode::normals) {
+    return result;
+  }
+  std::vector<std::vector<Variant>> variants;
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    variants.push_back(Variants(scene, records[k]).all());
+    colors[k] = records[k].rays.empty() ? dvec3(0) : records[k].rays.front().color;
+  }
+  const dvec3 ours = pixel_of(colors);
+  bool explained = false;  // by a variant that is not a subset
+  const auto surface = std::find_if(variants.begin(), variants.end(),
+                                    [](const auto& of_record) { return !of_record.empty(); });
+  if (surface == variants.end()) {
+    return result;
+  }
+  for (const Variant& v : *surface) {
+    if (result.fits.size() == max_fits || (v.subset && explained)) {
+      break;
+    }
+    const dvec3 changed = pixel_of(changed_colors(colors, variants, v.what));
+    if (!v.useless && fits(255.0 * changed, yours) && change(changed, ours) > must_change) {
+      result.fits.push_back({v.what, 255.0 * changed});
+      explained = explained || !v.subset;
+    }
+  }
+  return result;
+}
+
 Yours compare_with_yours(const RenderScene& scene, const PixelRecord& pixel,
                          const std::array<std::uint8_t, 3>& value) {
-  return Comparison(scene, pixel, value).run();
+  const auto itself = [](std::span<const dvec3> colors) { return colors.front(); };
+  return compare_with_yours(scene, {&pixel, 1}, itself, value);
 }
 
 }  // namespace scenefile

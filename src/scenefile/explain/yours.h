@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +29,17 @@ struct Yours {
 /// The tolerance of a fit, in 1/255: both values are rounded.
 inline constexpr double yours_tolerance = 1.5;
 
-/// Compares the shown sample of the pixel with `value`, leaving out, doubling or changing its
-/// terms. A fit is evidence, not proof: other mistakes may give the same color at one pixel.
+/// The color of a picture's pixel, from the colors of the records that it is mixed from.
+using PixelOf = std::function<glm::dvec3(std::span<const glm::dvec3>)>;
+
+/// Compares a pixel that is mixed from several records with `value`, leaving out, doubling or
+/// changing the same term in all of them. There is at least one record; the first one is the most
+/// important.
+Yours compare_with_yours(const RenderScene& scene, std::span<const PixelRecord> records,
+                         const PixelOf& pixel_of, const std::array<std::uint8_t, 3>& value);
+
+/// The same for the shown sample of a pixel. A fit is evidence, not proof: other mistakes may give
+/// the same color at one pixel.
 Yours compare_with_yours(const RenderScene& scene, const PixelRecord& pixel,
                          const std::array<std::uint8_t, 3>& value);
 

@@ -234,10 +234,12 @@ Polygon clipped(const Polygon& polygon, double depth, double side) {
 
 class Rasterizer {
  public:
-  Rasterizer(const RealtimeTrial& trial, const Assets& assets, Visibility& to)
+  Rasterizer(const RealtimeTrial& trial, const Assets& assets, Visibility& to,
+             const PixelRegion& only)
       : trial_(trial),
         assets_(assets),
         to_(to),
+        only_(only),
         axes_(trial.scene.scene.camera),
         tan_y_(std::tan(trial.scene.scene.camera.fov_y / 2)),
         tan_x_(tan_y_ * to.aspect) {
@@ -247,6 +249,9 @@ class Rasterizer {
   void draw(std::uint32_t part_index) {
     const ModelPart& part = to_.shapes->parts[part_index];
     const Mesh& mesh = to_.mesh_of({part_index, 0}, assets_);
+    if (part.shape != Shape::mesh && misses(part)) {
+      return;
+    }
     corners_.clear();
     for (const glm::vec3& p : mesh.positions) {
       corners_.push_back({axes_.of(part.world_from_object.point(dvec3(p)))});
@@ -282,6 +287,24 @@ class Rasterizer {
     return glm::round(place * 256.0) / 256.0;
   }
 
+  // Whether no pixel to be drawn can show the shape.
+  bool misses(const ModelPart& part) const {
+    const double side = trial_.mesh.radius_one ? 1 : 0.5;
+    dvec2 low(1e300);
+    dvec2 high(-1e300);
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 corner((i & 1) != 0 ? side : -side, (i & 2) != 0 ? side : -side,
+                         (i & 4) != 0 ? side : -side);
+      const Corner c{axes_.of(part.world_from_object.point(corner))};
+      if (!(c.at.z > trial_.panel.near)) {
+        return false;
+      }
+      low = glm::min(low, window(c));
+      high = glm::max(high, window(c));
+    }
+    return high.x < only_.x0 || high.y < only_.y0 || low.x > only_.x1 || low.y > only_.y1;
+  }
+
   // The top-left rule: whether a pixel center on the edge belongs to the triangle. Left edges go
   // down, top edges go left.
   static bool owns(const dvec2& edge) { return edge.y < 0 || (edge.y == 0 && edge.x < 0); }
@@ -303,15 +326,13 @@ class Rasterizer {
     }
     const dvec2 low = glm::min(glm::min(p[0], p[1]), p[2]);
     const dvec2 high = glm::max(glm::max(p[0], p[1]), p[2]);
-    const int right = std::min(to_.width, to_.viewport_width);
-    const int upper = std::min(to_.height, to_.viewport_height);
-    if (!(high.x > 0 && high.y > 0 && low.x < right && low.y < upper)) {
+    if (!(high.x > only_.x0 && high.y > only_.y0 && low.x < only_.x1 && low.y < only_.y1)) {
       return false;
     }
-    const int x0 = low.x > 0 ? static_cast<int>(low.x) : 0;
-    const int y0 = low.y > 0 ? static_cast<int>(low.y) : 0;
-    const int x1 = high.x < right ? static_cast<int>(high.x) : right - 1;
-    const int y1 = high.y < upper ? static_cast<int>(high.y) : upper - 1;
+    const int x0 = low.x > only_.x0 ? static_cast<int>(low.x) : only_.x0;
+    const int y0 = low.y > only_.y0 ? static_cast<int>(low.y) : only_.y0;
+    const int x1 = high.x < only_.x1 ? static_cast<int>(high.x) : only_.x1 - 1;
+    const int y1 = high.y < only_.y1 ? static_cast<int>(high.y) : only_.y1 - 1;
     std::array<dvec2, 3> edge;
     std::array<bool, 3> owned{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -370,6 +391,7 @@ class Rasterizer {
   const RealtimeTrial& trial_;
   const Assets& assets_;
   Visibility& to_;
+  const PixelRegion only_;  // inside the viewport
   CameraAxes axes_;
   double tan_y_;
   double tan_x_;
@@ -404,12 +426,11 @@ FilterSteps steps_of(Filter filter) {
   return steps;
 }
 
-std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene) {
-  if (!(count_virtual_primitives(scene) <= most_realtime_parts)) {
+std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene, double most) {
+  if (!(count_virtual_primitives(scene) <= most)) {
     return nullptr;
   }
   auto shapes = std::make_shared<RealtimeShapes>();
-  // In the order of the file: a group's primitives, then its instances.
   std::vector<std::pair<std::uint32_t, DAffine>> open{{scene.root, DAffine()}};
   while (!open.empty()) {
     const auto [index, world_from_group] = open.back();
@@ -447,7 +468,8 @@ std::array<dvec3, 3> Visibility::corners(const Triangle& t, const Assets& assets
 
 std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
                                                std::shared_ptr<const RealtimeShapes> shapes,
-                                               const Assets& assets, int width, int height) {
+                                               const Assets& assets, int width, int height,
+                                               const std::optional<PixelRegion>& only) {
   auto visible = std::make_shared<Visibility>();
   Visibility& v = *visible;
   const RealtimeWindow window = realtime_window(width, height);
@@ -468,7 +490,13 @@ std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
       v.meshes[static_cast<std::size_t>(shape)] = student_mesh(shape, trial);
     }
   }
-  Rasterizer rasterizer(trial, assets, v);
+  PixelRegion drawn{0, 0, std::min(v.width, v.viewport_width),
+                    std::min(v.height, v.viewport_height)};
+  if (only) {
+    drawn = {std::max(drawn.x0, only->x0), std::max(drawn.y0, only->y0),
+             std::min(drawn.x1, only->x1), std::min(drawn.y1, only->y1)};
+  }
+  Rasterizer rasterizer(trial, assets, v, drawn);
   for (std::uint32_t i = 0; i < v.shapes->parts.size(); ++i) {
     rasterizer.draw(i);
   }
@@ -565,54 +593,72 @@ dvec3 RealtimePicture::normal_of(const ModelPart& part, const Mesh& mesh, std::u
   return glm::transpose(inverse) * in_object;
 }
 
-dvec3 RealtimePicture::frame_color(int x, int y) const {
-  const std::uint32_t number = visible_->seen[std::size_t(y) * visible_->width + x];
-  if (number == Visibility::nothing) {
-    return trial_.scene.mistakes.background;
-  }
-  const Visibility::Triangle& t = visible_->triangles[number];
+bool RealtimePicture::normalizes() const {
+  const NormalMistake mistake = trial_.scene.mistakes.normals;
+  return trial_.interpolation != Interpolation::not_normalized &&
+         mistake != NormalMistake::not_normalized && mistake != NormalMistake::raw_not_normalized &&
+         mistake != NormalMistake::gradient_not_normalized &&
+         mistake != NormalMistake::matrix_not_normalized;
+}
+
+ShownPoint RealtimePicture::point_at(const glm::ivec2& at) const {
+  const Visibility::Triangle& t =
+      visible_->triangles[visible_->seen[std::size_t(at.y) * visible_->width + at.x]];
   const ModelPart& part = visible_->shapes->parts[t.part];
   const Mesh& mesh = visible_->mesh_of(t, assets_);
-  const std::array<dvec3, 3> corners = visible_->corners(t, assets_);
   ShownPoint point;
   point.material = part.material;
-  const dvec3 weights = weights_at(x, y, corners, point.position);
-  const bool per_vertex = trial_.interpolation == Interpolation::colors;
-  const NormalMistake mistake = trial_.scene.mistakes.normals;
-  const bool normalized = trial_.interpolation != Interpolation::not_normalized &&
-                          mistake != NormalMistake::not_normalized &&
-                          mistake != NormalMistake::raw_not_normalized &&
-                          mistake != NormalMistake::gradient_not_normalized &&
-                          mistake != NormalMistake::matrix_not_normalized;
-  dvec3 color(0);
+  const dvec3 weights = weights_at(at.x, at.y, visible_->corners(t, assets_), point.position);
   for (int k = 0; k < 3; ++k) {
     dvec3 in_object;
     dvec3 normal = normal_of(part, mesh, t.index, k, in_object);
     if (trial_.interpolation == Interpolation::not_normalized) {
       normal = unit(normal);
     }
-    if (per_vertex) {
-      color += weights[k] *
-               glm::clamp(model_->lit({corners[std::size_t(k)], normalized ? unit(normal) : normal,
-                                       in_object, part.material}),
-                          dvec3(0), dvec3(1));
-    } else {
-      point.normal += weights[k] * normal;
-      point.object_normal += weights[k] * in_object;
-    }
+    point.normal += weights[k] * normal;
+    point.object_normal += weights[k] * in_object;
   }
-  if (per_vertex) {
-    return color;
-  }
-  if (normalized) {
+  if (normalizes()) {
     point.normal = unit(point.normal);
   }
-  return model_->lit(point);
+  return point;
 }
 
-dvec3 RealtimePicture::texel(int x, int y) const {
-  const int width = visible_->width;
-  const int height = visible_->height;
+dvec3 RealtimePicture::frame_color(int x, int y) const {
+  const std::uint32_t number = visible_->seen[std::size_t(y) * visible_->width + x];
+  if (number == Visibility::nothing) {
+    return trial_.scene.mistakes.background;
+  }
+  if (trial_.interpolation != Interpolation::colors) {
+    return model_->lit(point_at({x, y}));
+  }
+  const Visibility::Triangle& t = visible_->triangles[number];
+  const ModelPart& part = visible_->shapes->parts[t.part];
+  const Mesh& mesh = visible_->mesh_of(t, assets_);
+  const std::array<dvec3, 3> corners = visible_->corners(t, assets_);
+  dvec3 position;
+  const dvec3 weights = weights_at(x, y, corners, position);
+  dvec3 color(0);
+  for (int k = 0; k < 3; ++k) {
+    dvec3 in_object;
+    const dvec3 normal = normal_of(part, mesh, t.index, k, in_object);
+    color += weights[k] *
+             clamped(model_->lit({corners[std::size_t(k)], normalizes() ? unit(normal) : normal,
+                                  in_object, part.material}));
+  }
+  return color;
+}
+
+dvec3 RealtimePicture::texel(const glm::ivec2& at) const {
+  if (at.x < 0 || at.y < 0) {
+    return dvec3(0);
+  }
+  const dvec3 color = frame_color(at.x, at.y);
+  return {to_byte(color.x), to_byte(color.y), to_byte(color.z)};
+}
+
+// The pixel of the frame that is read at this place; negative: none.
+glm::ivec2 RealtimePicture::in_frame(int x, int y) const {
   const auto wrapped = [&](int at, int size) {
     switch (filter_.border) {
       case FilterBorder::wrap:
@@ -626,31 +672,7 @@ dvec3 RealtimePicture::texel(int x, int y) const {
     }
     return 0;
   };
-  x = wrapped(x, width);
-  y = wrapped(y, height);
-  if (x < 0 || y < 0) {
-    return dvec3(0);
-  }
-  const dvec3 color = frame_color(x, y);
-  return {to_byte(color.x), to_byte(color.y), to_byte(color.z)};
-}
-
-// Linear interpolation between the centers of the frame's pixels.
-dvec3 RealtimePicture::sample(const dvec2& place) const {
-  const dvec2 low = glm::floor(place - 0.5);
-  const dvec2 t = place - 0.5 - low;
-  const int x = static_cast<int>(low.x);
-  const int y = static_cast<int>(low.y);
-  dvec3 sum(0);
-  for (int j = 0; j < 2; ++j) {
-    for (int i = 0; i < 2; ++i) {
-      const double weight = (i == 0 ? 1 - t.x : t.x) * (j == 0 ? 1 - t.y : t.y);
-      if (weight > 1e-9) {
-        sum += weight * texel(x + i, y + j);
-      }
-    }
-  }
-  return sum;
+  return {wrapped(x, visible_->width), wrapped(y, visible_->height)};
 }
 
 // The position in the frame, in pixels from its lower left.
@@ -658,18 +680,50 @@ dvec2 RealtimePicture::place_of(int x, int y) const {
   return {(x + 0.5) / width_ * visible_->width, (height_ - y - 0.5) / height_ * visible_->height};
 }
 
-dvec3 RealtimePicture::pixel(int x, int y) const {
-  const dvec2 place = place_of(x, y);
-  dvec3 sum(0);
+// Calls add(pixel of the frame, weight) for all samples of the filter's kernel, each of which is
+// interpolated linearly between the centers of the frame's pixels.
+template <typename Add>
+void RealtimePicture::for_each_share(int x, int y, const Add& add) const {
   for (int j = 0; j < filter_.rows; ++j) {
     for (int i = 0; i < filter_.columns; ++i) {
+      const double kernel = filter_.weights[std::size_t(j) * filter_.columns + i];
+      if (kernel == 0) {
+        continue;
+      }
       const dvec2 step(i - filter_.columns / 2, j - filter_.rows / 2);
-      const double weight = filter_.weights[std::size_t(j) * filter_.columns + i];
-      if (weight != 0) {
-        sum += weight * sample(place + filter_.offset + step * filter_.step);
+      const dvec2 place = place_of(x, y) + filter_.offset + step * filter_.step - 0.5;
+      const dvec2 low = glm::floor(place);
+      const dvec2 t = place - low;
+      for (int v = 0; v < 2; ++v) {
+        for (int u = 0; u < 2; ++u) {
+          const double weight = (u == 0 ? 1 - t.x : t.x) * (v == 0 ? 1 - t.y : t.y);
+          if (weight > 1e-9) {
+            add(in_frame(static_cast<int>(low.x) + u, static_cast<int>(low.y) + v),
+                kernel * weight);
+          }
+        }
       }
     }
   }
+}
+
+std::vector<FrameShare> RealtimePicture::shares(int x, int y) const {
+  std::vector<FrameShare> list;
+  for_each_share(x, y, [&](const glm::ivec2& at, double weight) {
+    const auto known = std::find_if(list.begin(), list.end(),
+                                    [&](const FrameShare& share) { return share.at == at; });
+    if (known != list.end()) {
+      known->weight += weight;
+    } else {
+      list.push_back({at, weight});
+    }
+  });
+  return list;
+}
+
+dvec3 RealtimePicture::pixel(int x, int y) const {
+  dvec3 sum(0);
+  for_each_share(x, y, [&](const glm::ivec2& at, double weight) { sum += weight * texel(at); });
   if (filter_.background_left && triangle_at(x, y) == Visibility::nothing) {
     return sum;
   }

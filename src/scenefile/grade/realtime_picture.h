@@ -100,9 +100,12 @@ struct RealtimeShapes {
   std::array<double, 5> counts{};  ///< by shape
 };
 
-/// Null if the scene has more shapes than most_realtime_parts.
-std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene);
+/// Searches for causes are limited to scenes with this many shapes.
 inline constexpr double most_realtime_parts = 30000;
+/// In the order of the file: a group's primitives, then its instances. Null if the scene has more
+/// than `most` shapes.
+std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene,
+                                                      double most = most_realtime_parts);
 
 /// Which triangle each pixel of a frame shows.
 struct Visibility {
@@ -125,10 +128,18 @@ struct Visibility {
   const Mesh& mesh_of(const Triangle& t, const Assets& assets) const;
 };
 
-/// Rasterizes the trial's triangles.
+/// Rasterizes the trial's triangles; if `only` is given, at least in that part of the frame, whose
+/// row 0 is the lowest.
 std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
                                                std::shared_ptr<const RealtimeShapes> shapes,
-                                               const Assets& assets, int width, int height);
+                                               const Assets& assets, int width, int height,
+                                               const std::optional<PixelRegion>& only = {});
+
+/// The share of a pixel of the frame in a pixel of the picture.
+struct FrameShare {
+  glm::ivec2 at{0};  ///< row 0 is the lowest; negative: black, beyond the border
+  double weight = 0;
+};
 
 /// The colors of a picture. All arguments of the constructor must outlive it.
 class RealtimePicture {
@@ -139,16 +150,24 @@ class RealtimePicture {
   /// The color of the picture's pixel, row 0 at the top; in [0, 1] unless a filter exceeds that
   /// range; then it must be clamped.
   glm::dvec3 pixel(int x, int y) const;
+  /// The pixels of the frame that the picture's pixel is made of, each once. The pixel is
+  /// clamped(colors * sum + added) of the filter, where sum adds weight * 8-bit color.
+  std::vector<FrameShare> shares(int x, int y) const;
+  const FilterSteps& filter() const { return filter_; }
+  /// What a pixel of the frame shows, unless it is `nothing`.
+  ShownPoint point_at(const glm::ivec2& frame_pixel) const;
   /// The triangle that covers most of the pixel, or `nothing`.
   std::uint32_t triangle_at(int x, int y) const;
   /// The depth of the triangle there, along the view axis.
   double depth_at(int x, int y) const;
 
  private:
-  struct Surface;
+  bool normalizes() const;
   glm::dvec3 frame_color(int x, int y) const;
-  glm::dvec3 texel(int x, int y) const;
-  glm::dvec3 sample(const glm::dvec2& place) const;
+  glm::dvec3 texel(const glm::ivec2& at) const;
+  glm::ivec2 in_frame(int x, int y) const;
+  template <typename Add>
+  void for_each_share(int x, int y, const Add& add) const;
   glm::dvec2 place_of(int x, int y) const;
   glm::dvec3 weights_at(int x, int y, const std::array<glm::dvec3, 3>& corners,
                         glm::dvec3& position) const;

@@ -6,6 +6,15 @@
 
 namespace scenefile {
 
+std::optional<Error> no_such_sample(std::optional<std::uint32_t> sample, std::size_t taken) {
+  if (sample.value_or(0) < taken) {
+    return std::nullopt;
+  }
+  return Error{
+      fmt::format("there is no sample {}: the pixel has {}, counted from 0", *sample, taken),
+      ErrorKind::usage};
+}
+
 Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOptions& options, int x,
                                     int y, std::optional<std::uint32_t> sample) {
   const Explainer explainer(scene.ready.scene, scene.assets, options);
@@ -17,11 +26,8 @@ Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOption
   if (const std::optional<Error> error = render_error(explainer.status())) {
     return *error;
   }
-  const std::size_t taken = report.pixel.samples.size();
-  if (sample.value_or(0) >= taken) {
-    return Error{
-        fmt::format("there is no sample {}: the pixel has {}, counted from 0", *sample, taken),
-        ErrorKind::usage};
+  if (const auto error = no_such_sample(sample, report.pixel.samples.size())) {
+    return *error;
   }
   report.remarks = remarks(scene.ready.scene, report.pixel);
   return report;

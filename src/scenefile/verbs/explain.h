@@ -4,6 +4,7 @@
 #include "scenefile/base/result.h"
 #include "scenefile/explain/remarks.h"
 #include "scenefile/explain/yours.h"
+#include "scenefile/grade/realtime_pixel.h"
 #include "scenefile/verbs/load_scene.h"
 
 #include <array>
@@ -15,8 +16,17 @@
 
 namespace scenefile {
 
+/// A pixel of the assignment Realtime.
+struct RealtimeRecord {
+  RealtimeOptions panel;
+  RealtimePixel pixel;
+  std::vector<PixelRecord> shares;  ///< the frame's pixels, in the order of pixel.shares
+};
+
 struct ExplainReport {
+  /// For Realtime, the samples are pixels of the frame.
   PixelRecord pixel;
+  std::optional<RealtimeRecord> realtime;
   std::vector<Remark> remarks;
   std::optional<Yours> yours;  ///< another program's value of the pixel, if given
 };
@@ -27,6 +37,20 @@ struct ExplainReport {
 Result<ExplainReport> explain_pixel(const LoadedScene& scene, const RenderOptions& options, int x,
                                     int y, std::optional<std::uint32_t> sample = {});
 
+/// The same for a picture of the assignment Realtime. `sample` selects a pixel of the frame; by
+/// default the one with the largest weight. Fails with ErrorKind::limit if the scene has more than
+/// most_realtime_shapes shapes.
+Result<ExplainReport> explain_realtime_pixel(const LoadedScene& scene, const RealtimeOptions& panel,
+                                             const glm::ivec2& size, const glm::ivec2& pixel,
+                                             std::optional<std::uint32_t> sample = {});
+
+/// The error if the pixel has fewer samples.
+std::optional<Error> no_such_sample(std::optional<std::uint32_t> sample, std::size_t taken);
+
+/// Sets report.yours: the value of the pixel in another program's picture.
+void add_yours(const LoadedScene& scene, const std::array<std::uint8_t, 3>& value,
+               ExplainReport& report);
+
 struct ExplainStyle {
   bool color = false;     ///< ANSI colors
   bool swatches = false;  ///< 24-bit colors: a patch of each color next to its numbers
@@ -36,9 +60,11 @@ struct ExplainStyle {
 std::string explain_text(const LoadedScene& scene, const ExplainReport& report,
                          const ExplainStyle& style = {});
 
-/// The document described in docs/explain.md. If `report` is null, `error` says why.
+/// The document described in docs/explain.md. If `report` is null, `error` says why. For a picture
+/// of the assignment Realtime, only the size of `options` is used.
 std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
-                         const ExplainReport* report, const std::string& error = {});
+                         const ExplainReport* report, const std::string& error = {},
+                         const std::optional<RealtimeOptions>& realtime = {});
 
 /// Names of faces, indexed by Face.
 inline constexpr std::array<std::string_view, 9> face_words{"side", "top", "bottom", "+x", "-x",

@@ -39,6 +39,7 @@ class Document {
 
   void add_pixel(const ExplainReport& report) {
     const PixelRecord& pixel = report.pixel;
+    tessellated_ = report.realtime.has_value();
     json_.begin_object("pixel");
     json_.add("x", pixel.x);
     json_.add("y", pixel.y);
@@ -50,8 +51,8 @@ class Document {
     json_.end_array();
     add_more(pixel);
     json_.begin_array("samples");
-    for (const SampleRecord& sample : pixel.samples) {
-      add_sample(sample);
+    for (std::size_t i = 0; i < pixel.samples.size(); ++i) {
+      add_sample(pixel.samples[i], report.realtime ? &report.realtime->pixel.shares[i] : nullptr);
     }
     json_.end_array();
     json_.add("shown", pixel.shown);
@@ -69,7 +70,7 @@ class Document {
 
  private:
   void add_more(const PixelRecord& pixel) {
-    if (pixel.options.profile == Profile::fine) {
+    if (pixel.options.profile == Profile::fine && !tessellated_) {
       json_.begin_object("more_samples_because");
       json_.add("noisy", pixel.more.noisy);
       json_.add("penumbra", pixel.more.penumbra);
@@ -78,8 +79,12 @@ class Document {
     }
   }
 
-  void add_sample(const SampleRecord& sample) {
+  void add_sample(const SampleRecord& sample, const RealtimeFramePixel* share) {
     json_.begin_object();
+    if (share != nullptr) {
+      add_pair(json_, "frame_pixel", share->at);
+      json_.add("weight", share->weight);
+    }
     add_pair(json_, "point", sample.point);
     add_pair(json_, "lens", sample.lens);
     json_.add("color", sample.color);
@@ -160,6 +165,8 @@ class Document {
     json_.add("shape", word_of(s.shape));
     if (s.shape == Shape::mesh) {
       json_.add("mesh", scene_.mesh_files[s.mesh].name);
+    }
+    if (s.shape == Shape::mesh || tessellated_) {
       json_.add("triangle", s.triangle);
     } else {
       json_.add("face", name_of(face_words, s.face));
@@ -289,12 +296,14 @@ class Document {
   Json& json_;
   const RenderScene& scene_;
   ObjectNames names_;
+  bool tessellated_ = false;
 };
 
 }  // namespace
 
 std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
-                         const ExplainReport* report, const std::string& error) {
+                         const ExplainReport* report, const std::string& error,
+                         const std::optional<RealtimeOptions>& realtime) {
   Json json;
   begin_document(json, "explain");
   json.key("scene");
@@ -302,7 +311,14 @@ std::string explain_json(const LoadedScene& scene, const RenderOptions& options,
   if (!error.empty()) {
     json.add("error", error);
   }
-  add_render_options(json, options);
+  if (realtime || (report != nullptr && report->realtime)) {
+    json.add("width", options.width);
+    json.add("height", options.height);
+    json.add("profile", "realtime");
+    add_realtime_options(json, realtime ? *realtime : report->realtime->panel);
+  } else {
+    add_render_options(json, options);
+  }
   if (report != nullptr) {
     Document(json, scene).add_pixel(*report);
   }

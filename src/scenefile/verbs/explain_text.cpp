@@ -2,6 +2,7 @@
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/base/text.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/grade/realtime_causes.h"
 #include "scenefile/verbs/explain.h"
 
 #include <fmt/format.h>
@@ -53,22 +54,32 @@ class Explanation {
         pixel_(report.pixel),
         remarks_(report.remarks),
         yours_(report.yours),
+        realtime_(report.realtime),
         style_(style),
         names_(scene.written, scene.ready.sources) {}
 
   std::string text() const {
     const RenderOptions& options = pixel_.options;
     std::string text =
-        fmt::format("{}, pixel {},{} of {}x{}, profile {}, mode {}\n",
-                    escaped(shown_name(loaded_.path)), pixel_.x, pixel_.y, options.width,
-                    options.height, profile_word(options.profile), mode_word(options.mode));
+        fmt::format("{}, pixel {},{} of {}x{}, {}\n", escaped(shown_name(loaded_.path)), pixel_.x,
+                    pixel_.y, options.width, options.height,
+                    realtime_ ? realtime_words(realtime_->panel)
+                              : fmt::format("profile {}, mode {}", profile_word(options.profile),
+                                            mode_word(options.mode)));
     Item top;
     top.below.push_back(result());
     if (yours_) {
       top.below.push_back(yours());
     }
-    top.below.push_back(samples());
-    top.below.push_back(shown_sample());
+    if (!realtime_) {
+      top.below.push_back(samples());
+      top.below.push_back(shown_sample());
+    } else {
+      if (realtime_->pixel.shares.size() > 1 || realtime_->panel.filter != Filter::none) {
+        top.below.push_back(frame());
+      }
+      top.below.push_back(frame_pixel());
+    }
     print(top, "", text);
     return text;
   }
@@ -177,6 +188,60 @@ class Explanation {
     return {fmt::format("{} {}: {}", bold("sample"), pixel_.shown, color(s.color)), {ray_item(0)}};
   }
 
+  // How the frame's pixels make up the picture's.
+  Item frame() const {
+    const RealtimePixel& pixel = realtime_->pixel;
+    Item item{fmt::format("{} of {}x{} pixels, filter {}", bold("frame"), pixel.frame.x,
+                          pixel.frame.y, word_of(realtime_->panel.filter)),
+              {}};
+    std::string_view of_sum = "sum";
+    switch (realtime_->panel.filter) {
+      case Filter::none:
+      case Filter::blur:
+      case Filter::sharpen:
+        break;
+      case Filter::invert:
+        of_sum = "1 - sum";
+        break;
+      case Filter::grayscale:
+        of_sum = "0.299 red + 0.587 green + 0.114 blue of the sum";
+        break;
+    }
+    const std::size_t count = pixel.shares.size();
+    item.below.push_back(
+        {fmt::format("color = {} of {} pixel{} of the frame, counted from the lower left", of_sum,
+                     count, count == 1 ? "" : "s"),
+         {}});
+    for (std::size_t i = 0; i < std::min(count, max_listed); ++i) {
+      const RealtimeFramePixel& share = pixel.shares[i];
+      item.below.push_back(
+          {fmt::format("{:.4f} times {},{}: {}, {}", share.weight, share.at.x, share.at.y,
+                       color(pixel_.samples[i].color),
+                       share.surface ? object(share.surface->object) : std::string("background")),
+           {}});
+    }
+    if (count > max_listed) {
+      item.below.push_back({fmt::format("and {} more", count - max_listed), {}});
+    }
+    return item;
+  }
+
+  Item frame_pixel() const {
+    const RealtimeFramePixel& share = realtime_->pixel.shares[pixel_.shown];
+    const RayRecord& ray = pixel_.rays.front();
+    Item item{fmt::format("{} {},{} from the lower left: {}", bold("frame pixel"), share.at.x,
+                          share.at.y, color(pixel_.samples[pixel_.shown].color)),
+              {}};
+    if (ray.surface.has_value()) {
+      item.below.push_back(surface_item(*ray.surface));
+      add_remarks(item, 0, no_index);
+      add_terms(item, 0);
+    } else {
+      item.below.push_back({"nothing is drawn here: the background is black", {}});
+    }
+    return item;
+  }
+
   Item ray_item(std::uint32_t index) const {
     const RayRecord& ray = pixel_.rays[index];
     Item item{ray_title(ray), {}};
@@ -245,20 +310,29 @@ class Explanation {
   }
 
   Item surface_item(const SurfaceRecord& s) const {
-    Item item{
-        fmt::format("hits {} {} at t = {:.6g}", word_of(s.shape), bold(object(s.object)), s.t), {}};
+    Item item{fmt::format("{} {} {} at {} {:.6g}", realtime_ ? "shows" : "hits", word_of(s.shape),
+                          bold(object(s.object)), realtime_ ? "distance" : "t =", s.t),
+              {}};
     const auto add = [&](std::string text) { item.below.push_back({std::move(text), {}}); };
-    add(s.shape == Shape::mesh
-            ? fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name))
-            : fmt::format("face {}", face_words[static_cast<std::size_t>(s.face)]));
+    if (s.shape == Shape::mesh) {
+      add(fmt::format("triangle {} of {}", s.triangle, escaped(scene_.mesh_files[s.mesh].name)));
+    } else if (realtime_) {
+      add(fmt::format("triangle {} of the tessellated shape", s.triangle));
+    } else {
+      add(fmt::format("face {}", face_words[static_cast<std::size_t>(s.face)]));
+    }
     add("point  " + vector_text(s.position) + ", in object space " +
         vector_text(s.object_position));
     add(fmt::format("normal {}{}, in object space {}", vector_text(s.normal),
                     s.bumped ? " (by the bump map)" : "", vector_text(s.object_normal)));
-    add(fmt::format("ray in object space from {} along {}", vector_text(s.object_ray.origin),
-                    vector_text(s.object_ray.direction)));
-    add(s.has_uv ? fmt::format("uv     {:.6g} {:.6g}", s.uv.x, s.uv.y)
-                 : std::string("uv     the mesh has none"));
+    if (realtime_) {
+      add("normal of the triangle itself " + vector_text(s.geometric));
+    } else {
+      add(fmt::format("ray in object space from {} along {}", vector_text(s.object_ray.origin),
+                      vector_text(s.object_ray.direction)));
+      add(s.has_uv ? fmt::format("uv     {:.6g} {:.6g}", s.uv.x, s.uv.y)
+                   : std::string("uv     the mesh has none"));
+    }
     if (s.texture.has_value()) {
       const TextureRecord& t = *s.texture;
       add(fmt::format("texture {}: texel {},{} = {}, looked up {}, blend {:.4g}",
@@ -373,6 +447,7 @@ class Explanation {
   const PixelRecord& pixel_;
   const std::vector<Remark>& remarks_;
   const std::optional<Yours>& yours_;
+  const std::optional<RealtimeRecord>& realtime_;
   ExplainStyle style_;
   ObjectNames names_;
 };

@@ -143,4 +143,15 @@ void add_render_options(Json& json, const RenderOptions& options) {
   });
 }
 
+void add_realtime_options(Json& json, const RealtimeOptions& options) {
+  json.add("milestone", word_of(options.milestone));
+  json.begin_array("parameters");
+  json.value(options.tessellation.parameter1);
+  json.value(options.tessellation.parameter2);
+  json.end_array();
+  json.add("near", options.near);
+  json.add("far", options.far);
+  json.add("filter", word_of(options.filter));
+}
+
 }  // namespace scenefile

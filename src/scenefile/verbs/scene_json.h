@@ -2,6 +2,7 @@
 // A scene with its findings as JSON, and members shared by the output of several commands.
 // docs/formats.md describes the documents.
 
+#include "scenefile/base/realtime.h"
 #include "scenefile/trace/render_options.h"
 #include "scenefile/verbs/json_writer.h"
 #include "scenefile/verbs/load_scene.h"
@@ -28,5 +29,7 @@ void add_location(Json& json, Location location);
 
 /// Adds size, profile, features and so on to the open object.
 void add_render_options(Json& json, const RenderOptions& options);
+/// Adds the settings of the assignment Realtime to the open object.
+void add_realtime_options(Json& json, const RealtimeOptions& options);
 
 }  // namespace scenefile

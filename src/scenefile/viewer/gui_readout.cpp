@@ -44,7 +44,7 @@ void build_answers(const Session& session) {
     build_lines(cause_text(session));
     ImGui::Spacing();
   }
-  build_lines(readout.terms.empty() ? "tracing ..." : readout.terms);
+  build_lines(readout.terms.empty() ? "computing ..." : readout.terms);
   ImGui::PopFont();
 }
 
@@ -78,7 +78,7 @@ void build_readout(Session& session, const GuiFrame& frame) {
                              .c_str());
   if (readout.other) {
     ImGui::SameLine();
-    build_swatch("  beside:", *readout.other);
+    build_swatch("  other picture:", *readout.other);
   }
   ImGui::SameLine();
   if (ImGui::SmallButton("Copy")) {

@@ -23,6 +23,8 @@ struct PixelQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderScene drawn;      ///< the scene with the window's camera, without what is hidden
   RenderOptions options;  ///< of the picture, with its size
+  std::optional<RealtimeOptions>
+      realtime;  ///< of the assignment: only the size of `options` counts
   glm::ivec2 pixel{0};
   std::optional<PixelValue> other;  ///< of the picture next to ours
 };

@@ -21,15 +21,17 @@ void ask_for_terms(Session& session) {
   if (!session.setup.explain_pixel) {
     return;
   }
-  if (session.realtime) {
-    readout.terms = "Terms exist only for ray tracing.";
-    return;
-  }
   PixelQuestion question{
       opened_of(session),
       without_hidden(session.shown->opened.ready.scene, session.hidden, session.only_light),
-      trace_options(session), readout.pixel, readout.other};
+      trace_options(session),
+      {},
+      readout.pixel,
+      readout.other};
   question.drawn.camera = render_camera(session.camera);
+  if (session.realtime) {
+    question.realtime = session.realtime_panel;
+  }
   readout.explaining.start([question = std::move(question), explain = session.setup.explain_pixel,
                             wake = session.setup.wake] {
     std::string text = explain(question);

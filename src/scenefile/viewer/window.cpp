@@ -632,7 +632,13 @@ WindowResult Window::run() {
 WindowResult run_window(const WindowOptions& options) {
   Window window(options);
   WindowResult result = window.open();
-  return result.status == WindowStatus::closed ? window.run() : result;
+  if (result.status == WindowStatus::closed) {
+    return window.run();
+  }
+  if (options.failed) {
+    options.failed(result);
+  }
+  return result;
 }
 
 }  // namespace scenefile::viewer

@@ -1,26 +1,22 @@
 // The page in Firefox, if it is installed: its pictures are those of the npm package, and the panels work.
 // node --test web/test/firefox.test.js; FIREFOX: the program. Speaks Firefox's own protocol (Marionette),
-// so it needs no driver.
+// so it needs no driver. Without a screen it has no WebGL, so it gets one of Xvfb.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import test, { after, before } from 'node:test';
-import { fileURLToPath } from 'node:url';
 
-import { render } from '../../build/wasm/package/lib/index.js';
-import { serverOf } from '../serve.js';
 import { linkOf } from '../src/link.js';
+import {
+  drawnCount, haveScreen, nativePicture, patience, psnrOfCanvas, root, servePage, skipNative, sleep, startScreen, testPictures,
+} from '../testing.js';
 
-const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 const program = [process.env.FIREFOX, '/usr/bin/firefox-esr', '/usr/bin/firefox'].find((path) => path && existsSync(path));
 const skip = program === undefined && 'Firefox is not installed';
-const patience = 120_000;
-
-const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
 
 /** A connection to Firefox. Messages are `LENGTH:[0, id, command, parameters]`, answers `LENGTH:[1, id, error, result]`. */
 class Firefox {
@@ -91,8 +87,8 @@ class Firefox {
   }
 }
 
-let server;
-let origin;
+let page;
+let screen;
 let child;
 let firefox;
 const profile = mkdtempSync(join(tmpdir(), 'scenefile-firefox-'));
@@ -101,11 +97,11 @@ before(async () => {
   if (skip) {
     return;
   }
-  server = serverOf(process.env.PAGE ?? join(root, 'out/page'));
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  origin = `http://127.0.0.1:${server.address().port}`;
+  page = await servePage();
   writeFileSync(join(profile, 'user.js'), 'user_pref("marionette.port", 0);\nuser_pref("app.update.enabled", false);\n');
-  child = spawn(program, ['--headless', '--no-remote', '--marionette', '--profile', profile], { stdio: 'ignore', env: { ...process.env, HOME: profile } });
+  screen = haveScreen ? await startScreen() : undefined;
+  const args = [...(screen ? [] : ['--headless']), '--no-remote', '--marionette', '--profile', profile];
+  child = spawn(program, args, { stdio: 'ignore', env: { ...process.env, ...screen?.env, HOME: profile } });
   const portFile = join(profile, 'MarionetteActivePort');
   const end = Date.now() + patience;
   while (!existsSync(portFile) || readFileSync(portFile, 'utf8').trim() === '') {
@@ -123,45 +119,40 @@ after(async () => {
     await firefox?.call('Marionette:Quit', { flags: ['eForceQuit'] }).catch(() => {});
     firefox?.close();
     child.kill();
-    server.close();
+    screen?.close();
+    page.close();
     await sleep(300);
   }
   rmSync(profile, { recursive: true, force: true, maxRetries: 10 });
 });
 
-// FNV-1a
-const hashOf = (data) => data.reduce((hash, value) => Math.imul(hash ^ value, 0x01000193), 0x811c9dc5);
-const drawnCount = 'Number(document.getElementById("canvas").dataset.drawn ?? 0)';
-
-async function open(name, text, options) {
+async function open(link, name) {
   await firefox.call('WebDriver:Navigate', { url: 'about:blank' });
-  await firefox.call('WebDriver:Navigate', { url: `${origin}/${linkOf({ name, text, options })}` });
+  await firefox.call('WebDriver:Navigate', { url: `${page.origin}/${link}` });
   await firefox.until(`document.getElementById("name")?.value === arguments[0] && ${drawnCount} >= 1`, name);
 }
 
-for (const [name, path] of [['hello.xml', 'scenes/hello.xml'], ['lights.xml', 'web/examples/lights.xml'], ['templates.json', 'web/examples/templates.json']]) {
-  for (const profileNumber of [0, 1]) {
-    test(`Firefox draws ${name} like the npm package, profile ${['course', 'fine'][profileNumber]}`, { skip }, async () => {
-      const text = readFileSync(join(root, path), 'utf8');
-      const [width, height] = [320, 240];
-      await open(name, text, { profile: profileNumber, mode: 0, features: -1, width, height });
-      const hash = await firefox.run(`
-        const canvas = document.getElementById('canvas');
-        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-        let hash = 0x811c9dc5;
-        for (const value of data) {
-          hash = Math.imul(hash ^ value, 0x01000193);
-        }
-        return [canvas.width, canvas.height, hash];`);
-      const { data } = await render(text, { width, height, profile: ['course', 'fine'][profileNumber] });
-      assert.deepEqual(hash, [width, height, hashOf(data)]);
+testPictures('Firefox', { skip, size: [320, 240], open, run: (script) => firefox.run(script) });
+
+const skipOpenGL = skip || (!haveScreen && 'Xvfb is not installed') || skipNative;
+
+for (const path of ['scenes/hello.xml', 'web/examples/lights.xml']) {
+  test(`OpenGL in Firefox draws ${path} like the native program`, { skip: skipOpenGL }, async () => {
+    const text = readFileSync(join(root, path), 'utf8');
+    const options = { profile: 1, mode: 0, features: -1, width: 320, height: 240, draw: 0 };
+    await open(linkOf({ name: 'gl.xml', text, options }), 'gl.xml');
+    const picture = nativePicture(join(root, path), '--size', '320x240', '--engine', 'gl');
+    const { value } = await firefox.call('WebDriver:ExecuteAsyncScript', {
+      script: `(${psnrOfCanvas})(arguments[0]).then(arguments[1])`, args: [picture],
     });
-  }
+    assert.ok(value > 40, `${value} dB`);
+  });
 }
 
 test('the panels work in Firefox', { skip }, async () => {
   const text = readFileSync(join(root, 'scenes/hello.xml'), 'utf8');
-  await open('panels.xml', text, { profile: 0, mode: 0, features: -1, width: 320, height: 240 });
+  const options = { profile: 0, mode: 0, features: -1, width: 320, height: 240 };
+  await open(linkOf({ name: 'panels.xml', text, options }), 'panels.xml');
   await firefox.click('#show-edit');
   await firefox.until('document.querySelectorAll("#edit-tree [role=treeitem]").length === 6');
   await firefox.run('document.querySelectorAll("#edit-tree [role=treeitem]")[1].click()');

@@ -2,38 +2,29 @@
 // the page, default out/page. NATIVE: a native program, to compare pictures with.
 
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import test, { after, afterEach, before, beforeEach } from 'node:test';
-import { fileURLToPath } from 'node:url';
 
 import { strFromU8, unzipSync, zipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 
-import { serverOf } from '../serve.js';
 import { linkOf } from '../src/link.js';
+import { nativePicture, patience, psnrOfCanvas, root, servePage, skipNative } from '../testing.js';
 
-const here = dirname(fileURLToPath(import.meta.url));
-const root = dirname(dirname(here));
-const folder = process.env.PAGE ?? join(root, 'out/page');
 const hello = readFileSync(join(root, 'scenes/hello.xml'), 'utf8');
-const patience = 120_000; // for busy machines
 
-let server;
+let served;
 let browser;
 let origin;
 let context;
 let page;
 let problems;
-const scratch = mkdtempSync(join(tmpdir(), 'scenefile-page-'));
 
 before(async () => {
-  server = serverOf(folder);
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  origin = `http://127.0.0.1:${server.address().port}`;
+  served = await servePage();
+  origin = served.origin;
   browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', '--disable-gpu'],
@@ -41,8 +32,7 @@ before(async () => {
 });
 after(async () => {
   await browser.close();
-  server.close();
-  rmSync(scratch, { recursive: true });
+  served.close();
 });
 
 // Errors in every test: requests to other servers, violations of the content security policy,
@@ -146,7 +136,7 @@ test('opens with an example, drawn and without findings', async () => {
   assert.ok((await canvasOf()).values > 50);
 });
 
-test('the picture is that of the native program', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+test('the picture is that of the native program', { skip: skipNative }, async () => {
   await open();
   const decode = async (bytes) => {
     await page.setInputFiles('#picture-input', { name: 'native.png', mimeType: 'image/png', buffer: bytes });
@@ -155,9 +145,7 @@ test('the picture is that of the native program', { skip: !process.env.NATIVE &&
   };
   for (const profile of ['fine', 'course']) {
     await page.selectOption('#profile', { label: profile });
-    const file = join(scratch, `${profile}.png`);
-    execFileSync(process.env.NATIVE, ['render', join(root, 'scenes/hello.xml'), '-o', file, '--quiet', '--size', '640x480', '--profile', profile]);
-    await decode(readFileSync(file));
+    await decode(Buffer.from(nativePicture(join(root, 'scenes/hello.xml'), '--size', '640x480', '--profile', profile), 'base64'));
   }
 });
 
@@ -343,21 +331,7 @@ test('profiles, modes, features and sizes', async () => {
   assert.equal(new Set(seen).size, seen.length - 1, 'only the picture of the profile course appears twice');
 });
 
-/** The peak signal-to-noise ratio in dB between the canvas and a picture of the native program. */
-async function likeNative(path, ...options) {
-  const file = join(scratch, 'native.png');
-  execFileSync(process.env.NATIVE, ['render', path, '-o', file, '--quiet', '--size', '320x240', ...options]);
-  return page.evaluate(async (base64) => {
-    const picture = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]));
-    const { width, height } = picture;
-    const context = new OffscreenCanvas(width, height).getContext('2d');
-    context.drawImage(picture, 0, 0);
-    const canvas = document.getElementById('canvas');
-    const [a, b] = [context, canvas.getContext('2d')].map((some) => some.getImageData(0, 0, width, height).data);
-    const sum = a.reduce((total, value, i) => total + (value - b[i]) ** 2, 0);
-    return canvas.width !== width ? 0 : 10 * Math.log10(255 ** 2 / Math.max(1e-9, sum / ((a.length * 3) / 4)));
-  }, readFileSync(file).toString('base64'));
-}
+const likeNative = (path, ...options) => page.evaluate(psnrOfCanvas, nativePicture(path, '--size', '320x240', ...options));
 
 const glModes = ['shaded', 'wireframe', 'normals', 'uv', 'depth', 'objects', 'boxes'];
 const inSize = { width: 320, height: 240 };
@@ -368,7 +342,7 @@ async function openWith(path, options) {
   await open(linkOf({ name: path.slice(path.lastIndexOf('/') + 1), text, options: { profile: 1, mode: 0, features: -1, ...inSize, ...options } }));
 }
 
-test('OpenGL draws like the native program, in every mode', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+test('OpenGL draws like the native program, in every mode', { skip: skipNative }, async () => {
   for (const path of ['scenes/hello.xml', 'web/examples/lights.xml', 'web/examples/templates.json']) {
     for (const profile of [0, 1]) {
       await openWith(path, { profile, draw: 0 });
@@ -464,7 +438,7 @@ const realtimeWith = async (change) => {
   }
 };
 
-test('the profile realtime is that of the native program', { skip: !process.env.NATIVE && 'NATIVE is not set' }, async () => {
+test('the profile realtime is that of the native program', { skip: skipNative }, async () => {
   const path = join(root, 'web/examples/lights.xml');
   const like = async (...options) => {
     const db = await likeNative(path, '--profile', 'realtime', ...options);
@@ -1010,6 +984,14 @@ test('the page works with only the keyboard', async () => {
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
+async function assertAccessible() {
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it scrolls sideways');
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ['violations'] }));
+  const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
+  assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes.map(({ target }) => String(target))]), []);
+}
+
 for (const [width, scheme] of [[1280, 'light'], [800, 'dark'], [360, 'light'], [360, 'dark']]) {
   test(`axe finds nothing serious at ${width} pixels, ${scheme}, and nothing is cut off`, async () => {
     await page.setViewportSize({ width, height: 780 });
@@ -1021,15 +1003,17 @@ for (const [width, scheme] of [[1280, 'light'], [800, 'dark'], [360, 'light'], [
       if (tab.endsWith('edit')) {
         await row('sphere').click();
       }
-      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'it scrolls sideways');
-      await page.evaluate(axe);
-      const { violations } = await page.evaluate(() => globalThis.axe.run({ resultTypes: ['violations'] }));
-      const serious = violations.filter(({ impact }) => ['serious', 'critical'].includes(impact));
-      assert.deepEqual(serious.map(({ id, nodes }) => [id, nodes.map(({ target }) => String(target))]), []);
+      await assertAccessible();
     }
     if (process.env.SCREENSHOTS) {
       await page.screenshot({ path: join(process.env.SCREENSHOTS, `${width}-${scheme}.png`) });
     }
+    if (width < 720) {
+      await page.click('#tab-picture');
+    }
+    await page.selectOption('#profile', { label: 'realtime' });
+    await page.waitForSelector('#realtime:visible');
+    await assertAccessible();
   });
 }
 

@@ -3,20 +3,15 @@
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
-import test, { after, before } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
 
-import { render } from '../../build/wasm/package/lib/index.js';
-import { serverOf } from '../serve.js';
-import { linkOf } from '../src/link.js';
+import { drawnCount, haveScreen, patience, servePage, sleep, startScreen, testPictures } from '../testing.js';
 
-const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 const driverPath = '/usr/bin/WebKitWebDriver';
-const patience = 120_000;
 
 // Debian has MiniBrowser in a folder named after the architecture and the version.
 function miniBrowser() {
@@ -26,12 +21,9 @@ function miniBrowser() {
     .find(existsSync);
 }
 const program = process.env.WEBKIT ?? miniBrowser();
-const skip = !(existsSync(driverPath) && program && existsSync('/usr/bin/Xvfb')) && 'webkit2gtk-driver or Xvfb is not installed';
+const skip = !(existsSync(driverPath) && program && haveScreen) && 'webkit2gtk-driver or Xvfb is not installed';
 
-const sleep = (time) => new Promise((resolve) => setTimeout(resolve, time));
-
-let server;
-let origin;
+let page;
 let screen;
 let driver;
 let port;
@@ -67,15 +59,12 @@ before(async () => {
   if (skip) {
     return;
   }
-  server = serverOf(process.env.PAGE ?? join(root, 'out/page'));
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  origin = `http://127.0.0.1:${server.address().port}`;
-  screen = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
-  const display = await new Promise((resolve) => screen.stdio[3].once('data', (data) => resolve(String(data).trim())));
+  page = await servePage();
+  screen = await startScreen();
   port = await freePort();
   driver = spawn(driverPath, [`--port=${port}`], {
     stdio: 'ignore',
-    env: { ...process.env, DISPLAY: `:${display}`, HOME: home, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' },
+    env: { ...process.env, ...screen.env, HOME: home, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' },
   });
   const end = Date.now() + patience;
   for (;;) {
@@ -97,36 +86,17 @@ after(async () => {
   if (!skip) {
     await call('DELETE', session).catch(() => {});
     driver?.kill();
-    screen?.kill();
-    server.close();
+    screen?.close();
+    page.close();
     await sleep(300);
   }
   rmSync(home, { recursive: true, force: true, maxRetries: 10 });
 });
 
-// FNV-1a
-const hashOf = (data) => data.reduce((hash, value) => Math.imul(hash ^ value, 0x01000193), 0x811c9dc5);
-
-for (const path of ['scenes/hello.xml', 'web/examples/lights.xml', 'web/examples/templates.json']) {
-  for (const profile of ['course', 'fine']) {
-    const name = path.slice(path.lastIndexOf('/') + 1);
-    test(`WebKitGTK draws ${name} like the npm package, profile ${profile}`, { skip }, async () => {
-      const text = readFileSync(join(root, path), 'utf8');
-      const [width, height] = [160, 120];
-      const options = { profile: profile === 'fine' ? 1 : 0, mode: 0, features: -1, width, height };
-      await call('POST', `${session}/url`, { url: 'about:blank' });
-      await call('POST', `${session}/url`, { url: `${origin}/${linkOf({ name, text, options })}` });
-      await until('document.getElementById("name")?.value === arguments[0] && Number(document.getElementById("canvas").dataset.drawn ?? 0) >= 1', name);
-      const hash = await run(`
-        const canvas = document.getElementById('canvas');
-        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-        let hash = 0x811c9dc5;
-        for (const value of data) {
-          hash = Math.imul(hash ^ value, 0x01000193);
-        }
-        return [canvas.width, canvas.height, hash];`);
-      const { data } = await render(text, { width, height, profile });
-      assert.deepEqual(hash, [width, height, hashOf(data)]);
-    });
-  }
+async function open(link, name) {
+  await call('POST', `${session}/url`, { url: 'about:blank' });
+  await call('POST', `${session}/url`, { url: `${page.origin}/${link}` });
+  await until(`document.getElementById("name")?.value === arguments[0] && ${drawnCount} >= 1`, name);
 }
+
+testPictures('WebKitGTK', { skip, size: [160, 120], open, run });

@@ -167,21 +167,29 @@ TEST(Edges, TheLargestContrastOfEightNeighbors) {
 
 TEST(SamplePlan, StartsAtTheCenterUnlessMoreSamplesAreRequested) {
   RenderOptions options;
-  EXPECT_TRUE(sample_plan(options, false).two_passes());
-  EXPECT_FALSE(sample_plan(options, true).middles) << "a lens";
-  EXPECT_LT(sample_plan(options, true).first, sample_plan(options, true).most);
-  EXPECT_EQ(sample_plan(options, true, true).first, sample_plan(options, true, true).most)
-      << "a lens that blurs strongly";
+  const auto plan = [&](Softness softness = Softness::none) {
+    return sample_plan(options, softness);
+  };
+  EXPECT_TRUE(plan().two_passes);
+  EXPECT_FALSE(plan(Softness::area_lights).middles);
+  EXPECT_FALSE(plan(Softness::area_lights).two_passes);
+  EXPECT_FALSE(plan(Softness::lens).middles);
+  EXPECT_TRUE(plan(Softness::lens).two_passes);
+  EXPECT_LT(plan(Softness::lens).first, plan(Softness::lens).most);
+  EXPECT_EQ(plan(Softness::strong_lens).first, plan(Softness::strong_lens).most);
+  EXPECT_FALSE(plan(Softness::strong_lens).two_passes);
   options.samples = 1;
-  EXPECT_TRUE(sample_plan(options, false).middles);
-  EXPECT_FALSE(sample_plan(options, false).two_passes());
+  EXPECT_TRUE(plan().middles);
+  EXPECT_FALSE(plan().two_passes);
   options.samples = 16;
   options.min_samples = 2;
-  EXPECT_FALSE(sample_plan(options, false).middles);
-  EXPECT_EQ(sample_plan(options, false).first, 2u);
+  EXPECT_FALSE(plan().middles);
+  EXPECT_EQ(plan().first, 2u);
+  options.min_samples = 16;
+  EXPECT_FALSE(plan(Softness::lens).two_passes);
   options.min_samples = 1;
   options.samples = 4096;
-  EXPECT_GT(sample_plan(options, false).first, 32u) << "all pixels of a picture to be exact";
+  EXPECT_GT(plan().first, 32u) << "all pixels of a picture to be exact";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 namespace scenefile::trace_test {
 namespace {
@@ -224,7 +225,11 @@ TEST(Crop, IsThatPartOfThePicture) {
   b.scene.lights[1].direction = {0, 0, -1};
   b.scene.lights[1].half_u = {1, 0, 0};
   b.scene.lights[1].half_v = {0, 1, 0};
-  for (const Profile profile : {Profile::course, Profile::fine}) {
+  b.scene.camera.focal_length = 3;
+  for (const auto& [profile, aperture] :
+       {std::pair(Profile::course, 0.0), std::pair(Profile::fine, 0.0),
+        std::pair(Profile::fine, 0.02)}) {
+    b.scene.camera.aperture = aperture;
     RenderOptions options = with_layers(profile, all_words);
     options.features.super_sample = true;
     for (options.denoise = false;; options.denoise = true) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace scenefile::trace_test {
 namespace {
 
@@ -59,8 +61,12 @@ PictureState empty_state(int width, int height, bool two_passes) {
 }
 
 TEST(Resume, GivesTheSameBytes) {
-  const SceneBuilder b = uneven_scene();
-  for (const Profile profile : {Profile::fine, Profile::course}) {
+  SceneBuilder b = uneven_scene();
+  b.scene.camera.focal_length = 4;
+  for (const auto& [profile, aperture] :
+       {std::pair(Profile::fine, 0.0), std::pair(Profile::fine, 0.01),
+        std::pair(Profile::course, 0.0)}) {
+    b.scene.camera.aperture = aperture;
     for (const int threads : {1, 3}) {
       RenderOptions options = options_of(profile);
       options.threads = threads;

@@ -10,9 +10,11 @@
 namespace scenefile::trace_test {
 namespace {
 
-// Edges, a mirror, a penumbra and a lens.
-SceneBuilder many_spheres() {
+// Edges, a mirror, a penumbra, and a weak lens unless `aperture` is 0.
+SceneBuilder many_spheres(double aperture = 0) {
   SceneBuilder b;
+  b.scene.camera.aperture = aperture;
+  b.scene.camera.focal_length = 4;
   RenderMaterial mirror;
   mirror.diffuse = {0.6f, 0.5f, 0.4f};
   mirror.reflective = glm::vec3(0.5);
@@ -70,33 +72,37 @@ void expect_same(const Resolved& drawn, const RenderResult& expected) {
 }
 
 TEST(State, PassesMakeThePicture) {
-  const SceneBuilder b = many_spheres();
-  const TraceScene traced(b.scene, b.assets);
-  for (const RenderOptions& options : all_kinds()) {
-    PictureState state = make_state(b.scene, options);
-    finish(traced, b, options, state);
-    expect_same(resolve(std::move(state)), render(b.scene, b.assets, options));
+  for (const double aperture : {0.0, 0.01}) {
+    const SceneBuilder b = many_spheres(aperture);
+    const TraceScene traced(b.scene, b.assets);
+    for (const RenderOptions& options : all_kinds()) {
+      PictureState state = make_state(b.scene, options);
+      finish(traced, b, options, state);
+      expect_same(resolve(std::move(state)), render(b.scene, b.assets, options));
+    }
   }
 }
 
 TEST(State, PartsMergeToTheSameBytes) {
-  const SceneBuilder b = many_spheres();
-  const TraceScene traced(b.scene, b.assets);
-  for (const RenderOptions& options : all_kinds()) {
-    const RenderResult expected = render(b.scene, b.assets, options);
-    for (const std::uint32_t count : {1u, 2u, 3u, 7u, 50u}) {
-      PictureState whole = make_state(b.scene, options);
-      for (std::uint32_t i = count; i-- > 0;) {
-        EXPECT_FALSE(complete(whole) && count < 10) << "parts are missing";
-        PictureState part = make_part(b.scene, options, i, count);
-        EXPECT_EQ(merge(whole, part), complete(part)) << "an incomplete part is refused";
-        if (!complete(part)) {
-          finish(traced, b, options, part);
-          EXPECT_TRUE(merge(whole, part));
+  for (const double aperture : {0.0, 0.01}) {
+    const SceneBuilder b = many_spheres(aperture);
+    const TraceScene traced(b.scene, b.assets);
+    for (const RenderOptions& options : all_kinds()) {
+      const RenderResult expected = render(b.scene, b.assets, options);
+      for (const std::uint32_t count : {1u, 2u, 3u, 7u, 50u}) {
+        PictureState whole = make_state(b.scene, options);
+        for (std::uint32_t i = count; i-- > 0;) {
+          EXPECT_FALSE(complete(whole) && count < 10) << "parts are missing";
+          PictureState part = make_part(b.scene, options, i, count);
+          EXPECT_EQ(merge(whole, part), complete(part)) << "an incomplete part is refused";
+          if (!complete(part)) {
+            finish(traced, b, options, part);
+            EXPECT_TRUE(merge(whole, part));
+          }
         }
+        EXPECT_TRUE(complete(whole)) << count;
+        expect_same(resolve(std::move(whole)), expected);
       }
-      EXPECT_TRUE(complete(whole)) << count;
-      expect_same(resolve(std::move(whole)), expected);
     }
   }
 }

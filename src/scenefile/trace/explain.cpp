@@ -26,13 +26,17 @@ std::vector<glm::ivec2> neighborhood(const RenderOptions& options, const glm::iv
   return pixels;
 }
 
-Contrast largest_contrast(std::span<const WaveSight> sights, const WaveSight& middle) {
-  const auto kept = [](const WaveSight& s) { return kept_signature(s.signature); };
-  const glm::vec3 color(middle.color);
+// What the first pass of a picture stores of a pixel.
+struct FirstLook {
+  glm::vec3 color;
+  std::uint16_t signature;
+  bool complete;  // it took all samples
+};
+
+Contrast largest_contrast(const std::vector<FirstLook>& looks, const FirstLook& middle) {
   Contrast contrast;
-  for (const WaveSight& sight : sights) {
-    const glm::vec3 beside(sight.color);
-    raise(contrast, &color.x, &beside.x, kept(sight) == kept(middle));
+  for (const FirstLook& look : looks) {
+    raise(contrast, &middle.color.x, &look.color.x, look.signature == middle.signature);
   }
   return contrast;
 }
@@ -75,6 +79,21 @@ struct Explainer::Impl {
         waves(tracer, camera),
         sampler(tracer, camera) {}
 
+  std::vector<FirstLook> first_pass(WaveSampler& drawn, const std::vector<glm::ivec2>& pixels) {
+    std::vector<FirstLook> looks;
+    if (sampler.plan().middles) {
+      for (const WaveSight& sight : drawn.middles(sampler, pixels)) {
+        looks.push_back({sight.color, kept_signature(sight.signature), false});
+      }
+      return looks;
+    }
+    const std::vector<std::uint16_t> marks(pixels.size());
+    for (const DrawnPixel& pixel : drawn.take(sampler, pixels, marks)) {
+      looks.push_back({pixel.samples.mean(), 0, pixel.samples.count == sampler.plan().most});
+    }
+    return looks;
+  }
+
   // As render() draws it.
   DrawnPixel draw(const glm::ivec2& at, MoreSamples& more) {
     const SurfaceWish wish{true, {}, false};
@@ -85,18 +104,20 @@ struct Explainer::Impl {
       return std::move(drawn.course(only).front());
     }
     std::uint16_t mark = 0;
-    if (sampler.plan().two_passes()) {
+    if (sampler.plan().two_passes) {
       const std::vector<glm::ivec2> pixels = neighborhood(tracer.options, at);
-      const std::span<const WaveSight> sights = drawn.middles(sampler, pixels);
+      const std::vector<FirstLook> looks = first_pass(drawn, pixels);
       const auto middle = std::find(pixels.begin(), pixels.end(), at) - pixels.begin();
-      mark = sampler.mark_of(largest_contrast(sights, sights[static_cast<std::size_t>(middle)]));
+      const FirstLook& own = looks[static_cast<std::size_t>(middle)];
+      mark = own.complete ? 0 : sampler.mark_of(largest_contrast(looks, own));
       more.neighbors = mark != 0;
     }
     if (sampler.plan().middles && mark == 0) {
       return std::move(drawn.take_middles(sampler, only).front());
     }
     DrawnPixel pixel = std::move(drawn.take(sampler, only, {&mark, 1}).front());
-    more.noisy = pixel.samples.count > sampler.next_count(0);
+    const bool by_itself = sampler.plan().middles || mark == 0;
+    more.noisy = by_itself && pixel.samples.count > sampler.next_count(0);
     more.penumbra = more.noisy && pixel.samples.penumbra;
     return pixel;
   }

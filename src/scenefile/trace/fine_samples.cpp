@@ -54,8 +54,11 @@ constexpr std::uint32_t first_samples = 4;
 // says too little.
 constexpr double strong_blur = 8;
 
-// Behind a lens, a pixel has enough samples if the standard error of its mean is below this.
-constexpr double settled_error = 1.0 / 256;
+// Behind a lens, a pixel has enough samples if the standard error of its mean is below this, and no
+// neighbor differs by more than `settled_contrast`. If its own samples alone decided, those that
+// miss something small and bright would end the sampling, and the picture would be too dark.
+constexpr double settled_error = 1.0 / 128;
+constexpr double settled_contrast = 1.0 / 20;
 
 // The squared error of the mean of `count` samples, for a variance of 1.
 double error_of(std::uint32_t count) {
@@ -97,36 +100,34 @@ double PixelSamples::variance() const {
   return std::max(0.0, (of_channels.x + of_channels.y + of_channels.z) / 3);
 }
 
-bool has_lens(const RenderScene& scene, const RenderOptions& options) {
-  return options.features.depthoffield && scene.camera.aperture > 0 &&
-         scene.camera.focal_length > 0;
-}
-
-bool is_soft(const RenderScene& scene, const RenderOptions& options) {
-  const auto is_area = [](const RenderLight& light) { return has_rectangle(light.type); };
-  return has_lens(scene, options) || std::any_of(scene.lights.begin(), scene.lights.end(), is_area);
-}
-
-bool blurs_strongly(const RenderScene& scene, const RenderOptions& options) {
-  if (!has_lens(scene, options)) {
-    return false;
+Softness softness(const RenderScene& scene, const RenderOptions& options) {
+  const CameraRays camera(scene.camera, options.width, options.height);
+  if (options.features.depthoffield && camera.has_lens()) {
+    const double strong = strong_blur * camera.pixel_spread() * scene.camera.focal_length;
+    return scene.camera.aperture > strong ? Softness::strong_lens : Softness::lens;
   }
-  const double pixel = CameraRays(scene.camera, options.width, options.height).pixel_spread();
-  return scene.camera.aperture > strong_blur * pixel * scene.camera.focal_length;
+  const auto is_area = [](const RenderLight& light) { return has_rectangle(light.type); };
+  return std::any_of(scene.lights.begin(), scene.lights.end(), is_area) ? Softness::area_lights
+                                                                        : Softness::none;
 }
 
-SamplePlan sample_plan(const RenderOptions& options, bool soft, bool blurred) {
+SamplePlan sample_plan(const RenderOptions& options, Softness softness) {
   SamplePlan plan;
   plan.most = static_cast<std::uint32_t>(std::max(1, options.samples));
   plan.first = static_cast<std::uint32_t>(std::max(1, options.min_samples));
   if (plan.most >= samples_for_exactness) {
     plan.first = std::max(plan.first, plan.most / share_for_exactness);
   }
-  if (soft) {
-    plan.first = std::max(plan.first, blurred ? plan.most : first_samples);
+  if (softness == Softness::strong_lens) {
+    plan.first = plan.most;
+  } else if (softness == Softness::lens) {
+    plan.first = std::max(plan.first, std::clamp(plan.most / 4, 2u, first_samples));
+  } else if (softness == Softness::area_lights) {
+    plan.first = std::max(plan.first, first_samples);
   }
   plan.first = std::min(plan.first, plan.most);
-  plan.middles = plan.first == 1 && !soft;
+  plan.middles = plan.first == 1 && softness == Softness::none;
+  plan.two_passes = plan.first < plan.most && (plan.middles || softness == Softness::lens);
   return plan;
 }
 
@@ -134,8 +135,7 @@ FineSampler::FineSampler(const Tracer& tracer, const CameraRays& camera)
     : camera_(camera),
       seed_(mixed_bits(static_cast<std::uint32_t>(tracer.options.seed),
                        static_cast<std::uint32_t>(tracer.options.seed >> 32))),
-      plan_(sample_plan(tracer.options, is_soft(tracer.scene, tracer.options),
-                        blurs_strongly(tracer.scene, tracer.options))),
+      plan_(sample_plan(tracer.options, softness(tracer.scene, tracer.options))),
       min_gain_(worst_variance * gain_of_last(std::max(plan_.most, usual_samples))) {}
 
 // A sample that covers a quarter of the pixel, as in the first round of four.
@@ -183,7 +183,8 @@ bool FineSampler::enough(const PixelSamples& samples, std::uint16_t mark) const 
     return true;
   }
   if (camera_.has_lens()) {
-    return !samples.penumbra && samples.variance() <= settled_error * settled_error * samples.count;
+    return mark == 0 && !samples.penumbra &&
+           samples.variance() <= settled_error * settled_error * samples.count;
   }
   const double degrees = samples.count - 1.0;
   const double weight = mark == 0 ? 0 : weight_of_contrast;
@@ -197,6 +198,9 @@ bool FineSampler::enough(const PixelSamples& samples, std::uint16_t mark) const 
 }
 
 std::uint16_t FineSampler::mark_of(const Contrast& contrast) const {
+  if (camera_.has_lens()) {
+    return contrast.most > settled_contrast * settled_contrast ? 1 : 0;
+  }
   // The center sample is discarded, so the first round must gain what is left to gain.
   const std::uint32_t first = next_count(0);
   const double all = variance_of_contrast * contrast.edges * (1 - error_of(first)) / first;

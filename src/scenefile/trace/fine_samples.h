@@ -7,6 +7,9 @@
 // pattern: 4, then 8, 16 and so on, until more would gain too little. The squared error of n such
 // samples is about V n^-1.5, where V is the variance of the color within the pixel; going from n to
 // m samples therefore gains V (n^-1.5 - m^-1.5) / (m - n) per sample.
+//
+// Behind a lens every pixel starts with a quarter of the samples of the pattern, at most four.
+// Where they differ, or where the pixel differs from a neighbor, it takes all.
 
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/camera_sample.h"
@@ -35,30 +38,28 @@ inline std::uint16_t kept_signature(std::uint32_t signature) {
   return static_cast<std::uint16_t>((signature ^ (signature >> 15)) & 0x7fff);
 }
 
-/// Whether the camera has a lens that is used.
-bool has_lens(const RenderScene& scene, const RenderOptions& options);
-
-/// Whether lenses or area lights leave noise.
-bool is_soft(const RenderScene& scene, const RenderOptions& options);
-
-/// Whether the camera has a lens that blurs so strongly that a few samples are not representative.
-bool blurs_strongly(const RenderScene& scene, const RenderOptions& options);
+/// What makes the samples of a pixel differ.
+enum class Softness : std::uint8_t {
+  none,  ///< only what the pixel covers
+  area_lights,
+  lens,         ///< maybe area lights, too
+  strong_lens,  ///< blurs so strongly that a few samples are not representative
+};
+Softness softness(const RenderScene& scene, const RenderOptions& options);
 
 /// How the samples of a picture are distributed among its pixels.
 struct SamplePlan {
   bool middles = true;      ///< start with one sample at the center of each pixel
   std::uint32_t first = 1;  ///< otherwise at least this many samples per pixel
   std::uint32_t most = 1;
-
-  /// Whether a second pass refines pixels, depending on what their neighbors saw.
-  bool two_passes() const { return middles && most > 1; }
+  /// A second pass refines pixels, depending on what their neighbors saw.
+  bool two_passes = false;
 };
 
-/// `soft`: see is_soft(); `blurred`: see blurs_strongly(). With lenses and area lights, one sample
-/// cannot predict the variance, so each pixel starts with several. The same applies if so many
-/// samples are allowed that the picture should be exact. Behind a strong lens, each pixel takes all
-/// samples.
-SamplePlan sample_plan(const RenderOptions& options, bool soft, bool blurred = false);
+/// With lenses and area lights, one sample cannot predict the variance, so each pixel starts with
+/// several. The same applies if so many samples are allowed that the picture should be exact.
+/// Behind a strong lens, each pixel takes all samples.
+SamplePlan sample_plan(const RenderOptions& options, Softness softness);
 
 /// The samples of a picture; each is a function of the pixel, its index and the seed.
 class FineSampler {
@@ -76,7 +77,7 @@ class FineSampler {
   /// pass.
   bool enough(const PixelSamples& samples, std::uint16_t mark) const;
   /// The contrast of a pixel with its neighbors, quantized for storage until the second pass; 0 if
-  /// the center sample is enough. `contrast`: with the eight neighbors.
+  /// the first samples are enough. `contrast`: with the eight neighbors.
   std::uint16_t mark_of(const Contrast& contrast) const;
 
  private:

@@ -29,12 +29,13 @@ static_assert(std::is_trivially_copyable_v<PixelStatistics>);
 
 bool has_two_passes(const RenderScene& scene, const RenderOptions& options) {
   return options.profile == Profile::fine &&
-         sample_plan(options, is_soft(scene, options)).two_passes();
+         sample_plan(options, softness(scene, options)).two_passes;
 }
 
 // Whether the picture will be denoised.
 bool will_denoise(const RenderScene& scene, const RenderOptions& options) {
-  return options.denoise && options.profile == Profile::fine && is_soft(scene, options);
+  return options.denoise && options.profile == Profile::fine &&
+         softness(scene, options) != Softness::none;
 }
 
 PixelRegion overlap(const PixelRegion& a, const PixelRegion& b) {
@@ -62,7 +63,7 @@ void allocate(const RenderScene& scene, const RenderOptions& options, const Pixe
       canvas.width == width && canvas.height == height ? std::move(canvas) : Image(width, height);
   state.layers = make_layers(options, state.region);
   state.statistics.resize(will_denoise(scene, options) ? pixels_of(state.region) : 0);
-  state.sharp = !has_lens(scene, options);
+  state.sharp = softness(scene, options) < Softness::lens;
   state.pieces = Pieces(width, height);
   state.marked.resize(two_passes ? pixels_of(state.region) : 0);
 }

@@ -26,7 +26,7 @@ namespace scenefile {
 
 /// Arrays hold the pixels of `region`, row by row. The course profile takes one pass; so does the
 /// fine profile if pixels do not depend on their neighbors (fine_samples.h). Otherwise its first
-/// pass takes one sample of each pixel, and its second pass refines the marked pixels.
+/// pass takes the first samples of each pixel, and its second pass refines the marked pixels.
 ///
 /// During a pass, threads write the pixels of unfinished pieces. Another thread may read the pixels
 /// of finished ones.
@@ -42,7 +42,8 @@ struct PictureState {
   Pieces pieces;                            ///< finished in this pass; tiles of the region
   std::uint32_t pass = 0;                   ///< 0 or 1
   /// By pixel; empty if there is only one pass. After the first pass kept_signature()
-  /// (fine_samples.h), then FineSampler::mark_of(): 0 if the pixel needs no more samples.
+  /// (fine_samples.h), behind a lens 1 if the pixel could take more samples; then
+  /// FineSampler::mark_of(): 0 if the pixel needs no more samples.
   std::vector<std::uint16_t> marked;
   std::size_t merged = 0;  ///< pixels that merge() put in
 };

@@ -123,9 +123,10 @@ class Renderer {
 
   void run_fine() {
     const FineSampler sampler(tracer_, camera_);
-    const double first_share = sampler.plan().two_passes() ? 0.4 : 1.0;
+    const SamplePlan& plan = sampler.plan();
+    const double first_share = !plan.two_passes ? 1.0 : plan.middles ? 0.4 : 0.9;
     if (picture_.pass == 0 && !picture_.pieces.all_done()) {
-      sampler.plan().middles ? take_middles(sampler, first_share) : take_all(sampler);
+      plan.middles ? take_middles(sampler, first_share) : take_all(sampler, first_share);
       return;
     }
     if (picture_.pass == 0) {
@@ -151,10 +152,14 @@ class Renderer {
     });
   }
 
-  void take_all(const FineSampler& fine) {
-    for_each_sampler({0, 1}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
+  void take_all(const FineSampler& fine, double share) {
+    for_each_sampler({0, share}, [&](WaveSampler& sampler, const std::vector<glm::ivec2>& pixels) {
       const std::vector<std::uint16_t> marks(pixels.size());
-      put_pixels(sampler.take(fine, pixels, marks));
+      const std::vector<DrawnPixel> taken = sampler.take(fine, pixels, marks);
+      put_pixels(taken);
+      for (const DrawnPixel& pixel : taken) {
+        mark(pixel.at, pixel.samples.count < fine.plan().most ? 1 : 0);
+      }
     });
   }
 
@@ -197,16 +202,16 @@ class Renderer {
            picture_.marked[index(at)] != 0;
   }
 
-  // Converts signatures to marks: how much each pixel must be refined.
+  // Converts the notes of the first pass to marks: how much each pixel must be refined.
   void mark_uneven(const FineSampler& fine) {
-    const std::vector<std::uint16_t> surfaces = picture_.marked;
-    for_each_row_of_contrasts(
-        picture_.image, surfaces, [&](int y, const RowOfContrasts& contrasts) {
-          std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.most.size()];
-          for (std::size_t x = 0; x < contrasts.most.size(); ++x) {
-            marks[x] = fine.mark_of({contrasts.most[x], contrasts.edges[x]});
-          }
-        });
+    const std::vector<std::uint16_t> noted = picture_.marked;
+    for_each_row_of_contrasts(picture_.image, noted, [&](int y, const RowOfContrasts& contrasts) {
+      std::uint16_t* const marks = &picture_.marked[std::size_t(y) * contrasts.most.size()];
+      for (std::size_t x = 0; x < contrasts.most.size(); ++x) {
+        const bool has_all = !fine.plan().middles && marks[x] == 0;
+        marks[x] = has_all ? 0 : fine.mark_of({contrasts.most[x], contrasts.edges[x]});
+      }
+    });
   }
 
   // Stores the recorded data of a pixel.

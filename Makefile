@@ -229,6 +229,7 @@ ci-full: ## all checks, including slow ones: .ci/run, Debian 13, Blender, saniti
 	@$(MAKE) $(QUIET) slurm-test
 	@$(MAKE) $(QUIET) coverage
 	@$(MAKE) $(QUIET) fuzz SECONDS=60
+	@scripts/bare-machine bookworm --web
 	@$(MAKE) $(QUIET) web-test
 
 .PHONY: portable

@@ -226,11 +226,19 @@ TEST(PhongPbr, HighlightsMirrorsAndGlassComeBack) {
   EXPECT_EQ(clear.ior, glass.ior);
 }
 
-TEST(PhongPbr, GlassWithoutHighlightIsSmooth) {
+TEST(PhongPbr, GlassIsSmooth) {
   PhongColors glass;
+  glass.diffuse = glm::vec3(0.2f);
   glass.transparent = glm::vec3(0.5f);
   glass.ior = 1.5f;
   EXPECT_EQ(pbr_of(glass).roughness, 0) << "path tracers blur what is seen through rough glass";
+  glass.specular = glm::vec3(0.5f);
+  glass.shininess = 25;
+  EXPECT_EQ(pbr_of(glass).roughness, 0) << "its highlight is lost, not what is seen through it";
+  EXPECT_EQ(pbr_of(glass).f0, glm::vec3(0));
+  glass.transparent = glm::vec3(0.1f);
+  EXPECT_GT(pbr_of(glass).roughness, 0) << "little is seen through it";
+  glass.shininess = 0;
   glass.transparent = glm::vec3(0);
   EXPECT_GT(pbr_of(glass).roughness, 0) << "a matte surface has no mirror images";
 }

@@ -16,7 +16,7 @@ std::string list(const glm::vec3& v) {
 }
 
 void report_differences(const RenderMaterial& material, const PhongColors& phong,
-                        Diagnostics& diagnostics) {
+                        const PbrMaterial& pbr, Diagnostics& diagnostics) {
   const auto note = [&](std::string_view text) {
     report_once(export_approximate, text, diagnostics);
   };
@@ -25,8 +25,8 @@ void report_differences(const RenderMaterial& material, const PhongColors& phong
     note("ambient light becomes emission: path tracers let it shine on other surfaces");
   }
   if (phong.shininess > 0 && largest(phong.specular) > 0) {
-    note(mirror ? "a mirror has no separate highlight"
-                : "highlights have the nearest roughness and reflectance");
+    note(pbr.roughness == 0 ? "mirrors and glass have no separate highlight"
+                            : "highlights have the nearest roughness and reflectance");
   }
   if (mirror) {
     note("mirrors reflect more at grazing angles");
@@ -58,7 +58,7 @@ std::string gltf_material(const RenderMaterial& material, const RenderGlobal& gl
                           std::set<std::string_view>& extensions, Diagnostics& diagnostics) {
   const PhongColors phong = phong_colors(material, global, transparent);
   const PbrMaterial pbr = pbr_of(phong);
-  report_differences(material, phong, diagnostics);
+  report_differences(material, phong, pbr, diagnostics);
   std::string color;
   if (textures.shows(material)) {
     const glm::vec3 through = pbr.transmission > 0 ? phong.transparent : glm::vec3(0);

@@ -67,7 +67,7 @@ PbrMaterial pbr_of(const PhongColors& phong) {
   if (largest(phong.reflective) > 0) {
     pbr.roughness = 0;
     pbr.f0 = unit_range(phong.reflective);
-  } else if (has_highlight(phong)) {
+  } else if (has_highlight(phong) && pbr.transmission < 0.5f) {
     const float r4 = 1 / (2 * phong.shininess + 1);
     pbr.roughness = std::sqrt(std::sqrt(r4));
     pbr.f0 = unit_range(4 * r4 * phong.specular);

@@ -14,7 +14,9 @@
 //                 equation 33.)
 // reflective   -> F0 of a surface with roughness 0; the highlight, which needs another roughness,
 //                 is lost
-// transparent  -> transmission: the share of transparent in diffuse + transparent
+// transparent  -> transmission: the share of transparent in diffuse + transparent. From a share of
+//                 0.5 the surface is smooth, and its highlight is lost: a rough one would blur what
+//                 is seen through it
 
 #include "scenefile/scene/render_scene.h"
 

@@ -10,7 +10,7 @@
 #include "scenefile/io/folder.h"
 #include "scenefile/trace/features.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/picture_parts.h"
+#include "scenefile/trace/pieces.h"
 #include "scenefile/verbs/codes.h"
 
 #include <fmt/format.h>

@@ -199,8 +199,9 @@ void closest_of_100000(benchmark::State& state) {
   });
 }
 void occluded_by_100000(benchmark::State& state) {
-  ask_rays(state, [](const Accelerator& accelerator, const Ray& ray) {
-    return accelerator.occluded(ray, 0, 1e9);
+  const Transmission opaque({});
+  ask_rays(state, [&](const Accelerator& accelerator, const Ray& ray) {
+    return accelerator.transmittance(ray, 0, 1e9, opaque) == glm::dvec3(0);
   });
 }
 BENCHMARK(closest_of_100000);

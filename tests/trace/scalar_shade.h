@@ -1,7 +1,7 @@
 #pragma once
 // The lighting equation at a point, without reflection and refraction.
 
-#include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/surface_color.h"
 #include "trace/recorder.h"
 

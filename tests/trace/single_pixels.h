@@ -1,7 +1,7 @@
 #pragma once
 // Samples pixels ray by ray.
 
-#include "scenefile/trace/drawn_pixel.h"
+#include "scenefile/trace/wave_pixels.h"
 #include "trace/scalar_tracer.h"
 #include "trace/surface_recorder.h"
 

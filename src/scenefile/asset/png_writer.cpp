@@ -66,8 +66,13 @@ class Rows {
     const std::size_t pixel = static_cast<std::size_t>(bits_) / 8 * 3;
     to.push_back(filter_sub);
     to.insert(to.end(), row_.begin(), row_.end());
-    for (std::size_t i = pixel; i < row_.size(); ++i) {
-      to[start + i] = static_cast<std::uint8_t>(row_[i] - row_[i - pixel]);
+    // Local copies: bytes may alias the vectors themselves, so that no loop over them is
+    // vectorized.
+    const std::uint8_t* const from = row_.data();
+    std::uint8_t* const difference = to.data() + start;
+    const std::size_t size = row_.size();
+    for (std::size_t i = pixel; i < size; ++i) {
+      difference[i] = static_cast<std::uint8_t>(from[i] - from[i - pixel]);
     }
   }
 

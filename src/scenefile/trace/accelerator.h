@@ -115,9 +115,6 @@ class Accelerator {
   /// unnamed or nothing is hit. Repeats the search.
   std::vector<std::uint32_t> instances_of_closest(const Ray& ray, double t_min, double t_max) const;
 
-  /// Whether there is any surface at t_min < t < t_max.
-  bool occluded(const Ray& ray, double t_min, double t_max) const;
-
   /// The fraction of light that remains along the ray at t_min < t < t_max; each object counts
   /// once. `blocker`: if the ray hits a part that lets no light through, set to its Hit::part.
   glm::dvec3 transmittance(const Ray& ray, double t_min, double t_max,

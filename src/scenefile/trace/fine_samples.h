@@ -12,7 +12,6 @@
 // Where they differ, or where the pixel differs from a neighbor, it takes all.
 
 #include "scenefile/trace/camera_rays.h"
-#include "scenefile/trace/camera_sample.h"
 #include "scenefile/trace/edges.h"
 #include "scenefile/trace/tracer.h"
 

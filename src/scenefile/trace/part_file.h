@@ -13,7 +13,7 @@
 
 #include "scenefile/asset/image.h"
 #include "scenefile/trace/layers.h"
-#include "scenefile/trace/picture_parts.h"
+#include "scenefile/trace/pieces.h"
 #include "scenefile/trace/render_options.h"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "scenefile/base/components.h"
 #include "scenefile/trace/accelerator.h"
-#include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/explain.h"
 #include "scenefile/trace/footprint.h"
 #include "scenefile/trace/sequence.h"

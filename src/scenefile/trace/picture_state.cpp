@@ -3,7 +3,7 @@
 #include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/fine_samples.h"
 #include "scenefile/trace/layer_buffers.h"
-#include "scenefile/trace/picture_parts.h"
+#include "scenefile/trace/pieces.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,5 +1,8 @@
 #pragma once
-// Which tiles of a picture are finished.
+// The tiles of a picture: which are finished, and how they are divided into parts that can be drawn
+// on different machines and merged.
+
+#include "scenefile/trace/render_options.h"
 
 #include <atomic>
 #include <cstddef>
@@ -46,5 +49,16 @@ class Pieces {
   int height_ = 0;
   std::vector<std::atomic<std::uint8_t>> done_;
 };
+
+/// Whether the region has no pixels.
+bool empty(const PixelRegion& region);
+
+/// The maximum number of parts.
+inline constexpr std::uint32_t max_parts = 1000000;
+
+/// The pixels of part `index` of `count`, counted from 0. The parts cover the region without
+/// overlap; each is a rectangle of whole tiles, about the same number in each. Empty if
+/// there are more parts than tiles.
+PixelRegion part_of(const PixelRegion& region, std::uint32_t index, std::uint32_t count);
 
 }  // namespace scenefile

@@ -1,7 +1,7 @@
 #pragma once
 // What the camera rays of a pixel hit, for layers, denoising and explain.h.
 
-#include "scenefile/trace/camera_sample.h"
+#include "scenefile/trace/camera_rays.h"
 #include "scenefile/trace/color.h"
 #include "scenefile/trace/denoise.h"
 

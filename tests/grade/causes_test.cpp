@@ -390,6 +390,29 @@ TEST(Causes, Attenuation) {
 
 TEST(Causes, Normals) {
   expect_named(Cause::normals, {"normal-by-matrix"});
+  expect_named(Cause::normals, {"normal-like-point"});
+}
+
+TEST(Causes, Shapes) {
+  std::size_t visible = 0;
+  std::size_t named = 0;
+  for (const char* mistake : {"shape-square-caps", "shape-endless-cylinders", "shape-double-cones",
+                              "shape-cube-normals-positive", "shape-some-missing"}) {
+    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+      const GeneratedScene scene(seed);
+      const SceneView view = view_of(scene);
+      const CauseReport report =
+          find_causes(reference_of(scene, false), scene.drawn_by_student({mistake}), &view);
+      if (report.share_different > 0.01) {
+        ++visible;
+        const bool right = report.claims.size() == 1 && report.claims[0].cause == Cause::shapes;
+        named += right ? 1 : 0;
+        EXPECT_TRUE(right || report.claims.empty()) << mistake << seed << said(report);
+      }
+    }
+  }
+  EXPECT_GE(visible, 6u);
+  EXPECT_GE(10 * named, 9 * visible);
 }
 
 TEST(Causes, Shadows) {

@@ -147,6 +147,16 @@ constexpr KnownMistake table[] = {
     {"normal-not-normalized-by-matrix", "normals", "normals"},
     {"shape-cone-normal-steep", "shapes", "shapes|normals"},
     {"shape-double-size", "shapes", "shapes"},
+    {"shape-no-top-cap", "shapes", "shapes"},
+    {"shape-no-bottom-cap", "shapes", "shapes"},
+    {"shape-square-caps", "shapes", "shapes"},
+    {"shape-endless-cylinders", "shapes", "shapes"},
+    {"shape-double-cones", "shapes", "shapes"},
+    {"shape-cylinder-normal-sphere", "shapes", "shapes|normals"},
+    {"shape-cube-normals-positive", "shapes", "shapes|normals"},
+    {"shape-some-missing", "shapes", "shapes"},
+    {"normal-like-point", "normals", "normals"},
+    {"normal-four-components", "normals", "normals"},
     {"hit-farthest-object", "nearest-hit", "nearest-hit"},
     {"hit-object-compared", "nearest-hit", "nearest-hit"},
     {"hit-behind", "nearest-hit", "nearest-hit"},
@@ -180,7 +190,10 @@ constexpr KnownMistake table[] = {
     {"texture-rest-lacks-coefficient", "textures", "texture"},
     {"texture-filtered", "textures", "texture|features"},
     {"texture-missing-on-caps", "textures", "texture"},
+    {"texture-over-lighting", "textures", "texture"},
+    {"texture-over-all", "textures", "texture"},
     {"mirror-wrong-sign", "mirrors", "reflection"},
+    {"mirror-product", "mirrors", "reflection"},
     {"mirror-acne", "mirrors", "reflection|acne"},
     {"mirror-blended-plain", "mirrors", "reflection"},
     {"mirror-blended-color", "mirrors", "reflection"},
@@ -189,6 +202,9 @@ constexpr KnownMistake table[] = {
     {"glass-same-ratio", "refraction", "refraction"},
     {"glass-no-total-reflection", "refraction", "refraction"},
     {"glass-no-coefficient", "refraction", "refraction"},
+    {"glass-blended", "refraction", "refraction"},
+    {"glass-blended-plain", "refraction", "refraction"},
+    {"glass-eta-inverted-black", "refraction", "refraction"},
     {"output-half-drawn", "output", "black"},
     {"output-misses-black", "output", "background|samples"},
     {"output-sum-of-samples", "output", "brightness|samples"},
@@ -605,7 +621,7 @@ class Tracer {
             const vec3 p = o + t * d;
             if (std::abs(p[(axis + 1) % 3]) <= 0.5f && std::abs(p[(axis + 2) % 3]) <= 0.5f) {
               vec3 n(0);
-              n[axis] = side < 0 ? -1.0f : 1.0f;
+              n[axis] = side < 0 && !has("shape-cube-normals-positive") ? -1.0f : 1.0f;
               offer(list, t, o, d, n, false);
             }
           }
@@ -622,10 +638,12 @@ class Tracer {
         for (const float sign : {-1.0f, 1.0f}) {
           const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
           const vec3 p = o + t * d;
-          if (root >= 0 && std::abs(p.y) <= 0.5f) {
-            offer(list, t, o, d, {2 * p.x, 0, 2 * p.z}, false);
+          if (root >= 0 && (std::abs(p.y) <= 0.5f || has("shape-endless-cylinders"))) {
+            const float up = has("shape-cylinder-normal-sphere") ? 2 * p.y : 0;
+            offer(list, t, o, d, {2 * p.x, up, 2 * p.z}, false);
           }
-          cap(o, d, 0.5f * sign, has("shape-no-cylinder-caps"), list);
+          const bool missing = sign > 0 ? has("shape-no-top-cap") : has("shape-no-bottom-cap");
+          cap(o, d, 0.5f * sign, missing || has("shape-no-cylinder-caps"), list);
         }
         return;
       }
@@ -642,14 +660,14 @@ class Tracer {
         for (const float sign : {-1.0f, 1.0f}) {
           const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
           const vec3 p = o + t * d;
-          if (root >= 0 && std::abs(p.y) <= 0.5f) {
+          if (root >= 0 && p.y >= -0.5f && (p.y <= 0.5f || has("shape-double-cones"))) {
             const float slope = has("shape-cone-normal-level")   ? 0
                                 : has("shape-cone-normal-steep") ? 0.5f - p.y
                                                                  : (0.5f - p.y) / 2;
             offer(list, t, o, d, {2 * p.x, slope, 2 * p.z}, false);
           }
         }
-        cap(o, d, -0.5f, has("shape-no-cone-cap"), list);
+        cap(o, d, -0.5f, has("shape-no-cone-cap") || has("shape-no-bottom-cap"), list);
         return;
       }
       case Shape::mesh:
@@ -657,10 +675,12 @@ class Tracer {
     }
   }
 
-  static void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) {
+  void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) const {
     const float t = (y - o.y) / d.y;
     const vec3 p = o + t * d;
-    if (!missing && p.x * p.x + p.z * p.z <= 0.25f) {
+    const bool inside = has("shape-square-caps") ? std::max(std::abs(p.x), std::abs(p.z)) <= 0.5f
+                                                 : p.x * p.x + p.z * p.z <= 0.25f;
+    if (!missing && inside) {
       offer(list, t, o, d, {0, y < 0 ? -1.0f : 1.0f, 0}, true);
     }
   }
@@ -669,6 +689,9 @@ class Tracer {
     Found best;
     std::vector<Found> list;
     for (const Object& object : objects_) {
+      if (has("shape-some-missing") && (&object - objects_.data()) % 3 == 1) {
+        continue;
+      }
       const vec3 o = vec3(object.inverse * vec4(from, 1));
       const vec3 d = vec3(object.inverse * vec4(direction, 0));
       list.clear();
@@ -759,13 +782,33 @@ class Tracer {
     return sum;
   }
 
+  // The blend of the texture with the finished lighting. `texture`: its color.
+  float share_over_lighting(const Found& f, vec3& texture) const {
+    const Material& m = f.object->primitive->material;
+    const Texture* const image = texture_of(m);
+    if (image == nullptr) {
+      return 0;
+    }
+    const vec2 uv = uv_of(f);
+    const auto place = [](float x, int size) {
+      const int i = static_cast<int>(std::floor(x * float(size))) % size;
+      return i < 0 ? i + size : i;
+    };
+    const std::uint8_t* texel =
+        image->texel(place(uv.x * m.texture->repeat_u, image->width),
+                     place((1 - uv.y) * m.texture->repeat_v, image->height));
+    texture = vec3(texel[0], texel[1], texel[2]) / 255.0f;
+    return m.blend;
+  }
+
   vec3 diffuse_of(const Found& f) const {
     const Material& m = f.object->primitive->material;
     const float kd = has("diffuse-no-coefficient") ? 1 : scene_.global.diffuse;
     const vec3 plain = kd * m.diffuse;
     const Texture* const texture = texture_of(m);
     const bool cone = f.object->primitive->shape == Shape::cone;
-    if (texture == nullptr || has("texture-missing") || (cone && has("texture-missing-on-cones")) ||
+    if (texture == nullptr || has("texture-missing") || has("texture-over-lighting") ||
+        has("texture-over-all") || (cone && has("texture-missing-on-cones")) ||
         (f.cap && has("texture-missing-on-caps"))) {
       return plain;
     }
@@ -1053,6 +1096,12 @@ class Tracer {
     if (has("normal-of-object")) {
       return n;
     }
+    if (has("normal-like-point")) {
+      return glm::normalize(vec3(f.object->matrix * vec4(n, 1)));
+    }
+    if (has("normal-four-components")) {
+      return vec3(glm::normalize(glm::transpose(f.object->inverse) * vec4(n, 0)));
+    }
     const vec3 world = glm::transpose(inverse) * n;
     if (has("normal-not-normalized")) {
       return world;
@@ -1091,6 +1140,13 @@ class Tracer {
     if (has("strange-other-colors") && m.diffuse.x > m.diffuse.y) {
       color = vec3(color.y, color.x, color.z);
     }
+    vec3 texture(0);
+    const float over = has("texture-over-lighting") || has("texture-over-all")
+                           ? share_over_lighting(f, texture)
+                           : 0;
+    if (has("texture-over-lighting")) {
+      color = (1 - over) * color + over * texture;
+    }
     const int depths = has("mirror-depth-one")   ? 1
                        : has("mirror-depth-two") ? 2
                        : has("mirror-deep")      ? 9
@@ -1115,11 +1171,21 @@ class Tracer {
       color = has("mirror-blended")         ? (1.0f - weight) * color + weight * seen
               : has("mirror-blended-plain") ? (1.0f - ks) * color + ks * seen
               : has("mirror-blended-color") ? (1.0f - m.reflective) * color + m.reflective * seen
+              : has("mirror-product")       ? (1.0f - weight) * color + weight * seen * color
                                             : color + weight * seen;
     }
     if (job_.refract && !has("glass-missing") && m.transparent != vec3(0) && depth < depths) {
-      color += (has("glass-no-coefficient") ? 1 : scene_.global.transparent.value_or(0)) *
-               m.transparent * through(f, point, glm::normalize(direction), depth);
+      const float kt = scene_.global.transparent.value_or(0);
+      const vec3 weight = has("glass-blended-plain")    ? vec3(kt)
+                          : has("glass-no-coefficient") ? m.transparent
+                                                        : kt * m.transparent;
+      if (has("glass-blended") || has("glass-blended-plain")) {
+        color *= 1.0f - weight;
+      }
+      color += weight * through(f, point, glm::normalize(direction), depth);
+    }
+    if (has("texture-over-all")) {
+      color = (1 - over) * color + over * texture;
     }
     return depth > 0 ? glm::clamp(color, vec3(0), vec3(1)) : color;
   }
@@ -1132,7 +1198,7 @@ class Tracer {
     const bool entering = glm::dot(direction, outward) < 0;
     vec3 inside;
     const bool in = bend(direction, outward, entering, ior, inside);
-    if (!in && has("glass-no-total-reflection")) {
+    if (!in && (has("glass-no-total-reflection") || has("glass-eta-inverted-black"))) {
       return vec3(0);
     }
     if (!in || !entering || has("glass-shaded-inside")) {
@@ -1163,7 +1229,7 @@ class Tracer {
 
   bool bend(const vec3& d, vec3 n, bool entering, float ior, vec3& out) const {
     float eta = entering || has("glass-same-ratio") ? 1 / ior : ior;
-    if (has("glass-eta-inverted")) {
+    if (has("glass-eta-inverted") || has("glass-eta-inverted-black")) {
       eta = 1 / eta;
     }
     if (has("glass-straight")) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace scenefile {
 
@@ -13,166 +14,254 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Share of the pixels with acne that lie between right ones. Seen: 0.45 to 0.88 with acne, and at
-// most 0.18 for shadows in the wrong places.
-constexpr double min_scattered = 0.2;
+// Seen with acne: 0.93 to 1.10 of the changes that random pixels have, and 0.8 to 1 of the windows
+// mixed; in areas that are wrong, such as shadows: 0.35 to 0.65 of the changes, as these are at
+// outlines alone, and at most 0.4 mixed.
+constexpr double min_noise = 0.8;
+constexpr double min_mixed = 0.7;
+constexpr std::size_t few_windows = 5;
+constexpr double most_spots = 0.85;       // of the pixels that differ must lack some lights
+constexpr std::size_t max_spots = 300;    // looked at
+constexpr std::size_t max_windows = 60;   // looked at
+constexpr std::size_t max_subsets = 512;  // of lights and reflections
+constexpr int window = 2;                 // pixels on each side of the center
 
-// Whether the test's color is `full` without some of the lights, after applying `shown`.
-template <typename Shown>
-bool lacks_lights(const dvec3& test, const dvec3& full, const std::vector<dvec3>& shares,
-                  const Shown& shown) {
-  const std::size_t count = std::min<std::size_t>(shares.size(), 5);
-  for (unsigned subset = 1; subset < 1u << count; ++subset) {
-    dvec3 c = full;
-    for (std::size_t i = 0; i < count; ++i) {
-      c -= (subset >> i & 1) != 0 ? shares[i] : dvec3(0);
+// The picture with some mistakes.
+class Expected {
+ public:
+  Expected(const Simulation& sim, const Combination& made)
+      : sim_(sim),
+        made_(made),
+        trial_(sim.trial_of(made)),
+        shapes_(sim.shapes_of(trial_, sim.stage_of(made))),
+        model_(trial_.scene, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes) {
+    for (const std::uint16_t i : made) {
+      on_picture_ = on_picture_ || sim.list[i].color;
     }
-    if (largest_of(glm::abs(shown(c) - test)) <= 4) {
+  }
+  const Model& model() const { return model_; }
+  const Trial& trial() const { return trial_; }
+  const ModelShapes& shapes() const { return *shapes_; }
+  ModelRay ray(int x, int y) const {
+    return model_.camera_ray(dvec2(x + 0.5, y + 0.5) + trial_.shift, sim_.test.width,
+                             sim_.test.height);
+  }
+  // A color of the model as in the picture, in 1/255.
+  dvec3 shown(const dvec3& color) const {
+    return glm::clamp(on_picture_ ? sim_.finished(made_, {255.0 * color}).front() : 255.0 * color,
+                      dvec3(0), dvec3(255));
+  }
+  // Whether the test's pixel is wrong.
+  bool differs(int x, int y) const {
+    const dvec3 expected =
+        made_.empty() ? at(sim_.reference, x, y) : shown(model_.color(ray(x, y)));
+    return largest_of(glm::abs(expected - at(sim_.test, x, y))) > right_within;
+  }
+
+ private:
+  const Simulation& sim_;
+  const Combination& made_;
+  Trial trial_;
+  std::shared_ptr<const ModelShapes> shapes_;
+  Model model_;
+  bool on_picture_ = false;
+};
+
+// Whether the test's color is `full` without some of the lights that arrive.
+bool lacks_lights(const Expected& picture, const dvec3& test, const dvec3& full,
+                  std::vector<dvec3> arriving) {
+  std::erase_if(arriving, [](const dvec3& c) { return largest_of(c) < 0.5 / 255; });
+  std::sort(arriving.begin(), arriving.end(),
+            [](const dvec3& a, const dvec3& b) { return largest_of(a) > largest_of(b); });
+  for (std::size_t subset = 1; subset < std::min(max_subsets, std::size_t(1) << arriving.size());
+       ++subset) {
+    dvec3 c = full;
+    for (std::size_t i = 0; subset >> i != 0; ++i) {
+      c -= (subset >> i & 1) != 0 ? arriving[i] : dvec3(0);
+    }
+    if (largest_of(glm::abs(picture.shown(c) - test)) <= 4) {
       return true;
     }
   }
   return false;
 }
 
-// Whether the pixel has right ones on two opposite sides, at most two pixels away. Pixels with acne
-// do; most of those inside of an area, such as a shadow, do not. `right`: for neighbors.
-template <typename Right>
-bool is_between_right(const Simulation& sim, const Point& p, const Right& right) {
-  const auto on_side = [&](int dx, int dy) {
-    for (const int step : {1, 2}) {
-      const glm::ivec2 at_step(p.x + step * dx, p.y + step * dy);
-      if (at_step.x >= 0 && at_step.y >= 0 && at_step.x < sim.test.width &&
-          at_step.y < sim.test.height && right(at_step.x, at_step.y)) {
-        return true;
-      }
-    }
-    return false;
+// The test's pixels around some pixels, as far as these lie in the middle of a surface.
+struct Alternation {
+  std::size_t windows = 0;
+  std::size_t inside = 0;  // windows within one surface
+  std::size_t mixed = 0;   // ... with right and wrong pixels
+  double changes = 0;      // from right to wrong between neighbors in these windows
+  double expected = 0;     // the same for as many right and wrong pixels in random order
+};
+
+void look_around(const Simulation& sim, const Expected& picture, const Point& p, Alternation& a) {
+  constexpr int side = 2 * window + 1;
+  constexpr int few = 3;
+  if (p.x < window || p.y < window || p.x + window >= sim.test.width ||
+      p.y + window >= sim.test.height) {
+    return;
+  }
+  ++a.windows;
+  const ModelHit center = picture.model().first_hit(picture.ray(p.x, p.y));
+  const auto on_center = [&](const ModelHit& hit) {
+    return hit.part != nullptr && hit.part == center.part && hit.face == center.face;
   };
-  return (on_side(-1, 0) && on_side(1, 0)) || (on_side(0, -1) && on_side(0, 1));
+  std::array<std::array<bool, side>, side> wrong;
+  int count = 0;
+  for (int v = 0; v < side; ++v) {
+    for (int u = 0; u < side; ++u) {
+      const glm::ivec2 at_pixel(p.x + u - window, p.y + v - window);
+      if (!on_center(picture.model().first_hit(picture.ray(at_pixel.x, at_pixel.y)))) {
+        return;
+      }
+      wrong[v][u] = picture.differs(at_pixel.x, at_pixel.y);
+      count += wrong[v][u] ? 1 : 0;
+    }
+  }
+  ++a.inside;
+  a.mixed += count >= few && side * side - count >= few ? 1 : 0;
+  const double density = double(count) / (side * side);
+  a.expected += 2 * side * (side - 1) * 2 * density * (1 - density);
+  for (int v = 0; v < side; ++v) {
+    for (int u = 0; u + 1 < side; ++u) {
+      a.changes += wrong[v][u] != wrong[v][u + 1] ? 1 : 0;
+      a.changes += wrong[u][v] != wrong[u + 1][v] ? 1 : 0;
+    }
+  }
+}
+
+double brightest(const std::vector<dvec3>& lights) {
+  double most = 0;
+  for (const dvec3& c : lights) {
+    most = std::max(most, largest_of(c));
+  }
+  return most;
+}
+
+double share(std::size_t part_of, std::size_t whole) {
+  return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
+}
+
+// Whether the spots are noise on surfaces: they alternate with right pixels, anywhere on a surface.
+// Lines along silhouettes are near its edges.
+bool is_noise(const Simulation& sim, const Expected& picture,
+              const std::vector<const Point*>& spots) {
+  Alternation wrong;
+  for (std::size_t i = 0; i < spots.size() && wrong.windows < max_windows; ++i) {
+    look_around(sim, picture, *spots[i], wrong);
+  }
+  Alternation right;
+  for (std::size_t i = 0; i < sim.points.size() && right.windows < max_windows; ++i) {
+    const Point& p = sim.points[i];
+    if (!p.differs && picture.model().first_hit(picture.ray(p.x, p.y)).part != nullptr) {
+      look_around(sim, picture, p, right);
+    }
+  }
+  return wrong.inside >= few_windows &&
+         share(wrong.inside, wrong.windows) >= 0.5 * share(right.inside, right.windows) &&
+         share(wrong.mixed, wrong.inside) >= min_mixed &&
+         wrong.changes >= min_noise * wrong.expected;
 }
 
 }  // namespace
 
-bool is_scattered(const Simulation& sim) {
-  std::size_t differing = 0;
-  std::size_t scattered = 0;
-  for (const Point& p : sim.points) {
-    if (p.differs) {
-      ++differing;
-      scattered += is_between_right(sim, p, [&](int x, int y) {
-        return largest_of(glm::abs(at(sim.test, x, y) - at(sim.reference, x, y))) <= exact_within;
-      });
-    }
-  }
-  return static_cast<double>(scattered) >= min_scattered * static_cast<double>(differing);
-}
-
 std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, double least) {
-  std::vector<Claim> claims;
   if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray ||
-      sim.turn_of(made) != Turn() || (made.empty() && !is_scattered(sim))) {
+      sim.turn_of(made) != Turn()) {
     return {};
   }
-  const Trial trial = sim.trial_of(made);
-  const std::shared_ptr<const ModelShapes> shapes = sim.shapes_of(trial, sim.stage_of(made));
-  const Model model(trial.scene, *shapes, *sim.view->assets, trial.options, trial.mistakes);
-  Trial unlit = trial;
+  const Expected picture(sim, made);
+  Trial unlit = picture.trial();
   unlit.scene.lights.clear();
-  const Model dark(unlit.scene, *shapes, *sim.view->assets, unlit.options, unlit.mistakes);
-  const auto shown = [&](const dvec3& c) {
-    return glm::clamp(sim.finished(made, {255.0 * c}).front(), dvec3(0), dvec3(255));
-  };
-  std::size_t looked_at = 0;
+  const Model dark(unlit.scene, picture.shapes(), *sim.view->assets, unlit.options, unlit.mistakes);
+  const Trial right_trial = sim.right_trial(false);
+  const Model right(right_trial.scene, *sim.shapes, *sim.view->assets, right_trial.options,
+                    right_trial.mistakes);
+  std::vector<const Point*> spots;
   std::size_t differing = 0;
-  std::size_t between = 0;
-  std::size_t scattered = 0;
+  std::size_t between = 0;  // as bright as with some of the light
   std::size_t dull = 0;
-  std::size_t lacking = 0;
+  std::size_t lacking = 0;  // without exactly some lights
   std::size_t mirrors = 0;
   std::size_t seeing_themselves = 0;
-  std::size_t beside_right = 0;
-  for (std::size_t i = 0; i < sim.points.size() && looked_at < 400; ++i) {
+  for (std::size_t i = 0; i < sim.points.size() && spots.size() < max_spots; ++i) {
     const Point& p = sim.points[i];
     if (!p.differs) {
       continue;
     }
-    const ModelRay ray =
-        model.camera_ray(sim.middle(p, {}) + trial.shift, sim.test.width, sim.test.height);
-    const ModelHit hit = made.empty() ? sim.clean({}).hits[i] : model.first_hit(ray);
     ++differing;
-    const dvec3 full = made.empty() ? sim.clean({}).drawn[i] / 255.0 : model.color(ray, &hit);
-    if (hit.part == nullptr ||
-        (!made.empty() && largest_of(outside(shown(full), p.low, p.high)) <= exact_within)) {
+    const ModelRay ray = picture.ray(p.x, p.y);
+    const ModelHit hit = made.empty() ? sim.clean({}).hits[i] : picture.model().first_hit(ray);
+    const dvec3 full =
+        made.empty() ? sim.clean({}).drawn[i] / 255.0 : picture.model().color(ray, &hit);
+    const dvec3 lit = picture.shown(full);
+    if (hit.part == nullptr || largest_of(glm::abs(lit - p.test)) <= right_within) {
       continue;
     }
-    ++looked_at;
-    const dvec3 a = shown(dark.color(ray));
-    const dvec3 b = shown(full);
-    between += largest_of(outside(p.test, glm::min(a, b) - 4.0, glm::max(a, b) + 4.0)) <= 0;
-    const bool beside = is_between_right(sim, p, [&](int x, int y) {
-      const dvec3 expected =
-          made.empty() ? at(sim.reference, x, y)
-                       : shown(model.color(model.camera_ray(dvec2(x + 0.5, y + 0.5) + trial.shift,
-                                                            sim.test.width, sim.test.height)));
-      return largest_of(glm::abs(expected - at(sim.test, x, y))) <= exact_within;
-    });
-    scattered += beside ? 1 : 0;
-    const RenderMaterial& m = trial.scene.materials[hit.part->material];
-    // Mirrors with self-intersections may show anything.
-    if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
+    spots.push_back(&p);
+    const RenderMaterial& m = picture.trial().scene.materials[hit.part->material];
+    if (m.transparent != glm::vec3(0)) {
+      continue;  // shows other surfaces with acne
+    }
+    const std::vector<dvec3> arriving = picture.model().light_shares(ray);
+    // Light that should not arrive may show the noise of surfaces that the light only grazes.
+    if (!made.empty() && sim.stage_of(made) <= Stage::shading &&
+        brightest(right.light_shares(ray)) < 0.1 * brightest(arriving)) {
+      continue;
+    }
+    const dvec3 unlit_color = picture.shown(dark.color(ray));
+    between += largest_of(outside(p.test, glm::min(unlit_color, lit) - 4.0,
+                                  glm::max(unlit_color, lit) + 4.0)) <= 0
+                   ? 1
+                   : 0;
+    if (m.reflective == glm::vec3(0)) {
       ++dull;
-      // If little light is missing, some set of lights always fits.
-      lacking += largest_of(glm::abs(b - p.test)) > 8 &&
-                         lacks_lights(p.test, full, model.light_shares(ray), shown)
-                     ? 1
-                     : 0;
-    } else if (m.transparent == glm::vec3(0) && mirrors < 150) {
-      ++mirrors;
-      const std::vector<dvec3> seen = model.self_mirrored(ray, 16);
+      lacking += lacks_lights(picture, p.test, full, arriving) ? 1 : 0;
+    } else if (++mirrors; made.empty()) {
+      const std::vector<dvec3> seen = picture.model().self_mirrored(ray, 16);
       seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
-        return largest_of(glm::abs(shown(c) - p.test)) <= 3;
+        return largest_of(glm::abs(picture.shown(c) - p.test)) <= 3;
       });
-      beside_right += beside ? 1 : 0;
     }
   }
-  const auto share = [](std::size_t part_of, std::size_t whole) {
-    return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
-  };
-  // The other mistakes must explain the pixels outside the spots.
-  if (!made.empty() && (share(looked_at, differing) > 0.75 ||
-                        share(scattered, looked_at) < min_scattered || !each_needed(sim, made))) {
+  // Glass cannot be checked, so it must not be the main evidence. The other mistakes must explain
+  // the pixels outside the spots.
+  if (dull + mirrors < few_pixels || 2 * (dull + mirrors) < spots.size() ||
+      (!made.empty() && (share(spots.size(), differing) > 0.75 || !each_needed(sim, made)))) {
     return {};
   }
-  if (made.empty() && mirrors >= 3 * few_pixels && share(seeing_themselves, mirrors) >= 0.85 &&
-      share(beside_right, mirrors) >= 0.25 && 4 * mirrors > 3 * (mirrors + dull) &&
-      share(seeing_themselves, mirrors) >= least) {
+  std::vector<Claim> claims;
+  const double mirrored = share(seeing_themselves, mirrors);
+  if (mirrors >= 3 * few_pixels && mirrored >= std::max(most_spots, least) && mirrors > 3 * dull) {
     claims.push_back(
         {Cause::acne,
          "reflected rays hit the surface that they start from, in spots (acne): offset their "
          "start from the surface",
          fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
-                     percent(share(seeing_themselves, mirrors))),
-         share(seeing_themselves, mirrors)});
-    return claims;
+                     percent(mirrored)),
+         mirrored});
+    return is_noise(sim, picture, spots) ? claims : std::vector<Claim>();
   }
   // On mirrors, the reflection may show acne, too, so that no set of lights need fit.
-  const bool all_mirrors = 10 * dull < looked_at;
-  if (looked_at < few_pixels || share(scattered, looked_at) < min_scattered) {
+  const bool all_mirrors = 10 * dull < dull + mirrors;
+  const double darker = share(between, dull + mirrors);
+  const double lack = share(lacking, dull);
+  if (all_mirrors
+          ? darker < 0.95
+          : dull < few_pixels || lack < std::max(most_spots, least) || darker < most_spots) {
     return {};
   }
-  if (all_mirrors ? share(between, looked_at) < 0.95 || share(scattered, looked_at) < 0.6
-                  : dull < few_pixels || share(lacking, dull) < std::max(0.85, least) ||
-                        share(between, looked_at) < (share(lacking, dull) < 0.95 ? 0.85 : 0.5)) {
+  if (!is_noise(sim, picture, spots)) {
     return {};
   }
+  const double explained = 1 - share(spots.size(), differing);
   for (const std::uint16_t i : made) {
-    claims.push_back(
-        {sim.list[i].cause, sim.list[i].what,
-         fmt::format(
-             "simulating this mistake explains {} of the pixels that differ; the others are "
-             "specks",
-             percent(1 - share(looked_at, differing))),
-         1 - share(looked_at, differing)});
+    claims.push_back({sim.list[i].cause, sim.list[i].what,
+                      fmt::format("simulating this mistake explains {} of the pixels that differ; "
+                                  "the others are specks",
+                                  percent(explained)),
+                      explained});
   }
   claims.push_back(
       {Cause::acne,
@@ -181,12 +270,13 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
        all_mirrors
            ? fmt::format("{} of the pixels that differ are darker by at most the lights' "
                          "contribution, and correct pixels lie between them",
-                         percent(share(between, looked_at)))
+                         percent(darker))
            : fmt::format("{} of the pixels that differ{} on surfaces without reflections lack "
                          "exactly the contribution of one or more lights, and correct pixels lie "
                          "between them",
-                         percent(share(lacking, dull)), made.empty() ? "" : " still"),
-       share(between, looked_at)});
+                         percent(lack), made.empty() ? "" : " still"),
+       darker});
   return claims;
 }
+
 }  // namespace scenefile

@@ -5,9 +5,6 @@
 
 namespace scenefile {
 
-/// Whether most pixels that differ lie between right ones: spots or noise rather than areas.
-bool is_scattered(const Simulation& sim);
-
 /// Acne, in addition to the mistakes `made`. `least`: the share of the differing pixels
 /// that it must explain.
 std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, double least);

@@ -56,9 +56,17 @@ bool shows_much(const Simulation& sim, const Tried& t) {
   return matched >= 0.5 * bright;
 }
 
-// A number that was fitted must explain more than others: fits adapt to whatever is wrong.
-bool nearly_sure(const Tried& t) {
-  return t.explained >= 0.95 && t.exact >= 0.9;
+// Whether the mistake changes many pixels that are right. Beside pixels with noise, any of their
+// colors counts as equal, so that the score does not show it.
+bool breaks_right_pixels(const Simulation& sim, const Tried& t) {
+  const Colors colors = sim.predicted(t.mistakes, sim.points.size());
+  double broken = 0;
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    broken += !p.differs && largest_of(glm::abs(c - p.test)) > right_within ? p.weight : 0;
+  }
+  return broken > 0.1 * sim.weight_that_differs(sim.points.size());
 }
 
 bool is_about_brightness(Cause cause) {
@@ -170,16 +178,15 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   std::optional<Tried> found;
-  if (!alone.empty() && good(alone.front()) &&
-      (alone.front().mistakes.front() < sim.first_measured || nearly_sure(alone.front()))) {
-    if (alone.front().exact < nearly_all) {
-      report.claims = claims_of_acne(sim, {}, alone.front().exact);
-    }
-    if (report.claims.empty()) {
-      found = completed(sim, alone.front());
-    }
-  } else {
-    report.claims = claims_of_acne(sim, {}, 0);
+  // A number that was fitted must explain more than others: fits adapt to whatever is wrong.
+  const bool single = !alone.empty() && good(alone.front()) &&
+                      (alone.front().mistakes.front() < sim.first_measured || sure(alone.front()));
+  const bool doubtful = single && breaks_right_pixels(sim, alone.front());
+  if (!single || doubtful || alone.front().exact < nearly_all) {
+    report.claims = claims_of_acne(sim, {}, single && !doubtful ? alone.front().exact : 0);
+  }
+  if (single && report.claims.empty()) {
+    found = completed(sim, alone.front());
   }
   if (!report.claims.empty()) {
     return;
@@ -234,9 +241,15 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     look_for = LookFor::single_mistakes;
   }
-  if (std::optional<Claim> copy = claim_of_placed_copy(sim.reference, sim.test, pixels.different)) {
-    report.claims.push_back(*std::move(copy));
-    return report;
+  std::optional<Claim> copy;
+  if (!undrawn) {
+    copy = claim_of_placed_copy(sim.reference, sim.test, pixels.different);
+    if (copy && !sim.usable) {
+      report.claims.push_back(*std::move(copy));
+      return report;
+    }
+    // A mistake in the camera may look like a shift.
+    look_for = copy ? LookFor::single_mistakes : look_for;
   }
   sim.list = picture_hypotheses();
   if (sim.usable) {
@@ -259,6 +272,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     add_background(sim);
     add_zooms(sim);
     add_factors(sim);
+    add_missing_objects(sim);
   }
   if (sim.significant()) {
     search(sim, look_for, report);
@@ -266,6 +280,14 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   if (undrawn) {
     if (report.claims.empty()) {
       report.claims.push_back(*std::move(undrawn));
+      report.partial.clear();
+    }
+    return report;
+  }
+  if (copy) {
+    if (report.claims.empty() || report.claims.front().explained < 0.98) {
+      report.claims = {*std::move(copy)};
+      report.rivals.clear();
       report.partial.clear();
     }
     return report;

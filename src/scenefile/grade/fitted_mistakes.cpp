@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 namespace scenefile {
@@ -63,6 +64,10 @@ std::optional<double> common_power(const Pairs& pairs) {
     }
   }
   return common_value(powers);
+}
+
+double spread(const dvec3& v) {
+  return largest_of(v) - std::min({v.x, v.y, v.z});
 }
 
 void add_to_picture(std::vector<Hypothesis>& list, Cause cause, std::string what,
@@ -134,7 +139,6 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
       factors[channel] = *k;
     }
   }
-  const auto spread = [](const dvec3& v) { return largest_of(v) - std::min({v.x, v.y, v.z}); };
   const double least = std::min({factors.x, factors.y, factors.z});
   if (least > 0.03 && (spread(factors) > 0.05 || spread(offsets) > 3)) {
     add_to_picture(
@@ -170,30 +174,41 @@ bool any_texture(const Simulation& sim) {
                      [](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; });
 }
 
-// The color of a light, estimated from the pictures by channel.
-void add_color_of_light(Simulation& sim, std::size_t light) {
+using Factors = std::array<std::vector<double>, 3>;  // by channel
+
+// The factors that a term has at the points that differ. `drop` removes the term from the scene.
+Factors factors_of_term(const Simulation& sim, const std::function<void(Trial&)>& drop) {
   Trial without = sim.right_trial(false);
-  without.scene.lights[light].color = glm::vec3(0);
+  drop(without);
   const std::size_t count = std::min<std::size_t>(sim.points.size(), 400);
-  const Colors dark =
-      sim.draw(without, *sim.shapes, sim.points, count, Turn(), &sim.clean({}).hits);
-  dvec3 factors(1);
-  for (int channel = 0; channel < 3; ++channel) {
-    std::vector<double> found;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double term = sim.clean({}).drawn[i][channel] - dark[i][channel];
+  const Simulation::Clean& right = sim.clean({});
+  const Colors dark = sim.draw(without, *sim.shapes, sim.points, count, Turn(), &right.hits);
+  Factors found;
+  for (std::size_t i = 0; i < count; ++i) {
+    const dvec3 term = right.drawn[i] - dark[i];
+    for (int channel = 0; sim.points[i].differs && channel < 3; ++channel) {
       const double t = sim.points[i].test[channel];
-      if (sim.points[i].differs && std::abs(term) > 12 && t < 254) {
-        found.push_back(1 + (t + 0.5 - sim.clean({}).drawn[i][channel]) / term);
+      if (std::abs(term[channel]) > 12 && t < 254) {
+        found[std::size_t(channel)].push_back(1 +
+                                              (t + 0.5 - right.drawn[i][channel]) / term[channel]);
       }
     }
-    factors[channel] = common_value(found).value_or(1);
   }
-  const glm::vec3 color = glm::max(sim.view->scene->lights[light].color * glm::vec3(factors), 0.0f);
-  const double spread = largest_of(factors) - std::min({factors.x, factors.y, factors.z});
-  if (spread < 0.1 || largest_of(factors) > 12) {
+  return found;
+}
+
+// The color of a light, estimated from the pictures by channel.
+void add_color_of_light(Simulation& sim, std::size_t light) {
+  Factors found =
+      factors_of_term(sim, [&](Trial& t) { t.scene.lights[light].color = glm::vec3(0); });
+  dvec3 factors(1);
+  for (int channel = 0; channel < 3; ++channel) {
+    factors[channel] = common_value(found[std::size_t(channel)]).value_or(1);
+  }
+  if (spread(factors) < 0.1 || largest_of(factors) > 12) {
     return;
   }
+  const glm::vec3 color = glm::max(sim.view->scene->lights[light].color * glm::vec3(factors), 0.0f);
   sim.list.push_back(
       {Cause::lights,
        fmt::format("the color of light {} ({}) is {:.2g} {:.2g} {:.2g}", light + 1,
@@ -206,6 +221,13 @@ void add_color_of_light(Simulation& sim, std::size_t light) {
        },
        {},
        {}});
+}
+
+void drop_objects(Trial& t, const std::set<std::uint32_t>& sources) {
+  for (RenderGroup& g : t.scene.groups) {
+    std::erase_if(g.primitives,
+                  [&](const RenderPrimitive& p) { return sources.contains(p.source); });
+  }
 }
 
 }  // namespace
@@ -287,20 +309,10 @@ void add_background(Simulation& sim) {
 void add_factors(Simulation& sim) {
   using Change = std::function<void(Trial&, double)>;
   const auto try_factor = [&](Cause cause, const std::string& what, const Change& change) {
-    Trial without = sim.right_trial(false);
-    change(without, 0);
-    const std::size_t count = std::min<std::size_t>(sim.points.size(), 300);
-    const Colors dark =
-        sim.draw(without, *sim.shapes, sim.points, count, Turn(), &sim.clean({}).hits);
     std::vector<double> found;
-    for (std::size_t i = 0; i < count; ++i) {
-      const dvec3 term = sim.clean({}).drawn[i] - dark[i];
-      for (int channel = 0; sim.points[i].differs && channel < 3; ++channel) {
-        const double t = sim.points[i].test[channel];
-        if (std::abs(term[channel]) > 12 && t > 1 && t < 254) {
-          found.push_back(1 + (t + 0.5 - sim.clean({}).drawn[i][channel]) / term[channel]);
-        }
-      }
+    for (const std::vector<double>& of_channel :
+         factors_of_term(sim, [&](Trial& t) { change(t, 0); })) {
+      found.insert(found.end(), of_channel.begin(), of_channel.end());
     }
     const std::optional<double> k = common_value(found);
     if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 && std::abs(*k - 0.5) > 0.01 &&
@@ -352,6 +364,84 @@ void add_factors(Simulation& sim) {
     add_color_of_light(sim, i);
   }
 }
+
+void add_missing_objects(Simulation& sim) {
+  constexpr std::size_t max_objects = 2000;
+  constexpr std::size_t max_tried = 12;
+  constexpr std::size_t few_points_of_object = 3;
+  std::size_t objects = 0;
+  for (const RenderGroup& g : sim.view->scene->groups) {
+    objects += g.primitives.size();
+  }
+  if (objects < 2 || sim.shapes->parts.size() > max_objects) {
+    return;
+  }
+  const std::size_t count = std::min<std::size_t>(sim.points.size(), 400);
+  std::set<std::uint32_t> missing;
+  Shape shape = Shape::cube;
+  Colors colors(sim.clean({}).drawn.begin(), sim.clean({}).drawn.begin() + std::ptrdiff_t(count));
+  double left = score(sim.points, count, colors).left;
+  std::shared_ptr<const ModelShapes> shapes = sim.shapes;
+  std::size_t tried = 0;
+  for (bool found = true; found && missing.size() + 1 < objects;) {
+    found = false;
+    // Objects whose pixels are nearly all wrong.
+    const Trial trial = sim.right_trial(false);
+    const Model model(trial.scene, *shapes, *sim.view->assets, trial.options, trial.mistakes);
+    struct Seen {
+      std::size_t wrong = 0;
+      std::size_t all = 0;
+      Shape shape = Shape::cube;
+    };
+    std::map<std::uint32_t, Seen> seen;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point& p = sim.points[i];
+      const ModelHit hit =
+          model.first_hit(model.camera_ray(sim.middle(p, {}), sim.test.width, sim.test.height));
+      if (hit.part != nullptr) {
+        Seen& object = seen[hit.part->source];
+        const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+        object.wrong += largest_of(outside(c, p.low, p.high)) > exact_within ? 1 : 0;
+        object.shape = hit.part->shape;
+        ++object.all;
+      }
+    }
+    for (const auto& [source, object] : seen) {
+      if (object.all < few_points_of_object || 10 * object.wrong < 9 * object.all ||
+          ++tried > max_tried) {
+        continue;
+      }
+      std::set<std::uint32_t> more = missing;
+      more.insert(source);
+      Trial without = sim.right_trial(true);
+      drop_objects(without, more);
+      const std::shared_ptr<const ModelShapes> rest = flatten(without.scene, *sim.view->assets);
+      Colors drawn = sim.draw(without, *rest, sim.points, count, Turn(), nullptr);
+      if (const double now = score(sim.points, count, drawn).left; now < 0.98 * left) {
+        left = now;
+        missing = std::move(more);
+        shapes = rest;
+        colors = std::move(drawn);
+        shape = object.shape;
+        found = true;
+        break;
+      }
+    }
+  }
+  if (missing.empty()) {
+    return;
+  }
+  sim.list.push_back(
+      {Cause::shapes,
+       missing.size() == 1
+           ? fmt::format("one of {} objects is not drawn, a {}", objects, word_of(shape))
+           : fmt::format("{} of {} objects are not drawn", missing.size(), objects),
+       Stage::shapes,
+       [missing](Trial& t) { drop_objects(t, missing); },
+       {},
+       {}});
+}
+
 void add_zooms(Simulation& sim) {
   static constexpr std::array<Zoom, 3> zooms{
       {{true, true, "the picture is zoomed: objects are {:.3g} times as large as they should be"},

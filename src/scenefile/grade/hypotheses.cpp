@@ -86,8 +86,7 @@ void add_other_features(HypothesisList& list) {
        {S::object_normals,
         "normals of the object's own space are drawn as colors, and no lighting"},
        {S::flat_diffuse, "the plain diffuse color is drawn, and no lighting"},
-       {S::flat_ambient_diffuse, "ambient and diffuse colors are drawn, and no lighting"},
-       {S::white, "every object is white, and no lighting"}});
+       {S::flat_ambient_diffuse, "ambient and diffuse colors are drawn, and no lighting"}});
 }
 
 // Tried late, because simpler mistakes can also leave out lights.
@@ -131,14 +130,18 @@ std::vector<Hypothesis> drawing_hypotheses(const SceneView& view, int width, int
   add_mirrors(list);
   add_glass(list);
   add_depths(list);
+  if (lit) {
+    // More likely mistakes in textures give the same picture.
+    add_brightness_of_light(list);
+  }
   add_shapes(list);
   add_nearest(list);
   add_camera(list);
   add_shifts(list);
   add_transforms(list);
   add_mode_of_reference(list);
-  list.add(Cause::lights, "no light contributes: only the ambient term is left",
-           [](Trial& t) { t.scene.lights.clear(); });
+  list.set(Cause::features, &ModelMistakes::shown, ShownInstead::white,
+           "every object is white, and no lighting");
   return std::move(list.items);
 }
 

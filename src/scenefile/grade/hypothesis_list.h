@@ -68,6 +68,7 @@ void add_normals(HypothesisList& list);
 void add_lights(HypothesisList& list);
 void add_reversed_shading(HypothesisList& list);
 void add_written_lights(HypothesisList& list);
+void add_brightness_of_light(HypothesisList& list);
 void add_attenuation(HypothesisList& list);
 void add_spots(HypothesisList& list);
 void add_shadows(HypothesisList& list);

@@ -23,7 +23,8 @@ bool is_plain_point(LightType type) {
 // A light as written in the file, in world space, for a light of the render scene.
 struct WrittenLight {
   dvec3 position{0};
-  double length = 1;  // of the direction
+  double length = 1;            // of the direction
+  bool no_attenuation = false;  // all coefficients are 0
 };
 
 std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderScene& ready) {
@@ -50,7 +51,8 @@ std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderSc
           !has_position(light.type) ||
           glm::length(position - dvec3(light.position)) < 1e-3 * (1 + glm::length(position));
       if (aimed && placed) {
-        result[i] = {position, length};
+        result[i] = {position, length,
+                     has_position(light.type) && candidate->attenuation == glm::vec3(0)};
         candidate = nullptr;
         break;
       }
@@ -75,6 +77,8 @@ void add_lights(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<L>> rows) {
     list.set_each(Cause::lights, &ModelMistakes::light_vector, rows);
   };
+  list.add(Cause::lights, "no light contributes: only the ambient term is left",
+           [](Trial& t) { t.scene.lights.clear(); });
   for (const LightType type : list.types) {
     if (list.types.size() > 1) {
       list.add(
@@ -124,12 +128,13 @@ void add_lights(HypothesisList& list) {
   if (positional) {
     put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},
          {L::to_origin, "point lights shine along one direction everywhere"},
+         {L::to_origin_all,
+          "point lights and spotlights shine along one direction everywhere, also in shadow rays"},
          {L::from_object_point,
-          "vectors to point lights and spotlights start at the point in the space of the object"}});
-    change_lights(list, Cause::lights, "lights are at the world's origin",
-                  [](RenderLight& l) { l.position = glm::vec3(0); });
-    change_lights(list, Cause::lights, "the position of lights is negated",
-                  [](RenderLight& l) { l.position = -l.position; });
+          "vectors to point lights and spotlights start at the point in the space of the object"},
+         {L::from_object_point_all,
+          "vectors and distances to point lights and spotlights, and shadow rays, start at the "
+          "point in the space of the object"}});
   }
   if (list.scene.lights.size() > 1) {
     list.set(Cause::lights, &ModelMistakes::brightest_light, true,
@@ -139,6 +144,10 @@ void add_lights(HypothesisList& list) {
   }
   change_lights(list, Cause::lights, "the color of lights is ignored: they are white",
                 [](RenderLight& l) { l.color = glm::vec3(1); });
+}
+
+void add_brightness_of_light(HypothesisList& list) {
+  list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, 0.5, "the diffuse term is halved");
   change_lights(list, Cause::lights, "lights are twice as bright",
                 [](RenderLight& l) { l.color *= 2; });
   change_lights(list, Cause::lights, "lights are half as bright",
@@ -165,6 +174,10 @@ void add_reversed_shading(HypothesisList& list) {
           "vectors to point lights and spotlights point away from them in the lighting; shadow "
           "rays are "
           "right"}});
+    change_lights(list, Cause::lights, "lights are at the world's origin",
+                  [](RenderLight& l) { l.position = glm::vec3(0); });
+    change_lights(list, Cause::lights, "the position of lights is negated",
+                  [](RenderLight& l) { l.position = -l.position; });
   }
 }
 
@@ -199,6 +212,26 @@ void add_written_lights(HypothesisList& list) {
   }
   if (longer && list.any_type(is_infinitely_far) && list.any_type(has_cone)) {
     put(L::as_long_as_written, "directions of lights are not normalized");
+  }
+  if (std::any_of(written.begin(), written.end(),
+                  [](const WrittenLight& l) { return l.no_attenuation; })) {
+    using A = AttenuationMistake;
+    for (const auto& [value, what] :
+         {std::pair(A::infinite_white,
+                    "the attenuation is not clamped to 1: dividing by 0 gives infinite light, and "
+                    "white pixels in shadow"),
+          std::pair(A::infinite_black,
+                    "the attenuation is not clamped to 1: dividing by 0 gives values that are not "
+                    "numbers, drawn black")}) {
+      list.add(Cause::attenuation, what, [value = value, written](Trial& t) {
+        t.mistakes.attenuation = value;
+        for (std::size_t i = 0; i < t.scene.lights.size() && i < written.size(); ++i) {
+          if (written[i].no_attenuation) {
+            t.scene.lights[i].attenuation = glm::vec3(0);
+          }
+        }
+      });
+    }
   }
   if (placed) {
     list.add(Cause::lights, "the direction of directional lights is read from the position",

@@ -72,12 +72,8 @@ void add_diffuse(HypothesisList& list) {
       list.add(Cause::diffuse, what, [k = k](Trial& t) { t.scene.global.diffuse = k; });
     }
   }
-  for (const double factor : {0.0, 2.0, 0.5}) {
-    list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, factor,
-             factor == 0   ? "the diffuse term is missing"
-             : factor == 2 ? "the diffuse term is added twice"
-                           : "the diffuse term is halved");
-  }
+  list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, 0.0, "the diffuse term is missing");
+  list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, 2.0, "the diffuse term is added twice");
   list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, 1 / std::numbers::pi,
            "the diffuse term is divided by pi");
   const auto put = [&](std::initializer_list<Row<D>> rows) {
@@ -168,7 +164,13 @@ void add_normals(HypothesisList& list) {
        {N::raw_not_normalized, "normals are never normalized"},
        {N::gradient_not_normalized, "normals are never normalized (gradients)"},
        {N::matrix_not_normalized, "normals are transformed like directions, and not normalized"},
-       {N::translated, "normals are translated, like points"}});
+       {N::translated, "normals are translated, like points (w = 1)"},
+       {N::inverse_translated, "normals are transformed by the inverse, like points (w = 1)"},
+       {N::right_translated, "normals are right, but translated, like points (w = 1)"},
+       {N::four_normalized,
+        "normals are normalized with four components: w is not 0 after the 4x4 inverse transpose"},
+       {N::four_normalized_w1,
+        "normals are normalized with four components, and w = 1 before the 4x4 matrix"}});
 }
 
 }  // namespace scenefile

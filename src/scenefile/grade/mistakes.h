@@ -23,6 +23,10 @@ enum class NormalMistake : std::uint8_t {
   gradient_not_normalized,  ///< as long as the gradient of the shape's equation
   matrix_not_normalized,    ///< transformed like a direction, and not normalized
   translated,               ///< transformed like a point, with the translation
+  inverse_translated,       ///< (n, 1) by the inverse of the 4x4 matrix
+  right_translated,         ///< the normal matrix, plus the translation
+  four_normalized,          ///< (n, 0) by the 4x4 inverse transpose; w counts in the length
+  four_normalized_w1,       ///< ... (n, 1)
 };
 
 enum class ConeNormalMistake : std::uint8_t {
@@ -62,9 +66,11 @@ enum class LightVectorMistake : std::uint8_t {
   position_as_direction,  ///< directional lights: uses their position
   directional_as_long_as_written,
   spot_as_long_as_written,
-  as_long_as_written,  ///< directions of lights are not normalized
-  to_origin,           ///< the direction from the origin, at every point
-  from_object_point,   ///< to point and spot lights: from the point in object space
+  as_long_as_written,     ///< directions of lights are not normalized
+  to_origin,              ///< the direction from the origin, at every point
+  to_origin_all,          ///< ... also for the falloff of spotlights and shadow rays
+  from_object_point,      ///< to point and spot lights: from the point in object space
+  from_object_point_all,  ///< ... also for the distance and shadow rays
 };
 
 enum class AttenuationMistake : std::uint8_t {
@@ -88,6 +94,8 @@ enum class AttenuationMistake : std::uint8_t {
   squared_distance,  ///< the squared distance is used as the distance
   to_eye,            ///< by the distance from the light to the eye
   clamped_below,     ///< max(1, f)
+  infinite_white,    ///< not clamped: 1 / 0 is infinite, and 0 * infinity is stored as 255
+  infinite_black,    ///< ... stored as 0
 };
 
 enum class SpotMistake : std::uint8_t {
@@ -211,6 +219,9 @@ enum class TextureMistake : std::uint8_t {
   ambient_too,             ///< replaces the ambient color as well
   no_coefficient_on_rest,  ///< the diffuse color's share lacks kd
   over_lighting,           ///< blended with the finished lighting
+  over_all,                ///< ... and reflections
+  over_lighting_too,       ///< blended with the diffuse color, and with the finished lighting
+  over_all_too,            ///< ... and reflections
   filtered,                ///< bilinear, half a texel off
   filtered_centered,       ///< bilinear
   not_filtered,
@@ -249,15 +260,16 @@ enum class MirrorMistake : std::uint8_t {
   blended,              ///< mixed with the lighting, not added
   blended_coefficient,  ///< ... by ks * color
   blended_all,
-  blended_plain,     ///< ... by ks, without the reflective color
-  multiplied,        ///< mixed with the lighting times the reflection
-  averaged,          ///< half lighting, half reflection
-  not_chained,       ///< no weights after the first mirror
-  last_weight_only,  ///< only the weight of the last mirror counts
-  replaces,          ///< the lighting is dropped
-  reversed,          ///< the reflected ray points into the surface
-  wrong_sign,        ///< d + 2 (d.n) n
-  not_doubled,       ///< d - (d.n) n
+  blended_plain,        ///< ... by ks, without the reflective color
+  multiplied,           ///< mixed with the lighting times the reflection, by ks * color
+  multiplied_by_color,  ///< ... by the reflective color
+  averaged,             ///< half lighting, half reflection
+  not_chained,          ///< no weights after the first mirror
+  last_weight_only,     ///< only the weight of the last mirror counts
+  replaces,             ///< the lighting is dropped
+  reversed,             ///< the reflected ray points into the surface
+  wrong_sign,           ///< d + 2 (d.n) n
+  not_doubled,          ///< d - (d.n) n
   along_normal,
   straight,       ///< the ray is not deflected
   eye_at_camera,  ///< highlights in reflections are those for the camera
@@ -278,18 +290,39 @@ enum class GlassMistake : std::uint8_t {
   no_coefficient,
   color_ignored,
   eta_inverted,
-  no_total_reflection,  ///< black where it occurs
-  straight,             ///< not refracted
-  one_side,             ///< only refracted on entering
-  shaded_inside,        ///< the back wall is lit, and counts as another refraction
-  entering_always,      ///< 1 / ior at both walls
-  blended,
-  black_inside,  ///< the ray ends at the back wall
-  mirrored,      ///< follows the reflected direction
+  no_total_reflection,     ///< black where it occurs
+  straight,                ///< not refracted
+  one_side,                ///< only refracted on entering
+  shaded_inside,           ///< the back wall is lit, and counts as another refraction
+  entering_always,         ///< 1 / ior at both walls
+  blended,                 ///< mixed with the lighting, by kt * color
+  blended_by_color,        ///< ... by the transparent color
+  blended_plain,           ///< ... by kt
+  eta_inverted_black,      ///< inverted; total reflection on entering is black
+  eta_inverted_all_black,  ///< inverted; any total reflection is black
+  black_inside,            ///< the ray ends at the back wall
+  mirrored,                ///< follows the reflected direction
   times_diffuse,
   no_local,
   ior_one_and_half,
   half,
+};
+
+/// Wrong limits and normals of round shapes and cubes.
+enum class ShapeMistake : std::uint8_t {
+  none,
+  no_top_cap,          ///< of cylinders
+  no_bottom_cap,       ///< of cylinders and cones
+  no_cylinder_bottom,  ///< cones are right
+  square_caps,         ///< not cut to a disk
+  endless_cylinder,    ///< y is not checked
+  endless_cone,        ///< y is not checked: two cones without end
+  double_cone,         ///< y is not checked against the apex
+  deep_cone,           ///< y is not checked against the base
+  endless,             ///< cylinders and cones
+  cylinder_normal_like_sphere,
+  cube_normals_positive,  ///< faces at -0.5 have the normals of those at 0.5
+  cap_normals_up,
 };
 
 /// What is shown instead of the lit surface.
@@ -310,6 +343,7 @@ struct ModelMistakes {
   bool no_cylinder_caps = false;
   bool no_cone_cap = false;
   bool cap_normals_down = false;
+  ShapeMistake shape = ShapeMistake::none;
   NearestMistake nearest = NearestMistake::none;
   LightVectorMistake light_vector = LightVectorMistake::none;
   AttenuationMistake attenuation = AttenuationMistake::none;
@@ -324,6 +358,7 @@ struct ModelMistakes {
   double diffuse_factor = 1;
   double mirror_factor = 1;
   double glass_factor = 1;
+  bool glass_over_mirror = false;  ///< GlassMistake::blended*: mixed with reflections, too
   SpecularMistake specular = SpecularMistake::none;
   TextureMistake texture = TextureMistake::none;
   UvMistake uv = UvMistake::none;

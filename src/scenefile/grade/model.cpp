@@ -25,6 +25,51 @@ dvec3 unit(const dvec3& v) {
 
 }  // namespace
 
+dvec3 transformed_normal(const ModelPart& part, const dvec3& normal, NormalMistake mistake) {
+  const glm::dmat3& matrix = part.world_from_object.linear;
+  const glm::dmat3& inverse = part.object_from_world.linear;
+  const dvec3 right = glm::transpose(inverse) * normal;
+  switch (mistake) {
+    case NormalMistake::by_matrix:
+    case NormalMistake::matrix_not_normalized:
+      return matrix * normal;
+    case NormalMistake::by_inverse:
+      return inverse * normal;
+    case NormalMistake::by_transpose:
+      return glm::transpose(matrix) * normal;
+    case NormalMistake::of_object:
+      return normal;
+    case NormalMistake::translated:
+      return part.world_from_object.point(normal);
+    case NormalMistake::inverse_translated:
+      return part.object_from_world.point(normal);
+    case NormalMistake::right_translated:
+      return right + part.world_from_object.offset;
+    case NormalMistake::four_normalized:
+    case NormalMistake::four_normalized_w1: {
+      const double w = glm::dot(part.object_from_world.offset, normal) +
+                       (mistake == NormalMistake::four_normalized_w1 ? 1 : 0);
+      return right / std::sqrt(glm::dot(right, right) + w * w);
+    }
+    case NormalMistake::inverted:
+      return -right;
+    case NormalMistake::none:
+    case NormalMistake::toward_eye:
+    case NormalMistake::not_normalized:
+    case NormalMistake::raw_not_normalized:
+    case NormalMistake::gradient_not_normalized:
+      break;
+  }
+  return right;
+}
+
+bool keeps_length(NormalMistake mistake) {
+  return mistake == NormalMistake::not_normalized || mistake == NormalMistake::raw_not_normalized ||
+         mistake == NormalMistake::gradient_not_normalized ||
+         mistake == NormalMistake::matrix_not_normalized ||
+         mistake == NormalMistake::four_normalized || mistake == NormalMistake::four_normalized_w1;
+}
+
 struct Model::Surface {
   ModelHit hit;
   const RenderMaterial* material = nullptr;
@@ -75,7 +120,13 @@ ModelHit Model::first_hit(const ModelRay& ray) const {
 }
 
 dvec3 Model::color(const ModelRay& ray, const ModelHit* known) const {
-  return trace(ray, 0, known, 0, dvec3(1));
+  dvec3 color = trace(ray, 0, known, 0, dvec3(1));
+  for (int channel = 0; channel < 3; ++channel) {
+    if (std::isnan(color[channel])) {
+      color[channel] = m_.attenuation == AttenuationMistake::infinite_white ? 1 : 0;
+    }
+  }
+  return color;
 }
 
 dvec3 Model::pixel(const dvec2& place, int width, int height, const ModelHit* known) const {
@@ -135,7 +186,10 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
     case Shape::cone:
       cap = face != 0;
       flat = cap && mistake != UvMistake::caps_as_side;
-      uv = flat ? flat_uv(1, face == 2, p) : dvec2(around(p), std::clamp(p.y + 0.5, 0.0, 1.0));
+      // Beyond the ends, where only shapes without ends continue, textures repeat.
+      uv = flat ? flat_uv(1, face == 2, p)
+                : dvec2(around(p),
+                        std::abs(p.y) < 0.5 + 1e-6 ? std::clamp(p.y + 0.5, 0.0, 1.0) : p.y + 0.5);
       break;
     case Shape::mesh:
       break;
@@ -197,11 +251,13 @@ bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
 }
 
 // A normal as long as the gradient of the shape's equation.
-dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down) {
+dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down,
+                   ShapeMistake mistake) {
   switch (shape) {
     case Shape::cube: {
       dvec3 n(0);
-      n[(face - 1) / 2] = (face - 1) % 2 == 1 ? -1 : 1;
+      const bool low = (face - 1) % 2 == 1 && mistake != ShapeMistake::cube_normals_positive;
+      n[(face - 1) / 2] = low ? -1 : 1;
       return n;
     }
     case Shape::sphere:
@@ -213,10 +269,11 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
       return {0, 1, 0};
   }
   if (face != 0) {
-    return {0, (face == 1) == !caps_down ? 1 : -1, 0};
+    const bool up = face == 1 || mistake == ShapeMistake::cap_normals_up;
+    return {0, up == !caps_down ? 1 : -1, 0};
   }
   if (shape == Shape::cylinder) {
-    return {2 * p.x, 0, 2 * p.z};
+    return {2 * p.x, mistake == ShapeMistake::cylinder_normal_like_sphere ? 2 * p.y : 0, 2 * p.z};
   }
   const double slope = 0.25 * (1 - 2 * p.y);
   switch (cone) {
@@ -239,35 +296,13 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
 }
 
 dvec3 to_world(const ModelPart& part, const dvec3& raw, bool flat, NormalMistake mistake) {
-  const dvec3 n = unit(raw);
-  const glm::dmat3& matrix = part.world_from_object.linear;
-  const glm::dmat3& inverse = part.object_from_world.linear;
-  switch (mistake) {
-    case NormalMistake::by_matrix:
-      return unit(matrix * n);
-    case NormalMistake::by_inverse:
-      return unit(inverse * n);
-    case NormalMistake::by_transpose:
-      return unit(glm::transpose(matrix) * n);
-    case NormalMistake::of_object:
-      return n;
-    case NormalMistake::not_normalized:
-      return glm::transpose(inverse) * n;
-    case NormalMistake::raw_not_normalized:
-      return glm::transpose(inverse) * (flat ? raw : 0.5 * raw);
-    case NormalMistake::gradient_not_normalized:
-      return glm::transpose(inverse) * raw;
-    case NormalMistake::matrix_not_normalized:
-      return matrix * n;
-    case NormalMistake::translated:
-      return unit(part.world_from_object.point(n));
-    case NormalMistake::inverted:
-      return -unit(glm::transpose(inverse) * n);
-    case NormalMistake::none:
-    case NormalMistake::toward_eye:
-      break;
-  }
-  return unit(glm::transpose(inverse) * n);
+  const bool as_it_is = mistake == NormalMistake::gradient_not_normalized ||
+                        (mistake == NormalMistake::raw_not_normalized && flat);
+  const dvec3 n = as_it_is                                       ? raw
+                  : mistake == NormalMistake::raw_not_normalized ? 0.5 * raw
+                                                                 : unit(raw);
+  const dvec3 moved = transformed_normal(part, n, mistake);
+  return keeps_length(mistake) ? moved : unit(moved);
 }
 
 }  // namespace
@@ -290,14 +325,15 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
     s.normal = to_world(part, s.object_normal, true, m_.normals);
     s.geometric = to_world(part, s.object_normal, true, NormalMistake::none);
   } else {
-    s.object_normal =
-        shape_normal(part.shape, hit.face, s.object_point, m_.cone_normal, m_.cap_normals_down);
+    s.object_normal = shape_normal(part.shape, hit.face, s.object_point, m_.cone_normal,
+                                   m_.cap_normals_down, m_.shape);
     s.uv = shape_uv(part.shape, hit.face, s.object_point, m_.uv);
     const bool flat = hit.face != 0;
     s.normal = to_world(part, s.object_normal, flat, m_.normals);
-    s.geometric = to_world(
-        part, shape_normal(part.shape, hit.face, s.object_point, ConeNormalMistake::none, false),
-        flat, NormalMistake::none);
+    s.geometric = to_world(part,
+                           shape_normal(part.shape, hit.face, s.object_point,
+                                        ConeNormalMistake::none, false, ShapeMistake::none),
+                           flat, NormalMistake::none);
   }
   if (m_.normals == NormalMistake::toward_eye && glm::dot(s.normal, ray.direction) > 0) {
     s.normal = -s.normal;
@@ -390,9 +426,15 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
       use.unlit = true;
       break;
     case TextureMistake::over_lighting:
+    case TextureMistake::over_all:
       use.over = t;
       use.share_over = blend;
       return plain;
+    case TextureMistake::over_lighting_too:
+    case TextureMistake::over_all_too:
+      use.over = t;
+      use.share_over = blend;
+      break;
     case TextureMistake::blue_red:
       std::swap(t.x, t.z);
       break;
@@ -466,6 +508,9 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
       return limited(1 + right);
     case AttenuationMistake::squared_distance:
       return limited(c.x + d * d * (c.y + d * d * c.z));
+    case AttenuationMistake::infinite_white:
+    case AttenuationMistake::infinite_black:
+      return 1 / right;
     case AttenuationMistake::clamped_below:
       return std::max(1.0, 1 / std::max(right, 1e-9));
     case AttenuationMistake::none:
@@ -553,12 +598,14 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   if (has_rectangle(light.type)) {
     from += (2 * on_light.x - 1) * dvec3(light.half_u) + (2 * on_light.y - 1) * dvec3(light.half_v);
   }
-  const dvec3 way = from - s.position;
+  const dvec3 way =
+      from - (mistake == LightVectorMistake::from_object_point_all ? s.object_point : s.position);
   arriving.distance = glm::length(way);
   if (!(arriving.distance > 0)) {
     return false;
   }
-  arriving.toward = way / arriving.distance;
+  arriving.toward =
+      mistake == LightVectorMistake::to_origin_all ? unit(from) : way / arriving.distance;
   const double cosine = -glm::dot(arriving.toward, dvec3(light.direction));
   if (has_rectangle(light.type) && cosine <= 0) {
     return false;
@@ -593,9 +640,11 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
       arriving.to_light = unit(from);
       break;
     case LightVectorMistake::from_object_point:
+    case LightVectorMistake::from_object_point_all:
       arriving.to_light = unit(from - s.object_point);
       break;
     case LightVectorMistake::none:
+    case LightVectorMistake::to_origin_all:
     case LightVectorMistake::reversed_directional:
     case LightVectorMistake::reversed_directional_shading:
     case LightVectorMistake::directional_as_long_as_written:
@@ -851,9 +900,6 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     const dvec3 diffuse_part = arriving.factor * diffuse_light * diffuse;
     const dvec3 specular_part = arriving.specular_factor * specular_light * shining;
     color = diffuse_part + specular_part;
-    if (shares != nullptr) {
-      return true;
-    }
     if (color == dvec3(0) && m_.shadow == ShadowMistake::none) {
       return true;
     }
@@ -877,7 +923,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         color *= 0.5;
         break;
       default:
-        color = dvec3(0);
+        color *= 0;  // infinite light gives NaN, see AttenuationMistake::infinite_white
         break;
     }
     return false;
@@ -927,7 +973,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   } else if (m_.ambient == AmbientMistake::unlit_only && sum != ambient) {
     sum -= ambient;
   }
-  return glm::mix(sum, use.over, use.share_over);
+  const bool over_lighting = m_.texture == TextureMistake::over_lighting ||
+                             m_.texture == TextureMistake::over_lighting_too;
+  return over_lighting ? glm::mix(sum, use.over, use.share_over) : sum;
 }
 
 std::vector<dvec3> Model::light_shares(const ModelRay& ray) const {
@@ -1012,9 +1060,14 @@ dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double
   if (options_.mode == Mode::ray) {
     const dvec3 local = color;
     dvec3 kept = color;
-    const dvec3 reflected = mirrored(s, ray, depth, kept);
-    const dvec3 through = refracted(s, ray, depth, kept);
+    dvec3 reflected = mirrored(s, ray, depth, kept);
+    const dvec3 through = refracted(s, ray, depth, kept, reflected);
     color = kept + reflected + through;
+    if (m_.texture == TextureMistake::over_all || m_.texture == TextureMistake::over_all_too) {
+      TextureUse use;
+      texture_or_plain(s, use);
+      color = glm::mix(color, use.over, use.share_over);
+    }
     if (m_.mirror == MirrorMistake::last_weight_only) {
       return clamped(chain * kept) + reflected + through;
     }
@@ -1039,6 +1092,7 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
   }
   switch (m_.mirror) {
     case MirrorMistake::no_coefficient:
+    case MirrorMistake::multiplied_by_color:
       factor = dvec3(material.reflective);
       break;
     case MirrorMistake::color_ignored:
@@ -1124,6 +1178,7 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
       local *= 1 - ks;
       break;
     case MirrorMistake::multiplied:
+    case MirrorMistake::multiplied_by_color:
       factor *= local;
       local *= 1.0 - weights;
       break;
@@ -1144,7 +1199,8 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
   return factor * seen;
 }
 
-dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& local) const {
+dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& local,
+                       dvec3& reflected) const {
   const RenderMaterial& material = *s.material;
   const double kt = transparency();
   if (!options_.features.refract || material.transparent == glm::vec3(0) ||
@@ -1154,9 +1210,11 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
   dvec3 factor = kt * dvec3(material.transparent);
   switch (m_.glass) {
     case GlassMistake::no_coefficient:
+    case GlassMistake::blended_by_color:
       factor = dvec3(material.transparent);
       break;
     case GlassMistake::color_ignored:
+    case GlassMistake::blended_plain:
       factor = dvec3(kt);
       break;
     case GlassMistake::times_diffuse:
@@ -1175,7 +1233,10 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
   const double ior = m_.glass == GlassMistake::ior_one_and_half ? 1.5 : material.ior;
   const auto bent = [&](const dvec3& direction, dvec3 normal, bool entering, dvec3& out) {
     double eta = (entering || m_.glass == GlassMistake::entering_always) ? 1 / ior : ior;
-    eta = m_.glass == GlassMistake::eta_inverted ? 1 / eta : eta;
+    const bool inverted = m_.glass == GlassMistake::eta_inverted ||
+                          m_.glass == GlassMistake::eta_inverted_black ||
+                          m_.glass == GlassMistake::eta_inverted_all_black;
+    eta = inverted ? 1 / eta : eta;
     if (glm::dot(direction, normal) > 0) {
       normal = -normal;
     }
@@ -1192,8 +1253,10 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     out = unit(eta * direction + (eta * cosine - std::sqrt(under)) * normal);
     return true;
   };
-  if (m_.glass == GlassMistake::blended) {
+  if (m_.glass == GlassMistake::blended || m_.glass == GlassMistake::blended_by_color ||
+      m_.glass == GlassMistake::blended_plain) {
     local *= 1.0 - factor;
+    reflected *= m_.glass_over_mirror ? 1.0 - factor : dvec3(1);
   } else if (m_.glass == GlassMistake::no_local) {
     local = dvec3(0);
   }
@@ -1205,7 +1268,9 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     inside.direction = ray.direction - 2 * glm::dot(ray.direction, s.normal) * s.normal;
     inside_glass = false;
   } else if (!bent(ray.direction, s.geometric, entering, inside.direction)) {
-    if (m_.glass == GlassMistake::no_total_reflection) {
+    if (m_.glass == GlassMistake::no_total_reflection ||
+        m_.glass == GlassMistake::eta_inverted_black ||
+        m_.glass == GlassMistake::eta_inverted_all_black) {
       return dvec3(0);
     }
     inside_glass = !entering;
@@ -1233,7 +1298,8 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     if (out) {
       return factor * trace(inside, at, nullptr, m_.mirror_bias, weights);
     }
-    if (m_.glass == GlassMistake::no_total_reflection || ++at > options_.max_depth) {
+    if (m_.glass == GlassMistake::no_total_reflection ||
+        m_.glass == GlassMistake::eta_inverted_all_black || ++at > options_.max_depth) {
       return dvec3(0);
     }
   }

@@ -82,6 +82,13 @@ struct ShownPoint {
   std::uint32_t material = 0;
 };
 
+/// A normal of unit length in object space, in world space; its length is not 1, see
+/// keeps_length().
+glm::dvec3 transformed_normal(const ModelPart& part, const glm::dvec3& normal,
+                              NormalMistake mistake);
+/// Whether the mistake is that transformed_normal() is not normalized.
+bool keeps_length(NormalMistake mistake);
+
 /// A scene drawn with mistakes. Everything it refers to must outlive it.
 class Model {
  public:
@@ -96,7 +103,7 @@ class Model {
   /// The possible colors of a mirror whose reflected rays may hit the mirror itself: for each of
   /// `patterns`, bit k is set if the ray of bounce k does. Not clamped.
   std::vector<glm::dvec3> self_mirrored(const ModelRay& ray, std::uint32_t patterns) const;
-  /// The diffuse and specular light from each light at the ray's hit, without shadows.
+  /// The diffuse and specular light that arrives from each light at the ray's hit.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
   /// The color at the center of a pixel, with the camera's lens samples; not clamped.
   glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
@@ -127,7 +134,8 @@ class Model {
   glm::dvec3 trace(const ModelRay& ray, int depth, const ModelHit* known, double t_min,
                    const glm::dvec3& chain) const;
   glm::dvec3 mirrored(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
-  glm::dvec3 refracted(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local) const;
+  glm::dvec3 refracted(const Surface& s, const ModelRay& ray, int depth, glm::dvec3& local,
+                       glm::dvec3& reflected) const;
   bool counts(const RenderLight& light) const;
   double written_length(const RenderLight& light) const;
   double transparency() const;

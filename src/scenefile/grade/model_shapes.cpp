@@ -225,42 +225,63 @@ void cube(const dvec3& o, const dvec3& d, Crossings& found) {
   }
 }
 
-void cap(const dvec3& o, const dvec3& d, double y, int face, Crossings& found) {
+void cap(const dvec3& o, const dvec3& d, double y, int face, ShapeMistake mistake,
+         Crossings& found) {
   const double t = (y - o.y) / d.y;
   const double x = o.x + t * d.x;
   const double z = o.z + t * d.z;
-  if (x * x + z * z <= 0.25) {
+  if (mistake == ShapeMistake::square_caps ? std::max(std::abs(x), std::abs(z)) <= 0.5
+                                           : x * x + z * z <= 0.25) {
     found.add(t, face);
   }
 }
 
-void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, Crossings& found) {
+// Roots of a t^2 + 2 h t + c where y is at least `low` and at most `high`.
+void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, double low,
+                double high, Crossings& found) {
   double roots[2];
   int count = 0;
   solve(a, h, c, roots, count);
   for (int i = 0; i < count; ++i) {
-    if (std::abs(o.y + roots[i] * d.y) <= 0.5) {
+    const double y = o.y + roots[i] * d.y;
+    if (y >= low && y <= high) {
       found.add(roots[i], 0);
     }
   }
 }
 
-void cylinder(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
+void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
+  const bool ends = mistake != ShapeMistake::endless && mistake != ShapeMistake::endless_cylinder;
+  const double high = ends ? 0.5 : infinity;
   side_roots(o, d, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z, o.x * o.x + o.z * o.z - 0.25,
-             found);
+             -high, high, found);
   if (caps && d.y != 0) {
-    cap(o, d, 0.5, 1, found);
-    cap(o, d, -0.5, 2, found);
+    if (mistake != ShapeMistake::no_top_cap) {
+      cap(o, d, 0.5, 1, mistake, found);
+    }
+    if (mistake != ShapeMistake::no_bottom_cap && mistake != ShapeMistake::no_cylinder_bottom) {
+      cap(o, d, -0.5, 2, mistake, found);
+    }
   }
 }
 
-void cone(const dvec3& o, const dvec3& d, bool caps, Crossings& found) {
+void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
+  const bool endless = mistake == ShapeMistake::endless || mistake == ShapeMistake::endless_cone;
   const double y = o.y - 0.5;
   side_roots(o, d, d.x * d.x + d.z * d.z - 0.25 * d.y * d.y, o.x * d.x + o.z * d.z - 0.25 * y * d.y,
-             o.x * o.x + o.z * o.z - 0.25 * y * y, found);
-  if (caps && d.y != 0) {
-    cap(o, d, -0.5, 2, found);
+             o.x * o.x + o.z * o.z - 0.25 * y * y,
+             endless || mistake == ShapeMistake::deep_cone ? -infinity : -0.5,
+             endless || mistake == ShapeMistake::double_cone ? infinity : 0.5, found);
+  if (caps && d.y != 0 && mistake != ShapeMistake::no_bottom_cap) {
+    cap(o, d, -0.5, 2, mistake, found);
   }
+}
+
+// Whether shapes extend beyond their bounding boxes.
+bool is_unbounded(ShapeMistake mistake) {
+  return mistake == ShapeMistake::endless_cylinder || mistake == ShapeMistake::endless_cone ||
+         mistake == ShapeMistake::double_cone || mistake == ShapeMistake::deep_cone ||
+         mistake == ShapeMistake::endless;
 }
 
 bool meets_box(const BoxTree::Box& box, const dvec3& origin, const dvec3& inverse, double t_min,
@@ -356,10 +377,10 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
       sphere(o, d, crossings);
       break;
     case Shape::cylinder:
-      cylinder(o, d, !m_.no_cylinder_caps, crossings);
+      cylinder(o, d, !m_.no_cylinder_caps, m_.shape, crossings);
       break;
     case Shape::cone:
-      cone(o, d, !m_.no_cone_cap, crossings);
+      cone(o, d, !m_.no_cone_cap, m_.shape, crossings);
       break;
     case Shape::mesh: {
       const Mesh& mesh = assets_.meshes[part.mesh];
@@ -440,31 +461,36 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   };
   const bool along = !behind || right_here;
   const double searched_to = scaled_shadow ? infinity : t_max;
+  const auto visit = [&](std::uint32_t index) {
+    const ModelPart& part = shapes_.parts[index];
+    ModelHit candidate;
+    if (&part == without || !meet(part, ray, t_min, searched_to, shadow, candidate)) {
+      return false;
+    }
+    const double stretch =
+        of_object || scaled_shadow ? glm::length(part.object_from_world.vector(ray.direction)) : 1;
+    const double key = stretch * candidate.t;
+    if (scaled_shadow && key >= t_max) {
+      return false;
+    }
+    candidate.stretch =
+        of_object && nearest != NearestMistake::object_distance_compared ? stretch : 1;
+    if (!found || better(candidate, key)) {
+      hit = candidate;
+      best = key;
+      found = true;
+    }
+    return shadow;
+  };
+  if (is_unbounded(m_.shape)) {
+    for (std::uint32_t i = 0; i < shapes_.parts.size() && !(shadow && found); ++i) {
+      visit(i);
+    }
+    return found;
+  }
   walk(
       shapes_.tree, ray.origin, ray.direction, t_min,
-      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; },
-      [&](std::uint32_t index) {
-        const ModelPart& part = shapes_.parts[index];
-        ModelHit candidate;
-        if (&part == without || !meet(part, ray, t_min, searched_to, shadow, candidate)) {
-          return false;
-        }
-        const double stretch = of_object || scaled_shadow
-                                   ? glm::length(part.object_from_world.vector(ray.direction))
-                                   : 1;
-        const double key = stretch * candidate.t;
-        if (scaled_shadow && key >= t_max) {
-          return false;
-        }
-        candidate.stretch =
-            of_object && nearest != NearestMistake::object_distance_compared ? stretch : 1;
-        if (!found || better(candidate, key)) {
-          hit = candidate;
-          best = key;
-          found = true;
-        }
-        return shadow;
-      });
+      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; }, visit);
   return found;
 }
 

@@ -567,38 +567,12 @@ dvec3 RealtimePicture::normal_of(const ModelPart& part, const Mesh& mesh, std::u
   } else {
     in_object = unit(dvec3(mesh.normals[known]));
   }
-  const glm::dmat3& matrix = part.world_from_object.linear;
-  const glm::dmat3& inverse = part.object_from_world.linear;
-  switch (trial_.scene.mistakes.normals) {
-    case NormalMistake::by_matrix:
-    case NormalMistake::matrix_not_normalized:
-      return matrix * in_object;
-    case NormalMistake::by_inverse:
-      return inverse * in_object;
-    case NormalMistake::by_transpose:
-      return glm::transpose(matrix) * in_object;
-    case NormalMistake::of_object:
-      return in_object;
-    case NormalMistake::translated:
-      return part.world_from_object.point(in_object);
-    case NormalMistake::inverted:
-      return -(glm::transpose(inverse) * in_object);
-    case NormalMistake::none:
-    case NormalMistake::toward_eye:
-    case NormalMistake::not_normalized:
-    case NormalMistake::raw_not_normalized:
-    case NormalMistake::gradient_not_normalized:
-      break;
-  }
-  return glm::transpose(inverse) * in_object;
+  return transformed_normal(part, in_object, trial_.scene.mistakes.normals);
 }
 
 bool RealtimePicture::normalizes() const {
-  const NormalMistake mistake = trial_.scene.mistakes.normals;
   return trial_.interpolation != Interpolation::not_normalized &&
-         mistake != NormalMistake::not_normalized && mistake != NormalMistake::raw_not_normalized &&
-         mistake != NormalMistake::gradient_not_normalized &&
-         mistake != NormalMistake::matrix_not_normalized;
+         !keeps_length(trial_.scene.mistakes.normals);
 }
 
 ShownPoint RealtimePicture::point_at(const glm::ivec2& at) const {

@@ -1,6 +1,6 @@
 #pragma once
-// Causes about the samples of pixels: blur, samples that miss, rays that miss the centers of pixels.
-// Internal to grade.
+// Causes about the samples of pixels: blur, samples that miss, rays that miss the centers of
+// pixels. Internal to grade.
 
 #include "scenefile/grade/candidates.h"
 

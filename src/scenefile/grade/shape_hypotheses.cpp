@@ -39,8 +39,44 @@ void add_shapes(HypothesisList& list) {
         Cause::shapes, "cylinders and cones have no caps",
         [](Trial& t) { t.mistakes.no_cylinder_caps = t.mistakes.no_cone_cap = true; }, Stage::hits);
   }
+  using S = ShapeMistake;
+  const auto put_shape = [&](std::initializer_list<Row<S>> rows, Stage stage) {
+    list.set_each(Cause::shapes, &ModelMistakes::shape, rows, stage);
+  };
+  static constexpr double max_unbounded = 1000;  // shapes that are met without bounding boxes
+  const bool few = count_virtual_primitives(list.scene) <= max_unbounded;
+  if (cylinder) {
+    put_shape({{S::no_top_cap, "cylinders have no top cap"},
+               {S::no_cylinder_bottom, "cylinders have no bottom cap"}},
+              Stage::hits);
+    put_shape(
+        {{S::cylinder_normal_like_sphere, "normals of cylinders are those of spheres: y is not 0"}},
+        Stage::shading);
+  }
+  if (cylinder && cone) {
+    put_shape({{S::no_bottom_cap, "cylinders and cones have no bottom cap"}}, Stage::hits);
+  }
   if (cone || cylinder) {
+    put_shape({{S::square_caps, "caps are squares: they are not cut to a disk"}}, Stage::hits);
     list.set(Cause::shapes, &ModelMistakes::cap_normals_down, true, "normals of caps are inverted");
+    put_shape({{S::cap_normals_up, "normals of all caps point up"}}, Stage::shading);
+  }
+  if (cylinder && few) {
+    put_shape({{S::endless_cylinder, "cylinders have no ends: y is not limited"}}, Stage::hits);
+  }
+  if (cone && few) {
+    put_shape({{S::double_cone, "cones continue above their apex: y is not limited there"},
+               {S::deep_cone, "cones continue below their base: y is not limited there"},
+               {S::endless_cone, "cones have no ends: y is not limited"}},
+              Stage::hits);
+  }
+  if (cylinder && cone && few) {
+    put_shape({{S::endless, "cylinders and cones have no ends: y is not limited"}}, Stage::hits);
+  }
+  if (list.shapes.contains(Shape::cube)) {
+    put_shape({{S::cube_normals_positive,
+                "normals of cubes point along the positive axes on opposite faces, too"}},
+              Stage::shading);
   }
   if (cone) {
     using C = ConeNormalMistake;

@@ -50,6 +50,13 @@ void add_textures(HypothesisList& list) {
         "the diffuse color blended with the texture is missing its coefficient"},
        {T::unlit, "textures are drawn without N.L"},
        {T::over_lighting, "textures are blended with the finished lighting: they are not lit"},
+       {T::over_all,
+        "textures are blended with the finished lighting and reflections: they are not lit"},
+       {T::over_lighting_too,
+        "textures are blended twice: with the diffuse color, and with the finished lighting"},
+       {T::over_all_too,
+        "textures are blended twice: with the diffuse color, and with the finished lighting and "
+        "reflections"},
        {T::blue_red, "red and blue of textures are swapped"},
        {T::gray, "textures are gray"},
        {T::lookup_clamped, "textures end at their edges: the lookup does not wrap around"},
@@ -116,6 +123,8 @@ void add_mirrors(HypothesisList& list) {
         "reflections are blended with the lighting by only the coefficient, not added"},
        {M::multiplied,
         "reflections are mixed with the lighting as a product: (1 - r) c + r c reflected"},
+       {M::multiplied_by_color,
+        "reflections are mixed with the lighting as a product, by the reflective color alone"},
        {M::averaged, "reflections and lighting are averaged, not added"},
        {M::replaces, "reflections replace the lighting"},
        {M::not_chained,
@@ -155,13 +164,17 @@ void add_glass(HypothesisList& list) {
     list.set_each(Cause::refraction, &ModelMistakes::glass, rows);
   };
   put({{G::eta_inverted, "the ratio of the indices of refraction is inverted"},
+       {G::eta_inverted_black,
+        "the ratio of the indices of refraction is inverted, and total reflection on the way in is "
+        "black"},
+       {G::eta_inverted_all_black,
+        "the ratio of the indices of refraction is inverted, and total reflection is black"},
        {G::straight, "rays go straight through transparent objects: they are not bent"},
        {G::one_side, "rays are bent on the way in, not on the way out"},
        {G::entering_always, "the ratio of the indices is the same on the way in and out"},
        {G::shaded_inside, "the inner walls of transparent objects are lit and weighted again"},
        {G::no_coefficient, "refraction is missing the global transparent coefficient"},
        {G::color_ignored, "the transparent color is ignored"},
-       {G::blended, "refraction is blended with the lighting, not added"},
        {G::no_total_reflection, "total internal reflection is black"},
        {G::black_inside, "rays end inside of transparent objects"},
        {G::mirrored, "transparent objects reflect: the wrong direction is used"},
@@ -169,6 +182,21 @@ void add_glass(HypothesisList& list) {
        {G::no_local, "transparent objects are not lit"},
        {G::ior_one_and_half, "the index of refraction is always 1.5"},
        {G::half, "refraction is halved"}});
+  for (const auto& [value, by] : {std::pair(G::blended, "coefficient and color"),
+                                  std::pair(G::blended_by_color, "the transparent color"),
+                                  std::pair(G::blended_plain, "the coefficient")}) {
+    for (const bool over_mirror : {false, true}) {
+      if (!over_mirror || list.mirrors()) {
+        list.add(Cause::refraction,
+                 fmt::format("refraction is blended with the lighting{} (by {}), not added",
+                             over_mirror ? " and reflections" : "", by),
+                 [value = value, over_mirror](Trial& t) {
+                   t.mistakes.glass = value;
+                   t.mistakes.glass_over_mirror = over_mirror;
+                 });
+      }
+    }
+  }
 }
 
 void add_depths(HypothesisList& list) {

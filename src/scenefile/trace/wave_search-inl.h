@@ -96,9 +96,11 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   nearest.mesh = nearest.mesh & !better;
 }
 
-// The same for a mesh; `others`: of the chunk.
-inline void test_nearest_mesh(const Accelerator& accelerator, int index, const Rays& rays, F t_min,
-                              M active, Nearest& nearest, Hit* others) {
+// The same for a mesh; `others`: of the chunk. Not inlined: meshes are rare, and the loop over
+// shapes is faster without this.
+[[gnu::noinline]] inline void test_nearest_mesh(const Accelerator& accelerator, int index,
+                                                const Rays& rays, F t_min, M active,
+                                                Nearest& nearest, Hit* others) {
   alignas(64) double start[lanes];
   alignas(64) double t[lanes];
   alignas(64) double part[lanes];
@@ -236,6 +238,10 @@ struct Shadows {
     if (parts[index].kind == PartKind::shape) {
       return part_crossing(parts[index], chunk.rays, start, chunk.length, open).hit;
     }
+    return mesh_crossed(index);
+  }
+
+  [[gnu::noinline]] M mesh_crossed(std::uint32_t index) const {
     alignas(64) double from[lanes];
     alignas(64) double to[lanes];
     store(start, from);

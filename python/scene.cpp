@@ -4,6 +4,7 @@
 #include "scenefile/base/text.h"
 #include "scenefile/format/write_scene.h"
 #include "scenefile/io/file.h"
+#include "scenefile/scene/node_path.h"
 #include "scenefile/scene/prepare.h"
 #include "state.h"
 

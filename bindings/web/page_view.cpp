@@ -3,6 +3,7 @@
 
 #include "page.h"
 #include "scenefile/placement/bounds.h"
+#include "scenefile/scene/node_path.h"
 #include "scenefile/verbs/scene_json.h"
 #include "scenefile/view/draw.h"
 #include "scenefile/view/draw_options.h"
@@ -179,13 +180,12 @@ const char* page_view_draw(int profile, int mode, int features, int draw_mode, i
     json.add("triangles", stats.triangles);
     json.add("samples", stats.samples);
     json.add("shadowless", stats.shadowless);
-    const RealtimeWindow window =
-        options.draw.realtime && options.draw.realtime->milestone == Milestone::action
-            ? realtime_window(width, height)
-            : RealtimeWindow{width, height};
+    const RealtimeWindow frame =
+        options.draw.realtime ? realtime_frame(options.draw.realtime->milestone, width, height)
+                              : RealtimeWindow{width, height};
     json.begin_array("viewport");
-    json.value(double(width) / window.width);
-    json.value(double(height) / window.height);
+    json.value(double(width) / frame.width);
+    json.value(double(height) / frame.height);
     json.end_array();
     json.begin_array("left_out");
     for (const Diagnostic& finding : view().findings.list()) {

@@ -3,6 +3,7 @@
 #include "scenefile/scene/check.h"
 #include "scenefile/scene/codes.h"
 #include "scenefile/scene/diff.h"
+#include "scenefile/scene/node_path.h"
 #include "scenefile/scene/prepare.h"
 #include "scenefile/scene/summary.h"
 

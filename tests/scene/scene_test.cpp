@@ -1,4 +1,5 @@
 #include "builders.h"
+#include "scenefile/scene/node_path.h"
 #include "scenefile/scene/prepare.h"
 
 #include <gtest/gtest.h>

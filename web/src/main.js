@@ -398,16 +398,19 @@ async function openExample({ path, files }) {
 
 const realtimeIds = ['parameter-1', 'parameter-2', 'near', 'far', 'filter', 'milestone'];
 
-// Valid settings of the profile realtime; otherwise null.
+// Settings of the profile realtime that the controls of the page accept; otherwise null.
 function realtimeOf(values) {
-  if (!Array.isArray(values) || values.length !== 6 || !values.every(Number.isFinite)) {
+  if (!Array.isArray(values) || values.length !== realtimeIds.length || !values.every(Number.isFinite)) {
     return null;
   }
-  const [parameter1, parameter2, near, far, filter, milestone] = values;
-  const isWhole = (value, least, most) => Number.isInteger(value) && value >= least && value <= most;
-  return isWhole(parameter1, 1, 1024) && isWhole(parameter2, 1, 1024) && near > 0 && near < far && isWhole(filter, 0, 4) && isWhole(milestone, 0, 1)
-    ? values
-    : null;
+  const fit = realtimeIds.every((id, i) => {
+    const { options, min, max, step } = byId(id);
+    return options
+      ? [...options].some(({ value }) => Number(value) === values[i])
+      : values[i] >= Number(min) && (max === '' || values[i] <= Number(max)) && (step === 'any' || Number.isInteger(values[i]));
+  });
+  const [, , near, far] = values;
+  return fit && near > 0 && near < far ? values : null;
 }
 
 // The settings that are stored and linked.

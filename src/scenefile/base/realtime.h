@@ -84,4 +84,16 @@ constexpr RealtimeWindow realtime_window(int width, int height) {
   return {scaled(width, 1092, 1024), scaled(height, 818, 768)};
 }
 
+/// Size in pixels of the frame that is drawn and filtered, for a picture of that size. The scene
+/// covers a viewport of the picture's size at its lower left; the rest is background.
+constexpr RealtimeWindow realtime_frame(Milestone milestone, int width, int height) {
+  switch (milestone) {
+    case Milestone::lights_camera:
+      break;
+    case Milestone::action:
+      return realtime_window(width, height);
+  }
+  return {width, height};
+}
+
 }  // namespace scenefile

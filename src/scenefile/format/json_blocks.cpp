@@ -24,22 +24,29 @@ struct ObjectReader {
   Location owner;
   Scene& scene;
 
-  // Reads the value of a row into its member; `not_known` after an error. The caller handles
-  // textures.
+  // Reads the value of a row into its member, which keeps its default after an error. The caller
+  // handles textures.
   template <typename Owner>
   void read(std::size_t key, const ValueRow<Owner>& row, Owner& to) const {
     if (!fields.has(key)) {
       return;
     }
+    const auto store = [&](const auto member, const auto& value) {
+      if (value) {
+        to.*member = *value;
+      } else {
+        note_unread(*row.field);
+      }
+    };
     bool worth_a_place = row.field.has_value();
     if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
-      to.** number = number_value(context, fields.key(key)).value_or(not_known);
+      store(*number, number_value(context, fields.key(key)));
     } else if (const auto* const maybe = std::get_if<std::optional<float> Owner::*>(&row.member)) {
-      to.** maybe = number_value(context, fields.key(key)).value_or(not_known);
+      store(*maybe, number_value(context, fields.key(key)));
     } else if (const auto* const text = std::get_if<std::string Owner::*>(&row.member)) {
       to.** text = text_value(context, fields.key(key), context.limits.name_bytes).value_or("");
     } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
-      to.** vector = read_three(key, row.kind);
+      store(*vector, read_three(key, row.kind));
       if constexpr (std::is_same_v<Owner, Material>) {
         worth_a_place = needs_place(*row.field, to.**vector);
       }
@@ -52,10 +59,16 @@ struct ObjectReader {
   void read(const ValueRow<Owner> (&rows)[N], Field field, Owner& to) const {
     read(key_of(rows, field), row_of(rows, field), to);
   }
-  glm::vec3 read_three(std::size_t key, ValueKind kind) const {
+  std::optional<glm::vec3> read_three(std::size_t key, ValueKind kind) const {
     const JsonIndex at = fields.key(key);
-    return (kind == ValueKind::color ? color_value(context, at) : vector_value(context, at))
-        .value_or(glm::vec3(not_known));
+    return kind == ValueKind::color ? color_value(context, at) : vector_value(context, at);
+  }
+  void note_unread(Field field) const { scene.unread_fields.push_back({owner, field}); }
+  bool is_unread(Field field) const {
+    const auto& all = scene.unread_fields;
+    return std::any_of(all.begin(), all.end(), [&](const UnreadField& unread) {
+      return unread.owner == owner && unread.field == field;
+    });
   }
   void note(std::size_t key, Field field) const {
     scene.field_places.push_back({owner, field, context.place(fields.key(key))});
@@ -152,13 +165,11 @@ constexpr std::size_t focus = look + 1;
 static_assert(names[focus] == "focus");
 
 void read_required(const ObjectReader& reader, Field field, Camera& camera) {
-  const ValueRow<Camera>& row = row_of(camera_rows, field);
-  const bool found = reader.fields.require(key_of(camera_rows, field));
-  if (const auto* const vector = std::get_if<glm::vec3 Camera::*>(&row.member);
-      !found && vector != nullptr) {
-    camera.** vector = glm::vec3(not_known);
+  if (reader.fields.require(key_of(camera_rows, field))) {
+    reader.read(camera_rows, field, camera);
+  } else {
+    reader.note_unread(field);
   }
-  reader.read(camera_rows, field, camera);
 }
 
 // A focus is a point to look at; the scene only has directions.
@@ -169,18 +180,21 @@ void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report(json_look_and_focus, second,
                    "cameraData has both \"look\" and \"focus\"; remove one of them");
-    camera.look = glm::vec3(not_known);
-    return;
-  }
-  if (!fields.has(look) && !fields.has(focus)) {
+    reader.note_unread(Field::look);
+  } else if (fields.has(focus)) {
+    const std::optional<glm::vec3> point = reader.read_three(focus, ValueKind::vector);
+    if (point && !reader.is_unread(Field::position)) {
+      camera.look = direction_to(*point, camera.position);
+    } else {
+      reader.note_unread(Field::look);
+    }
+    reader.note(focus, Field::look);
+  } else if (fields.has(look)) {
+    reader.read(camera_rows, Field::look, camera);
+  } else {
     context.report(json_missing_key, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
-    camera.look = glm::vec3(not_known);
-  }
-  reader.read(camera_rows, Field::look, camera);
-  if (fields.has(focus)) {
-    camera.look = direction_to(reader.read_three(focus, ValueKind::vector), camera.position);
-    reader.note(focus, Field::look);
+    reader.note_unread(Field::look);
   }
 }
 }  // namespace camera
@@ -255,7 +269,7 @@ float read_repeat(JsonContext& context, const JsonFields& fields, std::size_t ke
   }
   const JsonIndex at = fields.key(key);
   if (context.tape.is_number(at + 1)) {
-    return number_value(context, at).value_or(not_known);
+    return number_value(context, at).value_or(1);
   }
   context.diagnostics.report(
       json_wrong_type, Severity::warning, context.place(at),
@@ -298,7 +312,7 @@ void read_material(const ObjectReader& reader, Material& material) {
     }
     material.** texture = read_texture(reader.context, reader.fields, key);
     if (*texture == &Material::texture && reader.fields.has(key) && !material.texture) {
-      material.blend = not_known;  // unknown whether there is a texture to blend
+      reader.note_unread(Field::blend);  // unknown whether there is a texture to blend
     }
   }
 }

@@ -7,9 +7,9 @@
 #include "scenefile/format/json_syntax.h"
 #include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
-#include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_reader.h"
 #include "scenefile/format/xml_scanner.h"
+#include "scenefile/format/xml_values.h"
 
 #include <fmt/format.h>
 

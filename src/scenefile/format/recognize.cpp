@@ -3,6 +3,7 @@
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/text.h"
 #include "scenefile/format/scene_text.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> xml_blocks{"scenefile", "globaldata", "cameradata",
-                                                     "lightdata"};
 constexpr std::array<std::string_view, 4> json_keys{"globalData", "cameraData", "groups",
                                                     "templateGroups"};
 
@@ -76,7 +75,7 @@ bool may_be_scene(std::string_view bytes) {
   }
   switch (file->syntax) {
     case SceneFormat::xml:
-      return std::any_of(xml_blocks.begin(), xml_blocks.end(),
+      return std::any_of(structure_elements.begin(), structure_elements.begin() + 4,
                          [&](std::string_view block) { return has_element(file->text, block); });
     case SceneFormat::json:
       return has_key_of_scene(file->text);

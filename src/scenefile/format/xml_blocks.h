@@ -2,8 +2,8 @@
 // The parts of an XML scene: a reader for each block, element and tag. Internal to format.
 
 #include "scenefile/base/shape.h"
-#include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_fields.h"
+#include "scenefile/format/xml_values.h"
 #include "scenefile/scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -41,7 +41,7 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
 /// A camera while it is read.
 struct CameraDraft {
   Camera camera;
-  glm::vec3 focus{0};
+  std::optional<glm::vec3> focus;
   SeenFields seen;
 };
 
@@ -76,7 +76,10 @@ bool read_primitive_part(const XmlContext& context, const XmlTag& tag, Primitive
                          Scene& scene);
 
 /// Called at the end of a primitive.
-void finish_primitive(const PrimitiveDraft& draft, Scene& scene);
+void finish_primitive(PrimitiveDraft& draft, Scene& scene);
+
+/// Called at the end of the file: lists the values of all <globaldata> that could not be read.
+void finish_globals(const SeenFields& seen, Scene& scene);
 
 /// Each of these returns nullopt if there is nothing to apply, after an error or a warning.
 std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag);

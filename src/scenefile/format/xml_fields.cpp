@@ -19,9 +19,6 @@ namespace scenefile {
 
 namespace {
 
-constexpr std::string_view structure_elements[] = {"scenefile", "globaldata", "cameradata",
-                                                   "lightdata", "object",     "transblock"};
-
 // Whether the format has an element with that name, not counting aliases.
 bool is_known(std::string_view name) {
   return std::find(std::begin(structure_elements), std::end(structure_elements), name) !=

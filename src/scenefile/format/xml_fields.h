@@ -1,11 +1,11 @@
 #pragma once
 // Looks up the children of a block by name. Internal to format.
 
-#include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_values.h"
 #include "scenefile/scene/vocabulary.h"
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -51,20 +51,6 @@ constexpr std::array<FieldName, Count> names_of(const ValueRow<Owner> (&rows)[N]
   return names;
 }
 
-/// Reads the number or the three numbers of an element into the member of its row; `not_known`
-/// after an error. The caller handles rows of other kinds.
-template <typename Owner>
-void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Owner>& row,
-                Owner& owner) {
-  if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
-    owner.** number = read_single(context, tag).value_or(not_known);
-  } else if (const auto* const optional = std::get_if<std::optional<float> Owner::*>(&row.member)) {
-    owner.** optional = read_single(context, tag).value_or(not_known);
-  } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
-    owner.** vector = read_three(context, tag, row.kind).value_or(glm::vec3(not_known));
-  }
-}
-
 /// The field of a child element. Reports aliases, misspelled and unknown names. Returns nullopt to
 /// skip the element with its contents. `block` is the parent element.
 std::optional<std::size_t> find_field(const XmlContext& context, const XmlTag& tag,
@@ -80,7 +66,7 @@ void expect_no_attributes(const XmlContext& context, const XmlTag& tag);
 void report_block_attribute(const XmlContext& context, const XmlTag& tag,
                             const XmlAttribute& attribute, std::span<const std::string_view> known);
 
-/// The places of a block's children.
+/// What is known of a block's children.
 class SeenFields {
  public:
   /// Stores the place of a child; reports a duplicate.
@@ -88,9 +74,52 @@ class SeenFields {
   bool has(std::size_t field) const { return places_[field].known(); }
   Location place(std::size_t field) const { return places_[field]; }
 
+  /// Whether the last value of the field could not be read.
+  void set_unread(std::size_t field, bool unread) { unread_[field] = unread; }
+  bool unread(std::size_t field) const { return unread_[field]; }
+  bool any_unread() const { return unread_.any(); }
+
+  /// For another block that adds to the values of this one.
+  void forget_places() { places_ = {}; }
+
  private:
   std::array<Location, max_fields> places_{};
+  std::bitset<max_fields> unread_;
 };
+
+/// Reads the number or the three numbers of an element into the member of its row, `rows[field]`;
+/// after an error, the member gets its default. The caller handles rows of other kinds.
+template <typename Owner, std::size_t N>
+void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Owner> (&rows)[N],
+                std::size_t field, SeenFields& seen, Owner& owner) {
+  const ValueRow<Owner>& row = rows[field];
+  const auto store = [&](const auto member, const auto& value) {
+    if (value) {
+      owner.*member = *value;
+    } else {
+      owner.*member = Owner{}.*member;
+    }
+    seen.set_unread(field, !value);
+  };
+  if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
+    store(*number, read_single(context, tag));
+  } else if (const auto* const optional = std::get_if<std::optional<float> Owner::*>(&row.member)) {
+    store(*optional, read_single(context, tag));
+  } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
+    store(*vector, read_three(context, tag, row.kind));
+  }
+}
+
+/// Lists the values that could not be read.
+template <typename Owner, std::size_t N>
+void add_unread(const ValueRow<Owner> (&rows)[N], const SeenFields& seen, Location owner,
+                Scene& scene) {
+  for (std::size_t i = 0; seen.any_unread() && i < N; ++i) {
+    if (seen.unread(i)) {
+      scene.unread_fields.push_back({owner, *rows[i].field});
+    }
+  }
+}
 
 /// Stores the places of the children that findings can refer to.
 template <typename Owner, std::size_t N>

@@ -1,7 +1,7 @@
 #pragma once
 // Names of trees: declarations and uses, resolved at the end of the file. Internal to format.
 
-#include "scenefile/format/xml_context.h"
+#include "scenefile/format/xml_values.h"
 #include "scenefile/scene/scene.h"
 
 #include <string>

@@ -4,7 +4,6 @@
 #include "scenefile/format/dialects.h"
 #include "scenefile/format/read_common.h"
 #include "scenefile/format/xml_blocks.h"
-#include "scenefile/format/xml_context.h"
 #include "scenefile/format/xml_fields.h"
 #include "scenefile/format/xml_reader.h"
 #include "scenefile/format/xml_references.h"
@@ -200,6 +199,7 @@ Scene SceneBuilder::finish(bool complete) {
   if (in_primitive) {
     scene_.nodes[primitive_.node].primitives.pop_back();
   }
+  finish_globals(globals_, scene_);
   if (complete && !lost_tree_) {
     references_.resolve(context_, scene_, scenefile_);
   } else {
@@ -298,7 +298,7 @@ bool SceneBuilder::open_globals(const XmlTag& tag) {
                     fmt::format("a second <globaldata>, after line {}; its values count",
                                 scene_.global.location.line));
   }
-  globals_ = {};
+  globals_.forget_places();
   scene_.global.location = tag.location;
   return push(Block::globals, 0, tag.name);
 }

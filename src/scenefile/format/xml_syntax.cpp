@@ -7,6 +7,7 @@
 #include "scenefile/format/scene_text.h"
 #include "scenefile/format/text_places.h"
 #include "scenefile/format/xml_scanner.h"
+#include "scenefile/scene/vocabulary.h"
 
 #include <fmt/format.h>
 
@@ -204,9 +205,10 @@ std::string cut_off_message(std::string_view text, std::size_t at,
 
 // All other elements of the format are empty tags.
 bool holds_elements(std::string_view name) {
-  constexpr std::string_view blocks[] = {"scenefile", "globaldata", "cameradata", "lightdata",
-                                         "object",    "transblock", "matrix"};
-  return std::find(std::begin(blocks), std::end(blocks), lower_case(name)) != std::end(blocks);
+  const std::string word = lower_case(name);
+  return word == transform_word<Matrix> ||
+         std::find(structure_elements.begin(), structure_elements.end(), word) !=
+             structure_elements.end();
 }
 
 std::string mismatch_message(std::string_view text, std::size_t at,

@@ -320,6 +320,19 @@ void find_kind(const ValueRow<Owner> (&rows)[N], std::string_view element,
 
 }  // namespace
 
+std::string element_text(std::string_view name) {
+  return fmt::format("<{}>", escaped(name, 40));
+}
+
+std::string did_you_mean(std::string_view name, std::string_view mark) {
+  if (name.empty()) {
+    return {};
+  }
+  const bool marked = mark.size() == 2;
+  return fmt::format("; did you mean {}{}{}?", mark.substr(0, marked), name,
+                     mark.substr(marked ? 1 : 0));
+}
+
 void report_unknown_attribute(const XmlContext& context, const XmlTag& tag,
                               const XmlAttribute& attribute,
                               std::span<const std::string_view> known) {

@@ -269,9 +269,8 @@ class Maker {
       steps.border = border;
       add_filter(what, steps);
     }
-    const dvec2 frame = view_.panel.milestone == Milestone::action
-                            ? dvec2(window_.width, window_.height)
-                            : picture_;
+    const RealtimeWindow framed = realtime_frame(view_.panel.milestone, width_, height_);
+    const dvec2 frame(framed.width, framed.height);
     for (const auto& [step, what] :
          {std::pair(frame / picture_,
                     "samples are a pixel of the picture apart, not one of the "

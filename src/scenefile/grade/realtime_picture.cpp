@@ -474,9 +474,9 @@ std::shared_ptr<const Visibility> find_visible(const RealtimeTrial& trial,
   Visibility& v = *visible;
   const RealtimeWindow window = realtime_window(width, height);
   const dvec2 picture(width, height);
-  const dvec2 framed =
-      trial.panel.milestone == Milestone::action ? dvec2(window.width, window.height) : picture;
-  const dvec2 frame = glm::max(dvec2(1), glm::round(trial.frame.frame.value_or(framed)));
+  const RealtimeWindow framed = realtime_frame(trial.panel.milestone, width, height);
+  const dvec2 frame = glm::max(
+      dvec2(1), glm::round(trial.frame.frame.value_or(dvec2(framed.width, framed.height))));
   const dvec2 viewport = glm::max(dvec2(1), glm::round(trial.frame.viewport.value_or(picture)));
   v.width = static_cast<int>(frame.x);
   v.height = static_cast<int>(frame.y);

@@ -78,7 +78,7 @@ void Reporter::report(const Code& code, const Subject& subject, Field field, std
 }
 
 void Reporter::report_at(const Code& code, Location location, NodeId node, std::string message) {
-  if (scene_.incomplete && (code.kind == CodeKind::absence || &code == &scene_not_finite)) {
+  if (scene_.incomplete && code.kind == CodeKind::absence) {
     return;
   }
   // Skip the path for findings that are not kept; there can be very many.
@@ -97,6 +97,9 @@ bool Reporter::finite(const Subject& subject, Field field, std::string_view name
 
 bool Reporter::finite(const Subject& subject, Field field, std::string_view name,
                       const glm::vec3& value) {
+  if (!knows(subject.location, field)) {
+    return false;
+  }
   if (scenefile::finite(value)) {
     return true;
   }

@@ -35,8 +35,8 @@ void check_coefficient(float value, Field field, std::string_view name, const Su
 void check_directions(const Camera& camera, const Subject& subject, Reporter& reporter) {
   const bool look_finite = reporter.finite(subject, Field::look, "look", camera.look);
   const bool up_finite = reporter.finite(subject, Field::up, "up", camera.up);
-  const bool look_zero = camera.look == glm::vec3(0);
-  const bool up_zero = camera.up == glm::vec3(0);
+  const bool look_zero = look_finite && camera.look == glm::vec3(0);
+  const bool up_zero = up_finite && camera.up == glm::vec3(0);
   if (look_zero) {
     reporter.report(camera_look_zero, subject, Field::look,
                     "look of the camera is 0 0 0, which is not a direction");
@@ -107,7 +107,7 @@ void check_camera(const Camera& camera, Reporter& reporter) {
   }
   check_directions(camera, subject, reporter);
   // Negated to catch NaN too.
-  if (reporter.knows(camera.height_angle_deg) &&
+  if (reporter.knows(camera.location, Field::height_angle_deg) &&
       !(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
     reporter.report(camera_height_angle, subject, Field::height_angle_deg,
                     fmt::format("heightangle {} is not between 0 and 180 degrees",

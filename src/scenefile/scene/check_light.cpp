@@ -91,14 +91,14 @@ void check_cone(const Light& light, const Subject& subject, Reporter& reporter) 
   }
   if (light.angle_deg) {
     check_angle(light, subject, reporter);
-    return;
+  } else if (reporter.knows(light.location, Field::angle_deg)) {
+    reporter.report(light_spot_without_angle, subject,
+                    light.penumbra_deg > 0
+                        ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
+                                      "half-angle",
+                                      number_text(light.penumbra_deg))
+                        : "the spotlight has neither an angle nor a penumbra; it lights nothing");
   }
-  reporter.report(light_spot_without_angle, subject,
-                  light.penumbra_deg > 0
-                      ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
-                                    "half-angle",
-                                    number_text(light.penumbra_deg))
-                      : "the spotlight has neither an angle nor a penumbra; it lights nothing");
 }
 
 void check_rectangle(const Light& light, const Subject& subject, Reporter& reporter) {

@@ -89,6 +89,10 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
 // The energy that a surface passes on, summed like the renderers do.
 void check_energy(const Material& material, const Global& global, const Subject& subject,
                   Reporter& reporter) {
+  if (!reporter.knows(global.location, Field::specular) ||
+      !reporter.knows(global.location, Field::transparent)) {
+    return;
+  }
   const glm::vec3 reflected = global.specular * material.reflective;
   const glm::vec3 passed = global.transparent.value_or(0.5f) * material.transparent;
   if (largest(reflected) > 0 && largest(passed) > 0 && largest(reflected + passed) > 1.0001f) {

@@ -30,7 +30,10 @@ struct Subject {
 class Reporter {
  public:
   Reporter(const Scene& scene, Diagnostics& diagnostics)
-      : scene_(scene), diagnostics_(diagnostics), places_(scene.field_places) {}
+      : scene_(scene),
+        diagnostics_(diagnostics),
+        places_(scene.field_places),
+        unread_(scene.unread_fields) {}
 
   /// A finding about the subject as a whole. If the subject has no place in a file, the message
   /// names its node.
@@ -43,9 +46,9 @@ class Reporter {
     return places_.find(subject.location, field) != subject.location;
   }
 
-  /// False if the value could not be read.
-  bool knows(float value) const { return !scene_.incomplete || !std::isnan(value); }
-  /// Returns whether the value is finite; reports it otherwise.
+  /// False if the file gives the value, but it could not be read.
+  bool knows(Location owner, Field field) const { return !unread_.has(owner, field); }
+  /// Returns whether the value is known and finite; reports one that is not finite.
   bool finite(const Subject& subject, Field field, std::string_view name, float value);
   bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);
 
@@ -55,6 +58,7 @@ class Reporter {
   const Scene& scene_;
   Diagnostics& diagnostics_;
   FieldPlaces places_;
+  UnreadFields unread_;
   std::optional<NodePaths> paths_;
 };
 

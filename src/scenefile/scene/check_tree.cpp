@@ -227,7 +227,8 @@ void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents
                     fmt::format("templates are nested {} deep, more than the limit of {}", nesting,
                                 limits.instance_nesting));
   }
-  if (contents.transparent != nullptr && !scene.global.transparent) {
+  if (contents.transparent != nullptr && !scene.global.transparent &&
+      reporter.knows(scene.global.location, Field::transparent)) {
     reporter.report(global_transparent_default,
                     {"primitive", contents.transparent->location, contents.transparent_node},
                     Field::transparent,

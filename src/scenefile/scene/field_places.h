@@ -1,5 +1,6 @@
 #pragma once
-// Looks up the place of a value in the file. Internal to scene.
+// Looks up what the reader noted about a value: its place in the file, or that it could not be
+// read. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 
@@ -18,6 +19,17 @@ class FieldPlaces {
  private:
   const std::vector<FieldPlace>& places_;
   std::vector<FieldPlace> sorted_;
+};
+
+/// Answers at once for scenes without such values.
+class UnreadFields {
+ public:
+  explicit UnreadFields(std::vector<UnreadField> fields);
+
+  bool has(Location owner, Field field) const;
+
+ private:
+  std::vector<UnreadField> sorted_;
 };
 
 }  // namespace scenefile

@@ -1,5 +1,5 @@
 #pragma once
-// Paths of nodes for messages. For a single path, use node_path() of prepare.h.
+// Paths of nodes for messages.
 
 #include "scenefile/scene/scene.h"
 
@@ -8,6 +8,10 @@
 #include <vector>
 
 namespace scenefile {
+
+/// Names from the root (or template) down to the node, joined by '/'; a nameless node appears as
+/// `#k`, its position among its siblings from 1.
+std::string node_path(const Scene& scene, NodeId node);
 
 /// The parents of all nodes, computed once for many paths.
 class NodePaths {

@@ -50,10 +50,6 @@ Prepared prepare(const Scene& scene, const Limits& limits);
 /// The camera as prepare() converts it; a camera that check() rejects becomes the default camera.
 RenderCamera ready_camera(const Camera& camera);
 
-/// Names from the root (or template) down to the node, joined by '/'; a nameless node appears as
-/// `#k`, its position among its siblings from 1. For messages.
-std::string node_path(const Scene& scene, NodeId node);
-
 /// Whether two scenes are drawn alike: prepare() gives equal results. The sides and direction of
 /// area lights may differ by rounding (1 part in 100,000), because their size in world space is a
 /// product.

@@ -13,7 +13,6 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -182,8 +181,11 @@ struct FieldPlace {
   Location location;
 };
 
-/// Marks a number that could not be read, in the scene of a file with errors.
-inline constexpr float not_known = std::numeric_limits<float>::quiet_NaN();
+/// A value that the file gives, but that could not be read; its member has the default.
+struct UnreadField {
+  Location owner;  ///< as in FieldPlace
+  Field field = Field::ambient;
+};
 
 /// A scene as written. The nodes form a forest whose trees are the root and the templates. Every
 /// other node is the child of exactly one node; a node without a parent is not part of the scene.
@@ -198,8 +200,10 @@ struct Scene {
   NodeId root = 0;
   /// Only for messages; in any order. The place of a value that is not listed is that of its owner.
   std::vector<FieldPlace> field_places;
-  /// The file had errors or no root: parts may be missing, and numbers may be `not_known`. check()
-  /// then does not report problems that may follow from that.
+  /// In any order. check() reports nothing that depends on these values.
+  std::vector<UnreadField> unread_fields;
+  /// The file had errors or no root, so parts may be missing. check() then does not report problems
+  /// that may follow from that.
   bool incomplete = false;
 
   /// Equal structure and values; places in the file and the order of `nodes` are ignored.

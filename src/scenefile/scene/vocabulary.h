@@ -203,6 +203,11 @@ constexpr bool is_transform(std::string_view word) {
   return std::find(transform_words.begin(), transform_words.end(), word) != transform_words.end();
 }
 
+/// The elements of XML that hold the others, without <matrix>. The first four are only in scene
+/// files.
+inline constexpr std::array<std::string_view, 6> structure_elements{
+    "scenefile", "globaldata", "cameradata", "lightdata", "object", "transblock"};
+
 /// The index of a field's row in its table; the first if the field has two rows.
 template <typename Owner, std::size_t N>
 constexpr std::size_t index_of(const ValueRow<Owner> (&rows)[N], Field field) {

@@ -9,18 +9,6 @@ namespace scenefile {
 
 namespace {
 
-// The size of the frame that is drawn and filtered. The scene covers a viewport of the picture's
-// size at its lower left; the rest is background.
-RealtimeWindow frame_size(Milestone milestone, int width, int height) {
-  switch (milestone) {
-    case Milestone::lights_camera:
-      break;
-    case Milestone::action:
-      return realtime_window(width, height);
-  }
-  return {width, height};
-}
-
 // Draws the filtered picture over all of `target`.
 void filter_picture(GlDevice::State& device, const PixelSurface& picture,
                     const PixelSurface& target, Filter filter) {
@@ -54,7 +42,7 @@ DrawOptions realtime_draw_options(const DrawOptions& options) {
 }
 
 bool realtime_viewport_pixel(Milestone milestone, int width, int height, int& x, int& y) {
-  const RealtimeWindow frame = frame_size(milestone, width, height);
+  const RealtimeWindow frame = realtime_frame(milestone, width, height);
   x = static_cast<int>((x + 0.5) * frame.width / width);
   y = height - 1 - static_cast<int>((height - y - 0.5) * frame.height / height);
   return x < width && y >= 0;
@@ -76,7 +64,7 @@ const PixelSurface* draw_realtime(GlDevice::State& device, Drawing::State& drawi
   const gl::Functions& gl = device.gl;
   const DrawOptions options = realtime_draw_options(given);
   const RealtimeOptions& realtime = *options.realtime;
-  const RealtimeWindow size = frame_size(realtime.milestone, width, height);
+  const RealtimeWindow size = realtime_frame(realtime.milestone, width, height);
   if (std::max(size.width, size.height) > device.max_side ||
       !fit_texture(gl, device.framed, size.width, size.height)) {
     return nullptr;

@@ -300,15 +300,11 @@ CameraView camera_view(const Session& session) {
     return {box, box.size.x / box.size.y};
   }
   const RealtimeWindow window = realtime_window(session.pixels.x, session.pixels.y);
+  const RealtimeWindow frame =
+      realtime_frame(session.realtime_panel.milestone, session.pixels.x, session.pixels.y);
   CameraView view{box, double(window.width) / window.height};
-  switch (session.realtime_panel.milestone) {
-    case Milestone::lights_camera:
-      break;
-    case Milestone::action:  // at the lower left of a larger frame
-      view.box.size *= glm::dvec2(session.pixels) / glm::dvec2(window.width, window.height);
-      view.box.at.y += box.size.y - view.box.size.y;
-      break;
-  }
+  view.box.size *= glm::dvec2(session.pixels) / glm::dvec2(frame.width, frame.height);
+  view.box.at.y += box.size.y - view.box.size.y;
   return view;
 }
 

@@ -1,0 +1,781 @@
+#include "scenefile/format/xml_blocks.h"
+
+#include "scenefile/base/number.h"
+#include "scenefile/base/suggest.h"
+#include "scenefile/base/text.h"
+#include "scenefile/format/codes.h"
+#include "scenefile/format/foreign_names.h"
+#include "scenefile/format/read_common.h"
+#include "scenefile/format/xml_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scenefile {
+
+// Global data and the camera.
+
+namespace {
+
+constexpr auto global_names = names_of<count_names(global_rows)>(global_rows);
+constexpr auto camera_names = names_of<count_names(camera_rows)>(camera_rows);
+
+// The second row with Field::look: the point to look at.
+constexpr std::size_t focus_row = 2;
+static_assert(camera_rows[focus_row].xml == "focus");
+
+Location place_of(const CameraDraft& draft, Field field) {
+  return draft.seen.place(index_of(camera_rows, field));
+}
+
+void report_default(const XmlContext& context, const CameraDraft& draft, std::string_view part,
+                    std::string_view value) {
+  context.diagnostics.report(
+      xml_camera_default, draft.camera.location,
+      fmt::format("<cameradata> has no {}; the default {} is used", part, value));
+}
+
+void report_defaults(const XmlContext& context, const CameraDraft& draft) {
+  if (!place_of(draft, Field::position).known()) {
+    report_default(context, draft, "<pos>", "5 5 5");
+  }
+  if (!place_of(draft, Field::look).known() && !draft.seen.has(focus_row)) {
+    report_default(context, draft, "<look> or <focus>", "look -1 -1 -1");
+  }
+  if (!place_of(draft, Field::up).known()) {
+    report_default(context, draft, "<up>", "0 1 0");
+  }
+  if (!place_of(draft, Field::height_angle_deg).known()) {
+    report_default(context, draft, "<heightangle>", "45");
+  }
+}
+
+// A focus is a point to look at; the scene only has directions.
+void resolve_focus(const XmlContext& context, CameraDraft& draft) {
+  const Location look = place_of(draft, Field::look);
+  const Location focus = draft.seen.place(focus_row);
+  if (!focus.known()) {
+    return;
+  }
+  draft.seen.set_unread(index_of(camera_rows, Field::look), true);  // until the direction is known
+  if (look.known()) {
+    const bool focus_last =
+        focus.line > look.line || (focus.line == look.line && focus.column > look.column);
+    context.diagnostics.report(
+        xml_look_and_focus, focus_last ? focus : look,
+        fmt::format("<cameradata> has both <look> and <focus>; the other one is at line {}",
+                    (focus_last ? look : focus).line));
+  } else if (draft.focus && !draft.seen.unread(index_of(camera_rows, Field::position))) {
+    const glm::vec3 direction = direction_to(*draft.focus, draft.camera.position);
+    if (direction == glm::vec3(0)) {
+      context.diagnostics.report(
+          xml_focus_at_position, focus,
+          "<focus> is the position of the camera itself, so there is no direction to look in");
+      return;
+    }
+    draft.camera.look = direction;
+    draft.seen.set_unread(index_of(camera_rows, Field::look), false);
+  }
+}
+
+// The aspect ratio has no effect, but an invalid one may hide a mistake.
+void report_aspect_ratio(const XmlContext& context, const XmlTag& tag) {
+  const XmlAttribute* const v = tag.find("v");
+  const XmlAttribute* const given = v != nullptr ? v : tag.find("value");
+  const ParsedNumber number = parse_number(given != nullptr ? given->value : "1");
+  const bool is_ratio = number.error == NumberError::none && number.value > 0;
+  context.diagnostics.report(
+      xml_ignored_element, is_ratio ? Severity::note : Severity::warning, tag.location,
+      fmt::format("<aspectratio>{} has no effect: the picture's size decides",
+                  is_ratio ? "" : fmt::format(" {} is not a ratio, and", quoted(given->value))));
+}
+
+}  // namespace
+
+bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen, Scene& scene) {
+  const std::optional<std::size_t> field = find_field(context, tag, global_names, "globaldata");
+  if (!field) {
+    return false;
+  }
+  seen.note(context, tag, *field);
+  read_value(context, tag, global_rows, *field, seen, scene.global);
+  scene.field_places.push_back({scene.global.location, *global_rows[*field].field, tag.location});
+  return true;
+}
+
+void finish_globals(const SeenFields& seen, Scene& scene) {
+  add_unread(global_rows, seen, scene.global.location, scene);
+}
+
+bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft) {
+  const std::optional<std::size_t> field = find_field(context, tag, camera_names, "cameradata");
+  if (!field) {
+    return false;
+  }
+  draft.seen.note(context, tag, *field);
+  const ValueRow<Camera>& row = camera_rows[*field];
+  if (*field == focus_row) {
+    draft.focus = read_three(context, tag, row.kind);
+  } else if (row.has_member()) {
+    read_value(context, tag, camera_rows, *field, draft.seen, draft.camera);
+  } else {
+    report_aspect_ratio(context, tag);
+  }
+  return true;
+}
+
+void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene) {
+  report_defaults(context, draft);
+  resolve_focus(context, draft);
+  if (scene.camera) {
+    context.diagnostics.report(xml_second_camera, draft.camera.location,
+                               fmt::format("a second <cameradata>, after line {}; this one counts",
+                                           scene.camera->location.line));
+  }
+  add_places(camera_rows, draft.seen, draft.camera.location, scene);
+  add_unread(camera_rows, draft.seen, draft.camera.location, scene);
+  scene.camera = draft.camera;
+}
+
+// Lights.
+
+namespace {
+
+constexpr auto light_names = names_of<count_names(light_rows)>(light_rows);
+
+bool has(const LightDraft& draft, Field field) {
+  return draft.seen.has(index_of(light_rows, field));
+}
+
+void read_type(const XmlContext& context, Location place, std::string_view word,
+               LightDraft& draft) {
+  for (std::size_t i = 0; i < light_words.size(); ++i) {
+    if (!equal_ignoring_case(word, light_words[i])) {
+      continue;
+    }
+    draft.light.type = static_cast<LightType>(i);
+    if (word != light_words[i]) {
+      context.diagnostics.report(
+          xml_name_case, place,
+          fmt::format("light type {} was read as {}", quoted(word), light_words[i]));
+    }
+    return;
+  }
+  const std::string_view usual = translated_name(word, light_words);
+  const std::string_view near = usual.empty() ? nearest_name(word, light_words) : usual;
+  const auto meant = std::find(light_words.begin(), light_words.end(), near);
+  draft.type_known = meant != light_words.end();
+  draft.light.type =
+      draft.type_known ? static_cast<LightType>(meant - light_words.begin()) : LightType::point;
+  context.diagnostics.report(
+      xml_light_type, place,
+      fmt::format(
+          "unknown light type {}{}", quoted(word),
+          near.empty() ? "; the types are point, directional, spot and area" : did_you_mean(near)));
+}
+
+void read_id(const XmlContext& context, Location place, std::string_view word, Light& light) {
+  const ParsedNumber number = parse_number(word);
+  const bool whole = number.error == NumberError::none && std::trunc(number.value) == number.value;
+  if (whole && std::abs(number.value) <= std::numeric_limits<int>::max()) {
+    light.id = static_cast<int>(number.value);
+    return;
+  }
+  context.diagnostics.report(
+      xml_light_id, place,
+      fmt::format("the light id {} is not a whole number from 0 to 7; it has no effect",
+                  quoted(word)));
+}
+
+// Reports values that the light's type does not use.
+void report_unused(const XmlContext& context, const LightDraft& draft) {
+  for (std::size_t i = 0; i < std::size(light_rows); ++i) {
+    const ValueRow<Light>& row = light_rows[i];
+    if (draft.seen.has(i) && !row.used_by_type(draft.light.type) && !row.idle_in_xml) {
+      context.diagnostics.report(
+          xml_light_unused, draft.seen.place(i),
+          fmt::format("<{}> has no effect on a {} light", row.xml, word_of(draft.light.type)));
+    }
+  }
+}
+
+void report_defaults(const XmlContext& context, const LightDraft& draft) {
+  const LightType type = draft.light.type;
+  const auto missing = [&](Field field, std::string_view value) {
+    if (!has(draft, field)) {
+      context.diagnostics.report(xml_light_default, draft.light.location,
+                                 fmt::format("the {} light has no <{}>; the default {} is used",
+                                             word_of(type), row_of(light_rows, field).xml, value));
+    }
+  };
+  if (light_uses(type, Field::position)) {
+    missing(Field::position, "3 3 3");
+  }
+  missing(Field::color, "1 1 1");
+  if (!has(draft, Field::id) && !draft.light.id) {
+    context.diagnostics.report(xml_light_id, draft.light.location,
+                               "the light has no <id>; give each light a number from 0 to 7");
+  }
+  if (light_uses(type, Field::penumbra_deg) && has(draft, Field::angle_deg)) {
+    missing(Field::penumbra_deg, "0");
+  }
+}
+
+}  // namespace
+
+LightDraft begin_light(const XmlContext& context, const XmlTag& tag) {
+  constexpr std::string_view known[] = {"id", "type"};
+  LightDraft draft;
+  draft.light.location = tag.location;
+  draft.light.position = glm::vec3(3);
+  for (const XmlAttribute& attribute : tag.attributes) {
+    const bool is_type = attribute.name == "type";
+    if (!is_type && attribute.name != "id") {
+      report_block_attribute(context, tag, attribute, known);
+      continue;
+    }
+    context.report(xml_alias_attribute, attribute,
+                   fmt::format("attribute {0} of <lightdata> was read as <{0}>", attribute.name));
+    const Location place = context.place(attribute);
+    if (is_type) {
+      read_type(context, place, attribute.value, draft);
+    } else {
+      read_id(context, place, attribute.value, draft.light);
+    }
+  }
+  return draft;
+}
+
+bool read_light_part(const XmlContext& context, const XmlTag& tag, LightDraft& draft) {
+  const std::optional<std::size_t> field = find_field(context, tag, light_names, "lightdata");
+  if (!field) {
+    return false;
+  }
+  draft.seen.note(context, tag, *field);
+  const ValueRow<Light>& row = light_rows[*field];
+  if (row.kind == ValueKind::id) {
+    if (const std::optional<std::string_view> word = read_word(context, tag)) {
+      read_id(context, tag.location, *word, draft.light);
+    }
+  } else if (row.kind == ValueKind::word) {
+    if (const std::optional<std::string_view> word = read_word(context, tag)) {
+      read_type(context, tag.location, *word, draft);
+    } else {
+      draft.type_known = false;
+    }
+  } else if (!row.has_member()) {
+    context.report(xml_ignored_element, tag, fmt::format("<{}> of a light has no effect", row.xml));
+  } else {
+    read_value(context, tag, light_rows, *field, draft.seen, draft.light);
+  }
+  return true;
+}
+
+void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
+  if (draft.type_known) {
+    report_unused(context, draft);
+    report_defaults(context, draft);
+  }
+  if (!light_uses(draft.light.type, Field::position) && !has(draft, Field::position)) {
+    draft.light.position = glm::vec3(0);
+  }
+  add_places(light_rows, draft.seen, draft.light.location, scene);
+  add_unread(light_rows, draft.seen, draft.light.location, scene);
+  scene.nodes[scene.root].lights.push_back(std::move(draft.light));
+}
+
+// Materials.
+
+namespace {
+
+constexpr auto material_names = names_of<count_names(material_rows)>(material_rows);
+constexpr std::size_t blend_row = index_of(material_rows, Field::blend);
+
+struct Writer {
+  const XmlContext& context;
+  const XmlTag& tag;
+  SeenFields& seen;
+  Primitive& primitive;
+  Scene& scene;
+
+  // Reads a number or a color.
+  void value(std::size_t field) const {
+    const ValueRow<Material>& row = material_rows[field];
+    Material& material = primitive.material;
+    read_value(context, tag, material_rows, field, seen, material);
+    const auto* const color = std::get_if<glm::vec3 Material::*>(&row.member);
+    if (color == nullptr || needs_place(*row.field, material.**color)) {
+      scene.field_places.push_back({primitive.location, *row.field, tag.location});
+    }
+  }
+};
+
+bool is_blend_name(std::string_view name) {
+  return name == "blend" || name == "float" || name == "value" || name == "val" || name == "n";
+}
+
+// Reads `blend` as a bare attribute of a texture, as sketched in the format's documentation.
+void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_texture) {
+  const std::string name = escaped(attribute.name, 40);
+  if (!is_texture) {
+    to.context.report(xml_texture_blend, attribute,
+                      fmt::format("attribute {} of <bumpmap> has no effect: a bump map is not "
+                                  "blended",
+                                  name));
+    return;
+  }
+  to.context.report(xml_texture_blend, attribute,
+                    fmt::format("attribute {} of <texture> was read as <blend>", name));
+  const std::optional<float> blend = read_number(to.context, to.tag, attribute);
+  if (!to.seen.has(blend_row)) {
+    to.primitive.material.blend = blend.value_or(0);
+    to.seen.set_unread(blend_row, !blend);
+  }
+}
+
+// The file name: `file`, another dialect's name for it, or the first attribute that is not a
+// number.
+const XmlAttribute* find_file(const XmlContext& context, const XmlTag& tag) {
+  if (const XmlAttribute* file = tag.find("file")) {
+    return file;
+  }
+  const XmlAttribute* found = tag.find("filename");
+  for (const XmlAttribute& attribute : tag.attributes) {
+    const bool other = attribute.name != "u" && attribute.name != "v" &&
+                       parse_number(attribute.value).error == NumberError::malformed;
+    found = found == nullptr && other ? &attribute : found;
+  }
+  if (found == nullptr) {
+    context.report(xml_missing_attribute, tag,
+                   fmt::format("{} is missing the attribute file", element_text(tag.name)));
+    return nullptr;
+  }
+  context.report(xml_alias_attribute, *found,
+                 fmt::format("attribute {} of {} was read as file", escaped(found->name, 40),
+                             element_text(tag.name)));
+  return found;
+}
+
+bool name_fits(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute) {
+  if (attribute.value.size() <= context.options.limits.name_bytes) {
+    return true;
+  }
+  context.report(xml_length_limit, attribute,
+                 fmt::format("the file name of {} is longer than the limit of {} bytes",
+                             element_text(tag.name), context.options.limits.name_bytes));
+  return false;
+}
+
+Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
+  constexpr std::string_view known[] = {"file", "u", "v"};
+  const XmlAttribute* file = find_file(to.context, to.tag);
+  if (file == nullptr || !name_fits(to.context, to.tag, *file)) {
+    return {};
+  }
+  const std::array<const XmlAttribute*, 3> in_order = {file, to.tag.find("u"), to.tag.find("v")};
+  report_order(to.context, to.tag, in_order);
+  TextureUse texture{std::string(file->value), 1, 1, to.tag.location};
+  for (const XmlAttribute& attribute : to.tag.attributes) {
+    if (&attribute == file) {
+      continue;
+    }
+    if (attribute.name == "u") {
+      texture.repeat_u = read_number(to.context, to.tag, attribute).value_or(1);
+    } else if (attribute.name == "v") {
+      texture.repeat_v = read_number(to.context, to.tag, attribute).value_or(1);
+    } else if (is_blend_name(attribute.name)) {
+      read_bare_blend(to, attribute, is_texture);
+    } else {
+      report_unknown_attribute(to.context, to.tag, attribute, known);
+    }
+  }
+  return texture;
+}
+
+}  // namespace
+
+bool read_primitive_part(const XmlContext& context, const XmlTag& tag, PrimitiveDraft& draft,
+                         Scene& scene) {
+  const std::optional<std::size_t> field = find_field(context, tag, material_names, "object");
+  if (!field) {
+    return false;
+  }
+  draft.seen.note(context, tag, *field);
+  Primitive& primitive = scene.nodes[draft.node].primitives.back();
+  const Writer to{context, tag, draft.seen, primitive, scene};
+  const ValueRow<Material>& row = material_rows[*field];
+  if (const auto* const texture = std::get_if<Rare<TextureUse> Material::*>(&row.member)) {
+    const bool is_texture = *texture == &Material::texture;
+    primitive.material.** texture = read_texture(to, is_texture);
+    draft.texture_known = is_texture ? primitive.material.texture.has_value() : draft.texture_known;
+  } else if (row.has_member()) {
+    to.value(*field);
+  } else {
+    context.report(xml_ignored_element, tag,
+                   fmt::format("<{}> has no effect: objects do not shine", row.xml));
+  }
+  return true;
+}
+
+void finish_primitive(PrimitiveDraft& draft, Scene& scene) {
+  if (!draft.texture_known) {
+    // Unknown whether there is a texture to blend.
+    draft.seen.set_unread(blend_row, true);
+  }
+  add_unread(material_rows, draft.seen, scene.nodes[draft.node].primitives.back().location, scene);
+}
+
+// The tags of objects.
+
+namespace {
+
+constexpr std::array<std::string_view, 3> type_names = {"tree", "master", "primitive"};
+
+// The index of the name, ignoring case; names.size() if there is none.
+template <std::size_t N>
+std::size_t index_of(const std::array<std::string_view, N>& names, std::string_view word) {
+  std::size_t i = 0;
+  while (i < N && !equal_ignoring_case(names[i], word)) {
+    ++i;
+  }
+  return i;
+}
+
+void report_case(const XmlContext& context, const XmlAttribute& attribute,
+                 std::string_view canonical) {
+  if (attribute.value != canonical) {
+    context.report(
+        xml_name_case, attribute,
+        fmt::format("{} {} was read as {}", attribute.name, quoted(attribute.value), canonical));
+  }
+}
+
+std::optional<ObjectType> read_type(const XmlContext& context, const XmlAttribute& attribute) {
+  const std::size_t i = index_of(type_names, attribute.value);
+  if (i < type_names.size()) {
+    report_case(context, attribute, type_names[i]);
+    return static_cast<ObjectType>(i);
+  }
+  const std::string_view near = nearest_name(attribute.value, type_names);
+  const std::string type = quoted(attribute.value);
+  const std::size_t shape = index_of(shape_words, attribute.value);
+  if (near.empty()) {
+    const std::string hint =
+        shape == shape_words.size()
+            ? did_you_mean(translated_name(attribute.value, type_names))
+            : fmt::format("; write type=\"primitive\" name=\"{}\"", shape_words[shape]);
+    context.report(
+        xml_unknown_object_type, attribute,
+        fmt::format("object type {} is not part of the format, so the object was ignored{}", type,
+                    hint));
+  } else {
+    context.report(xml_object_type, attribute,
+                   fmt::format("unknown object type {}{}", type, did_you_mean(near)));
+    return static_cast<ObjectType>(index_of(type_names, near));
+  }
+  return std::nullopt;
+}
+
+// The attributes by name.
+struct Found {
+  const XmlAttribute* type = nullptr;
+  const XmlAttribute* name = nullptr;
+  const XmlAttribute* filename = nullptr;
+  const XmlAttribute* meshfile = nullptr;
+  std::vector<const XmlAttribute*> others;
+
+  bool is_mesh() const { return name != nullptr && equal_ignoring_case(name->value, "mesh"); }
+};
+
+// Finds the attribute, preferring the exact name, otherwise ignoring case, which no program of the
+// course accepts.
+const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& tag,
+                                     std::string_view name) {
+  if (const XmlAttribute* exact = tag.find(name)) {
+    return exact;
+  }
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (equal_ignoring_case(attribute.name, name)) {
+      context.report(xml_name_case, attribute,
+                     fmt::format("attribute {} of <object> was read as {}", attribute.name, name));
+      return &attribute;
+    }
+  }
+  return nullptr;
+}
+
+Found find_attributes(const XmlContext& context, const XmlTag& tag) {
+  Found found;
+  found.type = find_in_any_case(context, tag, "type");
+  found.name = find_in_any_case(context, tag, "name");
+  found.filename = find_in_any_case(context, tag, "filename");
+  found.meshfile = find_in_any_case(context, tag, "meshfile");
+  for (const XmlAttribute& attribute : tag.attributes) {
+    if (&attribute != found.type && &attribute != found.name && &attribute != found.filename &&
+        &attribute != found.meshfile) {
+      found.others.push_back(&attribute);
+    }
+  }
+  return found;
+}
+
+std::vector<std::string_view> missing_names(const Found& found) {
+  std::vector<std::string_view> missing;
+  if (found.type == nullptr) {
+    missing.push_back("type");
+  }
+  if (found.name == nullptr) {
+    missing.push_back("name");
+  }
+  if (found.is_mesh() && found.filename == nullptr) {
+    missing.push_back("filename");
+  }
+  return missing;
+}
+
+// Reports other attributes; a misspelled one takes the place of the missing one.
+void settle_others(const XmlContext& context, const XmlTag& tag, Found& found) {
+  for (const XmlAttribute* attribute : found.others) {
+    const std::string_view near = nearest_name(attribute->name, missing_names(found));
+    if (near.empty()) {
+      report_unknown_attribute(context, tag, *attribute, {});
+      continue;
+    }
+    context.report(xml_misspelled_attribute, *attribute,
+                   fmt::format("unknown attribute {} of <object>{}", escaped(attribute->name, 40),
+                               did_you_mean(near)));
+    (near == "type" ? found.type : near == "name" ? found.name : found.filename) = attribute;
+  }
+}
+
+// Moves the file of a mesh to `filename`, under whichever name it was given.
+void settle_mesh_file(const XmlContext& context, Found& found) {
+  if (found.filename != nullptr && found.meshfile != nullptr) {
+    context.report(xml_mesh_files, *found.meshfile,
+                   "the mesh has both filename and meshfile; filename counts");
+  }
+  if (found.filename == nullptr) {
+    found.filename = found.meshfile;
+  }
+  if (found.filename == nullptr && found.is_mesh() && found.others.size() == 1 &&
+      found.name != nullptr && found.type != nullptr) {
+    found.filename = found.others.front();
+    found.others.clear();
+    context.report(xml_alias_attribute, *found.filename,
+                   fmt::format("attribute {} of <object> was read as filename",
+                               escaped(found.filename->name, 40)));
+  }
+}
+
+bool name_fits(const XmlContext& context, const XmlAttribute* attribute) {
+  const std::uint32_t limit = context.options.limits.name_bytes;
+  if (attribute == nullptr || attribute->value.size() <= limit) {
+    return true;
+  }
+  context.report(xml_length_limit, *attribute,
+                 fmt::format("attribute {} of <object> is longer than the limit of {} bytes",
+                             escaped(attribute->name, 40), limit));
+  return false;
+}
+
+}  // namespace
+
+std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag& tag) {
+  Found found = find_attributes(context, tag);
+  settle_mesh_file(context, found);
+  settle_others(context, tag, found);
+  if (found.type == nullptr) {
+    context.report(xml_missing_attribute, tag,
+                   "<object> is missing the attribute type: tree, master or primitive");
+    return std::nullopt;
+  }
+  const std::array<const XmlAttribute*, 3> in_order = {found.type, found.name, found.filename};
+  report_order(context, tag, in_order);
+  const std::optional<ObjectType> type = read_type(context, *found.type);
+  if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
+    return std::nullopt;
+  }
+  ObjectTag object{*type, found.name != nullptr, {}, {}, tag.location, tag.location};
+  if (found.name != nullptr) {
+    object.name = found.name->value;
+    object.name_place = context.place(*found.name);
+  }
+  if (found.filename != nullptr) {
+    object.filename = found.filename->value;
+    object.filename_place = context.place(*found.filename);
+  }
+  return object;
+}
+
+std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
+                                const ObjectTag& object) {
+  if (!object.has_name) {
+    context.report(xml_missing_attribute, tag,
+                   "<object type=\"primitive\"> is missing the attribute name, the shape");
+    return std::nullopt;
+  }
+  if (object.name.find_first_not_of(" \t\r\n") == std::string::npos) {
+    context.diagnostics.report(
+        xml_missing_attribute, object.name_place,
+        fmt::format("the attribute name of the primitive is empty; it must say the shape: {}",
+                    fmt::join(shape_words, ", ")));
+    return std::nullopt;
+  }
+  std::size_t i = index_of(shape_words, object.name);
+  if (i == shape_words.size()) {
+    const std::string_view near = nearest_name(object.name, shape_words);
+    const std::string shape = quoted(object.name);
+    if (near.empty()) {
+      context.diagnostics.report(
+          xml_unknown_shape, object.name_place,
+          fmt::format("shape {} is not part of the format ({}); it is not drawn{}", shape,
+                      fmt::join(shape_words, ", "),
+                      did_you_mean(translated_name(object.name, shape_words))));
+      return std::nullopt;
+    }
+    context.diagnostics.report(xml_misspelled_shape, object.name_place,
+                               fmt::format("unknown shape {}{}", shape, did_you_mean(near)));
+    i = index_of(shape_words, near);
+  } else if (object.name != shape_words[i]) {
+    context.diagnostics.report(
+        xml_name_case, object.name_place,
+        fmt::format("name {} was read as {}", quoted(object.name), shape_words[i]));
+  }
+  const auto shape = static_cast<Shape>(i);
+  if (shape == Shape::mesh && object.filename.empty()) {
+    context.report(xml_missing_attribute, tag,
+                   object.filename_place == tag.location
+                       ? "the mesh is missing the attribute filename"
+                       : "the attribute filename of the mesh is empty");
+    return std::nullopt;
+  }
+  if (shape != Shape::mesh && !object.filename.empty()) {
+    context.diagnostics.report(
+        xml_unknown_attribute, object.filename_place,
+        fmt::format("the file name has no effect: a {} is not a mesh", shape_words[i]));
+  }
+  return shape;
+}
+
+// Transforms.
+
+namespace {
+
+constexpr AttributeForm rotate_forms[] = {{{"x", "y", "z", "angle"}}, {{"x", "y", "z", "a"}, true}};
+constexpr Signature rotate_signature{rotate_forms, 4, true, true};
+
+bool is_finite(const glm::mat4& m) {
+  const float* const first = &m[0][0];
+  return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
+}
+
+// Sets the last row to 0 0 0 1.
+void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4& rows) {
+  const glm::vec4 last = rows[3];
+  if (last == glm::vec4(0, 0, 0, 1)) {
+    return;
+  }
+  const bool only_w = glm::vec3(last) == glm::vec3(0);
+  const auto report = [&](Severity severity, std::string_view what) {
+    context.diagnostics.report(xml_matrix_not_affine, severity, draft.last_row,
+                               fmt::format("the last row of the matrix is {} {} {} {}; {}", last.x,
+                                           last.y, last.z, last.w, what));
+  };
+  const bool repeated = !only_w && last == rows[2];
+  const bool no_translation = rows[0].w == 0 && rows[1].w == 0 && rows[2].w == 0;
+  if (only_w && !is_finite(rows / last.w)) {
+    report(Severity::error, "it must be 0 0 0 1");
+  } else if (only_w) {
+    report(Severity::warning, "the matrix was divided by its last number to make it 0 0 0 1");
+    rows /= last.w;
+  } else if (repeated) {
+    report(Severity::warning, "it repeats the third row. It must be 0 0 0 1, so it has no effect");
+  } else if (no_translation && last.w == 1) {
+    report(Severity::warning,
+           "it has no effect. The matrix seems to be transposed: a translation belongs in the last "
+           "column");
+  } else {
+    report(Severity::warning, "projective maps are not supported, so it has no effect");
+  }
+  rows[3] = {0, 0, 0, 1};
+}
+
+}  // namespace
+
+std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
+  return by ? std::optional(Transform{Translate{*by}, tag.location}) : std::nullopt;
+}
+
+std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
+  return by ? std::optional(Transform{Scale{*by}, tag.location}) : std::nullopt;
+}
+
+std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& tag) {
+  const std::optional<Parts> found = find_parts(context, tag, rotate_signature);
+  if (!found) {
+    return std::nullopt;
+  }
+  const Parts& parts = *found;
+  const int axis_parts = (parts[0] != nullptr) + (parts[1] != nullptr) + (parts[2] != nullptr);
+  if (axis_parts == 0 && parts[3] != nullptr) {
+    context.report(xml_rotate_axis, tag,
+                   "<rotate> has no axis, so it has no effect; write its axis as x, y and z");
+    return std::nullopt;
+  }
+  if (axis_parts != 3) {
+    report_missing(context, tag, rotate_signature, parts);
+    return std::nullopt;
+  }
+  if (parts[3] == nullptr) {
+    context.report(xml_rotate_angle, tag,
+                   "<rotate> has no angle, so it has no effect; write its degrees as angle");
+  }
+  const std::optional<glm::vec4> numbers = read_numbers(context, tag, parts);
+  return numbers ? std::optional(Transform{Rotate{glm::vec3(*numbers), numbers->w}, tag.location})
+                 : std::nullopt;
+}
+
+void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft& draft) {
+  if (draft.count >= 4) {
+    draft.valid = false;
+    context.report(
+        xml_matrix_rows, tag,
+        fmt::format("{} is one row too many: a matrix has four", element_text(tag.name)));
+    return;
+  }
+  const std::optional<glm::vec4> row = read_matrix_row(context, tag);
+  draft.valid = draft.valid && row;
+  draft.rows[static_cast<int>(draft.count)] = row.value_or(glm::vec4(0));
+  draft.last_row = tag.location;
+  ++draft.count;
+}
+
+std::optional<Transform> finish_matrix(const XmlContext& context, const MatrixDraft& draft) {
+  if (draft.count < 4) {
+    context.diagnostics.report(
+        xml_matrix_rows, draft.location,
+        fmt::format("the matrix has {} rows instead of four, each written <row a=\"1\" "
+                    "b=\"0\" c=\"0\" d=\"0\"/>",
+                    draft.count));
+    return std::nullopt;
+  }
+  if (!draft.valid) {
+    return std::nullopt;
+  }
+  glm::mat4 rows = draft.rows;
+  make_affine(context, draft, rows);
+  return Transform{Matrix{glm::transpose(rows)}, draft.location};
+}
+
+}  // namespace scenefile

@@ -20,6 +20,8 @@ using glm::dvec3;
 constexpr double min_noise = 0.8;
 constexpr double min_mixed = 0.7;
 constexpr std::size_t few_windows = 5;
+// Of the picture. A right program with single precision may have specks in a thousandth of it.
+constexpr double min_area = 0.003;
 constexpr double most_spots = 0.85;       // of the pixels that differ must lack some lights
 constexpr std::size_t max_spots = 300;    // looked at
 constexpr std::size_t max_windows = 60;   // looked at
@@ -227,7 +229,9 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
   }
   // Glass cannot be checked, so it must not be the main evidence. The other mistakes must explain
   // the pixels outside the spots.
-  if (dull + mirrors < few_pixels || 2 * (dull + mirrors) < spots.size() ||
+  const double area = share(spots.size(), differing) * sim.weight_that_differs(sim.points.size());
+  if (area < min_area * sim.test.width * sim.test.height || dull + mirrors < few_pixels ||
+      2 * (dull + mirrors) < spots.size() ||
       (!made.empty() && (share(spots.size(), differing) > 0.75 || !each_needed(sim, made)))) {
     return {};
   }

@@ -50,7 +50,7 @@ bool shows_much(const Simulation& sim, const Tried& t) {
     if (p.differs && largest_of(p.test) > 16) {
       bright += p.weight;
       const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-      matched += largest_of(outside(c, p.low, p.high)) <= exact_within ? p.weight : 0;
+      matched += largest_of(glm::abs(c - p.test)) <= right_within ? p.weight : 0;
     }
   }
   return matched >= 0.5 * bright;

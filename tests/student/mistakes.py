@@ -130,7 +130,7 @@ class Bench:
         strange = [f for f in found if not any(f in w for w in wanted)]
         if any(c["cause"] == "rounding" for c in said["causes"]):
             strange.append("rounding")
-        if strange and len(found) == 1 and any(r in w for r in rivals for w in wanted):
+        if strange and len(found) <= len(wanted) and all(any(f in w for f in found + rivals) for w in wanted):
             verdict = "tie"  # the pictures are the same, and the claim names both mistakes
         elif strange:
             verdict = "wrong"

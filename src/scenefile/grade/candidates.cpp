@@ -1,5 +1,7 @@
 #include "scenefile/grade/candidates.h"
 
+#include "scenefile/trace/tasks.h"
+
 #include <algorithm>
 
 namespace scenefile {
@@ -8,7 +10,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double necessary = 0.01;  // share of the difference that each of several changes
+constexpr double necessary = 0.01;         // share of the difference that each of several changes
+constexpr double nearly_as_exact = 0.004;  // share of the differing pixels
+constexpr double complete = 0.97;          // share of the differing pixels that are right
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
 
 // Whether the mistake has a number that was estimated from the pictures.
@@ -26,41 +30,37 @@ bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
   return mistakes.size() > 2 || (mistakes.size() > 1 && any_fitted(sim, mistakes));
 }
 
+// Whether the claim satisfies the thresholds, which are higher for several mistakes.
+bool good_enough(const Simulation& sim, const Tried& t) {
+  return good(t) && (sure(t) || (!needs_to_be_sure(sim, t.mistakes) &&
+                                 (t.mistakes.size() == 1 || t.exact >= enough)));
+}
+
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
 // with it and wrong without it.
 bool needed(const Simulation& sim, const Combination& mistakes, std::size_t member) {
   Combination fewer = mistakes;
   fewer.erase(fewer.begin() + std::ptrdiff_t(member));
   const std::size_t count = sim.points.size();
-  const Colors with = sim.predicted(mistakes, count);
-  const Colors without = sim.predicted(fewer, count);
-  double changed = 0;
-  double right = 0;
-  double gained = 0;
-  double shown = 0;  // of what is gained: not darkness
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& p = sim.points[i];
-    const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
-    const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
-    if (largest_of(glm::abs(a - b)) > right_within) {
-      const double now = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
-      const double gain =
-          now - (largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0);
-      changed += p.weight;
-      right += now;
-      gained += gain;
-      shown += largest_of(p.test) > 16 ? gain : 0;
-    }
-  }
+  const Effect e = effect_of(sim, sim.predicted(mistakes, count), sim.predicted(fewer, count));
   // Whatever moves everything out of sight gives darkness.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
   const double differs = sim.weight_that_differs(count);
+  if (moves && e.shown < std::min(0.1 * e.gained, 2 * necessary * differs)) {
+    return false;
+  }
+  // If all is reproduced without fitted numbers, the points that need a mistake are evidence
+  // enough.
+  if (e.differing_right >= complete * differs && !any_fitted(sim, mistakes) &&
+      e.gained_all >= 2 * necessary * differs) {
+    return true;
+  }
   // What changes little must be right there. A fitted number, and what changes little beside one,
   // must also be needed nearly everywhere: it could hide another mistake.
-  const bool little = gained < 0.05 * differs;
+  const bool little = e.gained < 0.05 * differs;
   const bool strict = is_fitted(sim, mistakes[member]) || (little && any_fitted(sim, mistakes));
-  return changed >= necessary * differs && gained >= (strict ? 0.8 : 0.4) * changed &&
-         (!little || right >= 0.9 * changed) && (!moves || shown >= 0.1 * gained);
+  return e.changed >= necessary * differs && e.gained >= (strict ? 0.8 : 0.4) * e.changed &&
+         (!little || e.right >= 0.9 * e.changed);
 }
 
 // Moves points that the mistakes do not explain to the front, with one right point in four.
@@ -105,15 +105,15 @@ std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Si
   std::vector<Tried> more = sim.try_all(sets, count, 0.7, 0.9);
   sort_by(more, [](const Tried& t) { return t.score.left; });
   more.resize(std::min<std::size_t>(more.size(), 8));
+  std::optional<Tried> best;
   for (const Tried& t : more) {
-    const Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
-    if (whole.score.left < 0.6 * found.score.left && good(whole) &&
-        (sure(whole) || !needs_to_be_sure(sim, whole.mistakes)) &&
-        each_needed(sim, whole.mistakes)) {
-      return whole;
+    Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
+    if ((!best || clearly_better(whole, *best)) && clearly_better(whole, found) &&
+        good_enough(sim, whole) && each_needed(sim, whole.mistakes)) {
+      best = std::move(whole);
     }
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace
@@ -122,8 +122,18 @@ bool good(const Tried& t) {
   return t.explained >= enough && t.exact >= enough_exact && t.broken <= max_broken;
 }
 
+bool reproduces_all(const Tried& t) {
+  return t.explained >= 0.99 && t.exact >= 0.98;
+}
+
 bool sure(const Tried& t) {
   return t.explained >= 0.98 && t.exact >= nearly_all;
+}
+
+bool clearly_better(const Tried& a, const Tried& b) {
+  const bool completes = a.exact >= complete && a.exact >= b.exact + 2 * necessary &&
+                         a.score.left <= 1.2 * b.score.left;
+  return a.score.left < 0.6 * b.score.left || completes;
 }
 
 double tie_limit(double raw, double all) {
@@ -170,6 +180,71 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
             a.cause != Cause::shapes) ||
            (a.stage == Stage::shapes && b.stage == Stage::shapes && a.cause == Cause::transforms);
   });
+}
+
+bool differ_visibly(const Colors& a, const Colors& b) {
+  return !std::equal(a.begin(), a.end(), b.begin(), [](const dvec3& x, const dvec3& y) {
+    return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
+                               glm::clamp(y, dvec3(0), dvec3(255)))) <= tolerance;
+  });
+}
+
+std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
+                                        std::uint16_t member) {
+  Combination others = mistakes;
+  others.erase(std::find(others.begin(), others.end(), member));
+  const auto brightens = [&](std::uint16_t i) {
+    return sim.list[i].cause == Cause::brightness || sim.list[i].cause == Cause::gamma;
+  };
+  std::vector<std::uint16_t> candidates;
+  for (std::uint16_t i = 0; i < sim.first_measured; ++i) {
+    // A brightness that fits as well is no news.
+    if (i != member && fits(sim, others, i) && !(brightens(i) && !brightens(member)) &&
+        std::find(others.begin(), others.end(), i) == others.end()) {
+      candidates.push_back(i);
+    }
+  }
+  for (const std::size_t count : {few_points, sim.points.size()}) {
+    const std::size_t n = std::min(count, sim.points.size());
+    const Simulation::Base b = sim.base(n);
+    const Tried found = sim.rated(mistakes, sim.score_of(mistakes, n), b);
+    std::vector<char> same(candidates.size());
+    for_each_task(candidates.size(), [&](std::size_t k) {
+      const Combination other = joined(others, {candidates[k]});
+      const Tried t = sim.rated(other, sim.score_of(other, n), b);
+      same[k] = t.score.raw <= tie_limit(found.score.raw, b.left) &&
+                t.exact >= found.exact - nearly_as_exact;
+    });
+    std::vector<std::uint16_t> left;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (same[k] != 0) {
+        left.push_back(candidates[k]);
+      }
+    }
+    candidates = std::move(left);
+  }
+  return candidates;
+}
+
+Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without) {
+  Effect e;
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 a = glm::clamp(with[i], dvec3(0), dvec3(255));
+    const dvec3 b = glm::clamp(without[i], dvec3(0), dvec3(255));
+    const double now = largest_of(outside(a, p.low, p.high)) <= exact_within ? p.weight : 0;
+    const double gain =
+        now - (largest_of(outside(b, p.low, p.high)) <= exact_within ? p.weight : 0);
+    e.differing_right += p.differs ? now : 0;
+    e.gained_all += gain;
+    if (largest_of(glm::abs(a - b)) > right_within) {
+      e.changed += p.weight;
+      e.right += now;
+      e.gained += gain;
+      e.shown += largest_of(p.test) > 16 ? gain : 0;
+    }
+  }
+  return e;
 }
 
 bool each_needed(const Simulation& sim, const Combination& mistakes) {
@@ -220,17 +295,18 @@ Tried completed(Simulation& sim, const Tried& found) {
 }
 
 std::optional<Tried> first_good(Simulation& sim, const std::vector<Tried>& best) {
+  std::optional<Tried> found;
   std::size_t left = 6;
   for (const Tried& t : best) {
     if (!good(t) || left-- == 0) {
       break;
     }
-    const Tried fewer = without_needless(sim, t);
-    if (good(fewer) && (sure(fewer) || !needs_to_be_sure(sim, fewer.mistakes))) {
-      return completed(sim, fewer);
+    Tried fewer = without_needless(sim, t);
+    if (good_enough(sim, fewer) && (!found || clearly_better(fewer, *found))) {
+      found = std::move(fewer);
     }
   }
-  return std::nullopt;
+  return found;
 }
 
 std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, std::size_t count,
@@ -249,6 +325,10 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
   }
   // Among those with the same remaining difference, the first in the list.
   const double least = result.front().score.raw;
+  const double most_exact =
+      std::max_element(result.begin(), result.end(), [](const Tried& a, const Tried& b) {
+        return a.exact < b.exact;
+      })->exact;
   // A fitted number is exact where a mistake of known size is only nearly so.
   const bool fitted = result.front().mistakes.front() >= sim.first_measured;
   const double limit = fitted ? least + 0.003 * all : tie_limit(least, all);
@@ -258,6 +338,8 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
   }
   std::stable_sort(result.begin(), last,
                    [](const Tried& a, const Tried& b) { return a.mistakes < b.mistakes; });
+  std::stable_partition(result.begin(), last,
+                        [&](const Tried& t) { return t.exact >= most_exact - nearly_as_exact; });
   std::stable_partition(result.begin(), result.end(), [&](const Tried& t) { return good(t); });
   return result;
 }

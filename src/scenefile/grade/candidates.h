@@ -15,8 +15,12 @@ inline constexpr std::size_t few_points = 100;  ///< ... and several
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
+/// Whether the claim reproduces the picture.
+bool reproduces_all(const Tried& t);
 /// Whether the claim explains nearly everything, so that the search can stop.
 bool sure(const Tried& t);
+/// Whether `a`, with more mistakes than `b`, leaves much less, or makes nearly all pixels right.
+bool clearly_better(const Tried& a, const Tried& b);
 /// Mistakes that leave at most this difference count as equal to one that leaves `raw` of `all`.
 double tie_limit(double raw, double all);
 /// Stable; the smallest key first.
@@ -27,6 +31,20 @@ void append(std::vector<Tried>& list, const std::vector<Tried>& more);
 Combination joined(Combination a, const Combination& b);
 /// Two mistakes of the same kind rarely combine: one replaces the other.
 bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
+bool differ_visibly(const Colors& a, const Colors& b);
+/// Mistakes of known size that give the same picture in place of one of several.
+std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
+                                        std::uint16_t member);
+/// What a change of the colors does, as weights of points.
+struct Effect {
+  double changed = 0;          ///< points that change visibly
+  double right = 0;            ///< of those: right with the change
+  double gained = 0;           ///< right with the change, less those that were right before
+  double shown = 0;            ///< of what is gained: not darkness
+  double gained_all = 0;       ///< the same as `gained`, of all points
+  double differing_right = 0;  ///< points that differ from the reference, and are right
+};
+Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without);
 /// Whether each of several mistakes is needed: where it changes the picture, the picture is right
 /// with it and wrong without it.
 bool each_needed(const Simulation& sim, const Combination& mistakes);
@@ -34,7 +52,8 @@ bool each_needed(const Simulation& sim, const Combination& mistakes);
 Tried without_needless(Simulation& sim, Tried found);
 /// Adds the mistake that explains most of the remaining difference, if any.
 Tried completed(Simulation& sim, const Tried& found);
-/// The first that satisfies the thresholds without its needless mistakes, completed.
+/// Of the best that satisfy the thresholds without their needless mistakes, the first but for
+/// clearly better ones.
 std::optional<Tried> first_good(Simulation& sim, const std::vector<Tried>& best);
 /// The best screened mistakes, evaluated at all points; among similar ones the more likely first.
 std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, std::size_t count,

@@ -99,6 +99,30 @@ bool equal_colors(const Colors& a, const Colors& b) {
   });
 }
 
+// Names the mistakes that give the same picture in place of one of several; the likeliest first.
+void name_ties(const Simulation& sim, const Tried& found, CauseReport& report) {
+  for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
+    std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
+    if (same.empty()) {
+      continue;
+    }
+    same.push_back(found.mistakes[k]);
+    std::sort(same.begin(), same.end());
+    Claim& one = report.claims[k];
+    one.cause = sim.list[same.front()].cause;
+    one.what = sim.list[same.front()].what;
+    for (std::size_t i = 1; i < std::min<std::size_t>(3, same.size()); ++i) {
+      const Hypothesis& h = sim.list[same[i]];
+      one.what += "; or " + h.what;
+      if (h.cause != one.cause) {
+        report.rivals.push_back(
+            {h.cause, h.what, evidence_of_share(found.explained), found.explained, true});
+      }
+    }
+    one.what += ": these give the same picture";
+  }
+}
+
 void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& others,
            CauseReport& report) {
   const Simulation::Base b = sim.base(sim.points.size());
@@ -114,6 +138,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     report.claims.push_back(std::move(one));
   }
   if (found.mistakes.size() > 1) {
+    name_ties(sim, found, report);
     return;
   }
   std::string same;
@@ -179,14 +204,16 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
   std::optional<Tried> found;
   // A number that was fitted must explain more than others: fits adapt to whatever is wrong.
-  const bool single = !alone.empty() && good(alone.front()) &&
-                      (alone.front().mistakes.front() < sim.first_measured || sure(alone.front()));
-  const bool doubtful = single && breaks_right_pixels(sim, alone.front());
-  if (!single || doubtful || alone.front().exact < nearly_all) {
-    report.claims = claims_of_acne(sim, {}, single && !doubtful ? alone.front().exact : 0);
+  const auto first = std::find_if(alone.begin(), alone.end(), [&](const Tried& t) {
+    return good(t) && (t.mistakes.front() < sim.first_measured || sure(t));
+  });
+  const bool single = first != alone.end();
+  const bool doubtful = single && breaks_right_pixels(sim, *first);
+  if (!single || doubtful || first->exact < nearly_all) {
+    report.claims = claims_of_acne(sim, {}, single && !doubtful ? first->exact : 0);
   }
   if (single && report.claims.empty()) {
-    found = completed(sim, alone.front());
+    found = completed(sim, *first);
   }
   if (!report.claims.empty()) {
     return;
@@ -198,7 +225,7 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     if (!report.claims.empty()) {
       return;
     }
-    if (more && (!found || more->score.left < 0.6 * found->score.left)) {
+    if (more && (!found || clearly_better(*more, *found))) {
       found = std::move(more);
     }
   }

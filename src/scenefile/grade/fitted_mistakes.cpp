@@ -81,6 +81,28 @@ struct Line {
   double offset = 0;  // of 255
 };
 
+// The line with the least squares to the pairs near it.
+Line refined(Line line, const Pairs& pairs) {
+  for (const double near : {8.0, 3.0}) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const auto& [r, t] : pairs) {
+      if (t > 0 && t < 255 && std::abs(t - line.factor * r - line.offset) <= near) {
+        n += 1;
+        x += r;
+        y += t;
+        xx += r * r;
+        xy += r * t;
+      }
+    }
+    const double spread = n * xx - x * x;
+    if (spread > 0) {
+      line.factor = (n * xy - x * y) / spread;
+      line.offset = (y - line.factor * x) / n;
+    }
+  }
+  return line;
+}
+
 // The line on which most pairs lie, by the median of the slopes between distant pairs.
 std::optional<Line> common_line(const Pairs& pairs) {
   std::vector<double> slopes;
@@ -102,7 +124,7 @@ std::optional<Line> common_line(const Pairs& pairs) {
     offsets.push_back(t - *factor * r);
   }
   const std::optional<double> offset = common_value(offsets, 1.5);
-  return offset ? std::optional(Line{*factor, *offset}) : std::nullopt;
+  return offset ? std::optional(refined({*factor, *offset}, pairs)) : std::nullopt;
 }
 
 // Another brightness and contrast of all values, or of each channel.

@@ -1,11 +1,12 @@
 #include "scenefile/grade/several_mistakes.h"
 
 #include "scenefile/grade/acne.h"
+#include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
 namespace scenefile {
 
@@ -13,7 +14,10 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::uint64_t work_for_pairs = 12'000'000;  // rays
+constexpr std::uint64_t work_for_several = 12'000'000;  // rays
+constexpr std::size_t very_few_points = 40;             // for a first glance
+constexpr std::size_t max_starts = 24;
+constexpr std::size_t max_pairs_to_extend = 10;
 
 // The picture with some mistakes, and with each single mistake in addition.
 struct Additions {
@@ -24,34 +28,43 @@ struct Additions {
   std::vector<Colors> with;            // by mistake; empty: not a member
 };
 
-Additions additions_to(Simulation& sim, const Combination& made, std::size_t count) {
+Colors first_of(const Colors& colors, std::size_t count) {
+  return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
+}
+
+// With `min_merit`, a mistake is first tried at a few points, and dropped if it has less.
+Additions additions_to(Simulation& sim, const Combination& made, std::size_t count,
+                       std::optional<double> min_merit = std::nullopt) {
   Additions f;
   f.made = made;
   f.count = std::min(count, sim.points.size());
   const Turn turn = sim.turn_of(made);
-  const Colors& right = sim.clean(turn).drawn;
-  f.colors = sim.drawn(made, f.count, turn)
-                 .value_or(Colors(right.begin(), right.begin() + std::ptrdiff_t(f.count)));
+  f.colors = sim.drawn(made, f.count, turn).value_or(first_of(sim.clean(turn).drawn, f.count));
   f.with.resize(sim.list.size());
+  const std::size_t glance = std::min(f.count, very_few_points);
+  const Simulation::Base b = sim.base(glance);
   for_each_task(sim.list.size(), [&](std::size_t i) {
     const auto other = static_cast<std::uint16_t>(i);
-    if (sim.list[i].stage != Stage::picture && fits(sim, made, other)) {
-      if (std::optional<Colors> colors = sim.drawn(joined(made, {other}), f.count, turn)) {
-        f.with[i] = *std::move(colors);
+    if (sim.list[i].stage == Stage::picture || !fits(sim, made, other)) {
+      return;
+    }
+    const Combination mistakes = joined(made, {other});
+    if (min_merit) {
+      const std::optional<Colors> colors = sim.drawn(mistakes, glance, turn);
+      if (!colors ||
+          sim.rated(mistakes, score(sim.points, glance, sim.finished(mistakes, *colors)), b)
+                  .merit() < *min_merit) {
+        return;
       }
+    }
+    std::optional<Colors> colors = sim.drawn(mistakes, f.count, turn);
+    if (colors && differ_visibly(*colors, f.colors)) {
+      f.with[i] = *std::move(colors);
     }
   });
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    bool changes = false;
-    for (std::size_t k = 0; k < f.with[i].size() && !changes; ++k) {
-      const dvec3 now = glm::clamp(f.with[i][k], dvec3(0), dvec3(255));
-      const dvec3 before = glm::clamp(f.colors[k], dvec3(0), dvec3(255));
-      changes = largest_of(glm::abs(now - before)) > tolerance;
-    }
-    if (changes) {
+    if (!f.with[i].empty()) {
       f.members.push_back(i);
-    } else {
-      f.with[i].clear();
     }
   }
   return f;
@@ -77,80 +90,125 @@ double likeness(const Simulation& sim, const Colors& colors) {
   return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
 }
 
-// Mistakes to combine with all others: those that move objects closer to where the test shows
-// them, and those that explain most.
-std::vector<Combination> likely_places(const Simulation& sim, const std::vector<Tried>& ranked) {
-  std::vector<Combination> result;
-  std::vector<std::pair<double, std::uint16_t>> places;
+// The mistakes whose effect is seen, in this order; of those that look the same, the first.
+class Starts {
+ public:
+  explicit Starts(const Simulation& sim) : sim_(sim), count_(std::min(screen, sim.points.size())) {}
+
+  void add(const Combination& mistakes) {
+    const Colors colors = sim_.predicted(mistakes, count_);
+    if (std::all_of(seen_.begin(), seen_.end(),
+                    [&](const Colors& other) { return differ_visibly(colors, other); })) {
+      seen_.push_back(colors);
+      items.push_back(mistakes);
+    }
+  }
+  std::vector<Combination> items;
+
+ private:
+  const Simulation& sim_;
+  std::size_t count_;
+  std::vector<Colors> seen_;
+};
+
+// Single mistakes to combine with all others, the most promising first: those that explain most,
+// that are right at most points, that are right wherever they change the picture, and those that
+// move objects closer to where the test shows them.
+std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<Tried>& ranked) {
   const std::size_t count = std::min(screen, sim.points.size());
-  const auto first = [count](const Colors& colors) {
-    return Colors(colors.begin(), colors.begin() + std::ptrdiff_t(count));
-  };
-  const double least = likeness(sim, first(sim.clean({}).drawn)) + 0.003;
-  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+  std::array<std::vector<std::pair<double, std::uint16_t>>, 4> orders;
+  const Colors clean = first_of(sim.clean({}).drawn, count);
+  const double likeness_now = likeness(sim, clean);
+  const double differs = sim.weight_that_differs(count);
+  Starts starts(sim);
+  for (const Tried& t : ranked) {
+    const std::uint16_t i = t.mistakes.front();
     const Hypothesis& h = sim.list[i];
-    const bool turns = h.turn != Turn();
-    if (turns || (h.stage >= Stage::hits && sim.cache[i].size() >= count &&
-                  h.cause != Cause::half_pixel_shift)) {
-      if (turns) {
-        result.push_back({i});
-      } else if (const double like = likeness(sim, first(sim.cache[i])); like > least) {
-        places.emplace_back(-like, i);
+    if (h.turn != Turn()) {
+      if (likeness(sim, first_of(sim.clean(h.turn).drawn, count)) > likeness_now) {
+        starts.add({i});
+      }
+      continue;
+    }
+    if (h.stage == Stage::picture || sim.cache[i].size() < count ||
+        h.cause == Cause::half_pixel_shift) {
+      continue;
+    }
+    if (t.merit() > 0.1) {
+      orders[0].emplace_back(-t.merit(), i);
+      orders[1].emplace_back(-t.exact, i);
+    }
+    const Effect effect = effect_of(sim, sim.cache[i], clean);
+    if (effect.changed >= 0.03 * differs && effect.right >= 0.5 * effect.changed) {
+      orders[2].emplace_back(-effect.right * effect.right / effect.changed, i);
+    }
+    if (const double like = likeness(sim, sim.cache[i]);
+        h.stage >= Stage::hits && like > likeness_now + 0.003) {
+      orders[3].emplace_back(-like, i);
+    }
+  }
+  for (auto& order : orders) {
+    std::stable_sort(order.begin(), order.end());
+  }
+  for (std::size_t rank = 0; rank < 12 && starts.items.size() < max_starts; ++rank) {
+    for (const auto& order : orders) {
+      if (rank < order.size()) {
+        starts.add({order[rank].second});
       }
     }
   }
-  std::stable_sort(places.begin(), places.end());
-  for (std::size_t i = 0; i < std::min<std::size_t>(6, places.size()); ++i) {
-    result.push_back({places[i].second});
-  }
-  const auto add_first = [&](const std::vector<Tried>& list, std::size_t max_count) {
-    for (std::size_t i = 0; i < std::min(max_count, list.size()); ++i) {
-      const Combination& t = list[i].mistakes;
-      if (list[i].merit() > 0.1 && sim.list[t.front()].stage != Stage::picture &&
-          std::find(result.begin(), result.end(), t) == result.end()) {
-        result.push_back(t);
-      }
+  return std::move(starts.items);
+}
+
+std::vector<std::uint16_t> color_changes(const Simulation& sim) {
+  std::vector<std::uint16_t> result;
+  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+    if (sim.list[i].color) {
+      result.push_back(i);
     }
-  };
-  add_first(ranked, 4);
-  std::vector<Tried> by_exact = ranked;
-  sort_by(by_exact, [](const Tried& t) { return -t.exact; });
-  add_first(by_exact, 2);
+  }
   return result;
 }
 
-// The frame's mistakes combined with each single one in addition.
+// The mistakes combined with each single one in addition.
 std::vector<Tried> with_each_addition(const Simulation& sim, const Additions& f) {
   const Simulation::Base b = sim.base(f.count);
   std::vector<Tried> result;
-  for (const std::uint16_t i : f.members) {
+  const auto rate = [&](std::uint16_t i, const Colors& colors) {
     const Combination mistakes = joined(f.made, {i});
     result.push_back(
-        sim.rated(mistakes, score(sim.points, f.count, sim.finished(mistakes, f.with[i])), b));
+        sim.rated(mistakes, score(sim.points, f.count, sim.finished(mistakes, colors)), b));
+  };
+  for (const std::uint16_t i : f.members) {
+    rate(i, f.with[i]);
+  }
+  for (const std::uint16_t i : color_changes(sim)) {
+    if (fits(sim, f.made, i)) {
+      rate(i, f.colors);
+    }
   }
   sort_by_merit(result);
   result.resize(std::min<std::size_t>(result.size(), 30));
   return result;
 }
 
-// Approximates pairs of mistakes by adding or multiplying their changes; then applies
-// `on_picture`.
+// Approximates pairs of mistakes by adding or multiplying their changes.
 std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
-                                     const Combination& on_picture,
-                                     const std::vector<std::uint16_t>& members,
                                      std::size_t max_count) {
   const std::size_t count = std::min(f.count, few_points);
   const Simulation::Base b = sim.base(count);
-  std::vector<std::vector<Tried>> found(members.size());
-  for_each_task(members.size(), [&](std::size_t i) {
+  std::vector<std::vector<Tried>> found(f.members.size());
+  for_each_task(f.members.size(), [&](std::size_t i) {
+    const std::uint16_t one = f.members[i];
     Colors sum(count);
     Colors product(count);
-    for (std::size_t j = i + 1; j < members.size(); ++j) {
-      if (!fits(sim, {members[i]}, members[j])) {
+    for (std::size_t j = i + 1; j < f.members.size(); ++j) {
+      const std::uint16_t other = f.members[j];
+      if (!fits(sim, {one}, other)) {
         continue;
       }
-      const Colors& x = f.with[members[i]];
-      const Colors& y = f.with[members[j]];
+      const Colors& x = f.with[one];
+      const Colors& y = f.with[other];
       for (std::size_t k = 0; k < count; ++k) {
         const dvec3& c = f.colors[k];
         sum[k] = x[k] + y[k] - c;
@@ -159,11 +217,10 @@ std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
               c[channel] > 2 ? x[k][channel] * y[k][channel] / c[channel] : sum[k][channel];
         }
       }
-      const Score of_sum = score(sim.points, count, sim.finished(on_picture, sum));
-      const Score of_product = score(sim.points, count, sim.finished(on_picture, product));
-      found[i].push_back(
-          sim.rated(joined(joined(f.made, on_picture), joined({members[i]}, {members[j]})),
-                    of_sum.left <= of_product.left ? of_sum : of_product, b));
+      const Score of_sum = score(sim.points, count, sum);
+      const Score of_product = score(sim.points, count, product);
+      found[i].push_back(sim.rated(joined({one}, {other}),
+                                   of_sum.left <= of_product.left ? of_sum : of_product, b));
     }
     sort_by_merit(found[i]);
     found[i].resize(std::min(found[i].size(), max_count));
@@ -174,16 +231,6 @@ std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
   }
   sort_by_merit(result);
   result.resize(std::min(result.size(), max_count));
-  return result;
-}
-
-std::vector<std::uint16_t> color_changes(const Simulation& sim) {
-  std::vector<std::uint16_t> result;
-  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    if (sim.list[i].color) {
-      result.push_back(i);
-    }
-  }
   return result;
 }
 
@@ -220,66 +267,89 @@ std::vector<Tried> with_picture(const Simulation& sim, const Additions& f) {
   return result;
 }
 
-// Combines the most promising changes of the finished picture with two other mistakes.
-std::vector<Tried> pairs_with_picture(const Simulation& sim, const Additions& f,
-                                      const std::vector<Tried>& pairs) {
-  std::vector<Tried> result;
-  std::map<std::uint16_t, std::vector<std::uint16_t>> members;
-  for (const Tried& t : pairs) {
-    if (t.mistakes.size() != 2) {
+// Combines each start with each single mistake, until a combination explains nearly everything.
+// All that is tried is added to `tried`.
+std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>& starts,
+                                 double from, double to, std::vector<Tried>& tried) {
+  std::optional<Tried> best;
+  double done = 0;
+  for (const Combination& start : starts) {
+    if (sim.rays > work_for_several ||
+        !sim.step(from + (to - from) * done++ / static_cast<double>(starts.size()))) {
+      break;
+    }
+    std::vector<Tried> found = with_each_addition(sim, additions_to(sim, start, few_points, 0.3));
+    append(tried, found);
+    if (found.empty() || found.front().merit() < 0.85) {
       continue;
     }
-    for (const bool second : {false, true}) {
-      const std::uint16_t p = t.mistakes[second ? 1 : 0];
-      const std::uint16_t other = t.mistakes[second ? 0 : 1];
-      if (sim.list[p].color && !f.with[other].empty() &&
-          (members.size() < 3 || members.contains(p)) && members[p].size() < 50) {
-        members[p].push_back(other);
-      }
+    const std::optional<Tried> now = first_good(sim, verified(sim, found, 6, from, from));
+    if (now && (!best || clearly_better(*now, *best))) {
+      best = now;
+    }
+    if (best && reproduces_all(*best)) {
+      break;
     }
   }
-  for (const auto& [p, others] : members) {
-    append(result, approximate_pairs(sim, f, {p}, others, 40));
-  }
-  return result;
+  return best;
 }
 
-// Approximates the best pairs combined with a third mistake.
-std::vector<Tried> approximate_triples(const Simulation& sim, const Additions& f,
-                                       const std::vector<Tried>& pairs) {
-  std::vector<Combination> starts;
-  for (const Tried& t : pairs) {
-    const bool on_picture = std::any_of(t.mistakes.begin(), t.mistakes.end(), [&](std::uint16_t i) {
-      return sim.list[i].stage == Stage::picture;
-    });
-    if (t.mistakes.size() == 2 && !on_picture && starts.size() < 24) {
-      starts.push_back(t.mistakes);
+// A mistake in drawing, and a curve of the finished picture that is fitted to what it draws.
+std::optional<Tried> with_fitted_curve(Simulation& sim) {
+  const std::size_t count = std::min(screen, sim.points.size());
+  const std::vector<Point> points(sim.points.begin(), sim.points.begin() + std::ptrdiff_t(count));
+  const auto clamped = [](Colors colors) {
+    for (dvec3& c : colors) {
+      c = glm::clamp(c, dvec3(0), dvec3(255));
     }
-  }
-  const std::size_t count = std::min(f.count, few_points);
-  const Simulation::Base b = sim.base(count);
-  std::vector<std::vector<Tried>> found(starts.size());
-  for_each_task(starts.size(), [&](std::size_t s) {
-    const std::optional<Colors> start = sim.drawn(starts[s], count, Turn());
-    for (const std::uint16_t i : f.members) {
-      if (!start || !fits(sim, starts[s], i) ||
-          std::find(starts[s].begin(), starts[s].end(), i) != starts[s].end()) {
-        continue;
-      }
-      Colors colors(count);
-      for (std::size_t k = 0; k < count; ++k) {
-        colors[k] = (*start)[k] + f.with[i][k] - f.colors[k];
-      }
-      found[s].push_back(sim.rated(joined(starts[s], {i}), score(sim.points, count, colors), b));
+    return colors;
+  };
+  const auto curved = [](const Hypothesis& curve, Colors colors) {
+    for (dvec3& c : colors) {
+      c = 255.0 * curve.color(c / 255.0);
+    }
+    return colors;
+  };
+  std::vector<std::pair<double, std::uint16_t>> order(sim.first_measured);
+  for_each_task(order.size(), [&](std::size_t i) {
+    const Hypothesis& h = sim.list[i];
+    order[i] = {0, static_cast<std::uint16_t>(i)};
+    const Colors& drawn = h.turn != Turn() ? sim.clean(h.turn).drawn : sim.cache[i];
+    if (drawn.size() < count || h.cause == Cause::half_pixel_shift) {
+      return;
+    }
+    const Colors colors = clamped(first_of(drawn, count));
+    for (const Hypothesis& curve : fitted_curves(points, colors)) {
+      const Score s = score(points, count, curved(curve, colors));
+      order[i].first = std::min(order[i].first, -sim.rated({}, s, sim.base(count)).merit());
     }
   });
-  std::vector<Tried> result;
-  for (const std::vector<Tried>& list : found) {
-    append(result, list);
+  std::stable_sort(order.begin(), order.end());
+  const Simulation::Base b = sim.base(sim.points.size());
+  for (std::size_t k = 0; k < std::min<std::size_t>(4, order.size()); ++k) {
+    const auto [merit, i] = order[k];
+    if (merit > -0.9) {
+      break;
+    }
+    const Turn turn = sim.list[i].turn;
+    const Colors colors =
+        clamped(sim.drawn({i}, sim.points.size(), turn).value_or(sim.clean(turn).drawn));
+    for (Hypothesis& curve : fitted_curves(sim.points, colors)) {
+      const auto added = static_cast<std::uint16_t>(sim.list.size());
+      sim.list.push_back(std::move(curve));
+      const Combination mistakes{i, added};
+      const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
+      if (sure(t) && t.broken <= max_broken && each_needed(sim, mistakes)) {
+        return t;
+      }
+      sim.list.pop_back();
+    }
   }
-  sort_by_merit(result);
-  result.resize(std::min<std::size_t>(result.size(), 120));
-  return result;
+  return std::nullopt;
+}
+
+std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<Tried>& b) {
+  return b && (!a || clearly_better(*b, *a)) ? b : a;
 }
 
 }  // namespace
@@ -287,29 +357,23 @@ std::vector<Tried> approximate_triples(const Simulation& sim, const Additions& f
 std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ranked,
                                   const std::vector<Tried>& alone, std::vector<Claim>& claims) {
   const Additions plain = additions_to(sim, {}, screen);
-  std::vector<Additions> moved;  // after mistakes in the camera or the shapes
-  for (const Combination& made : likely_places(sim, ranked)) {
-    if (sim.rays < work_for_pairs && sim.step(0.45)) {
-      moved.push_back(additions_to(sim, made, few_points));
-    }
-  }
-  std::vector<Tried> pairs = approximate_pairs(sim, plain, Combination(), plain.members, 120);
-  pairs = tried_again(sim, pairs, 120, 0.5, 0.55);
-  std::vector<std::pair<double, const Additions*>> by_merit;
-  for (const Additions& f : moved) {
-    const std::vector<Tried> found = with_each_addition(sim, f);
-    by_merit.emplace_back(found.empty() ? 0 : -found.front().merit(), &f);
-    append(pairs, found);
-  }
-  std::stable_sort(by_merit.begin(), by_merit.end(),
-                   [](const auto& x, const auto& y) { return x.first < y.first; });
-  by_merit.resize(std::min<std::size_t>(by_merit.size(), 2));
+  std::vector<Tried> pairs = approximate_pairs(sim, plain, 120);
+  pairs = tried_again(sim, pairs, 120, 0.4, 0.45);
   append(pairs, with_picture(sim, plain));
   sort_by_merit(pairs);
-  std::vector<Tried> best = verified(sim, pairs, 16, 0.6, 0.65);
-  const std::optional<Tried> pair = first_good(sim, best);
-  if (pair && sure(*pair)) {
-    return pair;
+  std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
+  std::optional<Tried> found = first_good(sim, best);
+  if (!found || !reproduces_all(*found)) {
+    found = better(found, search_from(sim, likely_starts(sim, ranked), 0.5, 0.7, pairs));
+  }
+  if (!found || !sure(*found)) {
+    found = better(found, with_fitted_curve(sim));
+  }
+  if (found) {
+    found = completed(sim, *found);
+  }
+  if (found && sure(*found)) {
+    return found;
   }
   for (const std::vector<Tried>* list : {&alone, &std::as_const(best)}) {
     std::size_t left = 4;
@@ -323,19 +387,16 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
       }
     }
   }
-  if (pairs.empty() || pairs.front().merit() < 0.3 || sim.rays > work_for_pairs) {
-    return pair;
+  sort_by_merit(pairs);
+  Starts starts(sim);
+  for (const Tried& t : pairs) {
+    if (t.merit() < 0.3 || starts.items.size() == max_pairs_to_extend) {
+      break;
+    }
+    starts.add(t.mistakes);
   }
-  std::vector<Tried> triples = approximate_triples(sim, plain, pairs);
-  for (const auto& [merit, f] : by_merit) {
-    append(triples, approximate_pairs(sim, *f, Combination(), f->members, 40));
-  }
-  append(triples, pairs_with_picture(sim, plain, pairs));
-  sort_by_merit(triples);
-  triples = tried_again(sim, triples, 150, 0.7, 0.9);
-  best = verified(sim, triples, 12, 0.9, 1);
-  const std::optional<Tried> triple = first_good(sim, best);
-  return triple && (!pair || triple->score.left < 0.6 * pair->score.left) ? triple : pair;
+  std::vector<Tried> triples;
+  return better(found, search_from(sim, starts.items, 0.7, 1, triples));
 }
 
 std::optional<Tried> find_several_of_picture(Simulation& sim, const std::vector<Tried>& ranked) {
@@ -343,6 +404,8 @@ std::optional<Tried> find_several_of_picture(Simulation& sim, const std::vector<
   for (std::size_t i = 0; i < std::min<std::size_t>(6, ranked.size()); ++i) {
     starts.push_back(ranked[i].mistakes);
   }
-  return first_good(sim, verified(sim, extended(sim, starts, few_points, 0.4, 0.9), 12, 0.9, 1));
+  const std::optional<Tried> found =
+      first_good(sim, verified(sim, extended(sim, starts, few_points, 0.4, 0.9), 12, 0.9, 1));
+  return found ? std::optional(completed(sim, *found)) : std::nullopt;
 }
 }  // namespace scenefile

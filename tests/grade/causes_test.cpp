@@ -477,6 +477,54 @@ TEST(Causes, TwoAtOnce) {
       << said(turned_too);
 }
 
+// The causes of all claims, and of the mistakes that give the same picture.
+std::set<Cause> all_named(const CauseReport& report) {
+  std::set<Cause> found;
+  for (const std::vector<Claim>* list : {&report.claims, &report.rivals}) {
+    for (const Claim& claim : *list) {
+      found.insert(claim.cause);
+    }
+  }
+  return found;
+}
+
+TEST(Causes, ACurveOfThePictureBesideAnotherMistake) {
+  const Change lifted = each_value([](const std::uint8_t* pixel, int channel) {
+    return static_cast<int>(std::lround(0.8 * pixel[channel] + 26));
+  });
+  int named = 0;
+  std::string others;
+  for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const CauseReport report = find_causes(
+        reference_of(scene, false), lifted(scene.drawn_by_student({"camera-full-angle"})), &view);
+    const bool right = report.claims.size() == 2 &&
+                       all_named(report) == std::set{Cause::camera, Cause::brightness};
+    named += right ? 1 : 0;
+    others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
+  }
+  EXPECT_GE(named, 3) << others;
+}
+
+TEST(Causes, AMovedCameraInATurnedPicture) {
+  int named = 0;
+  std::string others;
+  for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const CauseReport report =
+        find_causes(reference_of(scene, false),
+                    turned(false, true)(scene.drawn_by_student({"camera-full-angle"})), &view);
+    const bool right = report.claims.size() == 2 &&
+                       all_named(report).contains(Cause::vertical_flip) &&
+                       all_named(report).contains(Cause::camera);
+    named += right ? 1 : 0;
+    others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
+  }
+  EXPECT_GE(named, 3) << others;
+}
+
 TEST(Causes, FindsTheViewOfTheReference) {
   const GeneratedScene scene(4);
   const SceneView right = view_of(scene);

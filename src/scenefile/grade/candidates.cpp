@@ -266,8 +266,10 @@ Tried without_needless(Simulation& sim, Tried found) {
     const Combination one{found.mistakes[i]};
     // A mistake that explains nothing by itself, and nearly nothing beside the others. If all is
     // reproduced with it, without fitted numbers, the few points that need it are evidence enough.
-    const bool completes = found.exact >= 0.995 && rest.exact < found.exact - 0.01 &&
-                           !needs_to_be_sure(sim, found.mistakes);
+    const bool completes = (reproduces_all(found) && rest.exact < found.exact - 2 * necessary &&
+                            !any_fitted(sim, found.mistakes)) ||
+                           (found.exact >= 0.995 && rest.exact < found.exact - necessary &&
+                            !needs_to_be_sure(sim, found.mistakes));
     const bool idle = !completes && rest.explained > found.explained - 0.04 &&
                       rest.exact > found.exact - 0.04 &&
                       sim.rated(one, sim.score_of(one, count), b).explained < 0.015;

@@ -161,6 +161,54 @@ TEST(RealtimeCauses, ValuesAddedToThePictureAreNotMistakesOfLighting) {
   EXPECT_EQ(causes_of([](int v, std::size_t) { return v / 64 * 64; }), "");
 }
 
+// What is claimed about a picture that was edited: `change` gets the place, the channel and the
+// color of the pixel before the edit.
+template <typename Change>
+std::string claims_about(const Change& change) {
+  const Fixture scene;
+  const Texture reference = scene.right(panel_of(Milestone::action));
+  Texture test = reference;
+  for (int y = 0; y < test.height; ++y) {
+    for (int x = 0; x < test.width; ++x) {
+      const std::size_t first = 3 * (std::size_t(y) * std::size_t(test.width) + std::size_t(x));
+      const glm::ivec3 before(reference.rgb[first], reference.rgb[first + 1],
+                              reference.rgb[first + 2]);
+      const glm::ivec3 after = glm::clamp(change(x, y, before), glm::ivec3(0), glm::ivec3(255));
+      for (int c = 0; c < 3; ++c) {
+        test.rgb[first + std::size_t(c)] = static_cast<std::uint8_t>(after[c]);
+      }
+    }
+  }
+  const CauseReport report =
+      find_realtime_causes(reference, test, scene.view(panel_of(Milestone::action)));
+  std::string whats;
+  for (const auto& claims : {report.claims, report.partial}) {
+    for (const Claim& claim : claims) {
+      whats += claim.what + '\n';
+    }
+  }
+  return whats;
+}
+
+TEST(RealtimeCauses, CurvesHoldForTheWholePicture) {
+  EXPECT_EQ(
+      claims_about([](int, int y, const glm::ivec3& c) { return y % 2 == 0 ? c : c * 7 / 10; }),
+      "");
+  EXPECT_EQ(claims_about([](int, int, const glm::ivec3& c) {
+              return c == glm::ivec3(0) ? c : c + glm::ivec3(10);
+            }),
+            "10 of 255 was added to all colors but black\n");
+}
+
+TEST(RealtimeCauses, APartInAColorOfItsOwnIsDrawn) {
+  const auto lower_rows = [](const glm::ivec3& color) {
+    return claims_about(
+        [&](int, int y, const glm::ivec3& c) { return y >= height / 2 ? color : c; });
+  };
+  EXPECT_EQ(lower_rows({231, 228, 17}), "");
+  EXPECT_THAT(lower_rows({0, 0, 0}), ::testing::HasSubstr("not drawn"));
+}
+
 TEST(RealtimeCauses, FindsTheSettingsOfAReference) {
   const Fixture fixture;
   for (const RealtimeOptions& panel :

@@ -276,6 +276,14 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
                                *n > 0 ? "added to" : "subtracted from"),
                    [n = *n / 255](const dvec3& c) { return n + clamped(c); });
   }
+  if (const std::optional<double> n = common_step(all); n && std::abs(*n) > 4) {
+    add_to_picture(list, Cause::brightness,
+                   fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
+                               *n > 0 ? "added to" : "subtracted from"),
+                   [n = *n / 255](const dvec3& c) {
+                     return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
+                   });
+  }
   if (const std::optional<double> k = common_factor(all); k && std::abs(*k - 1) > 0.05) {
     add_to_picture(list, Cause::brightness,
                    fmt::format("the picture is {:.2f} times as bright as it should be", *k),
@@ -291,6 +299,47 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
   }
   add_lines(by_channel, list);
   return list;
+}
+
+bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,
+                 const Colors& with) {
+  constexpr double visible = 4;       // of 255
+  constexpr double max_wrong = 0.1;   // share of the pixels
+  constexpr double max_trend = 0.75;  // of 255
+  constexpr std::size_t levels = 12;
+  std::array<std::array<std::vector<double>, levels>, 3> errors;  // by channel and brightness
+  double concerned = 0;
+  double wrong = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    const dvec3 after = glm::clamp(with[i], dvec3(0), dvec3(255));
+    if (largest_of(glm::abs(after - without[i])) <= visible ||
+        !around(reference, p.x, p.y).calm()) {
+      continue;
+    }
+    concerned += p.weight;
+    wrong += largest_of(glm::abs(after - p.test)) > visible ? p.weight : 0;
+    for (int channel = 0; channel < 3; ++channel) {
+      const double t = p.test[channel];
+      if (t > 0 && t < 255 && after[channel] > 0 && after[channel] < 255) {
+        const auto level = static_cast<std::size_t>(after[channel] / 256 * levels);
+        errors[std::size_t(channel)][level].push_back(after[channel] - t);
+      }
+    }
+  }
+  for (auto& of_channel : errors) {
+    for (std::vector<double>& level : of_channel) {
+      if (level.size() < few_pixels) {
+        continue;
+      }
+      const auto middle = level.begin() + std::ptrdiff_t(level.size() / 2);
+      std::nth_element(level.begin(), middle, level.end());
+      if (std::abs(*middle) > max_trend) {
+        return false;
+      }
+    }
+  }
+  return wrong <= max_wrong * concerned;
 }
 
 void add_background(Simulation& sim) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <random>
@@ -45,10 +46,11 @@ struct Tried {
   double explained = 0;
   double exact = 0;
   double broken = 0;
+  bool holds = true;  // at all points, if a curve is among the mistakes
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
   bool good() const {
     return explained >= (together.size() == 1 ? enough_explained : enough_together) &&
-           exact >= enough_pixels && broken <= max_broken;
+           exact >= enough_pixels && broken <= max_broken && holds;
   }
 };
 
@@ -153,6 +155,11 @@ class Search {
   // In 1/255.
   Colors colors(const Together& together, const std::shared_ptr<const Visibility>& visible,
                 std::size_t count) const {
+    return colors(together, visible, points_, count);
+  }
+
+  Colors colors(const Together& together, const std::shared_ptr<const Visibility>& visible,
+                const std::vector<Point>& points, std::size_t count) const {
     const RealtimeTrial trial = trial_of(together);
     const RealtimePicture picture(trial, visible, *view_.assets, test_.width, test_.height);
     Turn turn;
@@ -162,7 +169,7 @@ class Search {
     }
     Colors result(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const Point& p = points_[i];
+      const Point& p = points[i];
       dvec3 c = picture.pixel(turn.across ? test_.width - 1 - p.x : p.x,
                               turn.down ? test_.height - 1 - p.y : p.y);
       for (const std::uint16_t k : together) {
@@ -181,6 +188,8 @@ class Search {
     for (std::uint32_t i = 0; i < pixels.size(); ++i) {
       pixels[i] = i;
     }
+    everywhere_.clear();
+    add_points(reference_, test_, pixels, 3000, false, true, random, everywhere_);
     points_.clear();
     add_points(test_, reference_, std::move(pixels), 1500, false, false, random, points_);
     const Colors right = colors({}, clean_, points_.size());
@@ -218,6 +227,19 @@ class Search {
     for (Hypothesis& h : fitted_curves(points_, right_)) {
       list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
     }
+  }
+
+  // A mistake whose number is estimated from all colors must be right for all of them.
+  bool is_curve(std::uint16_t mistake) const { return mistake >= listed_; }
+
+  bool curves_hold(const Together& together, const std::shared_ptr<const Visibility>& shown) const {
+    Together others;
+    std::copy_if(together.begin(), together.end(), std::back_inserter(others),
+                 [&](std::uint16_t i) { return !is_curve(i); });
+    const std::size_t count = everywhere_.size();
+    return others.size() == together.size() ||
+           curve_holds(reference_, everywhere_, colors(others, shown, everywhere_, count),
+                       colors(together, shown, everywhere_, count));
   }
 
   Tried rated(Together together, const Score& s, std::size_t count) const {
@@ -269,6 +291,7 @@ class Search {
         for (const std::size_t i : members) {
           if (shown != nullptr) {
             result[i] = rated(sets[i], score(points_, count, colors(sets[i], shown, count)), count);
+            result[i].holds = count < points_.size() || curves_hold(sets[i], shown);
           }
         }
       });
@@ -322,7 +345,7 @@ class Search {
       }
     }
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
-        alone.front().broken <= max_broken) {
+        alone.front().broken <= max_broken && alone.front().holds) {
       const RealtimeHypothesis& h = list_[alone.front().together.front()];
       report_.partial.push_back(
           {h.cause, h.what,
@@ -549,7 +572,8 @@ class Search {
   const RealtimeDrawn drawn_;
   std::shared_ptr<const Visibility> clean_;
   std::vector<RealtimeHypothesis> list_;
-  std::size_t listed_ = 0;  // those that do not depend on the points
+  std::size_t listed_ = 0;         // those that do not depend on the points
+  std::vector<Point> everywhere_;  // spread over the whole picture
   std::vector<Point> points_;
   Colors right_;  // at the points, without mistakes
   bool stopped_ = false;
@@ -568,8 +592,13 @@ CauseReport find_realtime_causes(const Texture& reference, const Texture& test,
   if (report.claims.empty() && report.partial.empty()) {
     // Causes found without the scene, such as a blurred picture.
     CauseReport plain = find_causes(reference, test, nullptr, {});
-    report.claims = std::move(plain.claims);
-    report.rivals = std::move(plain.rivals);
+    const bool curve = std::any_of(plain.claims.begin(), plain.claims.end(), [](const Claim& c) {
+      return c.cause == Cause::brightness || c.cause == Cause::gamma;
+    });
+    if (!curve) {  // the search above has found that no curve holds for the whole picture
+      report.claims = std::move(plain.claims);
+      report.rivals = std::move(plain.rivals);
+    }
   }
   return report;
 }

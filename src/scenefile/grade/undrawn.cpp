@@ -76,6 +76,18 @@ struct Undrawn {
   }
 };
 
+// Whether nothing is drawn where the color is seen: it is black, or the reference has it, too.
+bool is_background(const Texture& reference, const Bytes& color) {
+  std::size_t same = 0;
+  for (int y = 0; y < reference.height; ++y) {
+    for (int x = 0; x < reference.width; ++x) {
+      same += largest_step(bytes_at(reference, x, y), color) <= 2 ? 1 : 0;
+    }
+  }
+  return largest_step(color, {0, 0, 0}) <= 2 ||
+         static_cast<double>(same) >= least_share * reference.width * reference.height;
+}
+
 // The color that nearly all differing pixels have; false if there is none.
 bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
   const auto color_at = [&](std::uint32_t i) {
@@ -316,7 +328,7 @@ std::optional<Claim> claim_of_undrawn_part(const Texture& reference, const Textu
   if (!find_empty_color(different, u)) {
     return std::nullopt;
   }
-  if (!rest_is_right(u)) {
+  if (!is_background(reference, u.empty) || !rest_is_right(u)) {
     return std::nullopt;
   }
   std::string what = missing_lines(u, true);

@@ -259,7 +259,7 @@ void expect_same_surface(const SurfaceSample& a, const SurfaceSample& b) {
 
 /// The surface at the center of a pixel is what a single ray finds there.
 void expect_center(const Tracer& tracer, const CameraRays& camera, const DrawnPixel& pixel) {
-  const SurfaceSample& center = pixel.surfaces.center;
+  const SurfacePlace& center = pixel.surfaces.center;
   const Ray ray = camera.ray(glm::dvec2(pixel.at) + 0.5, {0, 0});
   Hit hit;
   ASSERT_EQ(tracer.accelerator.closest(ray, 0, std::numeric_limits<double>::infinity(), hit),

@@ -105,7 +105,7 @@ void LayerBuffers::put(int x, int y, const PixelSurfaces& pixel) {
   put_means(index(x, y), pixel);
 }
 
-void LayerBuffers::put_center(std::size_t pixel, const SurfaceSample& center) {
+void LayerBuffers::put_center(std::size_t pixel, const SurfacePlace& center) {
   const RenderCamera& camera = tracer_.scene.camera;
   for (std::size_t i = 0; i < layers_.size(); ++i) {
     const LayerKind kind = tracer_.options.layers[i].kind;

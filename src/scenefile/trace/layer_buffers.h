@@ -29,7 +29,7 @@ class LayerBuffers {
   std::size_t index(int x, int y) const {
     return std::size_t(y - region_.y0) * region_.width() + (x - region_.x0);
   }
-  void put_center(std::size_t pixel, const SurfaceSample& center);
+  void put_center(std::size_t pixel, const SurfacePlace& center);
   void put_means(std::size_t pixel, const PixelSurfaces& surfaces);
   std::vector<double> weights_of(const std::vector<SurfaceSample>& samples) const;
 

@@ -13,28 +13,32 @@
 
 namespace scenefile {
 
-/// A sample of a pixel: its color, and the surface that its camera ray hit.
-struct SurfaceSample {
-  CameraSample camera;
-  Color color{0};
+/// Where a camera ray hit a surface.
+struct SurfacePlace {
   bool hit = false;
-  glm::dvec3 normal{0};    ///< for shading, including the bump map
   glm::dvec3 position{0};  ///< world space
   glm::dvec2 uv{0};
   std::uint32_t source = 0;  ///< of the primitive: RenderPrimitive::source
-  Color albedo{0};           ///< the D of the lighting equation
-  Color lit{0};              ///< diffuse and specular light of all lights
-  Color diffused{0};         ///< the part of `lit` that is diffuse light from area lights
-  Color unshadowed{0};       ///< `lit` without shadows
-  int bounces = 0;           ///< maximum depth of reflections and refractions
-  std::uint32_t rays = 0;    ///< camera, reflected and refracted rays
+};
+
+/// A sample of a pixel: its color, and the surface that its camera ray hit.
+struct SurfaceSample : SurfacePlace {
+  CameraSample camera;
+  Color color{0};
+  glm::dvec3 normal{0};    ///< for shading, including the bump map
+  Color albedo{0};         ///< the D of the lighting equation
+  Color lit{0};            ///< diffuse and specular light of all lights
+  Color diffused{0};       ///< the part of `lit` that is diffuse light from area lights
+  Color unshadowed{0};     ///< `lit` without shadows
+  int bounces = 0;         ///< maximum depth of reflections and refractions
+  std::uint32_t rays = 0;  ///< camera, reflected and refracted rays
 };
 
 /// The samples of one pixel, in sampling order.
 struct PixelSurfaces {
   std::vector<SurfaceSample> samples;
   std::vector<Color> light_colors;  ///< by sample and separately recorded light
-  SurfaceSample center;             ///< the surface at the center of the pixel, if requested
+  SurfacePlace center;              ///< the surface at the center of the pixel, if requested
 
   void clear() {
     samples.clear();

@@ -111,8 +111,8 @@ WaveSampler::~WaveSampler() {
 
 // Traces samples_.
 void WaveSampler::trace(int count, bool recorded) {
-  if (recorded && surfaces_.size() < static_cast<std::size_t>(count)) {
-    surfaces_.resize(static_cast<std::size_t>(count));
+  if (recorded) {
+    surfaces_.resize(std::max(surfaces_.size(), static_cast<std::size_t>(count)));
     light_colors_.resize(surfaces_.size() * wish_.lights.size());
   }
   const WaveRecord record{surfaces_.data(), light_colors_.data(), wish_.lights};
@@ -172,9 +172,9 @@ void WaveSampler::find_centers(std::vector<DrawnPixel>& pixels) {
       left.push_back(&pixel);
     }
   }
-  std::vector<SurfaceSample> found(wave_samples);
+  surfaces_.resize(std::max<std::size_t>(surfaces_.size(), wave_samples));
   WaveRecord record;
-  record.samples = found.data();
+  record.samples = surfaces_.data();
   record.only_surfaces = true;
   for (std::size_t first = 0; first < left.size(); first += wave_samples) {
     const std::size_t size = std::min<std::size_t>(wave_samples, left.size() - first);
@@ -185,7 +185,7 @@ void WaveSampler::find_centers(std::vector<DrawnPixel>& pixels) {
     trace_wave(scene_, samples_.data(), static_cast<int>(size), *memory_, sights_.data(),
                not_counted, &record);
     for (std::size_t k = 0; k < size; ++k) {
-      left[first + k]->surfaces.center = found[k];
+      left[first + k]->surfaces.center = surfaces_[k];
     }
   }
 }

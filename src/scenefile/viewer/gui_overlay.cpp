@@ -333,10 +333,12 @@ void build_overlay(Session& session, const GuiFrame& frame) {
   paint_comparison(session, frame);
   paint_legend(session, frame);
   paint_welcome(session, frame);
-  if (session.realtime && session.shown != nullptr && !session.picture_only) {
+  // The panels float: over the panel that opens scenes, they would hide its lists.
+  const bool panels = session.shown != nullptr && !session.picture_only && !session.start.open;
+  if (session.realtime && panels) {
     build_realtime_panel(session, frame);
   }
-  if (session.readout.at && session.shown != nullptr && !session.picture_only) {
+  if (session.readout.at && panels) {
     build_readout(session, frame);
   }
   if (session.settings.statistics && !session.picture_only) {

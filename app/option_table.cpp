@@ -417,7 +417,7 @@ constexpr std::array option_rows{
               "fine (default): the lighting equation of the course with good sampling. course: the "
               "pixels of the course's ray tracer; implies --compat course. realtime: those of the "
               "course's assignment Realtime, by OpenGL; implies --compat course.",
-              for_tracing | for_realtime,
+              for_realtime,
               set_profile,
               "profile",
               {},

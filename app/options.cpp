@@ -373,7 +373,7 @@ std::string parse_options(const Command& command, std::span<const char* const> w
   if (std::string wrong = set_given(options); !wrong.empty() || options.help) {
     return wrong;
   }
-  if (std::string wrong = check_realtime_options(options, command.bit); !wrong.empty()) {
+  if (std::string wrong = check_realtime_options(options); !wrong.empty()) {
     return wrong;
   }
   if (options.realtime) {

@@ -111,7 +111,7 @@ void check_realtime(const RealtimeOptions& options, LoadedScene& scene) {
   }
 }
 
-std::string check_realtime_options(const Options& options, unsigned command) {
+std::string check_realtime_options(const Options& options) {
   if (!options.realtime) {
     for (const std::string_view name :
          {"--parameters", "--near", "--far", "--filter", "--milestone"}) {
@@ -120,9 +120,6 @@ std::string check_realtime_options(const Options& options, unsigned command) {
       }
     }
     return {};
-  }
-  if ((command & for_realtime) == 0) {
-    return "--profile realtime is for render, explain, frames, view, check, info, diff and grade";
   }
   constexpr std::string_view words =
       "--profile realtime draws the course's assignment with OpenGL: leave {} out";

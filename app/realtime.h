@@ -40,6 +40,6 @@ void check_realtime(const RealtimeOptions& options, LoadedScene& scene);
 
 /// Checks combinations of options. Returns an error message, as a phrase that follows "scenefile:
 /// "; empty on success.
-std::string check_realtime_options(const Options& options, unsigned command);
+std::string check_realtime_options(const Options& options);
 
 }  // namespace scenefile::app

@@ -173,11 +173,19 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
 }
 
-// The mistake without a fitted number that gives the same picture, if there is one.
-Tried of_known_size(const Simulation& sim, const Tried& found, const std::vector<Tried>& alone) {
+// Fitted numbers adapt to other mistakes, and in a nearly gray picture so do exchanged channels.
+bool is_unlikely(const Simulation& sim, std::uint16_t mistake) {
+  return mistake >= sim.first_measured || sim.list[mistake].cause == Cause::swapped_channels;
+}
+
+// A likelier mistake that gives the same picture, if there is one.
+Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tried>& alone) {
+  if (!is_unlikely(sim, found.mistakes.front())) {
+    return found;
+  }
   const Colors shown = sim.predicted(found.mistakes, sim.points.size());
   for (const Tried& t : alone) {
-    if (t.mistakes.front() < sim.first_measured && good(t) &&
+    if (!is_unlikely(sim, t.mistakes.front()) && good(t) &&
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       return t;
     }
@@ -229,8 +237,8 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
       found = std::move(more);
     }
   }
-  if (found && found->mistakes.size() == 1 && found->mistakes.front() >= sim.first_measured) {
-    found = of_known_size(sim, *found, alone);
+  if (found && found->mistakes.size() == 1) {
+    found = likeliest(sim, *found, alone);
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
@@ -296,6 +304,10 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     sim.list.push_back(std::move(curve));
   }
   if (sim.usable) {
+    if (std::optional<Hypothesis> added =
+            addition_to_objects(sim.points, sim.clean({}).reference)) {
+      sim.list.push_back(*std::move(added));
+    }
     add_background(sim);
     add_zooms(sim);
     add_factors(sim);

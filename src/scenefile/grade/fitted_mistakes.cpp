@@ -245,6 +245,19 @@ void add_color_of_light(Simulation& sim, std::size_t light) {
        {}});
 }
 
+Pairs pairs_that_differ(const std::vector<Point>& points, const Colors& reference) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const double t = points[i].test[channel];
+      if (points[i].differs && t > 0 && t < 255) {
+        pairs.emplace_back(reference[i][channel], t);
+      }
+    }
+  }
+  return pairs;
+}
+
 void drop_objects(Trial& t, const std::set<std::uint32_t>& sources) {
   for (RenderGroup& g : t.scene.groups) {
     std::erase_if(g.primitives,
@@ -256,17 +269,13 @@ void drop_objects(Trial& t, const std::set<std::uint32_t>& sources) {
 
 std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference) {
   std::vector<Hypothesis> list;
-  Pairs all;
+  const Pairs all = pairs_that_differ(points, reference);
   std::array<Pairs, 3> by_channel;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const dvec3& r = reference[i];
     const dvec3& t = points[i].test;
     for (int channel = 0; channel < 3; ++channel) {
-      if (points[i].differs && t[channel] > 0 && t[channel] < 255) {
-        all.emplace_back(r[channel], t[channel]);
-      }
       if (t[channel] > 0 && t[channel] < 255) {
-        by_channel[std::size_t(channel)].emplace_back(r[channel], t[channel]);
+        by_channel[std::size_t(channel)].emplace_back(reference[i][channel], t[channel]);
       }
     }
   }
@@ -275,14 +284,6 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
                    fmt::format("{:.0f} of 255 was {} all values", std::abs(*n),
                                *n > 0 ? "added to" : "subtracted from"),
                    [n = *n / 255](const dvec3& c) { return n + clamped(c); });
-  }
-  if (const std::optional<double> n = common_step(all); n && std::abs(*n) > 4) {
-    add_to_picture(list, Cause::brightness,
-                   fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
-                               *n > 0 ? "added to" : "subtracted from"),
-                   [n = *n / 255](const dvec3& c) {
-                     return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
-                   });
   }
   if (const std::optional<double> k = common_factor(all); k && std::abs(*k - 1) > 0.05) {
     add_to_picture(list, Cause::brightness,
@@ -299,6 +300,22 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
   }
   add_lines(by_channel, list);
   return list;
+}
+
+std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,
+                                              const Colors& reference) {
+  const std::optional<double> n = common_step(pairs_that_differ(points, reference));
+  if (!n || std::abs(*n) <= 4) {
+    return std::nullopt;
+  }
+  std::vector<Hypothesis> list;
+  add_to_picture(list, Cause::brightness,
+                 fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
+                             *n > 0 ? "added to" : "subtracted from"),
+                 [n = *n / 255](const dvec3& c) {
+                   return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
+                 });
+  return std::move(list.front());
 }
 
 bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,

@@ -224,7 +224,11 @@ class Search {
     }
     right_ = colors({}, clean_, points_.size());
     list_.resize(listed_);
-    for (Hypothesis& h : fitted_curves(points_, right_)) {
+    std::vector<Hypothesis> curves = fitted_curves(points_, right_);
+    if (std::optional<Hypothesis> added = addition_to_objects(points_, right_)) {
+      curves.push_back(*std::move(added));
+    }
+    for (Hypothesis& h : curves) {
       list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
     }
   }

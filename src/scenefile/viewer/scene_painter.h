@@ -68,8 +68,8 @@ class ScenePainter {
   /// The driver's name of the renderer.
   const std::string& renderer() const;
 
-  /// Requests a picture, which is drawn next. Replaces an earlier request that is still waiting; the
-  /// current picture is interrupted if it only refines.
+  /// Requests a picture, which is drawn next. Replaces an earlier request that is still waiting;
+  /// the current picture is interrupted if it only refines.
   void ask(PaintJob job);
   /// Requests a second picture, which is drawn after that of ask() and returned by take_other().
   /// Replaces an earlier request of this kind that is still waiting.

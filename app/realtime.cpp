@@ -1,7 +1,6 @@
 #include "app/realtime.h"
 
 #include "app/names.h"
-#include "app/option_table.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/geometry/realtime_mesh.h"

@@ -151,9 +151,6 @@ TEST_F(RealtimeProgram, RejectsIncompatibleOptions) {
     is_refused({"render", "a.xml", "-o", "b.png", option[0], option[1]},
                option[0] + " is for --profile realtime");
   }
-  is_refused(
-      {"convert", "a.xml", "b.pov", "--profile", "realtime"},
-      "--profile realtime is for render, explain, frames, view, check, info, diff and grade");
   is_refused({"diff", "a.png", "b.png", "--parameters", "5,5"},
              "--parameters is for --profile realtime");
 }

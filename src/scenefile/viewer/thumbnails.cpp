@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
+#include <utility>
 
 namespace scenefile::viewer {
 
@@ -40,8 +41,11 @@ Texture trace(const OpenedScene& scene, const std::function<bool()>& go_on) {
     cancelled = cancelled || !go_on() || seconds() >= thumbnail_seconds;
     return !cancelled;
   };
-  RenderResult result = render(scene.ready.scene, scene.assets, thumbnail_options(),
-                               {.progress = progress, .preview = preview});
+  RenderControl control;
+  control.progress = progress;
+  control.preview = preview;
+  const RenderResult result =
+      render(scene.ready.scene, scene.assets, thumbnail_options(), std::move(control));
   switch (result.status) {
     case RenderStatus::complete:
       return quantize(result.image, Rounding::nearest);

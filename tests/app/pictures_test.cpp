@@ -131,6 +131,21 @@ TEST_F(DiffImages, WritesMaps) {
   EXPECT_THAT(alike.err, HasSubstr("the sheet would replace the heat map"));
 }
 
+TEST_F(DiffImages, ExchangedPicturesAreSaid) {
+  for (const char* name : {"near", "bright"}) {
+    std::string text = ball(name == std::string("near") ? "0.2" : "0.4");
+    text.replace(text.find("v=\"40\""), 6, "v=\"20\"");
+    folder.write(std::string(name) + ".xml", text);
+    draw(std::string(name) + ".xml", std::string(name) + ".png", "64x48");
+  }
+  const ProgramRun run =
+      in_folder({"diff", "bright.png", "near.png", "--scene", "near.xml", "--json"});
+  EXPECT_EQ(run.status, 1);
+  const rapidjson::Document answer = parse_json(run.out);
+  EXPECT_TRUE(answer["exchanged"].GetBool());
+  EXPECT_TRUE(answer["causes"].Empty());
+}
+
 TEST_F(DiffImages, OtherSizesAndFiles) {
   const ProgramRun sizes = in_folder({"diff", "right.png", "small.png", "--min-psnr", "0"});
   EXPECT_EQ(sizes.status, 1);
@@ -153,6 +168,7 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   EXPECT_TRUE(answer["reference_redrawn"].GetBool());
   EXPECT_TRUE(answer["right_at_other_size"].GetBool());
   EXPECT_EQ(answer["max_difference"].GetInt(), 0);
+  EXPECT_FALSE(answer["exchanged"].GetBool());
   EXPECT_THAT(in_folder({"diff", "right.png", "tall.png"}).out,
               HasSubstr("the size is 32x48, expected 64x48\n"));
   EXPECT_EQ(in_folder({"diff", "right.png", "none.png"}).status, 3);

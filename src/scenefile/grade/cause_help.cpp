@@ -187,13 +187,15 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "at the pixel. What they read beyond the border depends on the wrap mode of the texture.",
      "The fragment shader of the second pass: the size of the kernel, its divisor, the distance of "
      "samples, and the order of rows and columns."},
-    {Cause::viewport, "Viewport and frame (Realtime)",
-     "The scene is smaller, larger, stretched or shifted; its content is right.",
-     "The viewport must be as large as the framebuffer that is drawn to. The references were "
-     "drawn in a window of 1092 x 818 pixels, which determines their aspect ratio; other windows "
-     "give other pictures.",
-     "glViewport before each pass, the sizes of framebuffer and textures, the device pixel ratio, "
-     "and the aspect ratio of the projection."},
+    {Cause::viewport, "Viewport and frame",
+     "The scene is smaller, larger, stretched or shifted, or only a quarter of it is shown; its "
+     "content is right.",
+     "What is drawn must fill the picture, one pixel for one. In Realtime, the viewport must be as "
+     "large as the framebuffer; its references were drawn in a window of 1092 x 818 pixels, which "
+     "determines their aspect ratio, so other windows give other pictures.",
+     "In a ray tracer, the width and height of picture and buffer, and the index of a pixel; in "
+     "Realtime, glViewport before each pass, the sizes of framebuffer and textures, and the aspect "
+     "ratio of the projection; in both, the device pixel ratio."},
 }};
 
 constexpr bool in_order() {

@@ -69,8 +69,14 @@ bool breaks_right_pixels(const Simulation& sim, const Tried& t) {
   return broken > 0.1 * sim.weight_that_differs(sim.points.size());
 }
 
-bool is_about_brightness(Cause cause) {
-  return cause == Cause::brightness || cause == Cause::gamma;
+// Whether a rival of that cause fits by chance: a brightness often does, and in a nearly gray
+// picture exchanged channels do.
+bool is_chance(Cause rival, Cause found) {
+  const auto is_about_brightness = [](Cause cause) {
+    return cause == Cause::brightness || cause == Cause::gamma;
+  };
+  return (is_about_brightness(rival) && !is_about_brightness(found)) ||
+         (rival == Cause::swapped_channels && found != Cause::swapped_channels);
 }
 
 // Whether a mistake is right nearly everywhere where it changes the picture. Otherwise it only
@@ -146,10 +152,8 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   int same_cause = 0;
   for (const Tried& t : others) {
     const Hypothesis& h = sim.list[t.mistakes.front()];
-    // A brightness that fits as well is no news.
-    const bool noise = is_about_brightness(h.cause) &&
-                       !is_about_brightness(sim.list[found.mistakes.front()].cause);
-    const bool listed = noise || h.cause == sim.list[found.mistakes.front()].cause ||
+    const bool listed = is_chance(h.cause, sim.list[found.mistakes.front()].cause) ||
+                        h.cause == sim.list[found.mistakes.front()].cause ||
                         std::any_of(report.rivals.begin(), report.rivals.end(),
                                     [&](const Claim& c) { return c.cause == h.cause; });
     if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) && same_cause < 2 &&

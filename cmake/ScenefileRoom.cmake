@@ -37,7 +37,7 @@ function(scenefile_keep_apart)
   endforeach()
 endfunction()
 
-# scenefile_cold(TARGET): the speed of its code does not matter, the time to compile it and its size do.
+# scenefile_cold(TARGET): for code whose speed does not matter; compiles it faster, and to less code.
 function(scenefile_cold target)
   target_compile_options(${target} PRIVATE $<IF:$<BOOL:${EMSCRIPTEN}>,-Oz,$<$<CONFIG:Release>:-O1>>)
   scenefile_precompile(${target} cold)

@@ -1,4 +1,4 @@
-// What the tests of the page share between browsers.
+// Helpers for the tests of the page in all browsers.
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';

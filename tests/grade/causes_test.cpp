@@ -488,7 +488,7 @@ std::set<Cause> all_named(const CauseReport& report) {
   return found;
 }
 
-TEST(Causes, ACurveOfThePictureBesideAnotherMistake) {
+TEST(Causes, ACurveTogetherWithAnotherMistake) {
   const Change lifted = each_value([](const std::uint8_t* pixel, int channel) {
     return static_cast<int>(std::lround(0.8 * pixel[channel] + 26));
   });

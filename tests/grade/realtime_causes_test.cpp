@@ -200,7 +200,7 @@ TEST(RealtimeCauses, CurvesHoldForTheWholePicture) {
             "10 of 255 was added to all colors but black\n");
 }
 
-TEST(RealtimeCauses, APartInAColorOfItsOwnIsDrawn) {
+TEST(RealtimeCauses, AnAreaOfOneColorIsDrawn) {
   const auto lower_rows = [](const glm::ivec3& color) {
     return claims_about(
         [&](int, int y, const glm::ivec3& c) { return y >= height / 2 ? color : c; });

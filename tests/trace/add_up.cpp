@@ -130,7 +130,8 @@ class Sums {
         left *= blocker.passes;
       }
       const Color miss = glm::abs(left - l.visibility);
-      expect(std::max({miss.r, miss.g, miss.b}) < 1e-9, true, "a shadow has the listed causes");
+      expect(std::max({miss.r, miss.g, miss.b}) < 1e-9, true,
+             "the listed occluders cause the shadow");
     }
   }
 

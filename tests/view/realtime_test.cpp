@@ -171,7 +171,7 @@ TEST_F(Realtime, TermsOfAPixelAddUpToWhatIsDrawn) {
   EXPECT_LT(largest_weight, 1e-9);
 }
 
-// A value of the student with a known mistake, in a filtered picture of a mixed frame.
+// A picture with a known mistake, filtered and scaled from the frame: the mistake is named.
 TEST_F(Realtime, TheOtherValueIsComparedThroughFilterAndFrame) {
   SceneBuilder builder = everything();
   LoadedScene loaded;

@@ -1,6 +1,6 @@
 // The page in Firefox, if it is installed: its pictures are those of the npm package, and the panels work.
 // node --test web/test/firefox.test.js; FIREFOX: the program. Speaks Firefox's own protocol (Marionette),
-// so it needs no driver. Without a screen it has no WebGL, so it gets one of Xvfb.
+// so it needs no driver. Without a display it has no WebGL, so it runs under Xvfb.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';

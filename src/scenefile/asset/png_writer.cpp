@@ -66,8 +66,7 @@ class Rows {
     const std::size_t pixel = static_cast<std::size_t>(bits_) / 8 * 3;
     to.push_back(filter_sub);
     to.insert(to.end(), row_.begin(), row_.end());
-    // Local copies: bytes may alias the vectors themselves, so that no loop over them is
-    // vectorized.
+    // Local copies, because bytes may alias the vectors themselves, which prevents vectorization.
     const std::uint8_t* const from = row_.data();
     std::uint8_t* const difference = to.data() + start;
     const std::size_t size = row_.size();

@@ -78,8 +78,8 @@ Terms terms_of(const PixelRecord& pixel) {
 struct Variant {
   std::string what;
   dvec3 color{0};
-  bool subset = false;   // a subset of the terms: the last resort
-  bool useless = false;  // the subset has a term that is zero
+  bool subset = false;         // a subset of the terms: the last resort
+  bool has_zero_term = false;  // ... with a term that is zero, so a smaller subset gives the same
 };
 
 // The variants of one record; none if it shows the background.
@@ -253,7 +253,7 @@ class Variants {
       std::string names;
       for (std::size_t i = 0; i < parts.size(); ++i) {
         if ((set >> i & 1) != 0) {
-          v.useless = v.useless || parts[i].color == dvec3(0);
+          v.has_zero_term = v.has_zero_term || parts[i].color == dvec3(0);
           v.color += parts[i].color;
           names += fmt::format("{}{}", names.empty() ? "" : " + ", parts[i].name);
         }
@@ -328,7 +328,7 @@ Yours compare_with_yours(const RenderScene& scene, std::span<const PixelRecord> 
       break;
     }
     const dvec3 changed = pixel_of(changed_colors(colors, variants, v.what));
-    if (!v.useless && fits(255.0 * changed, yours) && change(changed, ours) > must_change) {
+    if (!v.has_zero_term && fits(255.0 * changed, yours) && change(changed, ours) > must_change) {
       result.fits.push_back({v.what, 255.0 * changed});
       explained = explained || !v.subset;
     }

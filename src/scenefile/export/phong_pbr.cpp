@@ -9,9 +9,9 @@ namespace scenefile {
 
 namespace {
 
-// Of opaque surfaces without highlights. It means nothing there in glTF, but Blender's diffuse
-// surfaces brighten at grazing angles with the roughness; with this one they are nearest to
-// Lambert's law.
+// The roughness of opaque surfaces without highlights. It has no effect in glTF, but in Blender
+// diffuse surfaces brighten at grazing angles depending on it; this value is closest to Lambert's
+// law.
 constexpr float matte_roughness = 0.5f;
 // Rougher nonmetals show highlights, but no mirror images.
 constexpr float mirror_roughness = 0.05f;

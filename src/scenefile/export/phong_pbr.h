@@ -15,8 +15,8 @@
 // reflective   -> F0 of a surface with roughness 0; the highlight, which needs another roughness,
 //                 is lost
 // transparent  -> transmission: the share of transparent in diffuse + transparent. From a share of
-//                 0.5 the surface is smooth, and its highlight is lost: a rough one would blur what
-//                 is seen through it
+//                 0.5 on, the surface is smooth, and its highlight is lost: a rough surface would
+//                 blur what is seen through it
 
 #include "scenefile/scene/render_scene.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-// The context passed to every part of the XML reader, and what reads numbers and text from the
-// attributes of a tag, in all dialects. Internal to format.
+// The context passed to every part of the XML reader, and functions that read numbers and text from
+// the attributes of a tag, in all dialects. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"

@@ -14,21 +14,23 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-// Seen with acne: 0.93 to 1.10 of the changes that random pixels have, and 0.8 to 1 of the windows
-// mixed; in areas that are wrong, such as shadows: 0.35 to 0.65 of the changes, as these are at
-// outlines alone, and at most 0.4 mixed.
+// Measured: with acne, right and wrong pixels alternate 0.93 to 1.10 times as often as in random
+// order, and 0.8 to 1 of the windows contain both. In areas that are wrong as a whole, such as
+// shadows, they alternate only at outlines: 0.35 to 0.65 times as often, and at most 0.4 of the
+// windows contain both.
 constexpr double min_noise = 0.8;
 constexpr double min_mixed = 0.7;
-constexpr std::size_t few_windows = 5;
-// Of the picture. A right program with single precision may have specks in a thousandth of it.
+constexpr std::size_t few_windows = 5;  // fewer windows are not evidence
+// Minimum share of the picture. A correct program in single precision may have specks in a
+// thousandth of it.
 constexpr double min_area = 0.003;
-constexpr double most_spots = 0.85;       // of the pixels that differ must lack some lights
-constexpr std::size_t max_spots = 300;    // looked at
-constexpr std::size_t max_windows = 60;   // looked at
+constexpr double min_explained = 0.85;    // share of the examined pixels that acne must explain
+constexpr std::size_t max_spots = 300;    // pixels to examine
+constexpr std::size_t max_windows = 60;   // to examine
 constexpr std::size_t max_subsets = 512;  // of lights and reflections
 constexpr int window = 2;                 // pixels on each side of the center
 
-// The picture with some mistakes.
+// The picture of a program with the mistakes `made`.
 class Expected {
  public:
   Expected(const Simulation& sim, const Combination& made)
@@ -88,7 +90,7 @@ bool lacks_lights(const Expected& picture, const dvec3& test, const dvec3& full,
   return false;
 }
 
-// The test's pixels around some pixels, as far as these lie in the middle of a surface.
+// Right and wrong pixels in windows around some pixels. Only windows within one surface count.
 struct Alternation {
   std::size_t windows = 0;
   std::size_t inside = 0;  // windows within one surface
@@ -145,8 +147,8 @@ double share(std::size_t part_of, std::size_t whole) {
   return static_cast<double>(part_of) / static_cast<double>(std::max<std::size_t>(1, whole));
 }
 
-// Whether the spots are noise on surfaces: they alternate with right pixels, anywhere on a surface.
-// Lines along silhouettes are near its edges.
+// Whether the spots are noise: they alternate with right pixels, and lie anywhere on surfaces,
+// unlike lines along silhouettes.
 bool is_noise(const Simulation& sim, const Expected& picture,
               const std::vector<const Point*>& spots) {
   Alternation wrong;
@@ -182,9 +184,9 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
                     right_trial.mistakes);
   std::vector<const Point*> spots;
   std::size_t differing = 0;
-  std::size_t between = 0;  // as bright as with some of the light
+  std::size_t between = 0;  // between unlit and fully lit
   std::size_t dull = 0;
-  std::size_t lacking = 0;  // without exactly some lights
+  std::size_t lacking = 0;  // the color is exactly that without some lights
   std::size_t mirrors = 0;
   std::size_t seeing_themselves = 0;
   for (std::size_t i = 0; i < sim.points.size() && spots.size() < max_spots; ++i) {
@@ -207,7 +209,8 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
       continue;  // shows other surfaces with acne
     }
     const std::vector<dvec3> arriving = picture.model().light_shares(ray);
-    // Light that should not arrive may show the noise of surfaces that the light only grazes.
+    // Skips light that only arrives because of the mistakes: at grazing angles, it may look like
+    // acne.
     if (!made.empty() && sim.stage_of(made) <= Stage::shading &&
         brightest(right.light_shares(ray)) < 0.1 * brightest(arriving)) {
       continue;
@@ -237,7 +240,8 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
   }
   std::vector<Claim> claims;
   const double mirrored = share(seeing_themselves, mirrors);
-  if (mirrors >= 3 * few_pixels && mirrored >= std::max(most_spots, least) && mirrors > 3 * dull) {
+  if (mirrors >= 3 * few_pixels && mirrored >= std::max(min_explained, least) &&
+      mirrors > 3 * dull) {
     claims.push_back(
         {Cause::acne,
          "reflected rays hit the surface that they start from, in spots (acne): offset their "
@@ -247,13 +251,13 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
          mirrored});
     return is_noise(sim, picture, spots) ? claims : std::vector<Claim>();
   }
-  // On mirrors, the reflection may show acne, too, so that no set of lights need fit.
+  // On mirrors, the reflection may show acne, too, so the missing light may fit no set of lights.
   const bool all_mirrors = 10 * dull < dull + mirrors;
   const double darker = share(between, dull + mirrors);
   const double lack = share(lacking, dull);
   if (all_mirrors
           ? darker < 0.95
-          : dull < few_pixels || lack < std::max(most_spots, least) || darker < most_spots) {
+          : dull < few_pixels || lack < std::max(min_explained, least) || darker < min_explained) {
     return {};
   }
   if (!is_noise(sim, picture, spots)) {

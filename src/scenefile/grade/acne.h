@@ -5,8 +5,8 @@
 
 namespace scenefile {
 
-/// Acne, in addition to the mistakes `made`. `least`: the share of the differing pixels
-/// that it must explain.
+/// Claims about acne, and about the mistakes `made`, which the picture also has; empty if there is
+/// no acne. `least`: the minimum share of the examined pixels that acne must explain.
 std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, double least);
 
 }  // namespace scenefile

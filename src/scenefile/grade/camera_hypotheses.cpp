@@ -49,7 +49,7 @@ void add_camera(HypothesisList& list) {
     stretch(list, "the aspect ratio is applied to the height, not to the width", 1 / aspect,
             aspect);
     stretch(list, "the aspect ratio is applied twice", aspect, 1);
-    stretch(list, "the height angle is divided by the aspect ratio, and it is taken for the width",
+    stretch(list, "the height angle is divided by the aspect ratio, and used as the width angle",
             1 / aspect, std::tan(h / aspect / 2) / right);
   }
   stretch(list, "the full field of view is used as the half angle", std::tan(h) / right,
@@ -113,7 +113,7 @@ void add_camera(HypothesisList& list) {
   for (const double scale : {1.0, 2.0, 3.0, 5.0, 10.0, glm::length(list.scene.camera.position)}) {
     if (scale > 0) {
       list.add(
-          Cause::camera, "rays of the camera are parallel: there is no perspective",
+          Cause::camera, "camera rays are parallel: there is no perspective",
           [scale](Trial& t) { t.mistakes.orthographic = scale; }, Stage::camera);
     }
   }

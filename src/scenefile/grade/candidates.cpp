@@ -17,7 +17,7 @@ constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations 
 
 // Whether the mistake has a number that was estimated from the pictures.
 bool is_fitted(const Simulation& sim, std::size_t mistake) {
-  return mistake >= sim.first_measured && sim.list[mistake].cause != Cause::background;
+  return mistake >= sim.first_fitted && sim.list[mistake].cause != Cause::background;
 }
 
 bool any_fitted(const Simulation& sim, const Combination& mistakes) {
@@ -25,7 +25,7 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
                      [&](std::size_t i) { return is_fitted(sim, i); });
 }
 
-// Three mistakes, or a fitted number besides others, adapt to much.
+// Three mistakes, or a fitted number and another mistake, can imitate many pictures.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
   return mistakes.size() > 2 || (mistakes.size() > 1 && any_fitted(sim, mistakes));
 }
@@ -43,7 +43,7 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   fewer.erase(fewer.begin() + std::ptrdiff_t(member));
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(mistakes, count), sim.predicted(fewer, count));
-  // Whatever moves everything out of sight gives darkness.
+  // A mistake that moves all objects out of view explains dark pixels, whatever their cause is.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
   const double differs = sim.weight_that_differs(count);
   if (moves && e.shown < std::min(0.1 * e.gained, 2 * necessary * differs)) {
@@ -55,16 +55,17 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
       e.gained_all >= 2 * necessary * differs) {
     return true;
   }
-  // What changes little must be right there. A fitted number, and what changes little beside one,
-  // must also be needed nearly everywhere: it could hide another mistake.
+  // A mistake that changes few pixels must be right at nearly all of them. A fitted number, or such
+  // a mistake combined with one, must also be needed at nearly all of them: it could hide another
+  // mistake.
   const bool little = e.gained < 0.05 * differs;
   const bool strict = is_fitted(sim, mistakes[member]) || (little && any_fitted(sim, mistakes));
   return e.changed >= necessary * differs && e.gained >= (strict ? 0.8 : 0.4) * e.changed &&
          (!little || e.right >= 0.9 * e.changed);
 }
 
-// Moves points that the mistakes do not explain to the front, with one right point in four.
-// Returns their number.
+// Moves points that the mistakes do not explain to the front, with one right point after every
+// three of them. Returns how many points to use for screening.
 std::size_t look_first_at_rest(Simulation& sim, const Combination& mistakes) {
   const Colors colors = sim.predicted(mistakes, sim.points.size());
   std::vector<Point> wrong;
@@ -163,9 +164,9 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
   if (sim.list[other].stage == Stage::shapes && sim.shapes->parts.size() > max_shapes_to_edit) {
     return false;
   }
-  // Fitted curves of the finished picture adapt to whatever is wrong besides.
+  // Fitted curves of the finished picture can imitate any other mistake.
   const auto is_fitted_curve = [&](std::uint16_t i) {
-    return i >= sim.first_measured && sim.list[i].stage == Stage::picture;
+    return i >= sim.first_fitted && sim.list[i].stage == Stage::picture;
   };
   if (!start.empty() &&
       (is_fitted_curve(other) || std::any_of(start.begin(), start.end(), is_fitted_curve))) {
@@ -197,8 +198,8 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
     return sim.list[i].cause == Cause::brightness || sim.list[i].cause == Cause::gamma;
   };
   std::vector<std::uint16_t> candidates;
-  for (std::uint16_t i = 0; i < sim.first_measured; ++i) {
-    // A brightness that fits as well is no news.
+  for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
+    // A change of brightness that fits as well is not worth listing.
     if (i != member && fits(sim, others, i) && !(brightens(i) && !brightens(member)) &&
         std::find(others.begin(), others.end(), i) == others.end()) {
       candidates.push_back(i);
@@ -264,8 +265,9 @@ Tried without_needless(Simulation& sim, Tried found) {
     fewer.erase(fewer.begin() + std::ptrdiff_t(i));
     Tried rest = sim.rated(fewer, sim.score_of(fewer, count), b);
     const Combination one{found.mistakes[i]};
-    // A mistake that explains nothing by itself, and nearly nothing beside the others. If all is
-    // reproduced with it, without fitted numbers, the few points that need it are evidence enough.
+    // A mistake is idle if it explains nothing by itself, and adds almost nothing to the others. If
+    // everything is reproduced with it, without fitted numbers, the few points that need it are
+    // evidence enough.
     const bool completes = (reproduces_all(found) && rest.exact < found.exact - 2 * necessary &&
                             !any_fitted(sim, found.mistakes)) ||
                            (found.exact >= 0.995 && rest.exact < found.exact - necessary &&
@@ -327,12 +329,12 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
   }
   // Among those with the same remaining difference, the first in the list.
   const double least = result.front().score.raw;
-  const double most_exact =
+  const double max_exact =
       std::max_element(result.begin(), result.end(), [](const Tried& a, const Tried& b) {
         return a.exact < b.exact;
       })->exact;
   // A fitted number is exact where a mistake of known size is only nearly so.
-  const bool fitted = result.front().mistakes.front() >= sim.first_measured;
+  const bool fitted = result.front().mistakes.front() >= sim.first_fitted;
   const double limit = fitted ? least + 0.003 * all : tie_limit(least, all);
   auto last = result.begin();
   while (last != result.end() && last->score.raw <= limit) {
@@ -341,7 +343,7 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
   std::stable_sort(result.begin(), last,
                    [](const Tried& a, const Tried& b) { return a.mistakes < b.mistakes; });
   std::stable_partition(result.begin(), last,
-                        [&](const Tried& t) { return t.exact >= most_exact - nearly_as_exact; });
+                        [&](const Tried& t) { return t.exact >= max_exact - nearly_as_exact; });
   std::stable_partition(result.begin(), result.end(), [&](const Tried& t) { return good(t); });
   return result;
 }

@@ -11,7 +11,7 @@ namespace scenefile {
 
 inline constexpr double nearly_all = 0.95;  ///< share of pixels where one mistake leaves no doubt
 inline constexpr std::size_t screen = 240;  ///< points used to screen single mistakes
-inline constexpr std::size_t few_points = 100;  ///< ... and several
+inline constexpr std::size_t few_points = 100;  ///< points used to screen combinations
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
@@ -32,15 +32,16 @@ Combination joined(Combination a, const Combination& b);
 /// Two mistakes of the same kind rarely combine: one replaces the other.
 bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
 bool differ_visibly(const Colors& a, const Colors& b);
-/// Mistakes of known size that give the same picture in place of one of several.
+/// The mistakes without fitted numbers that can replace `member` of `mistakes` without changing the
+/// picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
                                         std::uint16_t member);
 /// What a change of the colors does, as weights of points.
 struct Effect {
   double changed = 0;          ///< points that change visibly
   double right = 0;            ///< of those: right with the change
-  double gained = 0;           ///< right with the change, less those that were right before
-  double shown = 0;            ///< of what is gained: not darkness
+  double gained = 0;           ///< right with the change, minus right without it
+  double shown = 0;            ///< of `gained`: points that are not dark in the test
   double gained_all = 0;       ///< the same as `gained`, of all points
   double differing_right = 0;  ///< points that differ from the reference, and are right
 };
@@ -48,12 +49,12 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
 /// Whether each of several mistakes is needed: where it changes the picture, the picture is right
 /// with it and wrong without it.
 bool each_needed(const Simulation& sim, const Combination& mistakes);
-/// Without the mistakes that are not needed.
+/// Removes the mistakes that are not needed.
 Tried without_needless(Simulation& sim, Tried found);
 /// Adds the mistake that explains most of the remaining difference, if any.
 Tried completed(Simulation& sim, const Tried& found);
-/// Of the best that satisfy the thresholds without their needless mistakes, the first but for
-/// clearly better ones.
+/// The first candidate that satisfies the thresholds after removing mistakes that are not needed,
+/// or a later one that is clearly better.
 std::optional<Tried> first_good(Simulation& sim, const std::vector<Tried>& best);
 /// The best screened mistakes, evaluated at all points; among similar ones the more likely first.
 std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, std::size_t count,
@@ -61,7 +62,7 @@ std::vector<Tried> verified(Simulation& sim, const std::vector<Tried>& ranked, s
 /// Evaluates the best candidates exactly, by drawing them.
 std::vector<Tried> tried_again(Simulation& sim, const std::vector<Tried>& list,
                                std::size_t max_count, double from, double to);
-/// Combines each start with each single mistake that it does not contain.
+/// Combines each start with each single mistake that fits it.
 std::vector<Tried> extended(Simulation& sim, const std::vector<Combination>& starts,
                             std::size_t count, double from, double to);
 

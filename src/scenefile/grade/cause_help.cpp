@@ -170,8 +170,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "bend at edges.",
      "Vertices have the normal of the exact shape; it is interpolated over the triangle, "
      "normalized, and used for lighting in each pixel.",
-     "Where vertex normals are made, flat in the shaders, and whether lighting is in the vertex "
-     "or the fragment shader."},
+     "Where vertex normals are made, the qualifier flat in the shaders, and whether lighting is "
+     "in the vertex or the fragment shader."},
     {Cause::culling, "Culling and winding (Realtime)",
      "The inside of shapes is visible where they are cut, or sides and caps are missing.",
      "Back faces are culled: triangles are counterclockwise, seen from outside.",

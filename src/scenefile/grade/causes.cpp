@@ -157,7 +157,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
                         std::any_of(report.rivals.begin(), report.rivals.end(),
                                     [&](const Claim& c) { return c.cause == h.cause; });
     if (t.mistakes.size() == 1 && t.mistakes != found.mistakes && good(t) && same_cause < 2 &&
-        t.mistakes.front() < sim.first_measured &&
+        t.mistakes.front() < sim.first_fitted &&
         h.cause == sim.list[found.mistakes.front()].cause &&
         equal_colors(shown, sim.predicted(t.mistakes, sim.points.size()))) {
       ++same_cause;
@@ -177,9 +177,9 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
 }
 
-// Fitted numbers adapt to other mistakes, and in a nearly gray picture so do exchanged channels.
+// Fitted numbers can imitate other mistakes; so can exchanged channels in a nearly gray picture.
 bool is_unlikely(const Simulation& sim, std::uint16_t mistake) {
-  return mistake >= sim.first_measured || sim.list[mistake].cause == Cause::swapped_channels;
+  return mistake >= sim.first_fitted || sim.list[mistake].cause == Cause::swapped_channels;
 }
 
 // A likelier mistake that gives the same picture, if there is one.
@@ -215,9 +215,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   std::optional<Tried> found;
-  // A number that was fitted must explain more than others: fits adapt to whatever is wrong.
+  // A fitted number must explain more than other mistakes, because it can imitate them.
   const auto first = std::find_if(alone.begin(), alone.end(), [&](const Tried& t) {
-    return good(t) && (t.mistakes.front() < sim.first_measured || sure(t));
+    return good(t) && (t.mistakes.front() < sim.first_fitted || sure(t));
   });
   const bool single = first != alone.end();
   const bool doubtful = single && breaks_right_pixels(sim, *first);
@@ -250,7 +250,7 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   for (const Tried& t : alone) {
-    if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_measured &&
+    if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&
         shows_much(sim, t) && reproduces_its_part(sim, t)) {
       const Hypothesis& h = sim.list[t.mistakes.front()];
       report.partial.push_back({h.cause, h.what,
@@ -303,7 +303,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   add_points(sim.reference, sim.test, pixels.same, 400, false, false, random, sim.points);
   sim.interleave(different);
   sim.prepare_clean();
-  sim.first_measured = sim.list.size();
+  sim.first_fitted = sim.list.size();
   for (Hypothesis& curve : fitted_curves(sim.points, sim.clean({}).reference)) {
     sim.list.push_back(std::move(curve));
   }
@@ -382,8 +382,8 @@ std::optional<Claim> find_rounding(const Texture& reference, const Texture& test
   return Claim{Cause::rounding,
                up ? "values are rounded where the reference truncates (not a mistake by itself)"
                   : "values are truncated where the reference rounds (not a mistake by itself)",
-               fmt::format("{} of all values are off by one, {} of those to the {} side",
-                           percent(near / values), percent(larger / near), up ? "bright" : "dark"),
+               fmt::format("{} of all values are off by one; {} of those are too {}",
+                           percent(near / values), percent(larger / near), up ? "high" : "low"),
                near / (near + static_cast<double>(steps.far))};
 }
 

@@ -18,8 +18,8 @@ std::string evidence_of_one(double left, double before, double exact) {
 }
 
 std::string evidence_of_several(double together, double by_itself) {
-  return fmt::format("together they explain {} of the difference; by itself {}", percent(together),
-                     percent(std::max(0.0, by_itself)));
+  return fmt::format("together they explain {} of the difference; this one alone explains {}",
+                     percent(together), percent(std::max(0.0, by_itself)));
 }
 
 std::string evidence_of_share(double explained) {

@@ -16,7 +16,7 @@ namespace {
 
 using glm::dvec3;
 
-// The value that most of `found` agree on, within 4 % or the tolerance, if they do.
+// The median of `found`, if at least half of the values agree with it within 4 % or the tolerance.
 std::optional<double> common_value(std::vector<double>& found, double tolerance_of_value = 0.01) {
   if (found.size() < 3 * few_pixels) {
     return std::nullopt;
@@ -41,7 +41,7 @@ std::optional<double> common_step(const Pairs& pairs) {
   return common_value(steps);
 }
 
-// Whether the values say anything about a factor or an exponent.
+// Whether both values are far enough from 0 and 255 to estimate a factor or an exponent.
 bool in_the_middle(double r, double t) {
   return r > 20 && r < 235 && t > 4 && t < 250;
 }
@@ -78,10 +78,10 @@ void add_to_picture(std::vector<Hypothesis>& list, Cause cause, std::string what
 // test = factor * reference + offset
 struct Line {
   double factor = 1;
-  double offset = 0;  // of 255
+  double offset = 0;  // in 1/255
 };
 
-// The line with the least squares to the pairs near it.
+// The least-squares fit to the pairs near the line.
 Line refined(Line line, const Pairs& pairs) {
   for (const double near : {8.0, 3.0}) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
@@ -127,7 +127,7 @@ std::optional<Line> common_line(const Pairs& pairs) {
   return offset ? std::optional(refined({*factor, *offset}, pairs)) : std::nullopt;
 }
 
-// Another brightness and contrast of all values, or of each channel.
+// Changes of brightness and contrast: a line for all values, or one for each channel.
 void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& list) {
   Pairs all;
   for (const Pairs& pairs : by_channel) {
@@ -178,10 +178,10 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
 struct Zoom {
   bool across = false;
   bool up = false;
-  const char* words = "";  // with the size of objects
+  const char* words = "";  // the mistake; {} is the size of objects
 };
 
-// What is left of the difference if the film is larger by a factor, at the first points.
+// The remaining difference at the first points if the film is scaled by a factor.
 double left_with_film(const Simulation& sim, const Zoom& zoom, double factor, std::size_t count) {
   Trial trial = sim.right_trial(false);
   trial.scene.camera.u *= zoom.across ? factor : 1;
@@ -325,7 +325,7 @@ bool curve_holds(const Texture& reference, const std::vector<Point>& points, con
   constexpr double max_trend = 0.75;  // of 255
   constexpr std::size_t levels = 12;
   std::array<std::array<std::vector<double>, levels>, 3> errors;  // by channel and brightness
-  double concerned = 0;
+  double changed = 0;
   double wrong = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
@@ -334,7 +334,7 @@ bool curve_holds(const Texture& reference, const std::vector<Point>& points, con
         !around(reference, p.x, p.y).calm()) {
       continue;
     }
-    concerned += p.weight;
+    changed += p.weight;
     wrong += largest_of(glm::abs(after - p.test)) > visible ? p.weight : 0;
     for (int channel = 0; channel < 3; ++channel) {
       const double t = p.test[channel];
@@ -356,7 +356,7 @@ bool curve_holds(const Texture& reference, const std::vector<Point>& points, con
       }
     }
   }
-  return wrong <= max_wrong * concerned;
+  return wrong <= max_wrong * changed;
 }
 
 void add_background(Simulation& sim) {
@@ -421,7 +421,7 @@ void add_factors(Simulation& sim) {
   try_factor(Cause::diffuse, "the diffuse term is",
              [](Trial& t, double k) { t.mistakes.diffuse_factor *= k; });
   if (any_texture(sim)) {
-    try_factor(Cause::diffuse, "the diffuse term, but for textures, is",
+    try_factor(Cause::diffuse, "the diffuse term, except for textures, is",
                [](Trial& t, double k) { t.scene.global.diffuse *= static_cast<float>(k); });
   }
   try_factor(Cause::specular, "the specular term is", [](Trial& t, double k) {
@@ -533,8 +533,8 @@ void add_missing_objects(Simulation& sim) {
 void add_zooms(Simulation& sim) {
   static constexpr std::array<Zoom, 3> zooms{
       {{true, true, "the picture is zoomed: objects are {:.3g} times as large as they should be"},
-       {true, false, "objects are {:.3g} times as wide as they should be, and as high"},
-       {false, true, "objects are {:.3g} times as high as they should be, and as wide"}}};
+       {true, false, "objects are {:.3g} times as wide as they should be; their height is right"},
+       {false, true, "objects are {:.3g} times as high as they should be; their width is right"}}};
   const std::size_t coarse = std::min<std::size_t>(sim.points.size(), 100);
   const std::size_t fine = std::min<std::size_t>(sim.points.size(), 300);
   const double as_it_is = left_with_film(sim, zooms[0], 1, coarse);

@@ -8,14 +8,14 @@ namespace scenefile {
 /// Brightness, contrast and gamma, of all values or by channel, estimated from the colors of the
 /// reference at the points.
 std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Colors& reference);
-/// A number added to all colors but black. Only for pictures with a scene: with one material,
-/// ambient light gives the same.
+/// A number added to all colors but black. Only for pictures with a scene, because in a scene with
+/// one material, a wrong ambient term gives the same picture.
 std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,
                                               const Colors& reference);
-/// Whether a curve gives the test everywhere: at nearly all points that it changes, but for edges
-/// of the reference, and without a trend by brightness, as an approximation by another curve would
-/// have. The points must be spread over the whole picture. `without`: the colors before the curve,
-/// `with`: after it.
+/// Whether a curve reproduces the test everywhere: at nearly all points that it changes, except at
+/// edges of the reference, and at all levels of brightness. A curve that only approximates another
+/// one has errors that depend on the brightness. The points must be spread over the whole picture.
+/// `without`: the colors before the curve; `with`: after it.
 bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,
                  const Colors& with);
 /// A camera that shows objects larger or smaller, or stretched.

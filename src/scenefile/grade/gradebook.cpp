@@ -85,7 +85,7 @@ std::vector<CauseCount> count_causes(std::span<const StudentResult> students) {
 }
 
 std::string unmatched_text(const StudentResult& student) {
-  constexpr std::size_t most_listed = 8;
+  constexpr std::size_t max_unmatched_listed = 8;
   const bool missing =
       std::any_of(student.pictures.begin(), student.pictures.end(),
                   [](const PictureResult& p) { return p.verdict == Verdict::missing; });
@@ -96,10 +96,12 @@ std::string unmatched_text(const StudentResult& student) {
   std::string text =
       fmt::format("{} no reference: ",
                   count == 1 ? "1 picture matches" : fmt::format("{} pictures match", count));
-  for (std::size_t i = 0; i < std::min(count, most_listed); ++i) {
+  for (std::size_t i = 0; i < std::min(count, max_unmatched_listed); ++i) {
     text += (i == 0 ? "" : ", ") + student.unmatched[i];
   }
-  return text + (count > most_listed ? fmt::format(" and {} more", count - most_listed) : "");
+  return text + (count > max_unmatched_listed
+                     ? fmt::format(" and {} more", count - max_unmatched_listed)
+                     : "");
 }
 
 std::string gradebook_text(const Gradebook& book) {

@@ -77,16 +77,15 @@ void add_other_features(HypothesisList& list) {
   using S = ShownInstead;
   if (o.mode != Mode::normals) {
     list.set(Cause::features, &ModelMistakes::shown, S::normals,
-             "normals are drawn as colors, (n + 1) / 2, and no lighting");
+             "normals are drawn as colors, (n + 1) / 2, without lighting");
   }
   list.set_each<S>(
       Cause::features, &ModelMistakes::shown,
-      {{S::absolute_normals, "normals are drawn as colors, |n|, and no lighting"},
-       {S::raw_normals, "normals are drawn as colors, without a shift, and no lighting"},
-       {S::object_normals,
-        "normals of the object's own space are drawn as colors, and no lighting"},
-       {S::flat_diffuse, "the plain diffuse color is drawn, and no lighting"},
-       {S::flat_ambient_diffuse, "ambient and diffuse colors are drawn, and no lighting"}});
+      {{S::absolute_normals, "normals are drawn as colors, |n|, without lighting"},
+       {S::raw_normals, "normals are drawn as colors, without a shift, without lighting"},
+       {S::object_normals, "object-space normals are drawn as colors, without lighting"},
+       {S::flat_diffuse, "the plain diffuse color is drawn, without lighting"},
+       {S::flat_ambient_diffuse, "ambient and diffuse colors are drawn, without lighting"}});
 }
 
 // Tried late, because simpler mistakes can also leave out lights.
@@ -141,7 +140,7 @@ std::vector<Hypothesis> drawing_hypotheses(const SceneView& view, int width, int
   add_transforms(list);
   add_mode_of_reference(list);
   list.set(Cause::features, &ModelMistakes::shown, ShownInstead::white,
-           "every object is white, and no lighting");
+           "every object is white, without lighting");
   return std::move(list.items);
 }
 

@@ -131,10 +131,10 @@ void add_lights(HypothesisList& list) {
          {L::to_origin_all,
           "point lights and spotlights shine along one direction everywhere, also in shadow rays"},
          {L::from_object_point,
-          "vectors to point lights and spotlights start at the point in the space of the object"},
+          "vectors to point lights and spotlights start at the object-space point"},
          {L::from_object_point_all,
           "vectors and distances to point lights and spotlights, and shadow rays, start at the "
-          "point in the space of the object"}});
+          "object-space point"}});
   }
   if (list.scene.lights.size() > 1) {
     list.set(Cause::lights, &ModelMistakes::brightest_light, true,
@@ -260,12 +260,13 @@ void add_attenuation(HypothesisList& list) {
   const bool fades = list.any_light([](const RenderLight& l) {
     return has_position(l.type) && l.attenuation != glm::vec3(1, 0, 0);
   });
-  put({{A::inverse_square, "lights fade by 1 / d^2, not by their coefficients"},
-       {A::inverse, "lights fade by 1 / d, not by their coefficients"},
+  put({{A::inverse_square, "lights fade by 1 / d^2; their coefficients are ignored"},
+       {A::inverse, "lights fade by 1 / d; their coefficients are ignored"},
        {A::inverse_square_unlimited,
-        "lights fade by 1 / d^2, not limited to 1, not by their coefficients"},
-       {A::inverse_unlimited, "lights fade by 1 / d, not limited to 1, not by their coefficients"},
-       {A::one_plus_square, "lights fade by 1 / (1 + d^2), not by their coefficients"}});
+        "lights fade by 1 / d^2, not limited to 1; their coefficients are ignored"},
+       {A::inverse_unlimited,
+        "lights fade by 1 / d, not limited to 1; their coefficients are ignored"},
+       {A::one_plus_square, "lights fade by 1 / (1 + d^2); their coefficients are ignored"}});
   if (!fades) {
     return;
   }
@@ -327,7 +328,7 @@ void add_spots(HypothesisList& list) {
          l.outer_angle = penumbra;
          l.inner_angle = std::max(0.0f, penumbra - outer);
        });
-  spot("the angle of spotlights is that of full light halfway into the penumbra",
+  spot("spotlights are too wide by half of the penumbra: it is centered on the outer angle",
        [](RenderLight& l) {
          const float half = (l.outer_angle - l.inner_angle) / 2;
          l.inner_angle += half;
@@ -386,7 +387,7 @@ void add_shadows(HypothesisList& list) {
        {S::no_ambient_if_all, "where every light is shadowed, the ambient term is lost, too"},
        {S::keeps_specular, "shadows remove only the diffuse term"},
        {S::keeps_diffuse, "shadows remove only the specular term"},
-       {S::half, "shadows take half of the light"}});
+       {S::half, "shadows remove only half of the light"}});
   if (list.any_type(has_cone)) {
     put({{S::spot_along_axis, "shadow rays of spotlights run along the axis of the spotlight"},
          {S::spot_without, "spotlights cast no shadows"}});

@@ -5,6 +5,7 @@
 #include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/realtime_hypotheses.h"
 #include "scenefile/grade/realtime_settings.h"
+#include "scenefile/grade/simulation.h"
 #include "scenefile/grade/undrawn.h"
 #include "scenefile/trace/tasks.h"
 
@@ -24,13 +25,11 @@ namespace scenefile {
 namespace {
 
 using glm::dvec3;
-using Touches = RealtimeTouches;
-using Together = std::vector<std::uint16_t>;  // several mistakes, as indices into the list
 
-constexpr std::size_t screen = 240;        // points used to screen single mistakes
-constexpr std::size_t few_points = 120;    // ... and several
-constexpr std::size_t most_partners = 40;  // mistakes per start that need a new rasterization
-constexpr std::size_t least_strict = 40;   // differing edge pixels needed to search by only those
+constexpr std::size_t screen = 240;            // points used to screen single mistakes
+constexpr std::size_t few_points = 120;        // points used to screen combinations
+constexpr std::size_t max_partners = 40;       // mistakes per start that need a new rasterization
+constexpr std::size_t min_strict_pixels = 40;  // differing pixels needed to search at edges, too
 constexpr double rival_margin = 0.03;
 // Stricter than for ray tracers: the rasterizer reproduces a picture nearly exactly.
 constexpr double enough_explained = 0.9;
@@ -41,15 +40,15 @@ constexpr double necessary = 0.01;  // what each of several mistakes must add to
 constexpr double promising = 0.02;
 
 struct Tried {
-  Together together;
+  Combination mistakes;
   Score score;
   double explained = 0;
   double exact = 0;
   double broken = 0;
-  bool holds = true;  // at all points, if a curve is among the mistakes
+  bool holds = true;  // any curve among the mistakes holds everywhere: curve_holds()
   double merit() const { return 0.5 * explained + 0.5 * exact - broken; }
   bool good() const {
-    return explained >= (together.size() == 1 ? enough_explained : enough_together) &&
+    return explained >= (mistakes.size() == 1 ? enough_explained : enough_together) &&
            exact >= enough_pixels && broken <= max_broken && holds;
   }
 };
@@ -85,8 +84,8 @@ class Search {
       set_points(pixels, false);
       search();
     }
-    if (report_.claims.empty() && report_.partial.empty() && pixels.off.size() >= least_strict &&
-        pixels.off.size() > 2 * pixels.different.size()) {
+    if (report_.claims.empty() && report_.partial.empty() &&
+        pixels.off.size() >= min_strict_pixels && pixels.off.size() > 2 * pixels.different.size()) {
       set_points(pixels, true);
       search();
     }
@@ -101,69 +100,69 @@ class Search {
 
   // ---- drawing -----------------------------------------------------------------------------
 
-  RealtimeTrial trial_of(const Together& together) const {
+  RealtimeTrial trial_of(const Combination& mistakes) const {
     RealtimeTrial trial = drawn_.right();
-    if (touches_of(together) == Touches::shapes) {
+    if (stage_of(mistakes) == RealtimeStage::shapes) {
       trial.scene.scene = *view_.scene;
-      apply(together, trial, true);
+      apply(mistakes, trial, true);
       drawn_.keep_lights(trial.scene.scene);
     }
-    apply(together, trial, false);
+    apply(mistakes, trial, false);
     return trial;
   }
 
-  void apply(const Together& together, RealtimeTrial& trial, bool shapes) const {
-    for (const std::uint16_t i : together) {
-      if (list_[i].draw && (list_[i].touches == Touches::shapes) == shapes) {
+  void apply(const Combination& mistakes, RealtimeTrial& trial, bool shapes) const {
+    for (const std::uint16_t i : mistakes) {
+      if (list_[i].draw && (list_[i].stage == RealtimeStage::shapes) == shapes) {
         list_[i].draw(trial);
       }
     }
   }
 
-  Touches touches_of(const Together& together) const {
-    Touches touches = Touches::picture;
-    for (const std::uint16_t i : together) {
-      touches = std::max(touches, list_[i].touches);
+  RealtimeStage stage_of(const Combination& mistakes) const {
+    RealtimeStage stage = RealtimeStage::picture;
+    for (const std::uint16_t i : mistakes) {
+      stage = std::max(stage, list_[i].stage);
     }
-    return touches;
+    return stage;
   }
 
   // The mistakes that determine which triangles are visible.
-  Together rasterized(const Together& together) const {
-    Together result;
-    for (const std::uint16_t i : together) {
-      if (list_[i].touches >= Touches::raster) {
+  Combination rasterized(const Combination& mistakes) const {
+    Combination result;
+    for (const std::uint16_t i : mistakes) {
+      if (list_[i].stage >= RealtimeStage::raster) {
         result.push_back(i);
       }
     }
     return result;
   }
 
-  std::shared_ptr<const Visibility> visible(const Together& together) const {
-    const Touches touches = touches_of(together);
-    if (touches < Touches::raster) {
+  std::shared_ptr<const Visibility> visible(const Combination& mistakes) const {
+    const RealtimeStage stage = stage_of(mistakes);
+    if (stage < RealtimeStage::raster) {
       return clean_;
     }
-    const RealtimeTrial trial = trial_of(together);
+    const RealtimeTrial trial = trial_of(mistakes);
     const auto shapes =
-        touches == Touches::shapes ? realtime_shapes(trial.scene.scene) : drawn_.shapes();
+        stage == RealtimeStage::shapes ? realtime_shapes(trial.scene.scene) : drawn_.shapes();
     return shapes == nullptr
                ? nullptr
                : find_visible(trial, shapes, *view_.assets, test_.width, test_.height);
   }
 
   // In 1/255.
-  Colors colors(const Together& together, const std::shared_ptr<const Visibility>& visible,
+  Colors colors(const Combination& mistakes, const std::shared_ptr<const Visibility>& visible,
                 std::size_t count) const {
-    return colors(together, visible, points_, count);
+    return colors(mistakes, visible, points_, count);
   }
 
-  Colors colors(const Together& together, const std::shared_ptr<const Visibility>& visible,
+  Colors colors(const Combination& mistakes, const std::shared_ptr<const Visibility>& visible,
                 const std::vector<Point>& points, std::size_t count) const {
-    const RealtimeTrial trial = trial_of(together);
+    const RealtimeTrial trial = trial_of(mistakes);
     const RealtimePicture picture(trial, visible, *view_.assets, test_.width, test_.height);
     Turn turn;
-    for (const std::uint16_t i : together) {
+    for (const std::uint16_t i : mistakes) {
       turn.across = turn.across != list_[i].turn.across;
       turn.down = turn.down != list_[i].turn.down;
     }
@@ -172,7 +171,7 @@ class Search {
       const Point& p = points[i];
       dvec3 c = picture.pixel(turn.across ? test_.width - 1 - p.x : p.x,
                               turn.down ? test_.height - 1 - p.y : p.y);
-      for (const std::uint16_t k : together) {
+      for (const std::uint16_t k : mistakes) {
         if (list_[k].color) {
           c = glm::clamp(list_[k].color(c), dvec3(0), dvec3(1));
         }
@@ -229,24 +228,25 @@ class Search {
       curves.push_back(*std::move(added));
     }
     for (Hypothesis& h : curves) {
-      list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
+      list_.push_back({h.cause, h.what, RealtimeStage::picture, {}, h.turn, h.color});
     }
   }
 
-  // A mistake whose number is estimated from all colors must be right for all of them.
+  // Curves of the finished picture, which are estimated from its colors.
   bool is_curve(std::uint16_t mistake) const { return mistake >= listed_; }
 
-  bool curves_hold(const Together& together, const std::shared_ptr<const Visibility>& shown) const {
-    Together others;
-    std::copy_if(together.begin(), together.end(), std::back_inserter(others),
+  bool curves_hold(const Combination& mistakes,
+                   const std::shared_ptr<const Visibility>& shown) const {
+    Combination others;
+    std::copy_if(mistakes.begin(), mistakes.end(), std::back_inserter(others),
                  [&](std::uint16_t i) { return !is_curve(i); });
     const std::size_t count = everywhere_.size();
-    return others.size() == together.size() ||
+    return others.size() == mistakes.size() ||
            curve_holds(reference_, everywhere_, colors(others, shown, everywhere_, count),
-                       colors(together, shown, everywhere_, count));
+                       colors(mistakes, shown, everywhere_, count));
   }
 
-  Tried rated(Together together, const Score& s, std::size_t count) const {
+  Tried rated(Combination mistakes, const Score& s, std::size_t count) const {
     double differs = 0;
     double same = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -254,7 +254,7 @@ class Search {
     }
     const double before = left_before(count);
     Tried t;
-    t.together = std::move(together);
+    t.mistakes = std::move(mistakes);
     t.score = s;
     t.explained = before > 0 ? 1 - s.left / before : 0;
     t.exact = differs > 0 ? s.exact / differs : 0;
@@ -265,14 +265,14 @@ class Search {
   double left_before(std::size_t count) const { return score(points_, count, right_).left; }
 
   // Tries each set; sets with the same visible triangles share the rasterization.
-  std::vector<Tried> try_all(const std::vector<Together>& sets, std::size_t count, double from,
+  std::vector<Tried> try_all(const std::vector<Combination>& sets, std::size_t count, double from,
                              double to) {
     count = std::min(count, points_.size());
-    std::map<Together, std::vector<std::size_t>> by_raster;
+    std::map<Combination, std::vector<std::size_t>> by_raster;
     for (std::size_t i = 0; i < sets.size(); ++i) {
       by_raster[rasterized(sets[i])].push_back(i);
     }
-    std::vector<std::pair<Together, std::vector<std::size_t>>> groups;
+    std::vector<std::pair<Combination, std::vector<std::size_t>>> groups;
     for (auto& [raster, members] : by_raster) {
       // Splits large groups, to use all threads.
       for (std::size_t start = 0; start < members.size(); start += 32) {
@@ -300,7 +300,7 @@ class Search {
         }
       });
     }
-    std::erase_if(result, [](const Tried& t) { return t.together.empty(); });
+    std::erase_if(result, [](const Tried& t) { return t.mistakes.empty(); });
     return result;
   }
 
@@ -312,7 +312,7 @@ class Search {
   // ---- searching ---------------------------------------------------------------------------
 
   void search() {
-    std::vector<Together> sets;
+    std::vector<Combination> sets;
     for (std::uint16_t i = 0; i < list_.size(); ++i) {
       sets.push_back({i});
     }
@@ -327,9 +327,9 @@ class Search {
       return;
     }
     const std::vector<Tried> alone = best;
-    std::vector<Together> starts;
+    std::vector<Combination> starts;
     for (std::size_t i = 0; i < std::min<std::size_t>(8, ranked.size()); ++i) {
-      starts.push_back(ranked[i].together);
+      starts.push_back(ranked[i].mistakes);
     }
     std::vector<Tried> pairs = extended(starts, ranked, 0.6, 0.8);
     best = verified(pairs, 12, 0.8, 0.85);
@@ -339,7 +339,7 @@ class Search {
     }
     starts.clear();
     for (std::size_t i = 0; i < std::min<std::size_t>(3, pairs.size()); ++i) {
-      starts.push_back(pairs[i].together);
+      starts.push_back(pairs[i].mistakes);
     }
     if (!pairs.empty() && pairs.front().merit() > 0.3) {
       best = verified(extended(starts, ranked, 0.85, 0.95), 8, 0.95, 1);
@@ -350,7 +350,7 @@ class Search {
     }
     if (!alone.empty() && alone.front().explained >= part && alone.front().exact >= part &&
         alone.front().broken <= max_broken && alone.front().holds) {
-      const RealtimeHypothesis& h = list_[alone.front().together.front()];
+      const RealtimeHypothesis& h = list_[alone.front().mistakes.front()];
       report_.partial.push_back(
           {h.cause, h.what,
            evidence_of_share(alone.front().explained) + "; something else is wrong, too",
@@ -361,10 +361,10 @@ class Search {
   // The best screened mistakes at all points; among similar ones the more likely first.
   std::vector<Tried> verified(const std::vector<Tried>& ranked, std::size_t count, double from,
                               double to) {
-    std::vector<Together> sets;
+    std::vector<Combination> sets;
     for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i) {
       if (ranked[i].merit() > 0.05) {
-        sets.push_back(ranked[i].together);
+        sets.push_back(ranked[i].mistakes);
       }
     }
     std::vector<Tried> result = try_all(sets, points_.size(), from, to);
@@ -377,7 +377,7 @@ class Search {
     const auto last = std::find_if(result.begin(), result.end(),
                                    [&](const Tried& t) { return t.score.raw > limit; });
     std::stable_sort(result.begin(), last,
-                     [](const Tried& a, const Tried& b) { return a.together < b.together; });
+                     [](const Tried& a, const Tried& b) { return a.mistakes < b.mistakes; });
     std::stable_partition(result.begin(), result.end(), [](const Tried& t) { return t.good(); });
     return result;
   }
@@ -387,25 +387,25 @@ class Search {
 
   // Combines each start with single mistakes; of those that need a new rasterization, only the most
   // promising.
-  std::vector<Tried> extended(const std::vector<Together>& starts, const std::vector<Tried>& ranked,
-                              double from, double to) {
-    std::vector<Together> sets;
-    for (const Together& start : starts) {
+  std::vector<Tried> extended(const std::vector<Combination>& starts,
+                              const std::vector<Tried>& ranked, double from, double to) {
+    std::vector<Combination> sets;
+    for (const Combination& start : starts) {
       std::size_t partners = 0;
       for (const Tried& t : ranked) {
-        const std::uint16_t other = t.together.front();
-        if (list_[other].touches >= Touches::raster &&
-            (partners >= most_partners || (t.exact < promising && t.explained < promising))) {
+        const std::uint16_t other = t.mistakes.front();
+        if (list_[other].stage >= RealtimeStage::raster &&
+            (partners >= max_partners || (t.exact < promising && t.explained < promising))) {
           continue;
         }
         if (!fits(start, other)) {
           continue;
         }
-        partners += list_[other].touches >= Touches::raster ? 1 : 0;
-        Together together = start;
-        together.push_back(other);
-        std::sort(together.begin(), together.end());
-        sets.push_back(std::move(together));
+        partners += list_[other].stage >= RealtimeStage::raster ? 1 : 0;
+        Combination mistakes = start;
+        mistakes.push_back(other);
+        std::sort(mistakes.begin(), mistakes.end());
+        sets.push_back(std::move(mistakes));
       }
     }
     std::sort(sets.begin(), sets.end());
@@ -416,7 +416,7 @@ class Search {
   }
 
   // Two mistakes of the same kind rarely combine: one replaces the other.
-  bool fits(const Together& start, std::uint16_t other) const {
+  bool fits(const Combination& start, std::uint16_t other) const {
     return std::none_of(start.begin(), start.end(), [&](std::uint16_t i) {
       const Cause a = list_[i].cause;
       return i == other || (a == list_[other].cause && a != Cause::specular && a != Cause::shapes &&
@@ -427,11 +427,11 @@ class Search {
   // Adds the mistake that explains most of the remaining difference, if any.
   Tried completed(const Tried& found, const std::vector<Tried>& ranked) {
     if (stopped_ || found.score.left < 0.02 * left_before(points_.size()) ||
-        found.together.size() > 2) {
+        found.mistakes.size() > 2) {
       return found;
     }
     const std::vector<Tried> best =
-        verified(extended({found.together}, ranked, 0.85, 0.95), 6, 0.95, 1);
+        verified(extended({found.mistakes}, ranked, 0.85, 0.95), 6, 0.95, 1);
     if (!best.empty() && best.front().good() && best.front().score.left < 0.4 * found.score.left) {
       return without_needless(best.front());
     }
@@ -439,8 +439,8 @@ class Search {
   }
 
   Tried without_needless(Tried found) {
-    for (std::size_t i = 0; found.together.size() > 1 && i < found.together.size();) {
-      Together fewer = found.together;
+    for (std::size_t i = 0; found.mistakes.size() > 1 && i < found.mistakes.size();) {
+      Combination fewer = found.mistakes;
       fewer.erase(fewer.begin() + std::ptrdiff_t(i));
       const std::vector<Tried> tried = try_all({fewer}, points_.size(), 1, 1);
       if (!tried.empty() && tried.front().good() &&
@@ -457,9 +457,9 @@ class Search {
   void claim(const Tried& found, const std::vector<Tried>& others) {
     const double before = left_before(points_.size());
     const double values = 3.0 * test_.width * test_.height;
-    for (const std::uint16_t i : found.together) {
+    for (const std::uint16_t i : found.mistakes) {
       Claim one{list_[i].cause, list_[i].what, {}, found.explained};
-      if (found.together.size() == 1) {
+      if (found.mistakes.size() == 1) {
         one.evidence = evidence_of_one(found.score.left / values, before / values, found.exact);
       } else {
         const std::vector<Tried> alone = try_all({{i}}, points_.size(), 1, 1);
@@ -468,16 +468,16 @@ class Search {
       }
       report_.claims.push_back(std::move(one));
     }
-    if (found.together.size() > 1) {
+    if (found.mistakes.size() > 1) {
       return;
     }
     std::string same;
     for (const Tried& t : others) {
-      const RealtimeHypothesis& h = list_[t.together.front()];
+      const RealtimeHypothesis& h = list_[t.mistakes.front()];
       const bool listed = h.cause == report_.claims.front().cause ||
                           std::any_of(report_.rivals.begin(), report_.rivals.end(),
                                       [&](const Claim& c) { return c.cause == h.cause; });
-      if (t.together.size() == 1 && !listed && t.good() && report_.rivals.size() < 3 &&
+      if (t.mistakes.size() == 1 && !listed && t.good() && report_.rivals.size() < 3 &&
           t.score.raw <= found.score.raw + rival_margin * before) {
         report_.rivals.push_back({h.cause, h.what, evidence_of_share(t.explained), t.explained});
         if (t.score.raw <= tie_limit(found.score.raw)) {
@@ -511,7 +511,7 @@ class Search {
       }
       list_.push_back({Cause::clipping,
                        what,
-                       Touches::raster,
+                       RealtimeStage::raster,
                        [fitted](RealtimeTrial& t) {
                          t.panel.near = fitted.near;
                          t.panel.far = fitted.far;
@@ -523,10 +523,10 @@ class Search {
     if (!(parameters == right.tessellation)) {
       list_.push_back(
           {Cause::tessellation,
-           fmt::format("shapes are drawn with the parameters {}, and the reference "
-                       "has {}",
+           fmt::format("shapes are drawn with the parameters {}, but those of the "
+                       "reference with {}",
                        parameters_text(parameters), parameters_text(right.tessellation)),
-           Touches::raster,
+           RealtimeStage::raster,
            [parameters](RealtimeTrial& t) { t.panel.tessellation = parameters; },
            {},
            {}});
@@ -561,7 +561,7 @@ class Search {
     }
     list_.push_back({Cause::background,
                      fmt::format("the background is {} {} {}, not black", c[0], c[1], c[2]),
-                     Touches::shading,
+                     RealtimeStage::shading,
                      [color = dvec3(c[0], c[1], c[2]) / 255.0](RealtimeTrial& t) {
                        t.scene.mistakes.background = color;
                      },
@@ -576,7 +576,7 @@ class Search {
   const RealtimeDrawn drawn_;
   std::shared_ptr<const Visibility> clean_;
   std::vector<RealtimeHypothesis> list_;
-  std::size_t listed_ = 0;         // those that do not depend on the points
+  std::size_t listed_ = 0;         // size of list_ without curves, which depend on the points
   std::vector<Point> everywhere_;  // spread over the whole picture
   std::vector<Point> points_;
   Colors right_;  // at the points, without mistakes

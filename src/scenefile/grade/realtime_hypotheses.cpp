@@ -16,7 +16,6 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using Touches = RealtimeTouches;
 
 constexpr std::array round_shapes{Shape::sphere, Shape::cylinder, Shape::cone};
 
@@ -55,9 +54,9 @@ class Maker {
   }
 
  private:
-  void add(Cause cause, std::string what, Touches touches,
+  void add(Cause cause, std::string what, RealtimeStage stage,
            std::function<void(RealtimeTrial&)> draw) {
-    list_.push_back({cause, std::move(what), touches, std::move(draw), {}, {}});
+    list_.push_back({cause, std::move(what), stage, std::move(draw), {}, {}});
   }
 
   bool any_round() const {
@@ -70,7 +69,7 @@ class Maker {
   void add_flips() {
     for (const Hypothesis& h : picture_hypotheses()) {
       if (h.cause == Cause::vertical_flip || h.cause == Cause::horizontal_flip) {
-        list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
+        list_.push_back({h.cause, h.what, RealtimeStage::picture, {}, h.turn, h.color});
       }
     }
   }
@@ -80,7 +79,7 @@ class Maker {
     for (const Hypothesis& h : picture_hypotheses()) {
       if (h.cause != Cause::vertical_flip && h.cause != Cause::horizontal_flip &&
           h.cause != Cause::overflow) {
-        list_.push_back({h.cause, h.what, Touches::picture, {}, h.turn, h.color});
+        list_.push_back({h.cause, h.what, RealtimeStage::picture, {}, h.turn, h.color});
       }
     }
   }
@@ -88,7 +87,7 @@ class Maker {
   // ---- filters -------------------------------------------------------------------------------
 
   void add_filter(std::string what, const FilterSteps& steps) {
-    add(Cause::filter, std::move(what), Touches::picture,
+    add(Cause::filter, std::move(what), RealtimeStage::picture,
         [steps](RealtimeTrial& t) { t.filter = steps; });
   }
 
@@ -197,7 +196,7 @@ class Maker {
                gray({0.114, 0.587, 0.299}));
     FilterSteps steps;
     steps.colors = glm::dmat3(dvec3(0.299, 0, 0), dvec3(0, 0.587, 0), dvec3(0, 0, 0.114));
-    add_filter("each channel is multiplied by its weight, and they are not added", steps);
+    add_filter("each channel is multiplied by its weight, but the products are not added", steps);
   }
 
   void add_blurs() {
@@ -280,7 +279,7 @@ class Maker {
           std::pair(frame / frame.x,
                     "the height of the frame is used as its width in the distance of samples"),
           std::pair(frame / frame.y,
-                    "the height is taken for the width in the distance of samples")}) {
+                    "the height is used as the width in the distance of samples")}) {
       if (step != dvec2(1)) {
         FilterSteps steps = right;
         steps.step = step;
@@ -300,7 +299,7 @@ class Maker {
   // ---- frames --------------------------------------------------------------------------------
 
   void add_frame(std::string what, const FrameMistakes& frame) {
-    add(Cause::viewport, std::move(what), Touches::raster,
+    add(Cause::viewport, std::move(what), RealtimeStage::raster,
         [frame](RealtimeTrial& t) { t.frame = frame; });
   }
 
@@ -348,7 +347,7 @@ class Maker {
   // ---- tessellation --------------------------------------------------------------------------
 
   void add_mesh(Cause cause, std::string what, bool MeshMistakes::*member) {
-    add(cause, std::move(what), Touches::raster,
+    add(cause, std::move(what), RealtimeStage::raster,
         [member](RealtimeTrial& t) { t.mesh.*member = true; });
   }
 
@@ -361,7 +360,7 @@ class Maker {
     add(Cause::tessellation,
         fmt::format("{} drawn with the parameters {}, but the reference has {}{}{}", whose,
                     parameters_text(p), parameters_text(right), why.empty() ? "" : ": ", why),
-        Touches::raster, [p, shape](RealtimeTrial& t) {
+        RealtimeStage::raster, [p, shape](RealtimeTrial& t) {
           if (shape) {
             t.tessellation[static_cast<std::size_t>(*shape)] = p;
           } else {
@@ -406,7 +405,7 @@ class Maker {
       }
     }
     const auto turned = [&](std::string what, int quarters, bool half, bool clockwise) {
-      add(Cause::tessellation, std::move(what), Touches::raster, [=](RealtimeTrial& t) {
+      add(Cause::tessellation, std::move(what), RealtimeStage::raster, [=](RealtimeTrial& t) {
         t.mesh.quarter_turns = quarters;
         t.mesh.half_wedge = half;
         t.mesh.clockwise = clockwise;
@@ -439,7 +438,7 @@ class Maker {
 
   void add_interpolation(Cause cause, std::string what, Interpolation value,
                          std::optional<Shape> shape = {}) {
-    add(cause, std::move(what), Touches::shading, [value, shape](RealtimeTrial& t) {
+    add(cause, std::move(what), RealtimeStage::shading, [value, shape](RealtimeTrial& t) {
       t.interpolation = value;
       if (shape) {
         t.interpolated_shapes.fill(false);
@@ -483,15 +482,15 @@ class Maker {
   // ---- rasterization -------------------------------------------------------------------------
 
   void add_inside_out(std::string what, const InsideOut& inside_out) {
-    add(Cause::culling, std::move(what), Touches::raster,
+    add(Cause::culling, std::move(what), RealtimeStage::raster,
         [inside_out](RealtimeTrial& t) { t.inside_out = inside_out; });
   }
 
   void add_culling() {
     add(Cause::culling, "back faces are not culled: the inside of shapes is visible",
-        Touches::raster, [](RealtimeTrial& t) { t.culling = Culling::none; });
+        RealtimeStage::raster, [](RealtimeTrial& t) { t.culling = Culling::none; });
     add(Cause::culling, "front faces are culled: the inside of shapes is visible, not the outside",
-        Touches::raster, [](RealtimeTrial& t) { t.culling = Culling::front; });
+        RealtimeStage::raster, [](RealtimeTrial& t) { t.culling = Culling::front; });
     for (const Shape shape : shapes_) {
       if (shape == Shape::mesh) {
         continue;
@@ -517,19 +516,19 @@ class Maker {
       }
     }
     add(Cause::nearest_hit, "there is no depth test: later triangles cover earlier ones",
-        Touches::raster, [](RealtimeTrial& t) { t.depth = DepthTest::none; });
+        RealtimeStage::raster, [](RealtimeTrial& t) { t.depth = DepthTest::none; });
     add(Cause::nearest_hit, "there is no depth test, and back faces are not culled",
-        Touches::raster, [](RealtimeTrial& t) {
+        RealtimeStage::raster, [](RealtimeTrial& t) {
           t.depth = DepthTest::none;
           t.culling = Culling::none;
         });
     add(Cause::nearest_hit, "the depth test is reversed: the farthest triangle is visible",
-        Touches::raster, [](RealtimeTrial& t) { t.depth = DepthTest::reversed; });
+        RealtimeStage::raster, [](RealtimeTrial& t) { t.depth = DepthTest::reversed; });
   }
 
   void add_planes(std::string what, double near, double far) {
     if (near < far && (near != view_.panel.near || far != view_.panel.far)) {
-      add(Cause::clipping, std::move(what), Touches::raster, [near, far](RealtimeTrial& t) {
+      add(Cause::clipping, std::move(what), RealtimeStage::raster, [near, far](RealtimeTrial& t) {
         t.panel.near = near;
         t.panel.far = far;
       });
@@ -578,7 +577,7 @@ class Maker {
                  [](LightType t) { return has_light(Milestone::action, t); });
     } else {
       add(Cause::lights, "only directional lights are drawn, as in the milestone lights-camera",
-          Touches::shading, [](RealtimeTrial& t) {
+          RealtimeStage::shading, [](RealtimeTrial& t) {
             std::erase_if(t.scene.scene.lights, [](const RenderLight& l) {
               return !has_light(Milestone::lights_camera, l.type);
             });
@@ -596,7 +595,7 @@ class Maker {
       }
     }
     if (!more.empty()) {
-      add(Cause::lights, std::move(what), Touches::shading, [more](RealtimeTrial& t) {
+      add(Cause::lights, std::move(what), RealtimeStage::shading, [more](RealtimeTrial& t) {
         t.scene.scene.lights.insert(t.scene.scene.lights.end(), more.begin(), more.end());
       });
     }
@@ -618,7 +617,7 @@ class Maker {
       case Cause::lights:
         return h.what.find("shadow") == std::string::npos;
       case Cause::features:
-        return h.what.find("no lighting") != std::string::npos;
+        return h.what.find("without lighting") != std::string::npos;
       case Cause::vertical_flip:
       case Cause::horizontal_flip:
       case Cause::gamma:
@@ -657,27 +656,27 @@ class Maker {
       if (!is_for_realtime(h)) {
         continue;
       }
-      Touches touches = Touches::shading;
+      RealtimeStage stage = RealtimeStage::shading;
       switch (h.stage) {
         case Stage::picture:
         case Stage::shading:
           break;
         case Stage::hits:
         case Stage::camera:
-          touches = Touches::raster;
+          stage = RealtimeStage::raster;
           break;
         case Stage::shapes:
-          touches = Touches::shapes;
+          stage = RealtimeStage::shapes;
           break;
       }
       // Normals of caps and cones are mistakes of the mesh.
-      if (h.cause == Cause::shapes && touches == Touches::shading) {
-        touches = Touches::raster;
+      if (h.cause == Cause::shapes && stage == RealtimeStage::shading) {
+        stage = RealtimeStage::raster;
       }
       if (h.what.starts_with("rays are transformed by")) {
         h.what = "shapes are placed by the inverse of their matrix";
       }
-      add(h.cause, h.what, touches, [draw = h.draw](RealtimeTrial& t) { draw(t.scene); });
+      add(h.cause, h.what, stage, [draw = h.draw](RealtimeTrial& t) { draw(t.scene); });
     }
   }
 

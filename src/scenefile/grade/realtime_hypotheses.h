@@ -10,8 +10,8 @@
 
 namespace scenefile {
 
-/// Which part of drawing a mistake affects; earlier ones are cheaper to test.
-enum class RealtimeTouches : std::uint8_t {
+/// The earliest stage of drawing that a mistake changes; the first ones are the cheapest to test.
+enum class RealtimeStage : std::uint8_t {
   picture,  ///< only the finished picture
   shading,  ///< not which triangles are visible
   raster,   ///< which triangles are visible, of the same shapes
@@ -21,7 +21,7 @@ enum class RealtimeTouches : std::uint8_t {
 struct RealtimeHypothesis {
   Cause cause = Cause::rounding;
   std::string what;
-  RealtimeTouches touches = RealtimeTouches::shading;
+  RealtimeStage stage = RealtimeStage::shading;
   std::function<void(RealtimeTrial&)> draw;
   Turn turn;
   std::function<glm::dvec3(const glm::dvec3&)> color;  ///< empty: unchanged

@@ -1,7 +1,7 @@
 #pragma once
 // A model of a student's program for the assignment Realtime: a small software rasterizer that can
-// make known mistakes. It follows the rules of docs/realtime.md; lighting is shared with model.h.
-// Internal to grade.
+// simulate known mistakes. It follows the rules of docs/realtime.md; lighting is shared with
+// model.h. Internal to grade.
 
 #include "scenefile/base/realtime.h"
 #include "scenefile/geometry/mesh.h"
@@ -68,7 +68,7 @@ struct FilterSteps {
   FilterBorder border = FilterBorder::wrap;
   glm::dmat3 colors{1};
   glm::dvec3 added{0};
-  bool background_left = false;  ///< not applied where nothing is drawn
+  bool background_left = false;  ///< the background is not filtered
 };
 FilterSteps steps_of(Filter filter);
 
@@ -101,11 +101,11 @@ struct RealtimeShapes {
 };
 
 /// Searches for causes are limited to scenes with this many shapes.
-inline constexpr double most_realtime_parts = 30000;
+inline constexpr double max_realtime_parts = 30000;
 /// In the order of the file: a group's primitives, then its instances. Null if the scene has more
 /// than `most` shapes.
 std::shared_ptr<const RealtimeShapes> realtime_shapes(const RenderScene& scene,
-                                                      double most = most_realtime_parts);
+                                                      double most = max_realtime_parts);
 
 /// Which triangle each pixel of a frame shows.
 struct Visibility {

@@ -18,9 +18,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double most_triangles = 400000;
-constexpr int most_fitted = 40;      // largest parameter that is tried
-constexpr double fits_well = 0.002;  // share of the colors that may differ
+constexpr double max_triangles_to_fit = 400000;
+constexpr int max_fitted_parameter = 40;  // largest parameter that is tried
+constexpr double fits_well = 0.002;       // share of the colors that may differ
 
 double triangles_of(const RealtimeShapes& shapes, const TessellationParameters& parameters) {
   double sum = 0;
@@ -58,7 +58,7 @@ class Fit {
 
   /// The mean error of colors, divided by the largest error that counts.
   double error(const RealtimeOptions& panel) const {
-    if (triangles_of(*drawn_.shapes(), panel.tessellation) > most_triangles) {
+    if (triangles_of(*drawn_.shapes(), panel.tessellation) > max_triangles_to_fit) {
       return 1;
     }
     const RealtimeTrial trial = drawn_.with(panel);
@@ -104,10 +104,10 @@ TessellationParameters best_parameters(const Fit& fit, RealtimeOptions panel) {
   }
   for (int round = 0; round < 3 && least > fits_well; ++round) {
     const TessellationParameters before = panel.tessellation;
-    for (int p2 = 3; p2 <= most_fitted && least > fits_well; ++p2) {
+    for (int p2 = 3; p2 <= max_fitted_parameter && least > fits_well; ++p2) {
       try_one({panel.tessellation.parameter1, p2});
     }
-    for (int p1 = 1; p1 <= most_fitted && least > fits_well; ++p1) {
+    for (int p1 = 1; p1 <= max_fitted_parameter && least > fits_well; ++p1) {
       try_one({p1, panel.tessellation.parameter2});
     }
     if (before == panel.tessellation) {
@@ -189,7 +189,8 @@ RealtimeDrawn::RealtimeDrawn(const RealtimeView& view) : view_(view) {
   right_.scene.scene.lights = view.scene->lights;
   keep_lights(right_.scene.scene);
   shapes_ = realtime_shapes(*view.scene);
-  if (shapes_ != nullptr && triangles_of(*shapes_, view.panel.tessellation) > most_triangles) {
+  if (shapes_ != nullptr &&
+      triangles_of(*shapes_, view.panel.tessellation) > max_triangles_to_fit) {
     shapes_ = nullptr;
   }
 }

@@ -15,7 +15,7 @@ namespace {
 using glm::dvec3;
 
 constexpr std::uint64_t work_for_several = 12'000'000;  // rays
-constexpr std::size_t very_few_points = 40;             // for a first glance
+constexpr std::size_t very_few_points = 40;             // for a first, rough score
 constexpr std::size_t max_starts = 24;
 constexpr std::size_t max_pairs_to_extend = 10;
 
@@ -90,7 +90,8 @@ double likeness(const Simulation& sim, const Colors& colors) {
   return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
 }
 
-// The mistakes whose effect is seen, in this order; of those that look the same, the first.
+// Combinations to extend, in the order of add(), without those that look the same as an earlier
+// one.
 class Starts {
  public:
   explicit Starts(const Simulation& sim) : sim_(sim), count_(std::min(screen, sim.points.size())) {}
@@ -268,7 +269,7 @@ std::vector<Tried> with_picture(const Simulation& sim, const Additions& f) {
 }
 
 // Combines each start with each single mistake, until a combination explains nearly everything.
-// All that is tried is added to `tried`.
+// Everything that is tried is appended to `tried`.
 std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>& starts,
                                  double from, double to, std::vector<Tried>& tried) {
   std::optional<Tried> best;
@@ -294,7 +295,7 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
   return best;
 }
 
-// A mistake in drawing, and a curve of the finished picture that is fitted to what it draws.
+// Combines a mistake in drawing with a curve that is fitted to the picture with that mistake.
 std::optional<Tried> with_fitted_curve(Simulation& sim) {
   const std::size_t count = std::min(screen, sim.points.size());
   const std::vector<Point> points(sim.points.begin(), sim.points.begin() + std::ptrdiff_t(count));
@@ -310,7 +311,7 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
     }
     return colors;
   };
-  std::vector<std::pair<double, std::uint16_t>> order(sim.first_measured);
+  std::vector<std::pair<double, std::uint16_t>> order(sim.first_fitted);
   for_each_task(order.size(), [&](std::size_t i) {
     const Hypothesis& h = sim.list[i];
     order[i] = {0, static_cast<std::uint16_t>(i)};
@@ -408,4 +409,5 @@ std::optional<Tried> find_several_of_picture(Simulation& sim, const std::vector<
       first_good(sim, verified(sim, extended(sim, starts, few_points, 0.4, 0.9), 12, 0.9, 1));
   return found ? std::optional(completed(sim, *found)) : std::nullopt;
 }
+
 }  // namespace scenefile

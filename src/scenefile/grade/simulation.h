@@ -51,8 +51,8 @@ struct Simulation {
   const std::function<bool(double)>& go_on;
   std::shared_ptr<const ModelShapes> shapes{};  ///< of the view's scene
   std::vector<Hypothesis> list{};               ///< the mistakes to try
-  std::size_t first_measured =
-      0;  ///< in the list: mistakes with numbers estimated from the pictures
+  /// From here on, the mistakes in the list have numbers that are estimated from the pictures.
+  std::size_t first_fitted = 0;
   std::vector<Point> points{};
   std::array<Clean, 4> clean_pictures{};  ///< by Turn
   std::vector<Colors> cache{};            ///< drawn with one mistake, at the first points

@@ -13,12 +13,12 @@ namespace scenefile {
 
 namespace {
 
-constexpr int off_by = 8;                  // more is visible
-constexpr double nearly_all_pixels = 0.9;  // of those that differ
-constexpr double least_share = 0.01;       // of the picture
-constexpr std::size_t least_at_cut = 8;    // pixels where the reference continues beyond the cut
+constexpr int off_by = 8;                   // a larger difference is visible
+constexpr double nearly_all_pixels = 0.9;   // of those that differ
+constexpr double min_undrawn_share = 0.01;  // of the picture
+constexpr std::size_t min_at_cut = 8;       // pixels where the reference continues beyond the cut
 constexpr double nearly_all_of_grid = 0.98;
-constexpr std::size_t least_in_grid = 32;
+constexpr std::size_t min_in_grid = 32;
 
 using Bytes = std::array<int, 3>;
 
@@ -85,7 +85,7 @@ bool is_background(const Texture& reference, const Bytes& color) {
     }
   }
   return largest_step(color, {0, 0, 0}) <= 2 ||
-         static_cast<double>(same) >= least_share * reference.width * reference.height;
+         static_cast<double>(same) >= min_undrawn_share * reference.width * reference.height;
 }
 
 // The color that nearly all differing pixels have; false if there is none.
@@ -103,7 +103,7 @@ bool find_empty_color(const std::vector<std::uint32_t>& different, Undrawn& u) {
     u.empty = votes == 0 ? color : u.empty;
     votes += color == u.empty ? 1 : -1;
   }
-  if (static_cast<double>(u.count) < least_share * static_cast<double>(u.differs.size())) {
+  if (static_cast<double>(u.count) < min_undrawn_share * static_cast<double>(u.differs.size())) {
     return false;
   }
   const auto most = std::count_if(different.begin(), different.end(),
@@ -149,7 +149,7 @@ std::string gaps_text(const std::vector<int>& gaps, const std::vector<bool>& mis
   }
   if (step > 1 && gaps.size() > 4 && 10 * (regular + 1) >= 9 * gaps.size()) {
     return step == 2 ? fmt::format("every second {} is not drawn", line)
-                     : fmt::format("one of {} {}s is not drawn", step, line);
+                     : fmt::format("one {} in {} is not drawn", line, step);
   }
   return fmt::format("{} of {} {}s are not drawn", gaps.size(), lines, line);
 }
@@ -185,7 +185,7 @@ std::string missing_lines(const Undrawn& u, bool rows) {
       }
     }
   }
-  return cuts < std::max(least_at_cut, static_cast<std::size_t>(length) / 20)
+  return cuts < std::max(min_at_cut, static_cast<std::size_t>(length) / 20)
              ? std::string()
              : gaps_text(gaps, missing, rows ? "row" : "column");
 }
@@ -226,7 +226,7 @@ std::string missing_box(const Undrawn& u) {
     for (int k = 0; inside && k < length; ++k) {
       cuts += cut_at(k) ? 1 : 0;
     }
-    return !inside || cuts >= std::max(least_at_cut, static_cast<std::size_t>(length) / 5);
+    return !inside || cuts >= std::max(min_at_cut, static_cast<std::size_t>(length) / 5);
   };
   const int across = box.x1 - box.x0;
   const int down = box.y1 - box.y0;
@@ -260,19 +260,18 @@ std::string missing_grid(const Undrawn& u) {
   int places = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double share = static_cast<double>(missing[i]) / static_cast<double>(shown[i]);
-    if (shown[i] < least_in_grid ||
-        (share > 1 - nearly_all_of_grid && share < nearly_all_of_grid)) {
+    if (shown[i] < min_in_grid || (share > 1 - nearly_all_of_grid && share < nearly_all_of_grid)) {
       return {};
     }
     places += share >= nearly_all_of_grid ? 1 : 0;
   }
   switch (places) {
     case 1:
-      return "one of four pixels is not drawn";
+      return "one pixel in four is not drawn";
     case 2:
       return "every second pixel is not drawn";
     case 3:
-      return "only one of four pixels is drawn";
+      return "only one pixel in four is drawn";
     default:
       return {};
   }

@@ -8,7 +8,7 @@ namespace scenefile {
 
 namespace {
 
-// Of FieldPlace and UnreadField.
+// The sort key of FieldPlace and UnreadField.
 template <typename T>
 auto key(const T& of) {
   return std::tuple(of.owner.line, of.owner.column, of.field);

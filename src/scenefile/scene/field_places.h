@@ -21,7 +21,7 @@ class FieldPlaces {
   std::vector<FieldPlace> sorted_;
 };
 
-/// Answers at once for scenes without such values.
+/// Takes no time for scenes without such values.
 class UnreadFields {
  public:
   explicit UnreadFields(std::vector<UnreadField> fields);

@@ -203,8 +203,8 @@ constexpr bool is_transform(std::string_view word) {
   return std::find(transform_words.begin(), transform_words.end(), word) != transform_words.end();
 }
 
-/// The elements of XML that hold the others, without <matrix>. The first four are only in scene
-/// files.
+/// The XML elements that contain other elements, except <matrix>. The first four occur only in
+/// scene files.
 inline constexpr std::array<std::string_view, 6> structure_elements{
     "scenefile", "globaldata", "cameradata", "lightdata", "object", "transblock"};
 

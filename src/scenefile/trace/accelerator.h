@@ -125,7 +125,8 @@ class Accelerator {
   /// A BVH of the root group's parts, for bundles of rays; empty if there are few or very many
   /// parts, or instances among them. Built at the first call.
   const PartTree& part_tree() const;
-  /// A mesh counted as hit at t is hit before t times this.
+  /// An upper bound of the actual distance of a hit on a mesh, relative to the distance that counts
+  /// (MeshDistance); at least 1.
   double mesh_reach() const;
 
   /// Whether a ray was abandoned because it entered too many instances (deeply nested overlapping

@@ -55,7 +55,7 @@ inline constexpr std::size_t max_blockers = 16;
 /// Why a light contributes nothing, regardless of the surface.
 enum class Unlit : std::uint8_t {
   no,            ///< it shines on the point
-  in_this_mode,  ///< the course's ray caster and the milestone Lights, Camera of Realtime know only
+  in_this_mode,  ///< the course's ray caster and the milestone Lights, Camera of Realtime only use
                  ///< directional lights
   out_of_reach,  ///< outside a spotlight's cone, behind an area light, or at the light itself
 };

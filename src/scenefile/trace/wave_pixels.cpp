@@ -157,8 +157,8 @@ std::span<const WaveSight> WaveSampler::middles(std::span<const glm::ivec2> pixe
   return {sights_.data(), pixels.size()};
 }
 
-// Sets the surfaces at the centers of the pixels, by a wave for those without a sample there. Its
-// rays do not count.
+// Sets the surfaces at the centers of the pixels. Pixels without a sample there are traced by an
+// additional wave, whose rays are not counted.
 void WaveSampler::find_centers(std::vector<DrawnPixel>& pixels) {
   if (!wish_.centers) {
     return;

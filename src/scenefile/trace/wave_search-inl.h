@@ -77,7 +77,7 @@ struct Nearest {
   F t = splat(std::numeric_limits<double>::infinity());
   F face = splat(0);
   F part = splat(-1);
-  M mesh = no_lanes();  ///< it is in WaveHits::others
+  M mesh = no_lanes();  ///< the hit is on a mesh, and in WaveHits::others
 };
 
 inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min, M active,
@@ -96,8 +96,8 @@ inline void test_nearest(const Part& part, int index, const Rays& rays, F t_min,
   nearest.mesh = nearest.mesh & !better;
 }
 
-// The same for a mesh; `others`: of the chunk. Not inlined: meshes are rare, and the loop over
-// shapes is faster without this.
+// The same for a mesh; `others`: hits of the chunk's rays. Not inlined: meshes are rare, and the
+// loop over shapes is faster without this code.
 [[gnu::noinline]] inline void test_nearest_mesh(const Accelerator& accelerator, int index,
                                                 const Rays& rays, F t_min, M active,
                                                 Nearest& nearest, Hit* others) {

@@ -60,11 +60,10 @@ struct PlaceToLook {
 
 struct PictureComparison {
   PictureMeasures measures;
-  /// Of a picture of another size than the reference: our picture of the scene in its size, which
-  /// took the place of the reference; only if our picture matches the reference at its size.
+  /// If the picture and the reference have different sizes: our picture of the scene at the size of
+  /// the picture, which was used as the reference. Only if ours matches the reference at its size.
   std::optional<Texture> drawn;
-  /// Otherwise, if only the size differs and not the shape: the picture in the size of the
-  /// reference, which was compared.
+  /// Otherwise, if the aspect ratios are equal: the picture scaled to the size of the reference.
   std::optional<Texture> scaled;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds that were exceeded; empty: the same
@@ -77,15 +76,15 @@ struct PictureComparison {
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 
   bool other_size() const { return drawn || scaled; }
-  /// The pictures of equal size that were compared, if there are such.
+  /// The two pictures that were compared.
   const Texture& reference_of(const Texture& given) const { return drawn ? *drawn : given; }
   const Texture& test_of(const Texture& given) const { return scaled ? *scaled : given; }
 };
 
 /// Compares the pictures, and looks for causes according to settings.look. A picture of another
-/// size is never the same, but is compared with our picture of the scene in its size, or after
-/// scaling. `scene`: the scene of
-/// the reference with all assets, or null. `go_on` as for find_causes().
+/// size is never the same, but is compared with our picture of the scene at its size, or after
+/// scaling. `scene`: the scene of the reference with all assets, or null. `go_on` as for
+/// find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},

@@ -52,7 +52,8 @@ OneTriangle one_triangle(const RenderScene& scene, const RealtimeSurface& surfac
   primitive.source = surface.object.source;
   one.scene.groups.resize(1);
   one.scene.groups[0].primitives = {primitive};
-  // Moved so that the point is its center: pixels at an edge may show points beside the triangle.
+  // Moved so that the point is its centroid: a pixel at an edge may show a point just outside of
+  // the triangle.
   const auto& corners = surface.object_corners;
   const dvec3 moved = surface.object_position - (corners[0] + corners[1] + corners[2]) / 3.0;
   Mesh mesh;
@@ -73,7 +74,8 @@ OneTriangle one_triangle(const RenderScene& scene, const RealtimeSurface& surfac
   return one;
 }
 
-// Replaces what is special about the scene of one triangle, and adds the lights that were left out.
+// Replaces what is specific to the scene of one triangle by the values of the given scene, and adds
+// the lights that the milestone does not draw.
 void restore(const RenderScene& scene, const RealtimeSurface& surface, Milestone milestone,
              RayRecord& ray) {
   if (ray.surface.has_value()) {
@@ -138,7 +140,7 @@ Result<ExplainReport> explain_realtime_pixel(const LoadedScene& scene, const Rea
   std::optional<RealtimePixel> found = realtime_pixel(ready, scene.assets, panel, size, pixel);
   if (!found) {
     return Error{fmt::format("pixels of scenes with more than {:.0f} shapes are not explained",
-                             most_realtime_shapes),
+                             max_realtime_shapes),
                  ErrorKind::limit};
   }
   if (const auto error = no_such_sample(sample, found->shares.size())) {

@@ -333,7 +333,7 @@ void build_overlay(Session& session, const GuiFrame& frame) {
   paint_comparison(session, frame);
   paint_legend(session, frame);
   paint_welcome(session, frame);
-  // The panels float: over the panel that opens scenes, they would hide its lists.
+  // The panels float, and would cover the lists of the panel that opens scenes.
   const bool panels = session.shown != nullptr && !session.picture_only && !session.start.open;
   if (session.realtime && panels) {
     build_realtime_panel(session, frame);

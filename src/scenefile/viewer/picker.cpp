@@ -24,7 +24,7 @@ bool is_drawn(const Hit& hit, const Ray& ray, const PickPlanes& planes) {
   if (hit.shape == Shape::mesh) {
     return true;  // which side is visible depends on the file
   }
-  // A reflection shows the inside, as OpenGL does.
+  // A reflecting transform shows the inside, as in OpenGL.
   const glm::dmat3& matrix = hit.object_from_world.linear;
   const double toward =
       glm::dot(surface_at(hit.shape, hit.face, hit.object_point).normal, matrix * ray.direction);

@@ -23,8 +23,8 @@ struct PixelQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderScene drawn;      ///< the scene with the window's camera, without what is hidden
   RenderOptions options;  ///< of the picture, with its size
-  std::optional<RealtimeOptions>
-      realtime;  ///< of the assignment: only the size of `options` counts
+  /// Set for the assignment Realtime; then only the size of `options` is used.
+  std::optional<RealtimeOptions> realtime;
   glm::ivec2 pixel{0};
   std::optional<PixelValue> other;  ///< of the picture next to ours
 };
@@ -32,9 +32,10 @@ struct PixelQuestion {
 struct CauseQuestion {
   std::shared_ptr<const OpenedScene> scene;
   RenderOptions options;
-  std::optional<RealtimeOptions> realtime;  ///< of the assignment; `options` are then unused
-  std::shared_ptr<const Texture> ours;      ///< as drawn for the assignment; otherwise null
-  std::shared_ptr<const Texture> other;     ///< the picture next to ours
+  /// Set for the assignment Realtime; then `options` is unused.
+  std::optional<RealtimeOptions> realtime;
+  std::shared_ptr<const Texture> ours;   ///< as drawn for the assignment; otherwise null
+  std::shared_ptr<const Texture> other;  ///< the picture next to ours
   std::string other_path;
 };
 

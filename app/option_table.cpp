@@ -404,7 +404,7 @@ constexpr std::array option_rows{
     OptionRow{
         "--sample", "", "N",
         "Show sample N of the pixel in full, counted from 0 (default: the one nearest to its "
-        "center).",
+        "center; with --profile realtime the one with the largest weight).",
         for_explain,
         [](Options& o, const std::string& v) { return set_number(v, 0U, 0x7fffffffU, o.sample); }},
     OptionRow{"--engine", "", "NAME",

@@ -94,11 +94,8 @@ void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Own
                 std::size_t field, SeenFields& seen, Owner& owner) {
   const ValueRow<Owner>& row = rows[field];
   const auto store = [&](const auto member, const auto& value) {
-    if (value) {
-      owner.*member = *value;
-    } else {
-      owner.*member = Owner{}.*member;
-    }
+    static const Owner defaults;
+    owner.*member = value ? *value : defaults.*member;
     seen.set_unread(field, !value);
   };
   if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {

@@ -30,8 +30,8 @@ struct PictureResult {
 
 struct StudentResult {
   std::string name;
-  std::vector<PictureResult> pictures;  ///< in the order of the references
-  std::vector<std::string> unmatched;   ///< paths of pictures that show no reference, by name
+  std::vector<PictureResult> pictures;      ///< in the order of the references
+  std::vector<std::string> unmatched = {};  ///< paths of pictures that show no reference, by name
 
   std::size_t passed() const;
 };

@@ -169,6 +169,11 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   found.where = place_to_look(reference, test, scene, way);
   if (found.causes.share_scene_unlike > max_share_unlike) {
     found.exchanged = share_unlike(test, *scene, *way) <= max_share_right;
+    if (found.exchanged) {  // so the causes are those of the reference, the wrong way around
+      found.causes.claims.clear();
+      found.causes.rivals.clear();
+      found.causes.partial.clear();
+    }
   }
 }
 

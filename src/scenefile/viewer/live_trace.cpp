@@ -68,21 +68,20 @@ void LiveTrace::Job::run() {
   const Clock::time_point start = Clock::now();
   const Rounding rounding = rounding_of(options.profile);
   double done = 0;
-  const Progress progress = [&](double share) {
+  RenderControl control;
+  control.progress = [&](double share) {
     done = share;
     return !cancelled;
   };
-  Preview preview;
-  preview.interval_seconds = 0.15;
-  preview.show = [&](const Image& image) {
+  control.preview.interval_seconds = 0.15;
+  control.preview.show = [&](const Image& image) {
     if (!cancelled) {
       put({quantize(image, rounding), done, false, seconds_since(start), {}});
     }
   };
   TracedPicture last;
   try {
-    RenderResult result =
-        render(scene, *assets, options, {.progress = progress, .preview = preview});
+    const RenderResult result = render(scene, *assets, options, std::move(control));
     last = {quantize(result.image, rounding), 1, true, seconds_since(start),
             failure_of(result.status)};
   } catch (const std::bad_alloc&) {

@@ -89,13 +89,14 @@ class TagScanner {
       if (p == before || is_end) {
         plain_ = false;
       }
-      XmlAttribute attribute;
+      // Read in place, because copying what was just written part by part stalls the processor.
       bool well_formed = true;
-      p = read_attribute(p, attribute, well_formed);
+      p = read_attribute(p, token_.attributes.emplace_back(), well_formed);
       if (!well_formed) {
+        token_.attributes.pop_back();
         break;
       }
-      add(attribute);
+      check_last_attribute();
     }
     p = finish(p, is_end);
     token_.written = between(begin_, p);
@@ -164,16 +165,13 @@ class TagScanner {
     return p + std::max<std::size_t>(size, 1);
   }
 
-  void add(const XmlAttribute& attribute) {
-    std::vector<XmlAttribute>& all = token_.attributes;
-    if (all.size() >= max_plain_attributes) {
-      plain_ = false;
-    }
+  void check_last_attribute() {
+    const std::vector<XmlAttribute>& all = token_.attributes;
+    plain_ = plain_ && all.size() <= max_plain_attributes;
     // Only of plain tags, which have few attributes.
-    for (std::size_t i = 0; plain_ && i < all.size(); ++i) {
-      plain_ = !same_name(all[i].name, attribute.name);
+    for (std::size_t i = 0; plain_ && i + 1 < all.size(); ++i) {
+      plain_ = !same_name(all[i].name, all.back().name);
     }
-    all.push_back(attribute);
   }
 
   // Decides what follows the last attribute; returns the end of the tag.

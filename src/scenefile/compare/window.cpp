@@ -1,6 +1,7 @@
 #include "scenefile/compare/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -17,36 +18,55 @@ std::vector<int> clamped_places(int size, int radius) {
   return places;
 }
 
+// to[x] = sum of taps[i] * sources[i][x] for `count` pixels, whose sums fit in registers.
+template <int count>
+void add_up(const Taps& taps, const std::vector<const float*>& sources, int x, float* to) {
+  std::array<double, count> sums{};
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    const double tap = taps[i];
+    const float* const from = sources[i] + x;
+    for (int k = 0; k < count; ++k) {
+      sums[k] += tap * from[k];
+    }
+  }
+  std::copy(sums.begin(), sums.end(), to + x);
+}
+
+void add_up_row(const Taps& taps, const std::vector<const float*>& sources, int width, float* to) {
+  constexpr int block = 8;
+  int x = 0;
+  for (; x + block <= width; x += block) {
+    add_up<block>(taps, sources, x, to);
+  }
+  for (; x < width; ++x) {
+    add_up<1>(taps, sources, x, to);
+  }
+}
+
 Plane filtered_rows(const Plane& plane, const Taps& taps) {
   const std::vector<int> from = clamped_places(plane.width, static_cast<int>(taps.size()) / 2);
+  std::vector<float> row(from.size());  // repeats the edges
+  std::vector<const float*> sources;
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    sources.push_back(row.data() + i);
+  }
   Plane result(plane.width, plane.height);
   for (int y = 0; y < plane.height; ++y) {
-    for (int x = 0; x < plane.width; ++x) {
-      double sum = 0;
-      for (std::size_t i = 0; i < taps.size(); ++i) {
-        sum += taps[i] * plane.at(from[x + i], y);
-      }
-      result.at(x, y) = static_cast<float>(sum);
-    }
+    std::transform(from.begin(), from.end(), row.begin(), [&](int x) { return plane.at(x, y); });
+    add_up_row(taps, sources, plane.width, &result.at(0, y));
   }
   return result;
 }
 
-// Row by row, to read memory in order.
 Plane filtered_columns(const Plane& plane, const Taps& taps) {
   const std::vector<int> from = clamped_places(plane.height, static_cast<int>(taps.size()) / 2);
+  std::vector<const float*> sources(taps.size());
   Plane result(plane.width, plane.height);
-  std::vector<double> sums(plane.width);
   for (int y = 0; y < plane.height; ++y) {
-    std::fill(sums.begin(), sums.end(), 0.0);
     for (std::size_t i = 0; i < taps.size(); ++i) {
-      for (int x = 0; x < plane.width; ++x) {
-        sums[x] += taps[i] * plane.at(x, from[y + i]);
-      }
+      sources[i] = &plane.values[static_cast<std::size_t>(plane.width) * from[y + i]];
     }
-    for (int x = 0; x < plane.width; ++x) {
-      result.at(x, y) = static_cast<float>(sums[x]);
-    }
+    add_up_row(taps, sources, plane.width, &result.at(0, y));
   }
   return result;
 }

@@ -409,7 +409,8 @@ test('OpenGL orbits, looks around and flies', async () => {
       await page.keyboard.up(key);
     });
   }
-  assert.equal(new Set(seen).size, seen.length);
+  // Opposite keys may lead back, so only neighbors must differ.
+  seen.slice(1).forEach((picture, i) => assert.notEqual(picture, seen[i], `step ${i + 1}`));
   await andDraw(() => page.click('#view-reset'));
   assert.equal(await pixels(), seen[0]);
 });
@@ -531,6 +532,9 @@ test('what is selected in the panels is outlined, also over traced pictures', as
   }
   assert.ok(boxes.every((some) => some !== null));
   await row('Global data').click();
+  for (const start = Date.now(); (await outlineBox()) !== null && Date.now() - start < 5000; ) {
+    await page.waitForTimeout(50);
+  }
   assert.equal(await outlineBox(), null);
 });
 

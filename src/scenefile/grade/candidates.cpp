@@ -183,20 +183,22 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
   });
 }
 
-bool differ_visibly(const Colors& a, const Colors& b) {
-  return !std::equal(a.begin(), a.end(), b.begin(), [](const dvec3& x, const dvec3& y) {
+bool any_differs(const Colors& a, const Colors& b, double limit) {
+  return !std::equal(a.begin(), a.end(), b.begin(), [limit](const dvec3& x, const dvec3& y) {
     return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
-                               glm::clamp(y, dvec3(0), dvec3(255)))) <= tolerance;
+                               glm::clamp(y, dvec3(0), dvec3(255)))) <= limit;
   });
+}
+
+bool is_about_brightness(Cause cause) {
+  return cause == Cause::brightness || cause == Cause::gamma;
 }
 
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
                                         std::uint16_t member) {
   Combination others = mistakes;
   others.erase(std::find(others.begin(), others.end(), member));
-  const auto brightens = [&](std::uint16_t i) {
-    return sim.list[i].cause == Cause::brightness || sim.list[i].cause == Cause::gamma;
-  };
+  const auto brightens = [&](std::uint16_t i) { return is_about_brightness(sim.list[i].cause); };
   std::vector<std::uint16_t> candidates;
   for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
     // A change of brightness that fits as well is not worth listing.

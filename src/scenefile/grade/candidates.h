@@ -31,7 +31,12 @@ void append(std::vector<Tried>& list, const std::vector<Tried>& more);
 Combination joined(Combination a, const Combination& b);
 /// Two mistakes of the same kind rarely combine: one replaces the other.
 bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
-bool differ_visibly(const Colors& a, const Colors& b);
+/// Whether any of the colors in `a` differs from that in `b` by more than `limit`, in 1/255, after
+/// limiting both to what a picture can show. `b` must have as many colors or more.
+bool any_differs(const Colors& a, const Colors& b, double limit);
+/// Whether the mistake changes brightness or contrast of the whole picture, which fits many
+/// pictures by chance.
+bool is_about_brightness(Cause cause);
 /// The mistakes without fitted numbers that can replace `member` of `mistakes` without changing the
 /// picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,

@@ -72,9 +72,6 @@ bool breaks_right_pixels(const Simulation& sim, const Tried& t) {
 // Whether a rival of that cause fits by chance: a brightness often does, and in a nearly gray
 // picture exchanged channels do.
 bool is_chance(Cause rival, Cause found) {
-  const auto is_about_brightness = [](Cause cause) {
-    return cause == Cause::brightness || cause == Cause::gamma;
-  };
   return (is_about_brightness(rival) && !is_about_brightness(found)) ||
          (rival == Cause::swapped_channels && found != Cause::swapped_channels);
 }
@@ -83,26 +80,13 @@ bool is_chance(Cause rival, Cause found) {
 // happens to reduce the difference.
 bool reproduces_its_part(const Simulation& sim, const Tried& t) {
   const std::size_t count = sim.points.size();
-  const Colors with = sim.predicted(t.mistakes, count);
-  const Colors without = sim.predicted({}, count);
-  double changed = 0;
-  double right = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point& p = sim.points[i];
-    const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
-    if (largest_of(glm::abs(c - glm::clamp(without[i], dvec3(0), dvec3(255)))) > right_within) {
-      changed += p.weight;
-      right += largest_of(outside(c, p.low, p.high)) <= exact_within ? p.weight : 0;
-    }
-  }
-  return changed >= part * sim.weight_that_differs(count) && right >= nearly_all * changed;
+  const Effect e = effect_of(sim, sim.predicted(t.mistakes, count), sim.predicted({}, count));
+  return e.changed >= part * sim.weight_that_differs(count) && e.right >= nearly_all * e.changed;
 }
 
+// Equal but for rounding.
 bool equal_colors(const Colors& a, const Colors& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const dvec3& x, const dvec3& y) {
-    return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
-                               glm::clamp(y, dvec3(0), dvec3(255)))) <= 1;
-  });
+  return !any_differs(a, b, 1);
 }
 
 // Names the mistakes that give the same picture in place of one of several; the likeliest first.

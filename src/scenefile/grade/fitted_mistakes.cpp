@@ -94,9 +94,9 @@ Line refined(Line line, const Pairs& pairs) {
         xy += r * t;
       }
     }
-    const double spread = n * xx - x * x;
-    if (spread > 0) {
-      line.factor = (n * xy - x * y) / spread;
+    const double variance = n * xx - x * x;  // times n^2
+    if (variance > 0) {
+      line.factor = (n * xy - x * y) / variance;
       line.offset = (y - line.factor * x) / n;
     }
   }
@@ -308,14 +308,15 @@ std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,
   if (!n || std::abs(*n) <= 4) {
     return std::nullopt;
   }
-  std::vector<Hypothesis> list;
-  add_to_picture(list, Cause::brightness,
-                 fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
-                             *n > 0 ? "added to" : "subtracted from"),
-                 [n = *n / 255](const dvec3& c) {
-                   return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
-                 });
-  return std::move(list.front());
+  return Hypothesis{Cause::brightness,
+                    fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
+                                *n > 0 ? "added to" : "subtracted from"),
+                    Stage::picture,
+                    {},
+                    {},
+                    [n = *n / 255](const dvec3& c) {
+                      return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
+                    }};
 }
 
 bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,

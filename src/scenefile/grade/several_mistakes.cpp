@@ -58,7 +58,7 @@ Additions additions_to(Simulation& sim, const Combination& made, std::size_t cou
       }
     }
     std::optional<Colors> colors = sim.drawn(mistakes, f.count, turn);
-    if (colors && differ_visibly(*colors, f.colors)) {
+    if (colors && any_differs(*colors, f.colors, tolerance)) {
       f.with[i] = *std::move(colors);
     }
   });
@@ -99,7 +99,7 @@ class Starts {
   void add(const Combination& mistakes) {
     const Colors colors = sim_.predicted(mistakes, count_);
     if (std::all_of(seen_.begin(), seen_.end(),
-                    [&](const Colors& other) { return differ_visibly(colors, other); })) {
+                    [&](const Colors& other) { return any_differs(colors, other, tolerance); })) {
       seen_.push_back(colors);
       items.push_back(mistakes);
     }

@@ -181,20 +181,17 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
 std::optional<Texture> scaled_like(const Texture& picture, const Texture& reference) {
   const double across = double(picture.width) * reference.height;
   const double down = double(picture.height) * reference.width;
-  if ((picture.width == reference.width && picture.height == reference.height) ||
-      std::abs(across - down) > 0.02 * across) {
+  if (std::abs(across - down) > 0.02 * across) {
     return std::nullopt;
   }
   return scaled(picture, reference.width, reference.height);
 }
 
-// Our picture of the scene in the size of `test`, if that of the reference is another and our
-// picture of the scene matches the reference.
+// Our picture of the scene in the size of `test`, if our picture matches the reference at its size.
 std::optional<Texture> drawn_like(const Texture& test, const Texture& reference,
                                   const LoadedScene& scene, const DrawnWay& way,
                                   const std::function<bool(double)>& go_on) {
-  if ((test.width == reference.width && test.height == reference.height) || test.empty() ||
-      way.realtime || share_unlike(reference, scene, way) > max_share_unlike) {
+  if (test.empty() || way.realtime || share_unlike(reference, scene, way) > max_share_unlike) {
     return std::nullopt;
   }
   RenderOptions options = way.options;
@@ -270,9 +267,10 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
                                    const LoadedScene* scene, const CompareSettings& settings,
                                    const std::function<bool(double)>& go_on) {
   PictureComparison found;
-  std::vector<DrawnWay> ways;
+  const bool drawable = scene != nullptr && scene->usable();
   const bool same_size = test.width == given.width && test.height == given.height;
-  if (!same_size && scene != nullptr && scene->usable()) {
+  std::vector<DrawnWay> ways;  // found only if needed
+  if (!same_size && drawable) {
     ways = ways_of(given, *scene, settings);
     found.drawn = drawn_like(test, given, *scene, ways.front(), go_on);
   }
@@ -293,7 +291,7 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
-    if (same_size && scene != nullptr && scene->usable()) {
+    if (ways.empty() && drawable) {
       ways = ways_of(given, *scene, settings);
     }
     look_for_causes(reference, shown, scene, ways, go_on, found);

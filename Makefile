@@ -4,6 +4,8 @@ BUILD   := build/release
 PRESET  := --preset release
 JOBS    := $(shell nproc)
 QUIET   := --no-print-directory
+# The property tests draw the same random cases every time; `make properties` draws new ones.
+export RC_PARAMS ?= seed=1
 
 # Quiet if everything is up to date: the log is only shown when a step fails.
 define quietly
@@ -59,6 +61,13 @@ test: ## build and run all tests
 	$(call compile,all)
 	@ctest --test-dir $(BUILD) --output-on-failure -j $(JOBS) --output-junit tests.xml; status=$$?; \
 	  scripts/test-summary $(BUILD)/tests.xml && exit $$status
+
+.PHONY: properties
+properties: ## CASES=10000 SEED=N: run each property test with this many new random cases
+	@scripts/install-deps core tests
+	@$(MAKE) $(QUIET) configure-tests
+	$(call compile,all)
+	@scripts/properties $(BUILD) $(or $(CASES),10000) $(SEED)
 
 .PHONY: schemas
 schemas: ## check that the XML schemas are up to date and that every validator agrees with the reader
@@ -216,6 +225,7 @@ web-test: web ## build the page and the package, and test them; CORPUS=DIR: also
 ci-full: ## all checks, including slow ones: .ci/run, Debian 13, Blender, sanitizers, failing calls, killed renders, parts, Slurm, coverage, fuzzing
 	@.ci/run
 	@$(MAKE) $(QUIET) bare-machine SUITE=trixie
+	@$(MAKE) $(QUIET) properties
 	@$(MAKE) $(QUIET) docs-test
 	@$(MAKE) $(QUIET) interchange CORPUS="$(SCENEFILE_CORPUS)"
 	@$(MAKE) $(QUIET) python

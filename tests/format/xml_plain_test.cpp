@@ -130,7 +130,8 @@ TEST(XmlPlain, References) {
         "<a>&lt;x</a>", "<a> \r\n x&amp;y\nz<b/>u<!-- -->v</a>", "<a><![CDATA[\n <b> &x; ]]></a>",
         "<a>x<![CDATA[ y ]]>z<?p q?>w</a>", "<a b='&lt;'><c d='1'/><stop></a>",
         "<!DOCTYPE a [<!ELEMENT a (b)> <!-- > ] --> <?p ]>?>]><a b='&#x26;'/>",
-        "<a b='&lt;'><b></a>", "<a b='&lt;'>x & y</a>", "<a>x &y; z</a>", "<a>]]></a>"}) {
+        "<a b='&lt;'><b></a>", "<a b='&lt;'>x & y</a>", "<a>x &y; z</a>", "<a>]]></a>",
+        "<a>]]\x02</a>"}) {
     EXPECT_TRUE(events_of(text, {}).reading.asked_expat) << text;
     EXPECT_TRUE(agrees_with_expat(text, {})) << text;
   }

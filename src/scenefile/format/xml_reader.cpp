@@ -164,7 +164,7 @@ bool EventReader::read_token() {
       return read_text(written);
     }
     std::string_view sound = written.substr(0, fault_->at - begin);
-    if (sound.ends_with("]]")) {
+    if (sound.ends_with("]]") && written[sound.size()] == '>') {
       // Expat rejects ]]> with its whole line, or with the rest of it after a reference.
       sound = sound.substr(0, sound.find_last_of("\r\n;") + 1);
     }

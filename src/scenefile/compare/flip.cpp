@@ -15,9 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Exponents and knees of the paper's sections 4.1.4, 4.2.2 and 4.3.
+// Exponent and knee of the color error (sections 4.1.4 and 4.2.2 of the paper).
 constexpr double color_exponent = 0.7;
-constexpr double feature_exponent = 0.5;
 constexpr double knee = 0.4;             // share of the largest color error ...
 constexpr double knee_value = 0.95;      // ... that is mapped to this
 constexpr double feature_width = 0.082;  // degrees

@@ -51,7 +51,7 @@ struct FlipRow {
   const float* points;
 };
 
-/// The FLIP error of each pixel, in [0, 1].
+/// The FLIP error of each pixel, in [0, 1]; the exponent of feature errors is 1/2 (section 4.3).
 void flip_errors(const ColorErrorCurve& curve, const FlipRow& a, const FlipRow& b, const Span& span,
                  float* to);
 

@@ -1,6 +1,7 @@
 #include "scenefile/grade/evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace scenefile {
@@ -13,29 +14,20 @@ constexpr double worst = 64;  // larger errors count as this
 
 }  // namespace
 
-dvec3 at(const Texture& t, int x, int y) {
-  const std::uint8_t* p = t.texel(x, y);
-  return {p[0], p[1], p[2]};
-}
-
-dvec3 outside(const dvec3& value, const dvec3& low, const dvec3& high) {
-  return glm::max(dvec3(0), glm::max(low - value, value - high));
-}
-
-double largest_of(const dvec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 Range around(const Texture& t, int x, int y) {
-  Range range{dvec3(255), dvec3(0)};
+  std::array<std::uint8_t, 3> low{255, 255, 255};
+  std::array<std::uint8_t, 3> high{0, 0, 0};
+  const int right = std::min(x + 1, t.width - 1);
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, t.height - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, t.width - 1); ++u) {
-      const dvec3 c = at(t, u, v);
-      range.low = glm::min(range.low, c);
-      range.high = glm::max(range.high, c);
+    const std::uint8_t* p = t.texel(std::max(x - 1, 0), v);
+    for (int u = std::max(x - 1, 0); u <= right; ++u, p += 3) {
+      for (int c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
     }
   }
-  return range;
+  return {dvec3(low[0], low[1], low[2]), dvec3(high[0], high[1], high[2])};
 }
 
 Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors) {

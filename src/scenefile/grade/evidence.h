@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -35,10 +36,17 @@ struct Point {
   bool differs = false;
 };
 
-glm::dvec3 at(const Texture& t, int x, int y);
+inline glm::dvec3 at(const Texture& t, int x, int y) {
+  const std::uint8_t* p = t.texel(x, y);
+  return {p[0], p[1], p[2]};
+}
 /// The distance of the value to the range, by channel.
-glm::dvec3 outside(const glm::dvec3& value, const glm::dvec3& low, const glm::dvec3& high);
-double largest_of(const glm::dvec3& v);
+inline glm::dvec3 outside(const glm::dvec3& value, const glm::dvec3& low, const glm::dvec3& high) {
+  return glm::max(glm::dvec3(0), glm::max(low - value, value - high));
+}
+inline double largest_of(const glm::dvec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
 
 /// The minimum and maximum over the neighboring pixels.
 struct Range {

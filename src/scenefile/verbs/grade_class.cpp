@@ -28,6 +28,8 @@ constexpr double default_min_psnr_db = 40;
 // 32 dB, which another program reaches in spite of different edges.
 constexpr double same_scene_mean_square = 40;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // A student, with the path of the picture for each reference; empty if there is none.
 struct StudentFolder {
   std::string name;
@@ -112,14 +114,19 @@ std::size_t step_of(const Texture& picture) {
   return step % 3 == 0 ? step + 1 : step;
 }
 
-// The mean square difference of two pictures of the same size, over those values.
-double mean_square(const Texture& a, const Texture& b) {
+// The mean square difference of two pictures of the same size, over those values; infinite if it
+// is larger than `limit`.
+double mean_square(const Texture& a, const Texture& b, double limit) {
+  const std::size_t step = step_of(a);
+  const std::size_t count = (a.rgb.size() + step - 1) / step;
+  const double enough = limit * static_cast<double>(count);
   double sum = 0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.rgb.size(); i += step_of(a)) {
+  for (std::size_t i = 0; i < a.rgb.size(); i += step) {
     const double d = static_cast<double>(a.rgb[i]) - b.rgb[i];
     sum += d * d;
-    ++count;
+    if (sum > enough) {
+      return infinity;
+    }
   }
   return sum / static_cast<double>(std::max<std::size_t>(1, count));
 }
@@ -341,19 +348,19 @@ struct ClassGrader::State {
   // A reference of another scene that the picture shows instead, nearly without a difference; null:
   // none. A reference that is nearly of one color is not recognized: an empty picture would be it.
   const Reference* shown_instead(const Reference& reference, const Texture& picture) const {
-    const auto off = [&](const Reference& r) {
+    const auto off = [&](const Reference& r, double limit) {
       return r.picture.width == picture.width && r.picture.height == picture.height
-                 ? mean_square(r.picture, picture)
-                 : std::numeric_limits<double>::infinity();
+                 ? mean_square(r.picture, picture, limit)
+                 : infinity;
     };
-    const double here = off(reference);
+    const double here = off(reference, infinity);
     const Reference* best = nullptr;
     double least = same_scene_mean_square;
     for (const Reference& r : references_) {
       if (r.scene && reference.scene && r.scene->text == reference.scene->text) {
         continue;
       }
-      if (const double there = off(r);
+      if (const double there = off(r, std::min(least, here / 20));
           there < least && 20 * there < here && 20 * there < variance(r.picture)) {
         best = &r;
         least = there;

@@ -131,11 +131,13 @@ ExitCode check_diff_outputs(const Options& options) {
   return check_outputs(inputs, outputs);
 }
 
-PictureComparison compare(const Texture& a, const Texture& b, const LoadedScene* scene,
+PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
                           const Options& options, Context& context) {
   context.phase = "comparing the pictures";
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
-  return compare_pictures(a, b, scene, compare_settings(options), [&](double done) {
+  CompareSettings settings = compare_settings(options);
+  settings.lossy = a.jpeg || b.jpeg;
+  return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
     bar.update(done);
     return true;
   });
@@ -167,7 +169,7 @@ ExitCode diff_images(const Options& options, Context& context) {
     }
   }
   const LoadedScene* const shown = scene ? &*scene : nullptr;
-  const PictureComparison found = compare(a.picture, b.picture, shown, options, context);
+  const PictureComparison found = compare(a, b, shown, options, context);
   // Prepares the output before writing files, so that nothing can fail afterwards.
   const std::string text = options.json ? json_text(a, b, shown, &found)
                            : options.quiet

@@ -33,6 +33,17 @@ struct Pictures : ::testing::Test {
                       "\"/> <diffuse r=\"1\" g=\"0.5\" b=\"0.2\"/>");
   }
 
+  // Without symmetry.
+  static std::string two_balls(const std::string& ambient) {
+    std::string text = ball(ambient);
+    const std::string more =
+        "<transblock><translate x=\"0.7\" y=\"0.5\" z=\"0\"/><scale x=\"0.4\" y=\"0.5\" "
+        "z=\"0.4\"/><object type=\"primitive\" name=\"cube\"><ambient r=\"" +
+        ambient +
+        "\" g=\"0\" b=\"0\"/><diffuse r=\"0\" g=\"0.4\" b=\"0.9\"/></object></transblock>";
+    return text.insert(text.rfind("</object>"), more);
+  }
+
   void draw(const std::string& from, const std::string& to, const std::string& size) const {
     const ProgramRun run =
         in_folder({"render", from, "-o", to, "--size", size, "--profile", "course", "--quiet"});
@@ -176,6 +187,54 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   const ProgramRun text = in_folder({"diff", "right.png", "text.png"});
   EXPECT_EQ(text.status, 1);
   EXPECT_THAT(text.err, HasSubstr("text.png: cannot decode: "));
+}
+
+// The picture on a gray one, or the part of it that is visible there.
+void show_at(const TempFolder& folder, const char* from, const char* to, const glm::ivec2& corner,
+             const glm::ivec2& size) {
+  const auto bytes = folder.read(from);
+  std::uint64_t budget = 1 << 24;
+  std::string error;
+  const Texture picture = decode_image(bytes, Limits{}, budget, error);
+  Image shown(size.x, size.y);
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      const glm::ivec2 p = glm::ivec2(x, y) - corner;
+      const bool inside = p.x >= 0 && p.y >= 0 && p.x < picture.width && p.y < picture.height;
+      for (int c = 0; c < 3; ++c) {
+        shown.pixel(x, y)[c] = inside ? static_cast<float>(picture.texel(p.x, p.y)[c]) / 255 : 0.9F;
+      }
+    }
+  }
+  folder.write(to, encode_image(shown, ImageFormat::png8, Rounding::nearest, error));
+}
+
+TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {
+  folder.write("two.xml", two_balls("0.2"));
+  folder.write("bright.xml", two_balls("0.4"));
+  draw("two.xml", "whole.png", "160x120");
+  draw("bright.xml", "mine.png", "160x120");
+  show_at(folder, "mine.png", "window.png", {7, 21}, {180, 150});
+  const ProgramRun window =
+      in_folder({"diff", "whole.png", "window.png", "--scene", "two.xml", "--profile", "course"});
+  EXPECT_EQ(window.status, 1);
+  EXPECT_THAT(
+      window.out,
+      AllOf(HasSubstr("the size is 180x150, expected 160x120; compared its part at 7,21 of "
+                      "size 160x120, with the reference\n"),
+            HasSubstr("cause: the ambient term is added twice"), HasSubstr("worst: 61,37..")));
+  show_at(folder, "mine.png", "cut.png", {-9, -4}, {140, 110});
+  const ProgramRun cut = in_folder(
+      {"diff", "whole.png", "cut.png", "--scene", "two.xml", "--profile", "course", "--json"});
+  const rapidjson::Document answer = parse_json(cut.out);
+  ASSERT_TRUE(answer.HasMember("place"));
+  EXPECT_EQ(answer["place"]["x"].GetInt(), -9);
+  EXPECT_EQ(answer["place"]["y"].GetInt(), -4);
+  EXPECT_EQ(answer["place"]["width"].GetInt(), 160);
+  EXPECT_STREQ(answer["causes"][0]["cause"].GetString(), "ambient");
+  show_at(folder, "whole.png", "right-window.png", {7, 21}, {180, 150});
+  EXPECT_THAT(in_folder({"diff", "whole.png", "right-window.png", "--scene", "two.xml"}).out,
+              HasSubstr("cause: none; the part that was compared is right\n"));
 }
 
 TEST_F(DiffImages, ASceneIsNotAPicture) {

@@ -47,8 +47,7 @@ class Expected {
   const Trial& trial() const { return trial_; }
   const ModelShapes& shapes() const { return *shapes_; }
   ModelRay ray(int x, int y) const {
-    return model_.camera_ray(dvec2(x + 0.5, y + 0.5) + trial_.shift, sim_.test.width,
-                             sim_.test.height);
+    return sim_.ray(model_, dvec2(x + 0.5, y + 0.5) + trial_.shift);
   }
   // A color of the model as in the picture, in 1/255.
   dvec3 shown(const dvec3& color) const {

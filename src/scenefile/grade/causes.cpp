@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -161,6 +162,16 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
 }
 
+// Moves claims that are no mistakes to the notes.
+void separate_notes(const Simulation& sim, const Tried& found, CauseReport& report) {
+  for (std::size_t k = found.mistakes.size(); k-- > 0;) {
+    if (!sim.list[found.mistakes[k]].mistake) {
+      report.notes.push_back(std::move(report.claims[k]));
+      report.claims.erase(report.claims.begin() + std::ptrdiff_t(k));
+    }
+  }
+}
+
 // Fitted numbers can imitate other mistakes; so can exchanged channels in a nearly gray picture.
 bool is_unlikely(const Simulation& sim, std::uint16_t mistake) {
   return mistake >= sim.first_fitted || sim.list[mistake].cause == Cause::swapped_channels;
@@ -230,7 +241,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
-    claim(sim, with_shift(sim, *found), alone, report);
+    const Tried all = with_shift(sim, *found);
+    claim(sim, all, alone, report);
+    separate_notes(sim, all, report);
     return;
   }
   for (const Tried& t : alone) {
@@ -277,7 +290,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   sim.list = picture_hypotheses();
   if (sim.usable) {
     std::vector<Hypothesis> drawn =
-        drawing_hypotheses(*sim.view, sim.reference.width, sim.reference.height);
+        drawing_hypotheses(*sim.view, static_cast<int>(std::lround(sim.whole().x)),
+                           static_cast<int>(std::lround(sim.whole().y)));
     std::move(drawn.begin(), drawn.end(), std::back_inserter(sim.list));
   }
   std::mt19937 random(1);
@@ -319,7 +333,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     return report;
   }
-  if (report.claims.empty() && !sim.stopped) {
+  if (report.claims.empty() && report.notes.empty() && !sim.stopped) {
     std::optional<Claim> found = claim_of_blur(sim, pixels);
     if (!found && sim.usable) {
       found = claim_of_missed_samples(sim);
@@ -394,7 +408,9 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
   }
   const ModelMistakes right;
   const Model model(*view.scene, *shapes, *view.assets, view.options, right);
-  const ModelHit hit = model.first_hit(model.camera_ray(glm::dvec2(pixel) + 0.5, size.x, size.y));
+  const glm::dvec2 whole = view.whole.x > 0 ? view.whole : glm::dvec2(size);
+  const ModelHit hit =
+      model.first_hit(model.camera_ray(glm::dvec2(pixel) + 0.5 + view.corner, whole.x, whole.y));
   return hit.part == nullptr ? std::nullopt : std::optional(hit.part->source);
 }
 
@@ -444,7 +460,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
   Simulation sim{reference, test, view, go_on};
   CauseReport report = look_for_causes(sim, look_for);
-  if (report.claims.empty() && report.partial.empty()) {
+  if (report.claims.empty() && report.partial.empty() && report.notes.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));
     }

@@ -78,6 +78,11 @@ struct SceneView {
   RenderOptions options;
   const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
   std::string said;                ///< a description; may be empty
+  /// If the pictures are a part of the picture of the scene: its size, and where their upper left
+  /// corner is in it, in their pixels. 0: they are the whole picture.
+  glm::dvec2 whole{0};
+  glm::dvec2 corner{0};
+  int samples = 1;  ///< of a pixel, across and down; more for pictures that were scaled down
 };
 
 struct CauseReport {
@@ -87,6 +92,8 @@ struct CauseReport {
   std::vector<Claim> rivals;
   /// A mistake that explains only a part: something else is wrong too, or instead.
   std::vector<Claim> partial;
+  /// Part of the explanation, beside `claims`, but no mistakes: other ways of sampling.
+  std::vector<Claim> notes;
   /// Fraction of pixels that differ by more than edges and rounding explain.
   double share_different = 0;
   /// Fraction of pixels where our picture of the scene differs from the reference. If it is large,

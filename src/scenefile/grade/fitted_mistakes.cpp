@@ -485,8 +485,7 @@ void add_missing_objects(Simulation& sim) {
     std::map<std::uint32_t, Seen> seen;
     for (std::size_t i = 0; i < count; ++i) {
       const Point& p = sim.points[i];
-      const ModelHit hit =
-          model.first_hit(model.camera_ray(sim.middle(p, {}), sim.test.width, sim.test.height));
+      const ModelHit hit = model.first_hit(sim.ray(model, sim.middle(p, {})));
       if (hit.part != nullptr) {
         Seen& object = seen[hit.part->source];
         const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));

@@ -43,6 +43,7 @@ struct Hypothesis {
   Turn turn;
   /// For colors before clamping; empty: unchanged.
   std::function<glm::dvec3(const glm::dvec3&)> color;
+  bool mistake = true;  ///< false: another way of sampling, which programs may choose
 };
 
 /// Mistakes that change the finished picture.

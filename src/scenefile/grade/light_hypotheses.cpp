@@ -124,6 +124,17 @@ void add_lights(HypothesisList& list) {
     change_lights(
         list, Cause::lights, "directional lights are used as point lights at their position",
         [](RenderLight& l) { l.type = is_infinitely_far(l.type) ? LightType::point : l.type; });
+    for (const float sign : {1.0F, -1.0F}) {
+      change_lights(
+          list, Cause::lights,
+          sign > 0 ? "the position of directional lights is used as their direction"
+                   : "directional lights shine from their position to the origin",
+          [sign](RenderLight& l) {
+            // The course's parser has a default.
+            const glm::vec3 written = l.position == glm::vec3(0) ? glm::vec3(3) : l.position;
+            l.direction = is_infinitely_far(l.type) ? sign * glm::normalize(written) : l.direction;
+          });
+    }
   }
   if (positional) {
     put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},

@@ -102,11 +102,11 @@ Model::Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& 
              const RenderOptions& options, const ModelMistakes& mistakes)
     : scene_(scene), shapes_(shapes), assets_(assets), options_(options), m_(mistakes) {}
 
-ModelRay Model::camera_ray(const dvec2& place, int width, int height) const {
+ModelRay Model::camera_ray(const dvec2& place, double width, double height) const {
   const RenderCamera& c = scene_.camera;
   const double spread = 2 * std::tan(c.fov_y / 2) / height;
   const dvec3 on_film =
-      spread * (place.x - width / 2.0) * c.u - spread * (place.y - height / 2.0) * c.v;
+      spread * (place.x - width / 2) * c.u - spread * (place.y - height / 2) * c.v;
   if (m_.orthographic > 0) {
     return {c.position + m_.orthographic * on_film, unit(-c.w)};
   }
@@ -129,7 +129,7 @@ dvec3 Model::color(const ModelRay& ray, const ModelHit* known) const {
   return color;
 }
 
-dvec3 Model::pixel(const dvec2& place, int width, int height, const ModelHit* known) const {
+dvec3 Model::pixel(const dvec2& place, double width, double height, const ModelHit* known) const {
   const ModelRay ray = camera_ray(place, width, height);
   const RenderCamera& c = scene_.camera;
   if (!options_.features.depthoffield || !(c.aperture > 0) || !(c.focal_length > 0)) {

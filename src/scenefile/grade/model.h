@@ -96,7 +96,7 @@ class Model {
         const RenderOptions& options, const ModelMistakes& mistakes);
 
   /// The ray through a position in the picture; u, v and w of the camera need not have unit length.
-  ModelRay camera_ray(const glm::dvec2& place, int width, int height) const;
+  ModelRay camera_ray(const glm::dvec2& place, double width, double height) const;
   ModelHit first_hit(const ModelRay& ray) const;
   /// Not clamped. `known`: the hit of the ray, if known.
   glm::dvec3 color(const ModelRay& ray, const ModelHit* known = nullptr) const;
@@ -106,7 +106,8 @@ class Model {
   /// The diffuse and specular light that arrives from each light at the ray's hit.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
   /// The color at the center of a pixel, with the camera's lens samples; not clamped.
-  glm::dvec3 pixel(const glm::dvec2& place, int width, int height, const ModelHit* known) const;
+  glm::dvec3 pixel(const glm::dvec2& place, double width, double height,
+                   const ModelHit* known) const;
   /// The color of a point that is visible from the camera, computed without tracing rays: no
   /// shadows, textures, reflections or refraction. Not clamped.
   glm::dvec3 lit(const ShownPoint& point) const;

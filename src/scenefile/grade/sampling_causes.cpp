@@ -102,8 +102,7 @@ std::optional<Claim> claim_of_missed_samples(Simulation& sim) {
     int hits = 0;
     for (int k = 0; k < 4; ++k) {
       const dvec2 place(x + 0.25 + 0.5 * (k % 2), y + 0.25 + 0.5 * (k / 2));
-      hits +=
-          model.first_hit(model.camera_ray(place, sim.test.width, sim.test.height)).part != nullptr;
+      hits += model.first_hit(sim.ray(model, place)).part != nullptr;
     }
     if (hits > 0 && hits < 4) {
       ++partly;

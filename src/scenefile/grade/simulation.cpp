@@ -18,6 +18,14 @@ glm::dvec2 Simulation::middle(const Point& p, const Turn& turn) const {
   return {x + 0.5, y + 0.5};
 }
 
+glm::dvec2 Simulation::whole() const {
+  return view->whole.x > 0 ? view->whole : glm::dvec2(test.width, test.height);
+}
+
+ModelRay Simulation::ray(const Model& model, const glm::dvec2& place) const {
+  return model.camera_ray(place + view->corner, whole().x, whole().y);
+}
+
 Trial Simulation::right_trial(bool with_groups) const {
   Trial trial;
   const RenderScene& scene = *view->scene;
@@ -40,8 +48,18 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
   Colors colors(count);
   for (std::size_t i = 0; i < count; ++i) {
     const ModelHit* const known = hits != nullptr ? &(*hits)[i] : nullptr;
-    colors[i] =
-        255.0 * model.pixel(middle(places[i], turn) + trial.shift, test.width, test.height, known);
+    const glm::dvec2 place = middle(places[i], turn) + trial.shift + view->corner;
+    const int n = view->samples;
+    if (n == 1) {
+      colors[i] = 255.0 * model.pixel(place, whole().x, whole().y, known);
+      continue;
+    }
+    glm::dvec3 sum(0);
+    for (int k = 0; k < n * n; ++k) {
+      const glm::dvec2 sample = place + (glm::dvec2(k % n, k / n) + 0.5) / double(n) - 0.5;
+      sum += clamped(model.pixel(sample, whole().x, whole().y, nullptr));
+    }
+    colors[i] = 255.0 * sum / double(n * n);
   }
   rays += model.rays();
   return colors;
@@ -127,8 +145,7 @@ void Simulation::prepare_clean() {
       const Trial trial = right_trial(false);
       const Model model(trial.scene, *shapes, *view->assets, trial.options, trial.mistakes);
       for (const Point& p : points) {
-        c.hits.push_back(
-            model.first_hit(model.camera_ray(middle(p, turn), test.width, test.height)));
+        c.hits.push_back(model.first_hit(ray(model, middle(p, turn))));
       }
       c.drawn = draw(trial, *shapes, points, points.size(), turn, &c.hits);
     }

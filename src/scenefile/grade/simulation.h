@@ -62,8 +62,12 @@ struct Simulation {
 
   /// Reports progress; false: stop.
   bool step(double done);
-  /// The center of the pixel, as a position in the picture before the turn.
+  /// The center of the pixel, as a position in the pictures before the turn.
   glm::dvec2 middle(const Point& p, const Turn& turn) const;
+  /// The size of the picture of the scene, of which the pictures may be a part.
+  glm::dvec2 whole() const;
+  /// The ray through a position in the pictures.
+  ModelRay ray(const Model& model, const glm::dvec2& place) const;
   /// The scene without mistakes. Without groups, it cannot be given other shapes.
   Trial right_trial(bool with_groups) const;
   Colors draw(const Trial& trial, const ModelShapes& drawn_shapes, const std::vector<Point>& places,

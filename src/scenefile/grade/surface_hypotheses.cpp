@@ -62,14 +62,18 @@ void add_textures(HypothesisList& list) {
        {T::lookup_clamped, "textures end at their edges: the lookup does not wrap around"},
        {T::divided_repeat, "u and v are divided by the repeat counts"},
        {T::decoded, "textures are decoded with gamma 2.2"}});
+  const auto put_sampling = [&](T value, const char* what) {
+    list.set(Cause::features, &ModelMistakes::texture, value, what);
+    list.items.back().mistake = false;
+  };
   if (list.view.options.features.texture_filter) {
-    list.set(Cause::features, &ModelMistakes::texture, T::not_filtered,
-             "textures are not filtered, but those of the reference are");
+    put_sampling(T::not_filtered,
+                 "textures are sampled at one point, but those of the reference are smooth "
+                 "(filtered, or with several samples per pixel)");
   } else {
-    list.set(Cause::features, &ModelMistakes::texture, T::filtered_centered,
-             "textures are filtered, but those of the reference are not");
-    list.set(Cause::features, &ModelMistakes::texture, T::filtered,
-             "textures are filtered (half a texel off), but those of the reference are not");
+    put_sampling(T::filtered_centered, "textures are filtered, but those of the reference are not");
+    put_sampling(T::filtered,
+                 "textures are filtered (half a texel off), but those of the reference are not");
   }
   put({{T::ambient_too, "the texture replaces the ambient color as well"}});
   uv({{U::round_flip_u, "textures run the wrong way around spheres, cylinders and cones"},

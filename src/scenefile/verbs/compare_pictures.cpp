@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 namespace scenefile {
 
@@ -69,13 +70,22 @@ RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way) {
   return {&scene.ready.scene, &scene.assets, &scene.written, *way.realtime};
 }
 
-SceneView view_of(const LoadedScene& scene, const DrawnWay& way) {
-  return {&scene.ready.scene, &scene.assets, way.options, &scene.written, way.words};
+// The part of the picture of the scene that is compared: SceneView's members of these names.
+struct Part {
+  glm::dvec2 whole{0};
+  glm::dvec2 corner{0};
+  int samples = 1;
+};
+
+SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const Part& part = {}) {
+  return {&scene.ready.scene, &scene.assets, way.options, &scene.written,
+          way.words,          part.whole,    part.corner, part.samples};
 }
 
 // Finds the region where the pictures differ most. `way`: how the scene is drawn, or null.
 std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture& test,
-                                         const LoadedScene* scene, const DrawnWay* way) {
+                                         const LoadedScene* scene, const DrawnWay* way,
+                                         const Part& part = {}) {
   const std::optional<WorstRegion> region = worst_region(reference, test);
   if (!region) {
     return std::nullopt;
@@ -86,7 +96,7 @@ std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture
     const glm::ivec2 size(reference.width, reference.height);
     const std::optional<std::uint32_t> source =
         way->realtime ? realtime_source_at(realtime_view_of(*scene, *way), pixel, size)
-                      : source_at(view_of(*scene, *way), pixel, size);
+                      : source_at(view_of(*scene, *way, part), pixel, size);
     if (source) {
       const WayPoint at = ObjectNames(scene->written, scene->ready.sources).at(*source);
       place.hit = true;
@@ -114,8 +124,11 @@ std::string shell_word(const std::string& word) {
 }
 
 bool explained_by_one(const CauseReport& report) {
-  return report.share_different < 0.001 ||
-         (report.claims.size() == 1 && report.claims.front().explained > 0.95);
+  const auto explains = [](const std::vector<Claim>& claims) {
+    return claims.size() == 1 && claims.front().explained > 0.95;
+  };
+  return report.share_different < 0.001 || explains(report.claims) ||
+         (report.claims.empty() && explains(report.notes));
 }
 
 // The share of the reference's pixels that differ from our picture drawn this way.
@@ -135,10 +148,38 @@ std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene
                                : ways_drawn(reference, scene, settings.ways);
 }
 
+// Whether colors were probably changed to fit into a palette. With fewer colors, it had room.
+bool has_palette(const Texture& picture) {
+  std::set<std::uint32_t> colors;
+  for (std::size_t i = 0; i + 2 < picture.rgb.size() && colors.size() <= 256; i += 3) {
+    colors.insert(std::uint32_t{picture.rgb[i]} << 16 | std::uint32_t{picture.rgb[i + 1]} << 8 |
+                  picture.rgb[i + 2]);
+  }
+  return colors.size() > 128 && colors.size() <= 256;
+}
+
+// The pictures in which causes are looked for.
+struct Looked {
+  Texture reference;
+  Texture test;
+  Part part;
+};
+
+// The means of 2x2 or 4x4 pixels: the noise of JPEGs, palettes and scaling is small in them.
+Looked without_noise(const Texture& reference, const Texture& test, const Part& part) {
+  const int k = reference.width >= 900 ? 4 : reference.width >= 240 ? 2 : 1;
+  const glm::ivec2 size = glm::ivec2(test.width, test.height) / k;
+  const auto smaller = [&](const Texture& t) {
+    return scaled(cut_out(t, {0, 0}, k * size), size.x, size.y);
+  };
+  const glm::dvec2 whole = part.whole.x > 0 ? part.whole : glm::dvec2(test.width, test.height);
+  return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
+}
+
 // Looks for causes; uses the scene if there are ways to draw it.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
-                     PictureComparison& found) {
+                     const std::vector<DrawnWay>& ways, const Part& part, bool noisy,
+                     const std::function<bool(double)>& go_on, PictureComparison& found) {
   if (ways.empty()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
     found.where = place_to_look(reference, test, nullptr, nullptr);
@@ -154,50 +195,50 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     return;
   }
   const DrawnWay* way = &ways.front();
-  const SceneView view = view_of(*scene, *way);
-  found.causes = find_causes(reference, test, &view, go_on);
+  const Looked look = noisy ? without_noise(reference, test, part) : Looked{reference, test, part};
+  const SceneView view = view_of(*scene, *way, look.part);
+  found.causes = find_causes(look.reference, look.test, &view, go_on);
   // The program may have drawn with features that the reference does not use.
   for (std::size_t i = 1; i < ways.size() && !explained_by_one(found.causes); ++i) {
-    const SceneView other = view_of(*scene, ways[i]);
-    CauseReport causes = find_causes(reference, test, &other, go_on, LookFor::single_mistakes);
+    const SceneView other = view_of(*scene, ways[i], look.part);
+    CauseReport causes =
+        find_causes(look.reference, look.test, &other, go_on, LookFor::single_mistakes);
     if (explained_by_one(causes)) {
       found.causes = std::move(causes);
       way = &ways[i];
     }
   }
   found.drawn_with = way->words;
-  found.where = place_to_look(reference, test, scene, way);
+  found.where = place_to_look(reference, test, scene, way, part);
   if (found.causes.share_scene_unlike > max_share_unlike) {
-    found.exchanged = share_unlike(test, *scene, *way) <= max_share_right;
+    found.exchanged = !found.other_size() && share_unlike(test, *scene, *way) <= max_share_right;
     if (found.exchanged) {  // so the causes are those of the reference, the wrong way around
       found.causes.claims.clear();
       found.causes.rivals.clear();
       found.causes.partial.clear();
+      found.causes.notes.clear();
     }
   }
 }
 
-// The picture in the size of the reference if only the size differs, not the shape.
-std::optional<Texture> scaled_like(const Texture& picture, const Texture& reference) {
-  const double across = double(picture.width) * reference.height;
-  const double down = double(picture.height) * reference.width;
-  if (std::abs(across - down) > 0.02 * across) {
-    return std::nullopt;
-  }
-  return scaled(picture, reference.width, reference.height);
+// The pixels of a whole picture of that size that are in `test`.
+PixelRegion visible(const PicturePlace& place, const Texture& test) {
+  const glm::ivec2 from = glm::max(-place.corner, glm::ivec2(0));
+  const glm::ivec2 to = glm::min(glm::ivec2(test.width, test.height) - place.corner, place.size);
+  return {from.x, from.y, to.x, to.y};
 }
 
-// Our picture of the scene in the size of `test`, if our picture matches the reference at its size.
-std::optional<Texture> drawn_like(const Texture& test, const Texture& reference,
-                                  const LoadedScene& scene, const DrawnWay& way,
-                                  const std::function<bool(double)>& go_on) {
+// Our picture of the scene where `test` shows it, if our picture matches the reference at its size.
+std::optional<Texture> drawn_like(const PicturePlace& place, const Texture& test,
+                                  const Texture& reference, const LoadedScene& scene,
+                                  const DrawnWay& way, const std::function<bool(double)>& go_on) {
   if (test.empty() || way.realtime || share_unlike(reference, scene, way) > max_share_unlike) {
     return std::nullopt;
   }
   RenderOptions options = way.options;
-  options.width = test.width;
-  options.height = test.height;
-  options.crop = {};
+  options.width = place.size.x;
+  options.height = place.size.y;
+  options.crop = visible(place, test);
   RenderControl control;
   control.progress = go_on ? [&go_on](double) { return go_on(0); } : Progress();
   const RenderResult drawn = render(scene.ready.scene, scene.assets, options, std::move(control));
@@ -205,6 +246,127 @@ std::optional<Texture> drawn_like(const Texture& test, const Texture& reference,
     return std::nullopt;
   }
   return quantize(drawn.image, rounding_of(options.profile));
+}
+
+// The share of the pixels, by every third row, that are nearly equal.
+double share_alike(const Texture& a, const Texture& b) {
+  std::size_t alike = 0;
+  std::size_t all = 0;
+  for (int y = 0; y < a.height; y += 3) {
+    for (int x = 0; x < a.width; ++x) {
+      const std::uint8_t* p = a.texel(x, y);
+      const std::uint8_t* q = b.texel(x, y);
+      alike +=
+          std::abs(p[0] - q[0]) <= 4 && std::abs(p[1] - q[1]) <= 4 && std::abs(p[2] - q[2]) <= 4;
+      ++all;
+    }
+  }
+  return static_cast<double>(alike) / static_cast<double>(std::max<std::size_t>(1, all));
+}
+
+// Prepares a picture of another size: drawn at this size, or scaled after drawing, whichever is
+// more like the picture. `test`: only the part that shows the scene.
+void compare_at_other_size(const PicturePlace& place, const Texture& given, const Texture& test,
+                           const LoadedScene* scene, const std::vector<DrawnWay>& ways,
+                           const std::function<bool(double)>& go_on, PictureComparison& found) {
+  const Texture& shown = found.test_of(test);
+  const PixelRegion seen = visible(place, test);
+  const glm::ivec2 from(seen.x0, seen.y0);
+  const glm::ivec2 part(seen.width(), seen.height());
+  found.whole = place.size;
+  found.corner = from;
+  std::optional<Texture> drawn;
+  if (scene != nullptr && place.size != glm::ivec2(given.width, given.height)) {
+    drawn = drawn_like(place, test, given, *scene, ways.front(), go_on);
+  }
+  const double aspects =
+      static_cast<double>(place.size.x) * given.height / (double(place.size.y) * given.width);
+  if (std::abs(aspects - 1) > 0.02) {  // drawn at this size, if at all
+    found.other_reference = std::move(drawn);
+    found.drawn = found.other_reference.has_value();
+    return;
+  }
+  if (place.size.x > given.width) {
+    // The picture becomes as small as the reference.
+    const double by = static_cast<double>(given.width) / place.size.x;
+    const glm::ivec2 corner(glm::round(glm::dvec2(from) * by));
+    const glm::ivec2 size = glm::min(glm::ivec2(glm::round(glm::dvec2(part) * by)),
+                                     glm::ivec2(given.width, given.height) - corner);
+    Texture reference = cut_out(given, corner, size);
+    Texture smaller = scaled(shown, size.x, size.y);
+    if (!drawn || share_alike(reference, smaller) > share_alike(*drawn, shown)) {
+      found.other_reference = std::move(reference);
+      found.other_test = std::move(smaller);
+      found.resampled = true;
+      found.whole = {given.width, given.height};
+      found.corner = corner;
+      return;
+    }
+  } else {
+    Texture reference = cut_out(scaled(given, place.size.x, place.size.y), from, part);
+    if (!drawn || share_alike(reference, shown) > share_alike(*drawn, shown)) {
+      found.other_reference = std::move(reference);
+      found.resampled = place.size.x != given.width;
+      return;
+    }
+  }
+  found.other_reference = std::move(drawn);
+  found.drawn = true;
+}
+
+// Fills in what is compared if the sizes differ. `scene`: null if it cannot be drawn.
+void make_comparable(const Texture& given, const Texture& test, const LoadedScene* scene,
+                     const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
+                     PictureComparison& found) {
+  const glm::ivec2 size(given.width, given.height);
+  found.place = find_picture(given, test);
+  if (found.place) {
+    if (const auto other = picture_next_to(*found.place, given, test)) {
+      found.place = other;
+    }
+    // The assignment Realtime is not drawn in parts.
+    const bool whole = found.place->size == size &&
+                       visible(*found.place, test) == PixelRegion{0, 0, size.x, size.y};
+    if (scene != nullptr && ways.front().realtime && !whole) {
+      found.place.reset();
+    }
+  }
+  if (found.place) {
+    const PixelRegion seen = visible(*found.place, test);
+    found.other_test = cut_out(test, found.place->corner + glm::ivec2(seen.x0, seen.y0),
+                               {seen.width(), seen.height()});
+  }
+  const PicturePlace all{{0, 0}, {test.width, test.height}};
+  compare_at_other_size(found.place.value_or(all), given, test, scene, ways, go_on, found);
+}
+
+std::string what_was_compared(const PictureComparison& found) {
+  std::string text;
+  if (found.place) {
+    const glm::ivec2 from = glm::max(found.place->corner, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(found.place->corner + found.place->size, found.test_size);
+    text = fmt::format("its part at {},{} of size {}x{}, ", from.x, from.y, to.x - from.x,
+                       to.y - from.y);
+    if (to - from != found.place->size) {
+      text += fmt::format("where a picture of size {}x{} is cut off, ", found.place->size.x,
+                          found.place->size.y);
+    }
+  }
+  return text + (found.drawn       ? "with our picture of the scene at that size"
+                 : found.resampled ? "after scaling"
+                                   : "with the reference");
+}
+
+// The region of a part of a picture, in the pixels of the picture.
+WorstRegion in_picture(WorstRegion region, const glm::ivec2& corner, double scale) {
+  const auto place = [&](int& x, int& y) {
+    x = corner.x + static_cast<int>(x * scale);
+    y = corner.y + static_cast<int>(y * scale);
+  };
+  place(region.x0, region.y0);
+  place(region.x1, region.y1);
+  place(region.x, region.y);
+  return region;
 }
 
 }  // namespace
@@ -267,15 +429,14 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
                                    const LoadedScene* scene, const CompareSettings& settings,
                                    const std::function<bool(double)>& go_on) {
   PictureComparison found;
-  const bool drawable = scene != nullptr && scene->usable();
-  const bool same_size = test.width == given.width && test.height == given.height;
+  found.test_size = {test.width, test.height};
+  const LoadedScene* const drawable = scene != nullptr && scene->usable() ? scene : nullptr;
   std::vector<DrawnWay> ways;  // found only if needed
-  if (!same_size && drawable) {
-    ways = ways_of(given, *scene, settings);
-    found.drawn = drawn_like(test, given, *scene, ways.front(), go_on);
-  }
-  if (!same_size && !found.drawn) {
-    found.scaled = scaled_like(test, given);
+  if (test.width != given.width || test.height != given.height) {
+    if (drawable != nullptr) {
+      ways = ways_of(given, *scene, settings);
+    }
+    make_comparable(given, test, drawable, ways, go_on, found);
   }
   const Texture& reference = found.reference_of(given);
   const Texture& shown = found.test_of(test);
@@ -285,18 +446,26 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
     found.broken.insert(
         found.broken.begin(),
         fmt::format("the size is {}x{}, expected {}x{}; compared {}", test.width, test.height,
-                    given.width, given.height,
-                    found.drawn ? "with our picture of the scene at that size" : "after scaling"));
+                    given.width, given.height, what_was_compared(found)));
   }
   const bool wanted = !found.broken.empty() ||
                       (settings.look == LookForCauses::always && found.measures.difference.max > 0);
   if (wanted && found.measures.same_size) {
-    if (ways.empty() && drawable) {
+    if (ways.empty() && drawable != nullptr) {
       ways = ways_of(given, *scene, settings);
     }
-    look_for_causes(reference, shown, scene, ways, go_on, found);
+    const Part part{found.whole, found.corner};
+    const bool noisy = settings.lossy || found.resampled || has_palette(shown);
+    look_for_causes(reference, shown, drawable, ways, part, noisy, go_on, found);
+    if (found.place && found.where) {
+      const PixelRegion seen = visible(*found.place, test);
+      found.where->region =
+          in_picture(found.where->region, glm::max(found.place->corner, glm::ivec2(0)),
+                     static_cast<double>(seen.width()) / shown.width);
+    }
     if (found.other_size() && found.causes.claims.empty()) {
-      found.right_at_other_size = found.causes.share_different < 0.001;
+      found.right_at_other_size =
+          found.causes.share_different < 0.001 || !found.causes.notes.empty();
     }
   }
   return found;
@@ -320,6 +489,9 @@ std::string causes_text(const PictureComparison& found) {
     text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
   }
+  for (const Claim& note : report.notes) {
+    text += fmt::format(" note: {} (not a mistake by itself)\n", note.what);
+  }
   if (found.scene_used && report.share_scene_unlike <= max_share_unlike &&
       !found.drawn_with.empty()) {
     text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
@@ -330,7 +502,8 @@ std::string causes_text(const PictureComparison& found) {
            "first\n";
   }
   if (found.right_at_other_size) {
-    return text + "cause: none; the picture is right, at another size\n";
+    return found.place ? text + "cause: none; the part that was compared is right\n"
+                       : text + "cause: none; the picture is right, at another size\n";
   }
   if (found.scene_used && report.share_scene_unlike > max_share_unlike) {
     text += fmt::format(
@@ -340,7 +513,9 @@ std::string causes_text(const PictureComparison& found) {
         found.realtime ? "--parameters, --near, --far, --filter and --milestone"
                        : "--profile and --features");
   } else if (report.claims.empty() && found.measures.same_size) {
-    text += report.share_different < 0.001
+    text += !report.notes.empty()
+                ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
+            : report.share_different < 0.001
                 ? "cause: none; the pictures only differ at edges and by rounding\n"
             : found.scene_used ? "cause: no known mistake explains the difference\n"
                                : "cause: none found from the pictures alone; most causes need "
@@ -366,7 +541,7 @@ std::string where_text(const PictureComparison& found, const std::string& scene,
     text += "; it shows nothing of the scene";
   }
   // explain traces rays, and compares with a picture of the same size.
-  if (scene.empty() || found.realtime || found.scaled) {
+  if (scene.empty() || found.realtime || found.resampled || found.place) {
     return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
   }
   return text + fmt::format(
@@ -410,8 +585,16 @@ void add_measures(Json& json, const PictureMeasures& m) {
 
 void add_comparison(Json& json, const PictureComparison& found) {
   json.add("same", found.broken.empty());
-  json.add("scaled", found.scaled.has_value());
-  json.add("reference_redrawn", found.drawn.has_value());
+  json.add("scaled", found.resampled);
+  json.add("reference_redrawn", found.drawn);
+  if (found.place) {
+    json.begin_object("place");
+    json.add("x", found.place->corner.x);
+    json.add("y", found.place->corner.y);
+    json.add("width", found.place->size.x);
+    json.add("height", found.place->size.y);
+    json.end_object();
+  }
   json.add("right_at_other_size", found.right_at_other_size);
   json.add("exchanged", found.exchanged);
   add_measures(json, found.measures);
@@ -419,6 +602,7 @@ void add_comparison(Json& json, const PictureComparison& found) {
   add_claims(json, "causes", found.causes.claims);
   add_claims(json, "rivals", found.causes.rivals);
   add_claims(json, "partial", found.causes.partial);
+  add_claims(json, "notes", found.causes.notes);
   if (found.where) {
     const PlaceToLook& place = *found.where;
     json.begin_object("worst");

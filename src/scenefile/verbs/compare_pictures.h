@@ -2,6 +2,7 @@
 // Compares a picture with its reference: how much they differ, and which common mistake explains
 // it; as data, text and JSON.
 
+#include "scenefile/compare/find_picture.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/compare/worst_region.h"
 #include "scenefile/grade/causes.h"
@@ -36,6 +37,7 @@ struct CompareSettings {
   std::vector<DrawnWay> ways;  ///< the most similar to the reference is used
   bool ways_fit = false;       ///< `ways` are already the result of ways_drawn()
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
+  bool lossy = false;  ///< JPEGs: causes are looked for in smaller pictures, with less noise
 };
 
 /// Only `profiles` if the features are known; otherwise also with the sets of features that
@@ -60,11 +62,23 @@ struct PlaceToLook {
 
 struct PictureComparison {
   PictureMeasures measures;
-  /// If the picture and the reference have different sizes: our picture of the scene at the size of
-  /// the picture, which was used as the reference. Only if ours matches the reference at its size.
-  std::optional<Texture> drawn;
-  /// Otherwise, if the aspect ratios are equal: the picture scaled to the size of the reference.
-  std::optional<Texture> scaled;
+  /// If the picture and the reference have different sizes: what was compared with the picture
+  /// instead of the reference. Our picture of the scene at the size of the picture, if ours matches
+  /// the reference at its size; otherwise, or if a part of the reference suffices, made from it.
+  std::optional<Texture> other_reference;
+  bool drawn = false;      ///< `other_reference` is our picture of the scene
+  bool resampled = false;  ///< the picture was scaled after drawing, as far as can be seen
+  /// What was compared instead of the picture: the part of it that shows the scene, scaled to the
+  /// size of the reference if it is larger.
+  std::optional<Texture> other_test;
+  glm::ivec2 test_size{0};  ///< of the picture under test as a whole
+  /// Of `other_reference`: the size of the whole picture of the scene, and where the upper left
+  /// corner is in it. 0: it is the whole picture.
+  glm::ivec2 whole{0};
+  glm::ivec2 corner{0};
+  /// Where the whole picture of the scene is in the picture, a screenshot or a part that was cut
+  /// out. nullopt if it is the picture itself.
+  std::optional<PicturePlace> place;
   std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
   std::vector<std::string> broken;   ///< thresholds that were exceeded; empty: the same
   CauseReport causes;                ///< empty if no causes were looked for
@@ -75,16 +89,18 @@ struct PictureComparison {
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 
-  bool other_size() const { return drawn || scaled; }
+  bool other_size() const { return other_reference || other_test; }
   /// The two pictures that were compared.
-  const Texture& reference_of(const Texture& given) const { return drawn ? *drawn : given; }
-  const Texture& test_of(const Texture& given) const { return scaled ? *scaled : given; }
+  const Texture& reference_of(const Texture& given) const {
+    return other_reference ? *other_reference : given;
+  }
+  const Texture& test_of(const Texture& given) const { return other_test ? *other_test : given; }
 };
 
 /// Compares the pictures, and looks for causes according to settings.look. A picture of another
 /// size is never the same, but is compared with our picture of the scene at its size, or after
-/// scaling. `scene`: the scene of the reference with all assets, or null. `go_on` as for
-/// find_causes().
+/// scaling; of a screenshot, the part that shows the scene. `scene`: the scene of the reference
+/// with all assets, or null. `go_on` as for find_causes().
 PictureComparison compare_pictures(const Texture& reference, const Texture& test,
                                    const LoadedScene* scene = nullptr,
                                    const CompareSettings& settings = {},

@@ -85,7 +85,8 @@ void follow_causes(const PictureComparison& compared, PictureResult& result) {
           fmt::format("PSNR is {:.2f} dB, and a known mistake explains the difference",
                       compared.measures.difference.psnr_db)};
     }
-  } else if (report.partial.empty() && report.share_different < 0.001 && !compared.other_size()) {
+  } else if (report.partial.empty() && !compared.other_size() &&
+             (report.share_different < 0.001 || !report.notes.empty())) {
     result.verdict = Verdict::passed;
     result.reasons.clear();
   }
@@ -409,6 +410,7 @@ struct ClassGrader::State {
     CompareSettings settings = settings_;
     settings.ways = reference.ways;
     settings.ways_fit = true;
+    settings.lossy = is_jpeg_file(path);
     const PictureComparison compared =
         compare_pictures(reference.picture, *picture, reference.scene ? &*reference.scene : nullptr,
                          settings, go_on);
@@ -419,7 +421,7 @@ struct ClassGrader::State {
     if (by_causes_ && compared.measures.same_size) {
       follow_causes(compared, result);
     }
-    if (result.verdict == Verdict::differs && is_jpeg_file(path)) {
+    if (result.verdict == Verdict::differs && settings.lossy) {
       result.reasons.emplace_back("it is a JPEG, which changes colors: a PNG is needed");
     }
     if (result.verdict == Verdict::differs && request_.thumbnails) {

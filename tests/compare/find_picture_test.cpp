@@ -90,6 +90,7 @@ TEST(FindPicture, OtherSizesAndCamerasAreNoParts) {
   EXPECT_FALSE(find_picture(reference, balls(240, 240)));
   EXPECT_FALSE(find_picture(reference, balls(300, 180)));
   EXPECT_FALSE(find_picture(reference, balls(320, 240, 1, 1.3)));  // more of the scene is seen
+  EXPECT_FALSE(find_picture(reference, balls(320, 240, 1, 0.75)));
   EXPECT_FALSE(find_picture(reference, blank(320, 200, {30, 60, 90})));
   EXPECT_FALSE(find_picture(blank(240, 180), balls(320, 240)));
 }

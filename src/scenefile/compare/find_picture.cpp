@@ -358,15 +358,13 @@ Candidate of_same_size(const Texture& reference, const Texture& shown, const Can
   return best.score > 0.8 * found.score ? best : found;
 }
 
-// Whether the same is cut off on all sides, and the shape is the reference's: this is a picture
-// with another height angle.
+// Whether as much is cut off on opposite sides, at another size than the reference's: probably this
+// is a picture with another height angle.
 bool is_zoomed(const PicturePlace& place, const Texture& reference, const Texture& shown) {
-  const glm::ivec2 size(shown.width, shown.height);
-  const glm::ivec2 off = glm::abs(2 * place.corner + place.size - size);
-  const double aspects =
-      static_cast<double>(size.x) * reference.height / (double(size.y) * reference.width);
+  const glm::ivec2 off =
+      glm::abs(2 * place.corner + place.size - glm::ivec2(shown.width, shown.height));
   return place.corner.x < 0 && place.corner.y < 0 && std::max(off.x, off.y) <= 6 &&
-         std::abs(aspects - 1) < 0.02;
+         place.size.x != reference.width;
 }
 
 bool inside(const PicturePlace& place, const Texture& shown) {

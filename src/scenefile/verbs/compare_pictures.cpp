@@ -166,7 +166,8 @@ struct Looked {
 };
 
 // The means of 2x2 or 4x4 pixels: the noise of JPEGs, palettes and scaling is small in them.
-Looked without_noise(const Texture& reference, const Texture& test, const Part& part) {
+Looked without_noise(const Looked& look) {
+  const auto& [reference, test, part] = look;
   const int k = reference.width >= 900 ? 4 : reference.width >= 240 ? 2 : 1;
   const glm::ivec2 size = glm::ivec2(test.width, test.height) / k;
   const auto smaller = [&](const Texture& t) {
@@ -174,6 +175,30 @@ Looked without_noise(const Texture& reference, const Texture& test, const Part& 
   };
   const glm::dvec2 whole = part.whole.x > 0 ? part.whole : glm::dvec2(test.width, test.height);
   return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
+}
+
+// Looks for causes. `way`: in which the reference was drawn, and the program probably as well.
+CauseReport causes_of(const Looked& look, const LoadedScene& scene,
+                      const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
+                      LookFor look_for, const DrawnWay*& way) {
+  const SceneView view = view_of(scene, *way, look.part);
+  CauseReport found = find_causes(look.reference, look.test, &view, go_on, look_for);
+  // The program may have drawn with features that the reference does not use.
+  for (std::size_t i = 1; i < ways.size() && !explained_by_one(found); ++i) {
+    const SceneView other = view_of(scene, ways[i], look.part);
+    CauseReport causes =
+        find_causes(look.reference, look.test, &other, go_on, LookFor::single_mistakes);
+    if (explained_by_one(causes)) {
+      found = std::move(causes);
+      way = &ways[i];
+    }
+  }
+  return found;
+}
+
+bool explains_nothing(const CauseReport& report) {
+  return report.share_scene_unlike <= max_share_unlike && report.share_different >= 0.001 &&
+         report.claims.empty() && report.notes.empty();
 }
 
 // Looks for causes; uses the scene if there are ways to draw it.
@@ -195,17 +220,18 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     return;
   }
   const DrawnWay* way = &ways.front();
-  const Looked look = noisy ? without_noise(reference, test, part) : Looked{reference, test, part};
-  const SceneView view = view_of(*scene, *way, look.part);
-  found.causes = find_causes(look.reference, look.test, &view, go_on);
-  // The program may have drawn with features that the reference does not use.
-  for (std::size_t i = 1; i < ways.size() && !explained_by_one(found.causes); ++i) {
-    const SceneView other = view_of(*scene, ways[i], look.part);
-    CauseReport causes =
-        find_causes(look.reference, look.test, &other, go_on, LookFor::single_mistakes);
-    if (explained_by_one(causes)) {
+  const Looked as_it_is{reference, test, part};
+  found.causes = causes_of(noisy ? without_noise(as_it_is) : as_it_is, *scene, ways, go_on,
+                           LookFor::several_at_once, way);
+  if (!noisy && explains_nothing(found.causes)) {
+    // With several samples per pixel, textures and edges differ, but less so in the means.
+    const DrawnWay* other_way = way;
+    CauseReport causes = causes_of(without_noise(as_it_is), *scene, ways, go_on,
+                                   LookFor::single_mistakes, other_way);
+    if (!explains_nothing(causes)) {
+      causes.share_scene_unlike = found.causes.share_scene_unlike;
       found.causes = std::move(causes);
-      way = &ways[i];
+      way = other_way;
     }
   }
   found.drawn_with = way->words;

@@ -525,6 +525,41 @@ TEST(Causes, AMovedCameraInATurnedPicture) {
   EXPECT_GE(named, 3) << others;
 }
 
+TEST(Causes, ASubpixelShiftBesideAnotherMistake) {
+  int named = 0;
+  std::string others;
+  for (const char* mistake : {"normal-not-normalized", "light-not-normalized", "shadow-none",
+                              "specular-missing", "diffuse-twice"}) {
+    for (const std::uint32_t seed : {1u, 3u}) {
+      const GeneratedScene scene(seed);
+      const SceneView view = view_of(scene);
+      const CauseReport report = find_causes(
+          reference_of(scene, false), scene.drawn_by_student({mistake, "camera-corners"}), &view);
+      const bool right =
+          report.claims.size() == 2 && all_named(report).contains(Cause::half_pixel_shift);
+      named += right ? 1 : 0;
+      others += right ? "" : std::string(mistake) + ": " + said(report) + "\n";
+    }
+  }
+  EXPECT_GE(named, 8) << others;
+}
+
+TEST(Causes, ABackgroundInATurnedPicture) {
+  int named = 0;
+  std::string others;
+  for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const CauseReport report =
+        find_causes(reference_of(scene, false),
+                    turned(false, true)(scene.drawn_by_student({"output-background"})), &view);
+    const bool right = all_named(report) == std::set{Cause::vertical_flip, Cause::background};
+    named += right ? 1 : 0;
+    others += right ? "" : std::to_string(seed) + ": " + said(report) + "\n";
+  }
+  EXPECT_GE(named, 4) << others;
+}
+
 TEST(Causes, FindsTheViewOfTheReference) {
   const GeneratedScene scene(4);
   const SceneView right = view_of(scene);

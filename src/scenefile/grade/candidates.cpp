@@ -43,16 +43,19 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   fewer.erase(fewer.begin() + std::ptrdiff_t(member));
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(mistakes, count), sim.predicted(fewer, count));
+  const double differs = sim.weight_that_differs(count);
+  const auto reproduces = [&](double share) {
+    return e.differing_right >= share * differs && !any_fitted(sim, mistakes) &&
+           e.gained_all >= 2 * necessary * differs;
+  };
   // A mistake that moves all objects out of view explains dark pixels, whatever their cause is.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;
-  const double differs = sim.weight_that_differs(count);
   if (moves && e.shown < std::min(0.1 * e.gained, 2 * necessary * differs)) {
-    return false;
+    return reproduces(0.995);
   }
   // If all is reproduced without fitted numbers, the points that need a mistake are evidence
   // enough.
-  if (e.differing_right >= complete * differs && !any_fitted(sim, mistakes) &&
-      e.gained_all >= 2 * necessary * differs) {
+  if (reproduces(complete)) {
     return true;
   }
   // A mistake that changes few pixels must be right at nearly all of them. A fitted number, or such
@@ -201,8 +204,9 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
   const auto brightens = [&](std::uint16_t i) { return is_about_brightness(sim.list[i].cause); };
   std::vector<std::uint16_t> candidates;
   for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
-    // A change of brightness that fits as well is not worth listing.
-    if (i != member && fits(sim, others, i) && !(brightens(i) && !brightens(member)) &&
+    // A change of brightness that fits as well is not worth listing, except for a fitted number.
+    const bool by_chance = brightens(i) && !brightens(member) && member < sim.first_fitted;
+    if (i != member && fits(sim, others, i) && !by_chance &&
         std::find(others.begin(), others.end(), i) == others.end()) {
       candidates.push_back(i);
     }

@@ -90,7 +90,10 @@ bool equal_colors(const Colors& a, const Colors& b) {
   return !any_differs(a, b, 1);
 }
 
-// Names the mistakes that give the same picture in place of one of several; the likeliest first.
+constexpr std::size_t max_ties = 4;
+
+// Names the mistakes that give the same picture in place of one of several: one of each kind first,
+// the likeliest before others.
 void name_ties(const Simulation& sim, const Tried& found, CauseReport& report) {
   for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
     std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
@@ -99,11 +102,19 @@ void name_ties(const Simulation& sim, const Tried& found, CauseReport& report) {
     }
     same.push_back(found.mistakes[k]);
     std::sort(same.begin(), same.end());
+    std::set<Cause> seen;
+    std::vector<std::uint16_t> more;
+    std::vector<std::uint16_t> named;
+    for (const std::uint16_t i : same) {
+      (seen.insert(sim.list[i].cause).second ? named : more).push_back(i);
+    }
+    named.insert(named.end(), more.begin(), more.end());
+    named.resize(std::min(max_ties, named.size()));
     Claim& one = report.claims[k];
-    one.cause = sim.list[same.front()].cause;
-    one.what = sim.list[same.front()].what;
-    for (std::size_t i = 1; i < std::min<std::size_t>(3, same.size()); ++i) {
-      const Hypothesis& h = sim.list[same[i]];
+    one.cause = sim.list[named.front()].cause;
+    one.what = sim.list[named.front()].what;
+    for (std::size_t i = 1; i < named.size(); ++i) {
+      const Hypothesis& h = sim.list[named[i]];
       one.what += "; or " + h.what;
       if (h.cause != one.cause) {
         report.rivals.push_back(

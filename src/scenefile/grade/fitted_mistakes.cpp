@@ -360,38 +360,45 @@ bool curve_holds(const Texture& reference, const std::vector<Point>& points, con
   return wrong <= max_wrong * changed;
 }
 
-void add_background(Simulation& sim) {
+// The color of most points that differ where the turned scene shows nothing.
+std::optional<std::array<int, 3>> color_of_nothing(const Simulation& sim, const Turn& turn) {
   std::map<std::array<int, 3>, double> colors;
   double all = 0;
   for (std::size_t i = 0; i < sim.points.size(); ++i) {
-    if (sim.clean({}).hits[i].part == nullptr && sim.points[i].differs) {
+    if (sim.clean(turn).hits[i].part == nullptr && sim.points[i].differs) {
       const dvec3& t = sim.points[i].test;
       colors[{int(t.x), int(t.y), int(t.z)}] += sim.points[i].weight;
       all += sim.points[i].weight;
     }
   }
-  if (all == 0) {
-    return;
-  }
   const auto most =
       std::max_element(colors.begin(), colors.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most->second < 0.7 * all) {
-    return;
+  return all > 0 && most->second >= 0.7 * all ? std::optional(most->first) : std::nullopt;
+}
+
+void add_background(Simulation& sim) {
+  std::set<std::array<int, 3>> colors;
+  for (const Turn turn :
+       {Turn{false, false}, Turn{true, false}, Turn{false, true}, Turn{true, true}}) {
+    if (const auto color = color_of_nothing(sim, turn)) {
+      colors.insert(*color);
+    }
   }
-  const dvec3 color = dvec3(most->first[0], most->first[1], most->first[2]) / 255.0;
-  for (const bool in_reflections : {false, true}) {
-    sim.list.push_back(
-        {Cause::background,
-         fmt::format("the background is {} {} {}, not black{}", most->first[0], most->first[1],
-                     most->first[2], in_reflections ? ", and reflections show it" : ""),
-         Stage::shading,
-         [=](Trial& t) {
-           t.mistakes.background = color;
-           t.mistakes.background_in_reflections = in_reflections;
-         },
-         {},
-         {}});
+  for (const auto& [r, g, b] : colors) {
+    const dvec3 color = dvec3(r, g, b) / 255.0;
+    for (const bool in_reflections : {false, true}) {
+      sim.list.push_back({Cause::background,
+                          fmt::format("the background is {} {} {}, not black{}", r, g, b,
+                                      in_reflections ? ", and reflections show it" : ""),
+                          Stage::shading,
+                          [=](Trial& t) {
+                            t.mistakes.background = color;
+                            t.mistakes.background_in_reflections = in_reflections;
+                          },
+                          {},
+                          {}});
+    }
   }
 }
 

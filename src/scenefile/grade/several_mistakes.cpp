@@ -349,6 +349,25 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
   return std::nullopt;
 }
 
+// Combines the best single mistakes with each subpixel shift, which changes edges and steep shading
+// a little, whatever else is wrong.
+std::vector<Tried> with_subpixel_shifts(Simulation& sim, const std::vector<Tried>& alone) {
+  constexpr std::size_t max_mistakes = 6;
+  std::vector<Combination> sets;
+  for (std::size_t k = 0; k < std::min(max_mistakes, alone.size()); ++k) {
+    const Tried& t = alone[k];
+    if (t.merit() < 0.3 || sim.list[t.mistakes.front()].cause == Cause::half_pixel_shift) {
+      continue;
+    }
+    for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
+      if (sim.list[i].cause == Cause::half_pixel_shift) {
+        sets.push_back(joined(t.mistakes, {i}));
+      }
+    }
+  }
+  return sim.try_all(sets, few_points, 0.45, 0.45);
+}
+
 std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<Tried>& b) {
   return b && (!a || clearly_better(*b, *a)) ? b : a;
 }
@@ -361,6 +380,7 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   std::vector<Tried> pairs = approximate_pairs(sim, plain, 120);
   pairs = tried_again(sim, pairs, 120, 0.4, 0.45);
   append(pairs, with_picture(sim, plain));
+  append(pairs, with_subpixel_shifts(sim, alone));
   sort_by_merit(pairs);
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
   std::optional<Tried> found = first_good(sim, best);

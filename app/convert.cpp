@@ -25,12 +25,6 @@ namespace scenefile::app {
 
 namespace {
 
-std::string_view format_name(ConvertTo format) {
-  static constexpr std::array<std::string_view, 6> names{"XML", "JSON", "POV-Ray",
-                                                         "GLB", "glTF", "OBJ"};
-  return names[static_cast<std::size_t>(format)];
-}
-
 // Drops the reader's notes, which do not matter for conversion; the writer's notes, which say what
 // changed, remain.
 void drop_notes(Diagnostics& diagnostics) {

@@ -13,8 +13,7 @@
 namespace scenefile::app {
 
 struct GlPainter::State {
-  std::unique_ptr<HeadlessContext> gl;
-  std::unique_ptr<GlDevice> device;
+  HeadlessDevice gl;
   std::optional<Drawing> drawing;
   bool copies_left_out = false;  // as reported
   bool shadows_left_out = false;
@@ -28,17 +27,14 @@ GlPainter::~GlPainter() = default;
 Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
   context.phase = "drawing with OpenGL";
   const RenderScene& ready = scene_.ready.scene;
-  std::string error;
   if (state_ == nullptr) {
+    Result<HeadlessDevice> gl = open_headless_device();
+    if (!gl) {
+      return {ExitCode::environment, fmt::format("--engine gl: {}", gl.error().text)};
+    }
     auto state = std::make_unique<State>();
-    state->gl = HeadlessContext::create(error);
-    if (state->gl != nullptr) {
-      state->device = GlDevice::create(state->gl->get_proc_address(), error);
-    }
-    if (state->device == nullptr) {
-      return {ExitCode::environment, fmt::format("--engine gl: {}", error)};
-    }
-    state->drawing.emplace(upload(*state->device, ready, scene_.assets,
+    state->gl = *std::move(gl);
+    state->drawing.emplace(upload(*state->gl.device, ready, scene_.assets,
                                   upload_options(options_.render), scene_.diagnostics));
     if (options_.realtime) {
       // For the assignment Realtime, realtime.not-drawn reports this.
@@ -54,8 +50,9 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
     draw.samples = options_.render.samples;
   }
   DrawStats stats;
-  image = draw_image(*state_->device, *state_->drawing, ready.camera, draw, options_.render.width,
-                     options_.render.height, error, &stats);
+  std::string error;
+  image = draw_image(*state_->gl.device, *state_->drawing, ready.camera, draw,
+                     options_.render.width, options_.render.height, error, &stats);
   if (stats.left_out != 0 && !std::exchange(state_->copies_left_out, true)) {
     scene_.diagnostics.report(
         gl_copies_left_out, {},
@@ -71,7 +68,7 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
             "ray tracer draws them all",
             stats.shadowless, ready.lights.size(), stats.shadowless == 1 ? "throws" : "throw"));
   }
-  report = {state_->device->renderer(),
+  report = {state_->gl.device->renderer(),
             stats.draw_calls,
             stats.shadow_maps,
             stats.objects,

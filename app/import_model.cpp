@@ -58,7 +58,7 @@ LoadedScene import_model(const std::string& path, const std::string& output, con
       .fetch =
           [&](const std::string& name) {
             inputs.push_back(roots.resolve(name).path);
-            return contents_of(roots.read(name));
+            return roots.read(name);
           },
       .limits = options.load.limits,
   };

@@ -1,7 +1,6 @@
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
-#include "app/names.h"
 #include "app/output.h"
 #include "app/tree.h"
 #include "scenefile/base/text.h"

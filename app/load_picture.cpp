@@ -67,16 +67,13 @@ bool is_picture_file(const std::string& path) {
   return bytes && is_image(*bytes);
 }
 
-std::string png_of(const Texture& picture, std::string& error) {
-  return encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-}
-
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context) {
   context.phase = "writing a picture";
-  std::string error;
-  const std::string bytes = png_of(picture, error);
-  error = error.empty() ? error_text(write_file(path, bytes))
-                        : fmt::format("{}: cannot encode: {}", escaped(path, 4096), error);
+  const Result<std::string> bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest);
+  const std::string error =
+      bytes ? error_text(write_file(path, *bytes))
+            : fmt::format("{}: cannot encode: {}", escaped(path, 4096), bytes.error().text);
   if (!error.empty()) {
     say_error(error);
   }

@@ -28,9 +28,6 @@ CompareSettings compare_settings(const Options& options);
 /// standard input.
 bool is_picture_file(const std::string& path);
 
-/// The bytes of a PNG file; empty, with an error message, if the picture is too large.
-std::string png_of(const Texture& picture, std::string& error);
-
 /// Writes a PNG file. Reports failures.
 ExitCode save_picture(const std::string& path, const Texture& picture, Context& context);
 

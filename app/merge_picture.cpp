@@ -94,7 +94,7 @@ class Merger {
   std::vector<std::string> files(ImageFormat format) const {
     std::vector<std::string> paths{options_.output};
     for (const Layer& layer : picture().layers) {
-      if (format == ImageFormat::png8) {
+      if (layer_storage(format) == LayerStorage::apart) {
         paths.push_back(layer_file(options_.output, layer));
       }
     }
@@ -118,15 +118,12 @@ class Merger {
     for (const Layer& layer : picture().layers) {
       names.push_back(layer_without_values(layer));
     }
-    std::string error;  // unused: render rejects pictures that cannot be written
-    return stream_layers(
-        width(), height(), names,
-        [this](int y, int /*end*/) -> std::optional<LayerRows> {
-          const PartRows::Band* const band = band_of(y);
-          return band == nullptr ? std::nullopt
-                                 : std::optional(LayerRows{band->layers, band->first});
-        },
-        sink, error);
+    const auto rows = [this](int y, int /*end*/) -> std::optional<LayerRows> {
+      const PartRows::Band* const band = band_of(y);
+      return band == nullptr ? std::nullopt : std::optional(LayerRows{band->layers, band->first});
+    };
+    // Only fails if it is canceled: render rejects pictures that cannot be written.
+    return bool(stream_layers(width(), height(), names, rows, sink));
   }
 
   bool write_layer(std::size_t index, const ByteSink& sink) {
@@ -181,11 +178,12 @@ class Merger {
 
 Outcome check_target(const Options& options, const PartSet& set, std::span<const std::string> paths,
                      ImageFormat format) {
-  if (!set.picture.layers.empty() && format == ImageFormat::pfm) {
+  const LayerStorage storage = layer_storage(format);
+  if (!set.picture.layers.empty() && storage == LayerStorage::none) {
     return {ExitCode::usage,
             "the parts have layers, which PFM cannot store: end the output in .exr or .png"};
   }
-  if (!set.picture.layers.empty() && format == ImageFormat::png8 &&
+  if (!set.picture.layers.empty() && storage == LayerStorage::apart &&
       options.output.find('.') == std::string::npos) {
     return {ExitCode::usage, "the parts have layers: the output must end in .exr or .png"};
   }
@@ -202,8 +200,7 @@ Outcome check_target(const Options& options, const PartSet& set, std::span<const
 Outcome merge_picture(const Options& options, std::span<const PartCandidate> candidates,
                       std::span<const std::string> paths, Context& context) {
   const PartSet set = sort_parts(candidates);
-  ImageFormat format = ImageFormat::png8;
-  image_format_of(options.output, format);
+  const ImageFormat format = image_format_of(options.output).value_or(ImageFormat::png8);
   Outcome outcome = check_target(options, set, paths, format);
   if (outcome.status == ExitCode::fine) {
     context.phase = "writing the picture";

@@ -42,6 +42,21 @@ std::string set_number(const std::string& value, T min, T max, std::optional<T>&
   return set_number(value, min, max, number.emplace());
 }
 
+// Parses a number in the range of its field.
+template <int RenderOptions::*member>
+std::string set_field(Options& options, const std::string& value) {
+  std::string wrong;
+  RenderOptions& render = options.render;
+  visit_options(render, [&](const OptionField& field, auto& number) {
+    if constexpr (std::same_as<decltype(number), int&>) {
+      if (&number == &(render.*member)) {
+        wrong = set_number(value, field.least, field.most, number);
+      }
+    }
+  });
+  return wrong;
+}
+
 // "unknown profile "corse"; did you mean course?", or the list of words.
 std::string unknown_word(std::string_view what, std::string_view word,
                          std::span<const std::string_view> known) {
@@ -346,8 +361,7 @@ std::string set_name(Options& options, const std::string& value) {
 template <std::string Options::*name>
 std::string set_png(Options& options, const std::string& value) {
   options.*name = value;
-  ImageFormat format{};
-  return image_format_of(value, format) && format == ImageFormat::png8
+  return image_format_of(value) == ImageFormat::png8
              ? ""
              : fmt::format("{} does not end in .png", quoted(value, 400));
 }
@@ -453,32 +467,26 @@ constexpr std::array option_rows{
         "--samples", "", "N",
         "Maximum number of samples per pixel, for the profile fine (default 16; with --engine gl "
         "1, 4, 16 or 64, by default 4, or 16 if most objects are a few pixels wide).",
-        for_tracing,
-        [](Options& o, const std::string& v) { return set_number(v, 1, 65536, o.render.samples); },
-        "samples"},
+        for_tracing, set_field<&RenderOptions::samples>, "samples"},
     OptionRow{"--min-samples", "", "N",
               "Smallest number of samples per pixel, for the profile fine (default 1). If "
               "--samples is the same number, every pixel takes exactly that many.",
-              for_tracing,
-              [](Options& o, const std::string& v) {
-                return set_number(v, 1, 65536, o.render.min_samples);
-              },
-              "min_samples"},
+              for_tracing, set_field<&RenderOptions::min_samples>, "min_samples"},
     OptionRow{"--fresnel", "", "",
               "Glass reflects light according to Fresnel's equations, for the profile fine.",
               for_tracing, set_flag_of<&Options::render, &RenderOptions::fresnel>, "fresnel"},
     OptionRow{
         "--max-depth", "", "N",
         "Maximum number of reflections and refractions in a row (default: fine 16, course 4).",
-        for_tracing | for_convert | for_pictures | for_view,
-        [](Options& o, const std::string& v) { return set_number(v, 0, 64, o.render.max_depth); },
+        for_tracing | for_convert | for_pictures | for_view, set_field<&RenderOptions::max_depth>,
         "max_depth"},
-    OptionRow{
-        "--threads", "", "N",
-        "Number of threads (default: one per processor). The picture does not depend on it.",
-        for_tracing | for_pictures | for_view,
-        [](Options& o, const std::string& v) { return set_number(v, 1, 4096, o.render.threads); },
-        "threads"},
+    OptionRow{"--threads", "", "N",
+              "Number of threads (default: one per processor). The picture does not depend on it.",
+              for_tracing | for_pictures | for_view,
+              [](Options& o, const std::string& v) {
+                return set_number(v, 1, option_field("threads").most, o.render.threads);
+              },
+              "threads"},
     OptionRow{"--seed", "", "N", "Selects the noise pattern, for the profile fine (default 0).",
               for_tracing,
               [](Options& o, const std::string& v) {

@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -85,22 +86,21 @@ std::string lower_case_extension(std::string_view path) {
 }
 
 std::string check_output(std::string_view command, const std::string& output) {
-  ImageFormat format{};
   if (output.empty()) {
     return fmt::format("{} needs an output: -o OUT.png", command);
   }
-  if (output == "-" || output.starts_with("/dev/") || image_format_of(output, format)) {
+  if (output == "-" || output.starts_with("/dev/") || image_format_of(output)) {
     return {};
   }
   if (const std::string extension = lower_case_extension(output);
       extension == ".jpg" || extension == ".jpeg") {
     return fmt::format(
-        "cannot write {}: the name must end in .png, .exr or .pfm; JPEG changes "
-        "colors, so pictures could not be compared",
-        quoted(output, 400));
+        "cannot write {}: the name must end in {}; JPEG changes colors, so pictures could not be "
+        "compared",
+        quoted(output, 400), image_extensions);
   }
-  return fmt::format("cannot write {}: the name must end in .png, .exr or .pfm",
-                     quoted(output, 400));
+  return fmt::format("cannot write {}: the name must end in {}", quoted(output, 400),
+                     image_extensions);
 }
 
 std::string check_pixel(const Options& options) {
@@ -126,8 +126,7 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
                        command.name, command.arguments);
   }
   if (arguments.size() > most) {
-    ImageFormat format{};
-    const bool output = command.bit == for_render && image_format_of(arguments[most], format);
+    const bool output = command.bit == for_render && image_format_of(arguments[most]);
     return fmt::format("{} takes {}; unexpected {}{}", command.name,
                        most == 1 ? "one argument" : fmt::format("{} arguments", most),
                        quoted(arguments[most], 400),
@@ -148,11 +147,8 @@ std::string choose_format(Options& options) {
         std::find_if(format_words.begin(), format_words.end(),
                      [&](std::string_view word) { return extension == fmt::format(".{}", word); });
     if (found == format_words.end()) {
-      return fmt::format(
-          "the name {} does not imply a format; end it in .xml, .json, .glb, .gltf, .obj or .pov, "
-          "or "
-          "give --to",
-          quoted(output, 400));
+      return fmt::format("the name {} does not imply a format; end it in one of .{}, or give --to",
+                         quoted(output, 400), fmt::join(format_words, ", ."));
     }
     options.to = static_cast<ConvertTo>(found - format_words.begin());
   }
@@ -208,8 +204,8 @@ std::string check_picture(const Options& options, std::string_view command) {
   if (std::string wrong = check_crop(options); !wrong.empty()) {
     return wrong;
   }
-  ImageFormat format{};
-  const bool holds_layers = image_format_of(options.output, format) && format != ImageFormat::pfm;
+  const std::optional<ImageFormat> format = image_format_of(options.output);
+  const bool holds_layers = format && layer_storage(*format) != LayerStorage::none;
   if (!options.render.layers.empty() && !holds_layers && !options.output.empty()) {
     return "--aov needs an output that ends in .exr (all layers in one file) or .png (a file for "
            "each)";
@@ -226,10 +222,9 @@ std::string check_render(const Options& options) {
   if (options.json && is_standard_output(options.output)) {
     return "the picture and --json cannot both go to standard output";
   }
-  ImageFormat format{};
-  if (!options.preview.empty() && !image_format_of(options.preview, format)) {
-    return fmt::format("--preview: the name {} must end in .png, .exr or .pfm",
-                       quoted(options.preview, 400));
+  if (!options.preview.empty() && !image_format_of(options.preview)) {
+    return fmt::format("--preview: the name {} must end in {}", quoted(options.preview, 400),
+                       image_extensions);
   }
   if (options.part.has_value()) {
     return options.output.empty() ? "render --part needs a file to write: -o FILE"

@@ -2,6 +2,7 @@
 // The command line as data.
 
 #include "app/completion.h"
+#include "app/names.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/compare/measure.h"
 #include "scenefile/trace/visit_options.h"
@@ -38,9 +39,6 @@ struct FrameRange {
   int first = 1;
   int last = 1;
 };
-
-/// The output formats of convert.
-enum class ConvertTo : std::uint8_t { xml, json, pov, glb, gltf, obj };
 
 /// An option given on the command line.
 struct GivenOption {

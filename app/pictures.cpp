@@ -15,39 +15,33 @@ namespace scenefile::app {
 namespace {
 
 ImageFormat format_of(const std::string& path) {
-  ImageFormat format = ImageFormat::png8;
-  image_format_of(path, format);
-  return format;
+  return image_format_of(path).value_or(ImageFormat::png8);
 }
 
-bool has_layer_files(const Options& options) {
-  return format_of(options.output) == ImageFormat::png8;
+LayerStorage storage_of(const Options& options) {
+  return layer_storage(format_of(options.output));
 }
 
-Outcome write(const std::string& path, const std::string& bytes, const std::string& error,
-              Context& context) {
-  if (!error.empty()) {
-    return {ExitCode::environment, "cannot encode the picture: " + error};
+Outcome write(const std::string& path, const Result<std::string>& bytes, Context& context) {
+  if (!bytes) {
+    return {ExitCode::environment, "cannot encode the picture: " + bytes.error().text};
   }
   context.phase = "writing the picture";
-  return outcome_of(write_file(path, bytes));
+  return outcome_of(write_file(path, *bytes));
 }
 
 Outcome write_image(const std::string& path, const Image& image, Rounding rounding,
                     Context& context) {
   context.phase = "encoding the picture";
-  std::string error;
-  const std::string bytes = encode_image(image, format_of(path), rounding, error);
-  return write(path, bytes, error, context);
+  return write(path, encode_image(image, format_of(path), rounding), context);
 }
 
 Outcome write_in_one(const Options& options, const RenderResult& result, Context& context) {
   context.phase = "encoding the picture";
   std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
   layers.insert(layers.end(), result.layers.begin(), result.layers.end());
-  std::string error;
-  const std::string bytes = encode_layers(result.image.width, result.image.height, layers, error);
-  return write(options.output, bytes, error, context);
+  return write(options.output, encode_layers(result.image.width, result.image.height, layers),
+               context);
 }
 
 }  // namespace
@@ -74,7 +68,7 @@ std::vector<std::string> picture_files(const Options& options) {
     return files;
   }
   for (const Layer& layer : options.render.layers) {
-    if (has_layer_files(options)) {
+    if (storage_of(options) == LayerStorage::apart) {
       files.push_back(layer_file(options.output, layer));
     }
   }
@@ -82,7 +76,7 @@ std::vector<std::string> picture_files(const Options& options) {
 }
 
 Outcome write_pictures(const Options& options, const RenderResult& result, Context& context) {
-  if (!options.render.layers.empty() && !has_layer_files(options)) {
+  if (!options.render.layers.empty() && storage_of(options) == LayerStorage::together) {
     return write_in_one(options, result, context);
   }
   const Image& image = result.image;

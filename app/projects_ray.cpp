@@ -66,10 +66,10 @@ Options options_of(const CourseConfig& config) {
 }
 
 void check_picture_format(const CourseConfig& config, Diagnostics& diagnostics) {
-  ImageFormat format{};
-  if (!diagnostics.has_errors() && !image_format_of(config.output, format)) {
-    diagnostics.report(config_picture_format, config.output_place,
-                       "output does not end in .png, .exr or .pfm; it will be a PNG");
+  if (!diagnostics.has_errors() && !image_format_of(config.output)) {
+    diagnostics.report(
+        config_picture_format, config.output_place,
+        fmt::format("output does not end in {}; it will be a PNG", image_extensions));
   }
 }
 

@@ -1,6 +1,5 @@
 #include "app/realtime.h"
 
-#include "app/names.h"
 #include "scenefile/base/realtime.h"
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/geometry/realtime_mesh.h"

@@ -17,10 +17,7 @@ using namespace scenefile;
 Texture read_picture(const char* path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  const Limits limits;
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  return decode_image(bytes, limits, budget, error);
+  return *decode_image(bytes);
 }
 
 double difference_of_means(const Texture& a, const Texture& b) {

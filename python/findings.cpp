@@ -105,7 +105,7 @@ SharedState read_text(std::string text, const FilePath& folder, bool compat_cour
   {
     const py::gil_scoped_release release;
     AssetRoots roots(asset_roots_options(state->path, state->access, state->settings.limits));
-    const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
+    const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
     loaded = load_scene(state->path, std::move(text), fetch, state->settings);
   }
   return opened(std::move(state), std::move(loaded));

@@ -55,13 +55,15 @@ py::dict layers_of(const py::object& self) {
   return layers;
 }
 
-std::string encoded(const Image& image, ImageFormat format, Rounding rounding) {
-  std::string error;
-  std::string bytes = encode_image(image, format, rounding, error);
-  if (!error.empty()) {
-    throw py::value_error("cannot encode the picture: " + error);
+std::string bytes_of(Result<std::string> file) {
+  if (!file) {
+    throw py::value_error("cannot encode the picture: " + file.error().text);
   }
-  return bytes;
+  return *std::move(file);
+}
+
+std::string encoded(const Image& image, ImageFormat format, Rounding rounding) {
+  return bytes_of(encode_image(image, format, rounding));
 }
 
 void write(const std::string& path, const std::string& bytes) {
@@ -72,26 +74,22 @@ void write(const std::string& path, const std::string& bytes) {
 
 // Like `scenefile render`: layers go into the same .exr, or into files next to a .png.
 void save(const Picture& picture, const FilePath& path) {
-  ImageFormat format{};
-  if (!image_format_of(path.text, format)) {
-    throw py::value_error(
-        fmt::format("cannot save a picture as {}: the name must end in .png, .exr or .pfm",
-                    quoted(path.text, 400)));
+  const std::optional<ImageFormat> format = image_format_of(path.text);
+  if (!format) {
+    throw py::value_error(fmt::format("cannot save a picture as {}: the name must end in {}",
+                                      quoted(path.text, 400), image_extensions));
   }
+  const LayerStorage storage = layer_storage(*format);
   const RenderResult& result = picture.result;
   const Rounding rounding = rounding_of(picture.options.profile);
-  if (format == ImageFormat::exr && !result.layers.empty()) {
+  if (storage == LayerStorage::together && !result.layers.empty()) {
     std::vector<ImageLayer> layers{{"", {"R", "G", "B"}, false, result.image.rgb}};
     layers.insert(layers.end(), result.layers.begin(), result.layers.end());
-    std::string error;
-    const std::string bytes = encode_layers(result.image.width, result.image.height, layers, error);
-    if (!error.empty()) {
-      throw py::value_error("cannot encode the picture: " + error);
-    }
-    return write(path.text, bytes);
+    return write(path.text,
+                 bytes_of(encode_layers(result.image.width, result.image.height, layers)));
   }
-  write(path.text, encoded(result.image, format, rounding));
-  if (format != ImageFormat::png8) {
+  write(path.text, encoded(result.image, *format, rounding));
+  if (storage != LayerStorage::apart) {
     return;
   }
   const std::size_t point = path.text.rfind('.');
@@ -101,7 +99,7 @@ void save(const Picture& picture, const FilePath& path) {
                                       result.image.height, picture.options.max_depth);
     write(fmt::format("{}.{}{}", path.text.substr(0, point), layer_name(layer),
                       path.text.substr(point)),
-          encoded(image, format, Rounding::nearest));
+          encoded(image, *format, Rounding::nearest));
   }
 }
 

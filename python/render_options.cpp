@@ -11,13 +11,16 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <limits>
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <type_traits>
 
 namespace scenefile::python {
 
 namespace {
 
-int number(const char* name, const py::handle& value, int least, int most) {
+int number(std::string_view name, const py::handle& value, int least, int most) {
   const long long n = value.cast<long long>();
   if (n < least || n > most) {
     throw py::value_error(fmt::format("{}: {} is not between {} and {}", name, n, least, most));
@@ -48,9 +51,8 @@ void set_layers(RenderOptions& options, const py::handle& value) {
   }
   if (const std::string_view wrong = parse_layers(list, options.layers); !wrong.empty()) {
     throw py::value_error(
-        fmt::format("layers: \"{}\" is not one of depth, normal, uv, albedo, object-id, light-1, "
-                    "light-2 and so on, shadow, reflection-depth, or is given twice",
-                    wrong));
+        fmt::format("layers: \"{}\" is not one of {} (light-2 and so on), or is given twice", wrong,
+                    fmt::join(layer_words, ", ")));
   }
 }
 
@@ -62,14 +64,14 @@ void set_crop(RenderOptions& options, const py::handle& value) {
   options.crop = PixelRegion{x0, y0, x1, y1};
 }
 
-struct Option {
-  const char* name;
-  const char* field;
+// Options that are not simply numbers or flags.
+struct SpecialOption {
+  std::string_view name;
+  std::string_view field;
   void (*set)(RenderOptions& options, const py::handle& value);
 };
-
-// The profile comes first, because it determines the defaults of the others.
-constexpr Option known_options[] = {
+constexpr SpecialOption special_options[] = {
+    // Determines the defaults of the others, so it was read before them.
     {"profile", "profile", [](RenderOptions& /*options*/, const py::handle& /*value*/) {}},
     {"size", "width", set_size},
     {"mode", "mode",
@@ -77,25 +79,45 @@ constexpr Option known_options[] = {
        o.mode = from_word<Mode>("mode", v.cast<std::string_view>(), mode_words);
      }},
     {"features", "features", set_features},
-    {"samples", "samples",
-     [](RenderOptions& o, const py::handle& v) { o.samples = number("samples", v, 1, 1 << 20); }},
-    {"min_samples", "min_samples",
-     [](RenderOptions& o, const py::handle& v) {
-       o.min_samples = number("min_samples", v, 1, 1 << 20);
-     }},
-    {"max_depth", "max_depth",
-     [](RenderOptions& o, const py::handle& v) { o.max_depth = number("max_depth", v, 0, 64); }},
-    {"seed", "seed",
-     [](RenderOptions& o, const py::handle& v) { o.seed = v.cast<std::uint64_t>(); }},
-    {"fresnel", "fresnel",
-     [](RenderOptions& o, const py::handle& v) { o.fresnel = v.cast<bool>(); }},
-    {"threads", "threads",
-     [](RenderOptions& o, const py::handle& v) { o.threads = number("threads", v, 0, 1024); }},
     {"crop", "crop", set_crop},
     {"layers", "layers", set_layers},
-    {"denoise", "denoise",
-     [](RenderOptions& o, const py::handle& v) { o.denoise = v.cast<bool>(); }},
 };
+
+// Returns whether it is a field for numbers or flags.
+bool set_plain(RenderOptions& options, std::string_view name, const py::handle& value) {
+  bool found = false;
+  visit_options(options, [&](const OptionField& field, auto& member) {
+    using T = std::remove_reference_t<decltype(member)>;
+    if (field.name != name || name == "width" || name == "height") {
+      return;
+    }
+    if constexpr (std::same_as<T, int>) {
+      member = number(name, value, field.least, field.most);
+      found = true;
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      member = value.cast<T>();
+      found = true;
+    }
+  });
+  return found;
+}
+
+void set_option(RenderOptions& options, const std::string& name, const py::handle& value) {
+  const SpecialOption* special = nullptr;
+  for (const SpecialOption& option : special_options) {
+    special = option.name == name ? &option : special;
+  }
+  const std::string_view field = special != nullptr ? special->field : name;
+  if (!supports_option(options.profile, support_of(field))) {
+    throw py::value_error(fmt::format("{} is for the profile fine: leave it out, or profile=\"{}\"",
+                                      name, profile_word(options.profile)));
+  }
+  if (special != nullptr) {
+    special->set(options, value);
+  } else if (!set_plain(options, name, value)) {
+    throw py::type_error(fmt::format("a picture has no option {}", name));
+  }
+}
 
 void check_crop(const RenderOptions& options) {
   if (!options.crop) {
@@ -136,20 +158,8 @@ RenderOptions render_options(const py::dict& given) {
   RenderOptions options = default_options(profile);
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
-    const Option* known = nullptr;
-    for (const Option& option : known_options) {
-      known = option.name == name ? &option : known;
-    }
-    if (known == nullptr) {
-      throw py::type_error(fmt::format("a picture has no option {}", name));
-    }
-    if (!supports_option(profile, support_of(known->field))) {
-      throw py::value_error(
-          fmt::format("{} is for the profile fine: leave it out, or profile=\"{}\"", name,
-                      profile_word(profile)));
-    }
     try {
-      known->set(options, value);
+      set_option(options, name, value);
     } catch (const py::cast_error&) {
       throw py::type_error(
           fmt::format("{}: invalid value {}", name, py::repr(value).cast<std::string>()));

@@ -169,7 +169,7 @@ const char* page_import(const char* path) {
     AssetRoots roots(asset_roots_options(path, access_of_page(), limits));
     const ImportOptions options{
         .stem = "model",
-        .fetch = [&](const std::string& name) { return contents_of(roots.read(name)); },
+        .fetch = [&](const std::string& name) { return roots.read(name); },
         .limits = limits,
     };
     ImportedScene imported = lower_case(scene.path).ends_with(".obj")
@@ -202,13 +202,12 @@ const char* page_import(const char* path) {
 /// Writes a picture as /out/picture.png.
 const char* page_png(const std::uint8_t* rgba, int width, int height) {
   return answered([&] {
-    std::string error;
-    const std::string bytes = encode_image(to_float(texture_of(rgba, width, height)),
-                                           ImageFormat::png8, Rounding::nearest, error);
-    if (!error.empty()) {
-      return error_json(error);
+    const Result<std::string> bytes = encode_image(to_float(texture_of(rgba, width, height)),
+                                                   ImageFormat::png8, Rounding::nearest);
+    if (!bytes) {
+      return error_json(bytes.error().text);
     }
-    write_out("picture.png", bytes);
+    write_out("picture.png", *bytes);
     return std::string(R"({"files":["picture.png"]})");
   });
 }

@@ -59,11 +59,11 @@ Drawing& drawing_for(const ViewOptions& options) {
     throw std::runtime_error("the scene has errors");
   }
   if (!v.device) {
-    std::string error;
-    v.device = GlDevice::create(find_webgl_function, error);
-    if (!v.device) {
-      throw std::runtime_error(error);
+    Result<std::unique_ptr<GlDevice>> device = GlDevice::create(find_webgl_function);
+    if (!device) {
+      throw std::runtime_error(device.error().text);
     }
+    v.device = *std::move(device);
   }
   const UploadOptions upload_with = upload_options(options.picture);
   if (!v.drawing || v.opened != p.opened || v.flat_meshes != upload_with.flat_meshes) {

@@ -133,8 +133,7 @@ std::string checks_png() {
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     image.rgb[i] = static_cast<float>(i / 3 % 2);
   }
-  std::string error;
-  return encode_image(image, ImageFormat::png8, Rounding::nearest, error);
+  return *encode_image(image, ImageFormat::png8, Rounding::nearest);
 }
 
 TEST_F(Driver, EachFeatureReachesThePicture) {

@@ -161,13 +161,10 @@ TEST_F(Explain, TheDocumentAddsUpToThePicture) {
   EXPECT_EQ(sum, Rgb::of(pixel["color"]));
 
   run_program({"render", scene, "-o", folder.path("out.png"), "--size", "32x24", "-q"});
-  const Limits limits;
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  const Texture picture = decode_image(folder.read("out.png"), limits, budget, error);
-  ASSERT_EQ(error, "");
+  const Result<Texture> picture = decode_image(folder.read("out.png"));
+  ASSERT_EQ(error_text(picture), "");
   for (unsigned c = 0; c < 3; ++c) {
-    EXPECT_EQ(pixel["value"][c].GetUint(), picture.texel(16, 11)[c]);
+    EXPECT_EQ(pixel["value"][c].GetUint(), picture->texel(16, 11)[c]);
   }
 }
 

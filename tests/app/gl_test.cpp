@@ -29,12 +29,9 @@ struct RenderWithGl : ::testing::Test {
     return render(more);
   }
   Texture picture(const std::string& name) const {
-    const Limits limits;
-    std::uint64_t budget = limits.texture_bytes;
-    std::string error;
-    Texture result = decode_image(folder.read(name), limits, budget, error);
-    EXPECT_EQ(error, "");
-    return result;
+    Result<Texture> result = decode_image(folder.read(name));
+    EXPECT_EQ(error_text(result), "");
+    return result ? *std::move(result) : Texture();
   }
   static bool has_gl(const ProgramRun& run) { return run.status != 3; }
 

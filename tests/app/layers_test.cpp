@@ -20,11 +20,7 @@ struct RenderLayers : ::testing::Test {
     return run_program(words);
   }
 
-  Texture picture(const std::string& name) const {
-    std::uint64_t budget = 1 << 20;
-    std::string error;
-    return decode_image(folder.read(name), {}, budget, error);
-  }
+  Texture picture(const std::string& name) const { return *decode_image(folder.read(name)); }
 
   TempFolder folder;
   std::string scene;

@@ -124,11 +124,8 @@ TEST_F(DiffImages, WritesMaps) {
                        "sheet.png", "-q"})
                 .status,
             1);
-  const Limits limits;
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  EXPECT_EQ(decode_image(folder.read("heat.png"), limits, budget, error).width, 64);
-  EXPECT_EQ(decode_image(folder.read("sheet.png"), limits, budget, error).width, 4 * 64 + 5 * 8);
+  EXPECT_EQ(decode_image(folder.read("heat.png"))->width, 64);
+  EXPECT_EQ(decode_image(folder.read("sheet.png"))->width, 4 * 64 + 5 * 8);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "right.png"}).status, 2);
   EXPECT_EQ(in_folder({"diff", "right.png", "wrong.png", "--sheet", "sheet.gif"}).status, 2);
   folder.write("scene.png", ball("0.2"));  // the type is determined by the content, not by the name

@@ -28,12 +28,9 @@ struct RealtimeProgram : ::testing::Test {
     return run_program(words);
   }
   std::string pixels() const {
-    const Limits limits;
-    std::uint64_t budget = limits.texture_bytes;
-    std::string error;
-    const Texture picture = decode_image(folder.read("p.png"), limits, budget, error);
-    EXPECT_EQ(error, "");
-    return {picture.rgb.begin(), picture.rgb.end()};
+    const Result<Texture> picture = decode_image(folder.read("p.png"));
+    EXPECT_EQ(error_text(picture), "");
+    return {picture->rgb.begin(), picture->rgb.end()};
   }
   static bool has_gl(const ProgramRun& run) { return run.status != 3; }
 

@@ -15,12 +15,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 Texture decode(const std::string& bytes) {
-  const Limits limits;
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  Texture picture = decode_image(bytes, limits, budget, error);
-  EXPECT_EQ(error, "");
-  return picture;
+  Result<Texture> picture = decode_image(bytes);
+  EXPECT_EQ(error_text(picture), "");
+  return picture ? *std::move(picture) : Texture();
 }
 
 struct Render : ::testing::Test {

@@ -112,12 +112,9 @@ struct View : ::testing::Test {
     return view({path, "--script", folder.write("tour.txt", steps)});
   }
   Texture picture(const std::string& name) const {
-    const Limits limits;
-    std::uint64_t budget = limits.texture_bytes;
-    std::string error;
-    Texture result = decode_image(folder.read(name), limits, budget, error);
-    EXPECT_EQ(error, "") << name;
-    return result;
+    Result<Texture> result = decode_image(folder.read(name));
+    EXPECT_EQ(error_text(result), "") << name;
+    return result ? *std::move(result) : Texture();
   }
   std::string shot(const std::string& name) const {
     return "screenshot " + folder.path(name) + "\n";

@@ -33,7 +33,7 @@ Diagnostics load(bool mesh, const std::string& bytes, bool missing) {
   load_assets(
       mesh ? none : file, mesh ? file : none,
       [&](const std::string&) {
-        return missing ? FileContents{"", "no such file"} : FileContents{bytes, ""};
+        return missing ? Result<std::string>(Error{"no such file"}) : bytes;
       },
       options, diagnostics);
   return diagnostics;

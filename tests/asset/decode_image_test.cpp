@@ -202,18 +202,16 @@ TEST(DecodeImage, BudgetShrinksOverSeveralImages) {
   const std::uint64_t size = 3 * test::fixture_width * test::fixture_height;
   Limits limits;
   std::uint64_t budget = 2 * size + 1;
-  std::string error;
-  bool over = true;
-  EXPECT_FALSE(decode_image(bytes, limits, budget, error, &over).empty());
-  EXPECT_FALSE(over);
-  EXPECT_FALSE(decode_image(bytes, limits, budget, error, &over).empty());
+  EXPECT_TRUE(decode_image(bytes, limits, budget));
+  EXPECT_TRUE(decode_image(bytes, limits, budget));
   EXPECT_EQ(budget, 1u);
-  EXPECT_TRUE(decode_image(bytes, limits, budget, error, &over).empty());
-  EXPECT_TRUE(over);
+  const Result<Texture> third = decode_image(bytes, limits, budget);
+  ASSERT_FALSE(third);
+  EXPECT_EQ(third.error().kind, ErrorKind::limit);
   EXPECT_EQ(budget, 1u);
-  EXPECT_NE(error.find("PNG of 17 x 11 pixels: that takes 1 MB, and 0 MB are left"),
+  EXPECT_NE(third.error().text.find("PNG of 17 x 11 pixels: that takes 1 MB, and 0 MB are left"),
             std::string::npos)
-      << error;
+      << third.error().text;
 }
 
 }  // namespace

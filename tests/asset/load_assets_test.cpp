@@ -23,11 +23,13 @@ class Folder {
   std::map<std::string, int> opened;
 
   FetchFile fetch() {
-    return [this](const std::string& name) -> FileContents {
+    return [this](const std::string& name) -> Result<std::string> {
       ++opened[name];
       const auto found = files.find(name);
-      return found != files.end() ? FileContents{found->second, ""}
-                                  : FileContents{"", "no such file in scenes, scenes/image"};
+      if (found == files.end()) {
+        return Error{"no such file in scenes, scenes/image"};
+      }
+      return found->second;
     };
   }
 };
@@ -45,7 +47,7 @@ TEST(LoadAssets, WithoutAWayToOpenFilesAllAreMissing) {
 }
 
 TEST(LoadAssets, AFileLargerThanAllowedIsALimit) {
-  const FetchFile fetch = [](const std::string&) { return FileContents{"", "larger", true}; };
+  const FetchFile fetch = [](const std::string&) { return Error{"larger", ErrorKind::limit}; };
   Diagnostics diagnostics;
   load_assets(std::vector<FileReference>{{"a.png", {1, 2}}},
               std::vector<FileReference>{{"m.obj", {3, 4}}}, fetch, {}, diagnostics);

@@ -61,7 +61,12 @@ Color two(int x, int y) {
 Decoded decode(std::string_view bytes, const Limits& limits) {
   Decoded result;
   std::uint64_t budget = limits.texture_bytes;
-  result.texture = decode_image(bytes, limits, budget, result.error, &result.over_limit);
+  if (Result<Texture> texture = decode_image(bytes, limits, budget)) {
+    result.texture = *std::move(texture);
+  } else {
+    result.error = texture.error().text;
+    result.over_limit = texture.error().kind == ErrorKind::limit;
+  }
   EXPECT_EQ(budget, limits.texture_bytes - result.texture.rgb.size());
   EXPECT_EQ(result.texture.empty(), !result.error.empty());
   return result;

@@ -30,10 +30,9 @@ Texture amplified_difference(const Texture& a, const Texture& b) {
 }
 
 std::string write_picture(const std::string& path, const Texture& picture) {
-  std::string error;
-  const std::string bytes =
-      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  return error.empty() ? error_text(write_file(path, bytes)) : error;
+  const Result<std::string> bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest);
+  return bytes ? error_text(write_file(path, *bytes)) : bytes.error().text;
 }
 
 std::string html(std::string_view text) {

@@ -3,6 +3,8 @@
 #include "scenefile/asset/image_file.h"
 #include "scenefile/io/file.h"
 
+#include <utility>
+
 namespace scenefile::conformance {
 
 std::string read_picture(const std::string& path, Texture& picture) {
@@ -11,10 +13,12 @@ std::string read_picture(const std::string& path, Texture& picture) {
   if (!bytes) {
     return bytes.error().text;
   }
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  picture = decode_image(*bytes, limits, budget, error);
-  return error.empty() ? "" : path + ": " + error;
+  Result<Texture> decoded = decode_image(*bytes);
+  if (!decoded) {
+    return path + ": " + decoded.error().text;
+  }
+  picture = *std::move(decoded);
+  return {};
 }
 
 }  // namespace scenefile::conformance

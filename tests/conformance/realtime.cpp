@@ -68,9 +68,7 @@ void save(const std::string& folder, const std::string& reference, std::string_v
           const Texture& picture) {
   std::string name = reference;
   std::replace(name.begin(), name.end(), '/', '_');
-  std::string error;
-  const std::string bytes =
-      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
+  const std::string bytes = *encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest);
   if (const Result<void> written =
           write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
       !written) {
@@ -143,13 +141,11 @@ bool passes(const RealtimeRow& row, const Measured& m, const Exception* exceptio
 }
 
 int run(const std::string& folder, const std::string& pictures, const std::string& filter) {
-  std::string error;
-  const auto context = HeadlessContext::create(error);
-  const auto device =
-      context == nullptr ? nullptr : GlDevice::create(context->get_proc_address(), error);
+  const Result<HeadlessDevice> gl = open_headless_device();
+  std::string error = error_text(gl);
   std::ifstream list(folder + "/references.tsv");
   const std::vector<Exception> exceptions = read_exceptions(SCENEFILE_REALTIME_EXCEPTIONS, error);
-  if (!list || !error.empty()) {
+  if (!list || !gl || !error.empty()) {
     fmt::print(stderr, "{}\n", error.empty() ? folder + "/references.tsv: cannot open" : error);
     return 3;
   }
@@ -170,7 +166,7 @@ int run(const std::string& folder, const std::string& pictures, const std::strin
       continue;
     }
     const Exception* const exception = find_exception(exceptions, row.reference);
-    const Measured m = measure(*device, folder, row, pictures);
+    const Measured m = measure(*gl->device, folder, row, pictures);
     const bool good = passes(row, m, exception);
     ++total;
     passed += good ? 1 : 0;
@@ -180,7 +176,7 @@ int run(const std::string& folder, const std::string& pictures, const std::strin
         good ? (exception != nullptr ? "known" : "ok") : "MISS", m.ours.psnr_db, m.ours.max,
         100 * m.ours.share_over, m.over, m.over_inside, m.software.psnr_db, row.reference, m.error);
   }
-  fmt::print("{} passed, {} failed, drawn by {}\n", passed, total - passed, device->renderer());
+  fmt::print("{} passed, {} failed, drawn by {}\n", passed, total - passed, gl->device->renderer());
   return passed == total && total != 0 ? 0 : 1;
 }
 

@@ -16,9 +16,8 @@ int main(int, char** argv) {  // arguments: a scene, the picture to write
   ready.camera.position.y += 2;
 
   const RenderResult result = render(ready, scene.assets, {.width = 320, .height = 240});
-  std::string error;
-  const std::string png = encode_image(result.image, ImageFormat::png8, Rounding::nearest, error);
-  const Result<void> written = write_file(argv[2], png);
+  const Result<std::string> png = encode_image(result.image, ImageFormat::png8, Rounding::nearest);
+  const Result<void> written = png ? write_file(argv[2], *png) : png.error();
   if (!written) std::cerr << written.error().text << '\n';
   return written ? 0 : 3;
 }

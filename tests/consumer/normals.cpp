@@ -21,9 +21,8 @@ int main(int, char** argv) {  // arguments: a scene, the .exr and the .png to wr
   const float* center = &normals.values[3 * (120 * 320 + 160)];
   std::cout << center[0] << ' ' << center[1] << ' ' << center[2] << '\n';
 
-  std::string error;
-  const std::string exr = encode_layers(320, 240, result.layers, error);  // floats
+  const Result<std::string> exr = encode_layers(320, 240, result.layers);  // floats
   const Image colors = layer_picture(options.layers[0], normals, 320, 240, options.max_depth);
-  const std::string png = encode_image(colors, ImageFormat::png8, Rounding::nearest, error);
-  return write_file(argv[2], exr) && write_file(argv[3], png) ? 0 : 3;
+  const Result<std::string> png = encode_image(colors, ImageFormat::png8, Rounding::nearest);
+  return exr && png && write_file(argv[2], *exr) && write_file(argv[3], *png) ? 0 : 3;
 }

@@ -73,9 +73,7 @@ void fetches_textures() {
   const LoadedScene scene =
       load(R"(<texture file="wood.png" u="1" v="1"/><blend v="1"/>)", [&](const std::string& name) {
         asked.push_back(name);
-        FileContents none;
-        none.error = "there are no files here";
-        return none;
+        return Error{"there are no files here"};
       });
   expect(asked == std::vector<std::string>{"wood.png"}, "the callback is asked for the texture");
   expect(scene.usable(), "without which the scene can be drawn");

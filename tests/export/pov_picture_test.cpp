@@ -53,9 +53,8 @@ class PovPicture : public testing::Test {
     m.texture = {static_cast<std::uint32_t>(scene_.assets.textures.size()), repeat, repeat};
     scene_.assets.textures.push_back(compass());
     const std::string path = (folder_ / "compass.png").string();
-    std::string error;
     const std::string png =
-        encode_image(to_float(compass()), ImageFormat::png8, Rounding::nearest, error);
+        *encode_image(to_float(compass()), ImageFormat::png8, Rounding::nearest);
     EXPECT_EQ(error_text(write_file(path, png)), "");
     scene_.scene.texture_files.push_back({"compass.png", {}});
     paths_.push_back(path);
@@ -89,9 +88,7 @@ class PovPicture : public testing::Test {
       return {};
     }
     const Limits limits;
-    std::uint64_t budget = limits.texture_bytes;
-    std::string error;
-    return decode_image(*png, limits, budget, error);
+    return *decode_image(*png);
   }
 
   void expect_alike(double min_db) { EXPECT_GE(compare_images(ours(), theirs()).psnr_db, min_db); }

@@ -164,13 +164,10 @@ TEST(WriteGltf, BakesBlendAndEncodesForTheScreen) {
         w, assets);
   ASSERT_EQ(w.json["images"].Size(), 1u);
   const auto& view = w.json["bufferViews"][w.json["images"][0]["bufferView"].GetUint()];
-  std::uint64_t budget = 1000;
-  std::string error;
-  const Texture baked =
-      decode_image(w.buffer.substr(view["byteOffset"].GetUint(), view["byteLength"].GetUint()), {},
-                   budget, error);
+  const Result<Texture> baked =
+      decode_image(w.buffer.substr(view["byteOffset"].GetUint(), view["byteLength"].GetUint()));
   // sRGB of 0.5, 0 and 0.25 in 1/255.
-  EXPECT_THAT(baked.rgb, testing::ElementsAre(188, 0, 137));
+  EXPECT_THAT(baked->rgb, testing::ElementsAre(188, 0, 137));
 }
 
 TEST(Decompose, ReproducesAnyMap) {

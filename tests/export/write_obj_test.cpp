@@ -102,10 +102,7 @@ TEST(WriteObj, TexturesAreLinearWithBlendBakedIn) {
   const ObjScene obj = write_obj(scene.scene, scene.assets, {}, diagnostics);
   EXPECT_THAT(obj.mtl, HasSubstr("map_Kd scene-1.png\n"));
   ASSERT_EQ(obj.pictures.size(), 1u);
-  std::uint64_t budget = 100;
-  std::string error;
-  EXPECT_THAT(decode_image(obj.pictures[0], {}, budget, error).rgb,
-              testing::ElementsAre(128, 128, 255));
+  EXPECT_THAT(decode_image(obj.pictures[0])->rgb, testing::ElementsAre(128, 128, 255));
 }
 
 }  // namespace

@@ -75,13 +75,14 @@ std::string with_right_checksums(std::string_view png) {
 
 void judge(std::string_view bytes, const Limits& limits) {
   std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  const Texture texture = decode_image(bytes, limits, budget, error);
-  require(texture.empty() != error.empty(), "there is a picture or a reason");
+  const Result<Texture> decoded = decode_image(bytes, limits, budget);
   require(budget <= limits.texture_bytes, "the budget never grows");
-  if (texture.empty()) {
+  if (!decoded) {
+    require(!decoded.error().text.empty(), "there is a picture or a reason");
     return;
   }
+  const Texture& texture = *decoded;
+  require(!texture.empty(), "there is a picture or a reason");
   const auto side = static_cast<int>(limits.texture_side);
   require(
       texture.width >= 1 && texture.width <= side && texture.height >= 1 && texture.height <= side,
@@ -95,17 +96,15 @@ void judge(std::string_view bytes, const Limits& limits) {
 void judge_round_trip(std::string_view bytes) {
   const Limits limits;
   std::uint64_t budget = 4096;
-  std::string error;
-  const Texture texture = decode_image(bytes, limits, budget, error);
-  if (texture.empty()) {
+  const Result<Texture> texture = decode_image(bytes, limits, budget);
+  if (!texture) {
     return;
   }
-  const std::string png =
-      encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest, error);
-  require(!png.empty() && error.empty(), "a decoded picture can be encoded");
-  budget = limits.texture_bytes;
-  require(decode_image(png, limits, budget, error).rgb == texture.rgb,
-          "encoding keeps every pixel");
+  const Result<std::string> png =
+      encode_image(to_float(*texture), ImageFormat::png8, Rounding::nearest);
+  require(bool(png), "a decoded picture can be encoded");
+  const Result<Texture> again = decode_image(*png);
+  require(again && again->rgb == texture->rgb, "encoding keeps every pixel");
 }
 
 }  // namespace

@@ -45,12 +45,10 @@ void require_files(const ImportedScene& imported) {
   }
 }
 
-FileContents fetched(const std::string& name, std::string_view bytes) {
-  static const std::string picture = [] {
-    std::string error;
-    return encode_image(Image(2, 1), ImageFormat::png8, Rounding::nearest, error);
-  }();
-  return {name.ends_with(".png") ? picture : std::string(bytes), {}, false};
+Result<std::string> fetched(const std::string& name, std::string_view bytes) {
+  static const std::string picture =
+      *encode_image(Image(2, 1), ImageFormat::png8, Rounding::nearest);
+  return name.ends_with(".png") ? picture : std::string(bytes);
 }
 
 void judge(std::string_view bytes, const Limits& limits) {

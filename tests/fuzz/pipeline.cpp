@@ -25,14 +25,14 @@ constexpr std::string_view checker(
     "\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\x18\0\0\0\xff\0\xff\0\xff\0\0\xff\xff\xff", 30);
 
 // Two files exist; all others are missing.
-FileContents fetch(const std::string& name) {
+Result<std::string> fetch(const std::string& name) {
   if (name == "a.obj") {
-    return {std::string(triangle), {}};
+    return std::string(triangle);
   }
   if (name == "a.tga") {
-    return {std::string(checker), {}};
+    return std::string(checker);
   }
-  return {{}, "no such file"};
+  return Error{"no such file"};
 }
 
 Limits small_limits() {

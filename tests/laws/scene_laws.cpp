@@ -30,13 +30,12 @@ std::vector<std::string> pictures(const std::string& path, const Scene& scene) {
   const RenderScene ready = prepare(scene, {}).scene;
   const Assets assets = testing_support::load_files(path, ready, ignored);
   std::vector<std::string> files;
-  std::string error;
   for (const Profile profile : {Profile::course, Profile::fine}) {
     RenderOptions options = default_options(profile);
     options.width = 64;
     options.height = 48;
-    files.push_back(encode_image(render(ready, assets, options).image, ImageFormat::png8,
-                                 rounding_of(profile), error));
+    files.push_back(*encode_image(render(ready, assets, options).image, ImageFormat::png8,
+                                  rounding_of(profile)));
   }
   return files;
 }

@@ -155,9 +155,8 @@ int write_pairs(const Settings& settings, const std::vector<std::unique_ptr<Draw
     job.mistakes.insert(pair.mistake);
     const Texture wrong = student::draw_realtime(p.scene.ready.scene, job);
     const std::array<const Texture*, 2> both{&p.clean, &wrong};
-    std::string error;
     const std::string bytes =
-        encode_image(to_float(side_by_side(both)), ImageFormat::png8, Rounding::nearest, error);
+        *encode_image(to_float(side_by_side(both)), ImageFormat::png8, Rounding::nearest);
     if (!write_file(settings.pairs + "/" + pair.cause + ".png", bytes)) {
       return 3;
     }

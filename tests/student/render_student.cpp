@@ -59,12 +59,11 @@ int main(int count, char** words) {
   const Texture wrong = drawn();
   const std::array<const Texture*, 2> both{&right, &wrong};
   const Texture picture = pair ? side_by_side(both) : wrong;
-  std::string error;
-  const std::string bytes =
-      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  const Result<void> written = write_file(words[2], bytes);
-  if (!error.empty() || !written) {
-    std::fprintf(stderr, "%s%s\n", error.c_str(), error_text(written).c_str());
+  const Result<std::string> bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest);
+  const Result<void> written = bytes ? write_file(words[2], *bytes) : bytes.error();
+  if (!written) {
+    std::fprintf(stderr, "%s\n", written.error().text.c_str());
     return 3;
   }
   return 0;

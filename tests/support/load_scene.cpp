@@ -12,15 +12,7 @@ namespace scenefile::testing_support {
 
 Assets load_files(const std::string& path, const RenderScene& scene, Diagnostics& diagnostics) {
   AssetRoots roots({.scene_path = path, .asset_roots = {}});
-  const FetchFile fetch = [&](const std::string& name) {
-    FileContents contents;
-    if (Result<std::string> bytes = roots.read(name); bytes) {
-      contents.bytes = *std::move(bytes);
-    } else {
-      contents.error = bytes.error().text;
-    }
-    return contents;
-  };
+  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   return load_assets(scene.texture_files, scene.mesh_files, fetch, {}, diagnostics);
 }
 

@@ -60,21 +60,20 @@ struct SceneBuilder {
 /// A context and a device, shared by all tests of a process, because creating them takes most of a
 /// test's time.
 struct Screen {
-  std::string error;
-  std::unique_ptr<HeadlessContext> context = HeadlessContext::create(error);
-  std::unique_ptr<GlDevice> device =
-      context == nullptr ? nullptr : GlDevice::create(context->get_proc_address(), error);
+  Result<std::unique_ptr<HeadlessContext>> context = HeadlessContext::create();
+  Result<std::unique_ptr<GlDevice>> device =
+      context ? GlDevice::create((*context)->get_proc_address()) : Error{"no context"};
 };
 
 class Drawn : public ::testing::Test {
  protected:
   void SetUp() override {
     static Screen screen;
-    if (screen.context == nullptr) {
-      GTEST_SKIP() << screen.error;
+    if (!screen.context) {
+      GTEST_SKIP() << screen.context.error().text;
     }
-    ASSERT_NE(screen.device, nullptr) << screen.error;
-    device = screen.device.get();
+    ASSERT_EQ(error_text(screen.device), "");
+    device = screen.device->get();
   }
 
   Drawing uploaded(const SceneBuilder& builder, const UploadOptions& options = {}) {

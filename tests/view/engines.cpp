@@ -68,8 +68,7 @@ void save(const std::string& folder, const std::string& path, std::string_view w
           const Image& image) {
   std::string name = path;
   std::replace(name.begin(), name.end(), '/', '_');
-  std::string error;
-  const std::string bytes = encode_image(image, ImageFormat::png8, Rounding::nearest, error);
+  const std::string bytes = *encode_image(image, ImageFormat::png8, Rounding::nearest);
   if (const Result<void> written =
           write_file(fmt::format("{}/{}.{}.png", folder, name, who), bytes);
       !written) {
@@ -135,18 +134,15 @@ class Comparison {
 };
 
 int run(const std::string& folder, const std::string& out) {
-  std::string error;
-  const auto context = HeadlessContext::create(error);
-  const auto device =
-      context == nullptr ? nullptr : GlDevice::create(context->get_proc_address(), error);
-  if (device == nullptr) {
-    fmt::print(stderr, "scenefile_engines: {}\n", error);
+  const Result<HeadlessDevice> gl = open_headless_device();
+  if (!gl) {
+    fmt::print(stderr, "scenefile_engines: {}\n", gl.error().text);
     return 3;
   }
   if (!out.empty()) {
     fs::create_directories(out);
   }
-  Comparison comparison(*device, folder, out);
+  Comparison comparison(*gl->device, folder, out);
   for (const std::string& path : scenes_below(folder)) {
     comparison.add(path);
   }

@@ -31,10 +31,10 @@ struct CollectViews : ::testing::Test {
 
 TEST_F(CollectViews, RoundTrip) {
   for (const int i : {1, 2, 3}) {
-    const CollectedViews views =
+    const Result<std::size_t> views =
         collect_view(path, camera_at(0.1F * static_cast<float>(i)), limits);
-    EXPECT_EQ(views.refused, "");
-    EXPECT_EQ(views.count, static_cast<std::size_t>(i));
+    ASSERT_EQ(error_text(views), "");
+    EXPECT_EQ(*views, static_cast<std::size_t>(i));
   }
   const CameraPath found = read();
   ASSERT_EQ(found.views.size(), 3U);
@@ -49,7 +49,7 @@ TEST_F(CollectViews, KeepsTheUsersText) {
   folder.write("a-views.json", R"({"fps": 12, "views": [{"time": 4.5, "position": [1, 2, 3],
       "focus": [0, 0.5, 0], "aperture": 0.25, "focalLength": 2}]})");
   const CameraPath before = read();
-  EXPECT_EQ(collect_view(path, camera_at(9), limits).count, 2U);
+  EXPECT_EQ(*collect_view(path, camera_at(9), limits), 2U);
   const CameraPath after = read();
   EXPECT_EQ(after.fps, 12);
   EXPECT_EQ(after.views[0].camera, before.views[0].camera);
@@ -59,22 +59,22 @@ TEST_F(CollectViews, KeepsTheUsersText) {
 }
 
 TEST_F(CollectViews, RemovesTheLastView) {
-  collect_view(path, camera_at(1), limits);
+  ASSERT_TRUE(collect_view(path, camera_at(1), limits));
   const std::string one = folder.read("a-views.json");
-  collect_view(path, camera_at(2), limits);
-  EXPECT_EQ(drop_view(path, limits).count, 1U);
+  ASSERT_TRUE(collect_view(path, camera_at(2), limits));
+  EXPECT_EQ(*drop_view(path, limits), 1U);
   EXPECT_EQ(folder.read("a-views.json"), one);
-  EXPECT_EQ(drop_view(path, limits).refused, "");
+  EXPECT_EQ(error_text(drop_view(path, limits)), "");
   EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_EQ(drop_view(path, limits).refused, "there are no views");
+  EXPECT_EQ(error_text(drop_view(path, limits)), "there are no views");
 }
 
 TEST_F(CollectViews, NeverChangesOtherFiles) {
   folder.write("a-views.json", "my notes");
-  EXPECT_THAT(collect_view(path, camera_at(1), limits).refused, HasSubstr("a-views.json:1:1"));
-  EXPECT_NE(drop_view(path, limits).refused, "");
+  EXPECT_THAT(error_text(collect_view(path, camera_at(1), limits)), HasSubstr("a-views.json:1:1"));
+  EXPECT_NE(error_text(drop_view(path, limits)), "");
   EXPECT_EQ(folder.read("a-views.json"), "my notes");
-  EXPECT_NE(collect_view(folder.path("no/such.json"), camera_at(1), limits).refused, "");
+  EXPECT_NE(error_text(collect_view(folder.path("no/such.json"), camera_at(1), limits)), "");
 }
 
 TEST(ViewsFile, IsNamedAfterTheScene) {

@@ -76,9 +76,8 @@ struct PixelTest : ::testing::Test {
   void compare_with_gray() {
     Image gray(80, 60);
     std::fill(gray.rgb.begin(), gray.rgb.end(), 0.5F);
-    std::string error;
-    open_reference(session, folder.write("gray.png", encode_image(gray, ImageFormat::png8,
-                                                                  Rounding::nearest, error)));
+    open_reference(session, folder.write("gray.png", *encode_image(gray, ImageFormat::png8,
+                                                                   Rounding::nearest)));
     while (session.reading.busy()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
       tick(session, time);

@@ -21,24 +21,26 @@ struct SaveView : ::testing::Test {
 
 TEST_F(SaveView, ChangesTheCameraAndNothingElse) {
   camera.position.y = 2.5F;
-  const SavedView saved = save_view(path, testing::scene_text, camera, {});
-  EXPECT_EQ(saved.refused, "");
+  const Result<std::string> saved = save_view(path, testing::scene_text, camera, {});
+  ASSERT_EQ(error_text(saved), "");
   std::string wanted = testing::scene_text;
   wanted.replace(wanted.find("y=\"0\" z=\"6\""), 11, "y=\"2.5\" z=\"6\"");
   EXPECT_EQ(folder.read("a.xml"), wanted);
-  EXPECT_EQ(saved.text, wanted);
+  EXPECT_EQ(*saved, wanted);
   EXPECT_EQ(folder.list().size(), 1U);
 }
 
 TEST_F(SaveView, DoesNotChangeAFileThatIsNotShown) {
   folder.write("a.xml", testing::scene_text + "<!-- more -->");
-  EXPECT_THAT(save_view(path, testing::scene_text, camera, {}).refused, HasSubstr("has changed"));
+  EXPECT_THAT(error_text(save_view(path, testing::scene_text, camera, {})),
+              HasSubstr("has changed"));
   EXPECT_EQ(folder.read("a.xml"), testing::scene_text + "<!-- more -->");
 }
 
 TEST_F(SaveView, ScenesWithoutAFile) {
-  EXPECT_THAT(save_view("-", testing::scene_text, camera, {}).refused, HasSubstr("standard input"));
-  EXPECT_NE(save_view(folder.path("gone.xml"), testing::scene_text, camera, {}).refused, "");
+  EXPECT_THAT(error_text(save_view("-", testing::scene_text, camera, {})),
+              HasSubstr("standard input"));
+  EXPECT_NE(error_text(save_view(folder.path("gone.xml"), testing::scene_text, camera, {})), "");
 }
 
 }  // namespace

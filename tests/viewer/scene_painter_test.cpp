@@ -22,9 +22,13 @@ using testing_support::TempFolder;
 
 PaintContext headless() {
   const auto context = std::make_shared<std::unique_ptr<HeadlessContext>>();
-  return {[context](std::string& error) -> GetProcAddress {
-            *context = HeadlessContext::create(error);
-            return *context != nullptr ? (*context)->get_proc_address() : nullptr;
+  return {[context]() -> Result<GetProcAddress> {
+            Result<std::unique_ptr<HeadlessContext>> made = HeadlessContext::create();
+            if (!made) {
+              return made.error();
+            }
+            *context = *std::move(made);
+            return (*context)->get_proc_address();
           },
           [context] { context->reset(); }};
 }
@@ -48,12 +52,12 @@ std::string many_spheres() {
 
 struct ScenePainterTest : ::testing::Test {
   void SetUp() override {
-    std::string error;
-    painter = ScenePainter::create(
-        headless(), [this] { ++woken; }, error);
-    if (painter == nullptr) {
-      GTEST_SKIP() << error;
+    Result<std::unique_ptr<ScenePainter>> made =
+        ScenePainter::create(headless(), [this] { ++woken; });
+    if (!made) {
+      GTEST_SKIP() << made.error().text;
     }
+    painter = *std::move(made);
   }
   PaintJob job(const std::string& text, int width, int height, bool refines = false) {
     auto scene = std::make_shared<OpenedScene>(testing::open_file(folder.write("a.xml", text)));
@@ -100,11 +104,10 @@ TEST_F(ScenePainterTest, ARefinementIsInterruptedAndLeavesNothingHalfDone) {
   const std::optional<Painted> painted = painter->take(true);
   ASSERT_TRUE(painted.has_value());
   EXPECT_EQ(painted->recipe, small.recipe) << "the small picture is the last one";
-  std::string error;
-  const auto fresh = ScenePainter::create(
-      headless(), [] {}, error);
-  fresh->ask(small);
-  EXPECT_EQ(painted->picture.rgb, fresh->take(true)->picture.rgb) << "with its shadows";
+  const auto fresh = ScenePainter::create(headless(), [] {});
+  ASSERT_EQ(error_text(fresh), "");
+  (*fresh)->ask(small);
+  EXPECT_EQ(painted->picture.rgb, (*fresh)->take(true)->picture.rgb) << "with its shadows";
 }
 
 TEST_F(ScenePainterTest, OtherPicturesComeAfterThoseOfTheWindow) {
@@ -130,16 +133,9 @@ TEST_F(ScenePainterTest, EndsInTheMiddleOfAPicture) {
 }
 
 TEST(ScenePainterWithoutContext, SaysWhy) {
-  std::string error;
   const auto painter = ScenePainter::create(
-      {[](std::string& wrong) -> GetProcAddress {
-         wrong = "no context";
-         return nullptr;
-       },
-       [] {}},
-      [] {}, error);
-  EXPECT_EQ(painter, nullptr);
-  EXPECT_EQ(error, "no context");
+      {[]() -> Result<GetProcAddress> { return Error{"no context"}; }, [] {}}, [] {});
+  EXPECT_EQ(error_text(painter), "no context");
 }
 
 }  // namespace

@@ -75,9 +75,8 @@ struct SessionTest : ::testing::Test {
     return session.selected ? session.shown->outline.rows[*session.selected].label : "";
   }
   std::string write_picture(const std::string& name, int width, int height) {
-    std::string error;
-    return folder.write(
-        name, encode_image(Image(width, height), ImageFormat::png8, Rounding::nearest, error));
+    return folder.write(name,
+                        *encode_image(Image(width, height), ImageFormat::png8, Rounding::nearest));
   }
   const RenderScene& scene() const { return session.shown->opened.ready.scene; }
 

@@ -154,9 +154,8 @@ TEST_F(StartPanelTest, AChangeOfTheFileDoesNotCloseIt) {
 }
 
 TEST_F(StartPanelTest, APictureBecomesTheReference) {
-  std::string error;
   const std::string picture =
-      folder.write("p.png", encode_image(Image(8, 6), ImageFormat::png8, Rounding::nearest, error));
+      folder.write("p.png", *encode_image(Image(8, 6), ImageFormat::png8, Rounding::nearest));
   open_start_panel(session);
   choose(session, picture);
   settle();

@@ -98,14 +98,17 @@ std::string unusable(const BmpHeader& h) {
   return {};
 }
 
-bool read_bmp_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+Result<ImageHeader> read_bmp_header(std::string_view bytes) {
   const BmpHeader h = bmp_header(bytes);
-  error = unusable(h);
+  if (const std::string why = unusable(h); !why.empty()) {
+    return input_error(why);
+  }
+  ImageHeader header;
   header.width = h.width;
   header.height = h.height;
   // The limits have already rejected sizes for which this product could overflow.
   header.min_bytes = h.pixels_at + h.row_bytes() * h.height;
-  return error.empty();
+  return header;
 }
 
 using Color = std::array<std::uint8_t, 3>;
@@ -149,7 +152,7 @@ Color masked_color(const std::uint8_t* row, std::size_t x, const BmpHeader& h) {
           masked_value(pixel, h.mask[2])};
 }
 
-bool decode_bmp(std::string_view bytes, Texture& texture, std::string& error) {
+Result<void> decode_bmp(std::string_view bytes, Texture& texture) {
   const BmpHeader h = bmp_header(bytes);
   const std::vector<Color> palette = read_palette(bytes, h);
   texture.rgb.resize(3 * h.width * h.height);
@@ -165,13 +168,13 @@ bool decode_bmp(std::string_view bytes, Texture& texture, std::string& error) {
       } else if (const std::uint32_t index = index_at(row, x, h.bits); index < palette.size()) {
         color = palette[index];
       } else {
-        error = fmt::format("a pixel in row {} has a color beyond the end of the palette", y);
-        return false;
+        return input_error(
+            fmt::format("a pixel in row {} has a color beyond the end of the palette", y));
       }
       std::copy(color.begin(), color.end(), to);
     }
   }
-  return true;
+  return {};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The decoders used by decode_image(). Internal to asset.
 
 #include "scenefile/asset/image.h"
+#include "scenefile/base/result.h"
 
 #include <cstdint>
 #include <string>
@@ -18,15 +19,14 @@ struct ImageHeader {
   std::uint64_t min_bytes = 0;  ///< a smaller file cannot hold that many pixels
 };
 
-/// One image format over bytes in memory. Each function returns false and sets `error` if the
-/// bytes are invalid.
+/// One image format over bytes in memory. The functions fail if the bytes are invalid.
 struct Codec {
   std::string_view name;
   bool (*recognizes)(std::string_view bytes);
-  bool (*read_header)(std::string_view bytes, ImageHeader& header, std::string& error);
+  Result<ImageHeader> (*read_header)(std::string_view bytes);
   /// Fills texture.rgb. The size is set and rgb has the capacity reserved, so that a
   /// truncated file never touches most of that memory.
-  bool (*decode)(std::string_view bytes, Texture& texture, std::string& error);
+  Result<void> (*decode)(std::string_view bytes, Texture& texture);
 };
 
 extern const Codec png_codec;

@@ -54,70 +54,67 @@ std::string implausible(const ImageHeader& header, std::size_t bytes) {
   return {};
 }
 
-bool decode(const Codec& codec, std::string_view bytes, const Limits& limits, std::uint64_t budget,
-            Texture& texture, std::string& error, bool& over_limit) {
-  ImageHeader header;
-  if (!codec.read_header(bytes, header, error)) {
-    error = fmt::format("{}: {}", codec.name, error);
-    return false;
+Result<Texture> decode(const Codec& codec, std::string_view bytes, const Limits& limits,
+                       std::uint64_t budget) {
+  const Result<ImageHeader> header = codec.read_header(bytes);
+  if (!header) {
+    return input_error(fmt::format("{}: {}", codec.name, header.error().text));
   }
-  error = over_limits(header, limits, budget);
-  over_limit = !error.empty();
-  if (!over_limit) {
-    error = implausible(header, bytes.size());
+  const auto failed = [&](std::string_view why, ErrorKind kind) {
+    return Error{
+        fmt::format("{} of {} x {} pixels: {}", codec.name, header->width, header->height, why),
+        kind};
+  };
+  if (const std::string why = over_limits(*header, limits, budget); !why.empty()) {
+    return failed(why, ErrorKind::limit);
   }
-  if (!error.empty()) {
-    error = fmt::format("{} of {} x {} pixels: {}", codec.name, header.width, header.height, error);
-    return false;
+  if (const std::string why = implausible(*header, bytes.size()); !why.empty()) {
+    return failed(why, ErrorKind::input);
   }
-  texture.width = static_cast<int>(header.width);
-  texture.height = static_cast<int>(header.height);
-  texture.rgb.reserve(3 * header.width * header.height);
-  if (!codec.decode(bytes, texture, error)) {
-    error = fmt::format("{} of {} x {} pixels: {}", codec.name, header.width, header.height, error);
-    return false;
+  Texture texture;
+  texture.width = static_cast<int>(header->width);
+  texture.height = static_cast<int>(header->height);
+  texture.rgb.reserve(3 * header->width * header->height);
+  if (const Result<void> done = codec.decode(bytes, texture); !done) {
+    return failed(done.error().text, ErrorKind::input);
   }
-  return true;
+  return texture;
 }
 
 }  // namespace
 
 std::uint64_t decoded_bytes(std::string_view bytes) {
   const Codec* const codec = codec_of(bytes);
-  ImageHeader header;
-  std::string error;
-  if (codec == nullptr || !codec->read_header(bytes, header, error)) {
+  const Result<ImageHeader> header =
+      codec != nullptr ? codec->read_header(bytes) : input_error("unknown");
+  if (!header) {
     return 0;
   }
   constexpr std::uint64_t most = 1u << 24;  // no product overflows
-  return 3 * std::min<std::uint64_t>(header.width, most) *
-         std::min<std::uint64_t>(header.height, most);
+  return 3 * std::min<std::uint64_t>(header->width, most) *
+         std::min<std::uint64_t>(header->height, most);
 }
 
 bool is_image(std::string_view bytes) {
   return codec_of(bytes) != nullptr;
 }
 
-Texture decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget,
-                     std::string& error, bool* over_limit) {
-  error.clear();
-  bool limit = false;
-  Texture texture;
-  const Codec* codec = codec_of(bytes);
+Result<Texture> decode_image(std::string_view bytes, const Limits& limits, std::uint64_t& budget) {
   if (bytes.empty()) {
-    error = "the file is empty";
-  } else if (codec == nullptr) {
-    error = "this is not a PNG, JPEG, GIF, TGA or BMP image";
-  } else if (decode(*codec, bytes, limits, budget, texture, error, limit)) {
-    budget -= texture.rgb.size();
+    return input_error("the file is empty");
   }
-  if (!error.empty()) {
-    texture = {};
+  const Codec* const codec = codec_of(bytes);
+  if (codec == nullptr) {
+    return input_error("this is not a PNG, JPEG, GIF, TGA or BMP image");
   }
-  if (over_limit != nullptr) {
-    *over_limit = limit;
-  }
+  Result<Texture> texture = decode(*codec, bytes, limits, budget);
+  budget -= texture ? texture->rgb.size() : 0;
   return texture;
+}
+
+Result<Texture> decode_image(std::string_view bytes, const Limits& limits) {
+  std::uint64_t budget = limits.texture_bytes;
+  return decode_image(bytes, limits, budget);
 }
 
 }  // namespace scenefile

@@ -1,10 +1,10 @@
 #include "scenefile/asset/codec.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/asset/image_stream.h"
+#include "scenefile/base/text.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 
 namespace scenefile {
@@ -26,18 +26,14 @@ std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
-std::string encode_picture_exr(const Image& image, std::string& error) {
+Result<std::string> encode_exr(const Image& image) {
   const ImageLayer picture{"", {"R", "G", "B"}, false, image.rgb};
-  return encode_layers(image.width, image.height, {&picture, 1}, error);
+  return encode_layers(image.width, image.height, {&picture, 1});
 }
 
 bool ends_with(std::string_view text, std::string_view end) {
-  const auto same = [](char a, char b) {
-    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-  };
   return text.size() >= end.size() &&
-         std::equal(end.begin(), end.end(), text.end() - static_cast<std::ptrdiff_t>(end.size()),
-                    [&](char b, char a) { return same(a, b); });
+         equal_ignoring_case(text.substr(text.size() - end.size()), end);
 }
 
 }  // namespace
@@ -73,25 +69,22 @@ bool stream_pfm(int width, int height, const RowSource& rows, const ByteSink& si
   return true;
 }
 
-bool image_format_of(std::string_view file_name, ImageFormat& format) {
+std::optional<ImageFormat> image_format_of(std::string_view file_name) {
   if (ends_with(file_name, ".png")) {
-    format = ImageFormat::png8;
-  } else if (ends_with(file_name, ".exr")) {
-    format = ImageFormat::exr;
-  } else if (ends_with(file_name, ".pfm")) {
-    format = ImageFormat::pfm;
-  } else {
-    return false;
+    return ImageFormat::png8;
   }
-  return true;
+  if (ends_with(file_name, ".exr")) {
+    return ImageFormat::exr;
+  }
+  if (ends_with(file_name, ".pfm")) {
+    return ImageFormat::pfm;
+  }
+  return std::nullopt;
 }
 
-std::string encode_image(const Image& image, ImageFormat format, Rounding rounding,
-                         std::string& error) {
-  error.clear();
+Result<std::string> encode_image(const Image& image, ImageFormat format, Rounding rounding) {
   if (image.rgb.empty()) {
-    error = "an image without pixels cannot be written";
-    return {};
+    return input_error("an image without pixels cannot be written");
   }
   switch (format) {
     case ImageFormat::png8:
@@ -99,7 +92,7 @@ std::string encode_image(const Image& image, ImageFormat format, Rounding roundi
     case ImageFormat::png16:
       return encode_png(image, 16, rounding);
     case ImageFormat::exr:
-      return encode_picture_exr(image, error);
+      return encode_exr(image);
     case ImageFormat::pfm:
       break;
   }

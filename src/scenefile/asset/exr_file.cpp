@@ -155,14 +155,13 @@ std::string block_of(int width, int y, int end, const std::vector<Channel>& chan
 
 }  // namespace
 
-bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
-                   const LayerSource& rows, const ByteSink& sink, std::string& error) {
-  error.clear();
+Result<void> stream_layers(int width, int height, std::span<const ImageLayer> layers,
+                           const LayerSource& rows, const ByteSink& sink) {
+  const Error canceled{"canceled", ErrorKind::cancelled};
   const std::vector<Channel> channels = channels_of(layers);
   for (const Channel& channel : channels) {
     if (channel.name.size() > longest_name) {
-      error = "the name of a layer is too long for EXR";
-      return false;
+      return Error{"the name of a layer is too long for EXR", ErrorKind::usage};
     }
   }
   const std::string header = header_of(width, height, channels);
@@ -170,7 +169,7 @@ bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
   // The offsets of the blocks are only known when all are written.
   std::string offsets(8 * blocks, '\0');
   if (!sink.append(header) || !sink.append(offsets)) {
-    return false;
+    return canceled;
   }
   std::uint64_t place = header.size() + offsets.size();
   offsets.clear();
@@ -178,31 +177,26 @@ bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
     const int end = std::min(height, y + rows_of_a_block);
     const std::optional<LayerRows> values = rows(y, end);
     if (!values) {
-      return false;
+      return canceled;
     }
     const std::string block = block_of(width, y, end, channels, *values);
     std::string head;
     append(head, static_cast<std::uint32_t>(y));
     append(head, static_cast<std::uint32_t>(block.size()));
     if (!sink.append(head) || !sink.append(block)) {
-      return false;
+      return canceled;
     }
     append(offsets, place);
     place += head.size() + block.size();
   }
-  return sink.replace(header.size(), offsets);
+  return sink.replace(header.size(), offsets) ? Result<void>() : canceled;
 }
 
-std::string encode_layers(int width, int height, std::span<const ImageLayer> layers,
-                          std::string& error) {
+Result<std::string> encode_layers(int width, int height, std::span<const ImageLayer> layers) {
   std::string bytes;
-  stream_layers(
-      width, height, layers,
-      [&](int, int) {
-        return LayerRows{layers, 0};
-      },
-      sink_to(bytes), error);
-  return bytes;
+  const auto rows = [&](int, int) { return LayerRows{layers, 0}; };
+  const Result<void> written = stream_layers(width, height, layers, rows, sink_to(bytes));
+  return written ? Result<std::string>(std::move(bytes)) : written.error();
 }
 
 }  // namespace scenefile

@@ -26,13 +26,14 @@ bool recognizes_gif(std::string_view bytes) {
   return bytes.substr(0, 6) == "GIF87a" || bytes.substr(0, 6) == "GIF89a";
 }
 
-bool read_gif_header(std::string_view bytes, ImageHeader& header, std::string&) {
+Result<ImageHeader> read_gif_header(std::string_view bytes) {
+  ImageHeader header;
   ByteReader in(bytes, 6);
   header.width = in.u16();
   header.height = in.u16();
   // A code of at least 3 bits encodes at most 4096 pixels.
   header.min_bytes = header.width * header.height / (max_codes * 8 / 3);
-  return true;
+  return header;
 }
 
 Palette read_palette(ByteReader& in, std::uint32_t flags) {
@@ -185,10 +186,10 @@ class Canvas {
   bool bad_color_ = false;
 };
 
-std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
+Result<void> read_pixels(ByteReader& in, Canvas& canvas) {
   const std::uint32_t code_bits = in.u8();
   if (code_bits < 1 || code_bits > 8) {
-    return "its colors have an impossible number of bits";
+    return input_error("its colors have an impossible number of bits");
   }
   StringTable table(code_bits);
   CodeReader codes(in);
@@ -199,7 +200,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
   std::uint32_t last = table.clear_code();
   while (!canvas.full()) {
     if (!codes.next(bits, code) || code == table.end_code()) {
-      return ends_early;
+      return input_error(std::string(ends_early));
     }
     if (code == table.clear_code()) {
       table.clear();
@@ -210,7 +211,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
     const bool first = last == table.clear_code();
     const bool newest = code == table.size() && !first;
     if (code >= table.size() && !newest) {
-      return "it contains an invalid code";
+      return input_error("it contains an invalid code");
     }
     // A code for the string under construction: the previous string plus its own first color.
     std::uint8_t* begin = table.expand(newest ? last : code, newest ? end - 1 : end);
@@ -224,7 +225,7 @@ std::string_view read_pixels(ByteReader& in, Canvas& canvas) {
       canvas.put(*begin);
     }
     if (canvas.bad_color()) {
-      return "a pixel has a color beyond the end of the palette";
+      return input_error("a pixel has a color beyond the end of the palette");
     }
     bits += table.size() == 1u << bits && bits < 12 ? 1 : 0;
     last = code;
@@ -241,15 +242,14 @@ void fill_background(Texture& texture, const Palette& palette, std::uint32_t ind
   }
 }
 
-bool decode_gif(std::string_view bytes, Texture& texture, std::string& error) {
+Result<void> decode_gif(std::string_view bytes, Texture& texture) {
   ByteReader in(bytes, 10);
   const std::uint32_t flags = in.u8();
   const std::uint32_t background = in.u8();
   in.skip(1);
   const Palette shared = read_palette(in, flags);
   if (!find_image(in)) {
-    error = "it contains no image";
-    return false;
+    return input_error("it contains no image");
   }
   Frame frame{in.u16(), in.u16(), in.u16(), in.u16(), false};
   const std::uint32_t frame_flags = in.u8();
@@ -258,13 +258,11 @@ bool decode_gif(std::string_view bytes, Texture& texture, std::string& error) {
   if (frame.width == 0 || frame.height == 0 ||
       frame.left + frame.width > static_cast<std::uint32_t>(texture.width) ||
       frame.top + frame.height > static_cast<std::uint32_t>(texture.height)) {
-    error = "its first frame is empty or reaches beyond the image";
-    return false;
+    return input_error("its first frame is empty or reaches beyond the image");
   }
   fill_background(texture, shared, background);
   Canvas canvas(texture, frame, own.colors > 0 ? own : shared);
-  error = read_pixels(in, canvas);
-  return error.empty();
+  return read_pixels(in, canvas);
 }
 
 }  // namespace

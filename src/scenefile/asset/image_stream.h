@@ -3,6 +3,7 @@
 // encode_image() and encode_layers() (image_file.h).
 
 #include "scenefile/asset/image.h"
+#include "scenefile/base/result.h"
 
 #include <cstdint>
 #include <functional>
@@ -44,8 +45,8 @@ struct LayerRows {
 using LayerSource = std::function<std::optional<LayerRows>(int y, int end)>;
 
 /// Requests each row once, from the top. `layers`: names, channels and `whole`, without values.
-/// Returns false if it was canceled, or with `error` if such a file cannot be written.
-bool stream_layers(int width, int height, std::span<const ImageLayer> layers,
-                   const LayerSource& rows, const ByteSink& sink, std::string& error);
+/// Fails with ErrorKind::cancelled if it was canceled, or as encode_layers() does.
+Result<void> stream_layers(int width, int height, std::span<const ImageLayer> layers,
+                           const LayerSource& rows, const ByteSink& sink);
 
 }  // namespace scenefile

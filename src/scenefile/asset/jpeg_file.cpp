@@ -11,6 +11,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -135,31 +136,33 @@ std::unique_ptr<Decoder> make_decoder() {
   return decoder;
 }
 
-void finish(Decoder& decoder, std::string& error) {
+// Returns what made the decoder fail.
+Error finish(Decoder& decoder) {
   jpeg_destroy_decompress(&decoder.jpeg);
   if (decoder.out_of_memory) {
     throw std::bad_alloc();
   }
-  error = decoder.message;
+  return input_error(decoder.message);
 }
 
 bool recognizes_jpeg(std::string_view bytes) {
   return bytes.substr(0, 3) == "\xff\xd8\xff";
 }
 
-bool read_jpeg_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+Result<ImageHeader> read_jpeg_header(std::string_view bytes) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
+  ImageHeader header;
   const bool fine = read_sizes(*decoder, bytes, header);
-  finish(*decoder, error);
-  return fine;
+  Error error = finish(*decoder);
+  return fine ? Result<ImageHeader>(header) : std::move(error);
 }
 
-bool decode_jpeg(std::string_view bytes, Texture& texture, std::string& error) {
+Result<void> decode_jpeg(std::string_view bytes, Texture& texture) {
   const std::unique_ptr<Decoder> decoder = make_decoder();
   std::vector<std::uint8_t> cmyk(std::size_t{4} * static_cast<std::size_t>(texture.width));
   const bool fine = read_image(*decoder, bytes, texture, cmyk);
-  finish(*decoder, error);
-  return fine;
+  Error error = finish(*decoder);
+  return fine ? Result<void>() : std::move(error);
 }
 
 }  // namespace

@@ -8,14 +8,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace scenefile {
 
 namespace {
 
-FileContents no_access(const std::string& /*name*/) {
-  return {"", "no files are opened here"};
+Result<std::string> no_access(const std::string& /*name*/) {
+  return Error{"no files are opened here"};
+}
+
+bool is_limit(const Error& error) {
+  return error.kind == ErrorKind::limit;
 }
 
 // Loads textures within the budget of all of them, several at once.
@@ -29,14 +34,15 @@ class TextureLoader {
 
   void load(std::span<const FileReference> files, std::vector<Texture>& textures) {
     for (std::size_t i = 0; i < files.size(); ++i) {
-      FileContents contents = fetch_(files[i].name);
-      const std::uint64_t decoded = decoded_bytes(contents.bytes);
-      if (!fits(contents.bytes.size(), decoded)) {
+      Result<std::string> bytes = fetch_(files[i].name);
+      const std::uint64_t encoded = bytes ? bytes->size() : 0;
+      const std::uint64_t decoded = bytes ? decoded_bytes(*bytes) : 0;
+      if (!fits(encoded, decoded)) {
         finish();
       }
       decoded_ += decoded;
-      encoded_ += contents.bytes.size();
-      waiting_.push_back({files[i], std::move(contents), textures[i], "", false});
+      encoded_ += encoded;
+      waiting_.push_back({files[i], std::move(bytes), textures[i], {}});
     }
     finish();
   }
@@ -44,15 +50,14 @@ class TextureLoader {
  private:
   struct Waiting {
     const FileReference& file;
-    FileContents contents;
+    Result<std::string> bytes;
     Texture& texture;
-    std::string error;
-    bool over_limit;
+    std::optional<Error> error;  // of decoding
   };
 
   // A batch that is decoded in parallel fits the budget, so that the same textures are rejected as
   // in sequence, and its files take little memory.
-  bool fits(std::size_t encoded, std::uint64_t decoded) const {
+  bool fits(std::uint64_t encoded, std::uint64_t decoded) const {
     constexpr std::size_t max_files = 64;
     constexpr std::size_t max_bytes = 64'000'000;
     return waiting_.size() < max_files && encoded_ + encoded <= max_bytes &&
@@ -60,10 +65,14 @@ class TextureLoader {
   }
 
   void decode(Waiting& one) const {
-    if (one.contents.error.empty()) {
-      std::uint64_t budget = budget_;
-      one.texture =
-          decode_image(one.contents.bytes, options_.limits, budget, one.error, &one.over_limit);
+    if (!one.bytes) {
+      return;
+    }
+    std::uint64_t budget = budget_;
+    if (Result<Texture> texture = decode_image(*one.bytes, options_.limits, budget)) {
+      one.texture = *std::move(texture);
+    } else {
+      one.error = texture.error();
     }
   }
 
@@ -84,12 +93,12 @@ class TextureLoader {
   }
 
   void report(const Waiting& one) {
-    if (!one.contents.error.empty()) {
-      warn(one.contents.over_limit ? texture_limit : texture_missing, one.file, one.contents.error,
-           one.contents.notes);
-    } else if (!one.error.empty()) {
-      warn(one.over_limit ? texture_limit : texture_undecodable, one.file,
-           "cannot decode: " + one.error, {});
+    if (!one.bytes) {
+      const Error& error = one.bytes.error();
+      warn(is_limit(error) ? texture_limit : texture_missing, one.file, error.text, error.notes);
+    } else if (one.error) {
+      warn(is_limit(*one.error) ? texture_limit : texture_undecodable, one.file,
+           "cannot decode: " + one.error->text, {});
     }
   }
 
@@ -121,13 +130,14 @@ class MeshLoader {
         bytes_(options.limits.mesh_bytes) {}
 
   Mesh load(const FileReference& file) {
-    const FileContents contents = fetch_(file.name);
-    if (!contents.error.empty()) {
-      report(contents.over_limit ? mesh_limit : mesh_missing, file, contents.error, contents.notes);
+    const Result<std::string> bytes = fetch_(file.name);
+    if (!bytes) {
+      const Error& error = bytes.error();
+      report(is_limit(error) ? mesh_limit : mesh_missing, file, error.text, error.notes);
       return {};
     }
     Diagnostics findings(options_.limits);
-    Mesh mesh = read_obj(contents.bytes, file.name, options_.limits, triangles_, bytes_, findings);
+    Mesh mesh = read_obj(*bytes, file.name, options_.limits, triangles_, bytes_, findings);
     for (Diagnostic finding : findings.list()) {
       finding.severity = softened(finding.severity);
       diagnostics_.add(std::move(finding));

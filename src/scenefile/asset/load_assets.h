@@ -5,6 +5,7 @@
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
 #include "scenefile/base/location.h"
+#include "scenefile/base/result.h"
 #include "scenefile/geometry/mesh.h"
 
 #include <cstddef>
@@ -23,18 +24,11 @@ struct Assets {
   std::vector<Mesh> meshes;       ///< without triangles if the file could not be used
 };
 
-/// The bytes of a file, or why it could not be read.
-struct FileContents {
-  std::string bytes;
-  std::string error;                    ///< empty on success
-  bool over_limit = false;              ///< the error is that the file is larger than allowed
-  std::vector<std::string> notes = {};  ///< more lines about the error, such as the places searched
-};
-
-/// Fetches a file by its name as written in the scene. The caller decides how names are resolved
+/// Reads a file by its name as written in the scene; ErrorKind::limit means that it is larger than
+/// allowed. The caller decides how names are resolved
 /// and what may be opened (io/asset_roots.h has the rules of the format). With an empty function
 /// every file counts as missing.
-using FetchFile = std::function<FileContents(const std::string& name)>;
+using FetchFile = std::function<Result<std::string>(const std::string& name)>;
 
 enum class AssetKind : std::uint8_t { texture, mesh };
 

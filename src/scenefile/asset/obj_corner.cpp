@@ -27,40 +27,38 @@ std::string out_of_range(std::string_view word, const IndexList& list) {
 }
 
 // A number of the file (from 1, or negative from the end) as an index.
-std::optional<std::uint32_t> parse_index(std::string_view word, const IndexList& list,
-                                         std::string& why) {
+Result<std::uint32_t> parse_index(std::string_view word, const IndexList& list) {
   const bool minus = !word.empty() && word[0] == '-';
   const std::string_view digits = word.substr(minus || (!word.empty() && word[0] == '+') ? 1 : 0);
   const char* end = digits.data() + digits.size();
   std::uint64_t number = 0;
   const auto result = std::from_chars(digits.data(), end, number);
   if (result.ptr != end || result.ec == std::errc::invalid_argument) {
-    why = word.empty() ? fmt::format("the number of the {} is missing", list.name)
-                       : fmt::format("{} is not the number of a {}", quoted(word), list.name);
-    return std::nullopt;
+    return input_error(word.empty()
+                           ? fmt::format("the number of the {} is missing", list.name)
+                           : fmt::format("{} is not the number of a {}", quoted(word), list.name));
   }
   const std::uint64_t most = minus ? list.so_far : list.in_file;
   if (result.ec == std::errc::result_out_of_range || number == 0 || number > most) {
-    why = out_of_range(word, list);
-    return std::nullopt;
+    return input_error(out_of_range(word, list));
   }
   return static_cast<std::uint32_t>(minus ? list.so_far - number : number - 1);
 }
 
 }  // namespace
 
-std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lists,
-                                   std::string& why) {
+Result<Corner> parse_corner(std::string_view word, const CornerLists& lists) {
   const IndexList* const list[] = {&lists.positions, &lists.uvs, &lists.normals};
   std::uint32_t indices[] = {mesh_no_index, mesh_no_index, mesh_no_index};
   std::string_view rest = word;
   for (std::size_t part = 0; part < 3; ++part) {
     const std::size_t end = std::min(rest.find('/'), rest.size());
     if (part == 0 || end > 0) {
-      const std::optional<std::uint32_t> index = parse_index(rest.substr(0, end), *list[part], why);
+      const Result<std::uint32_t> index = parse_index(rest.substr(0, end), *list[part]);
       if (!index) {
-        why = end == word.size() ? why : fmt::format("in the corner {}: {}", quoted(word), why);
-        return std::nullopt;
+        return end == word.size() ? index.error()
+                                  : input_error(fmt::format("in the corner {}: {}", quoted(word),
+                                                            index.error().text));
       }
       indices[part] = *index;
     }
@@ -69,9 +67,8 @@ std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lis
     }
     rest.remove_prefix(end + 1);
   }
-  why = fmt::format("{} is not a corner of a face: it has at most three parts, v/vt/vn",
-                    quoted(word));
-  return std::nullopt;
+  return input_error(fmt::format(
+      "{} is not a corner of a face: it has at most three parts, v/vt/vn", quoted(word)));
 }
 
 }  // namespace scenefile

@@ -1,9 +1,9 @@
 #pragma once
 // The corners of OBJ faces. Internal to asset.
 
+#include "scenefile/base/result.h"
+
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <string_view>
 
 namespace scenefile {
@@ -24,8 +24,7 @@ struct Corner {
   std::uint32_t position, uv, normal;
 };
 
-/// Reads v, v/vt, v//vn or v/vt/vn, or says why it is not valid.
-std::optional<Corner> parse_corner(std::string_view word, const CornerLists& lists,
-                                   std::string& why);
+/// Reads v, v/vt, v//vn or v/vt/vn.
+Result<Corner> parse_corner(std::string_view word, const CornerLists& lists);
 
 }  // namespace scenefile

@@ -87,15 +87,14 @@ bool is_indexed(std::string_view bytes) {
   return bytes[25] == PNG_COLOR_TYPE_PALETTE;
 }
 
-bool read_png_header(std::string_view bytes, ImageHeader& header, std::string& error) {
+Result<ImageHeader> read_png_header(std::string_view bytes) {
   if (bytes.size() < 33) {
-    error = ends_early;
-    return false;
+    return input_error(std::string(ends_early));
   }
   if (bytes.substr(12, 4) != "IHDR") {
-    error = "it does not begin with IHDR";
-    return false;
+    return input_error("it does not begin with IHDR");
   }
+  ImageHeader header;
   header.width = big_endian(bytes, 16);
   header.height = big_endian(bytes, 20);
   const auto depth = static_cast<std::uint8_t>(bytes[24]);
@@ -104,7 +103,7 @@ bool read_png_header(std::string_view bytes, ImageHeader& header, std::string& e
   header.working_bytes = is_indexed(bytes) ? header.width * header.height : 0;
   // Deflate shrinks to 1/1032 at best (zlib, "Technical Details").
   header.min_bytes = (bits / 8 + 1) * header.height / 1032;
-  return true;
+  return header;
 }
 
 // Irrelevant chunks are not parsed: 8 kB of compressed text expand to 8 MB, and a file of 8 MB can
@@ -179,19 +178,18 @@ bool read_image(png_structp png, png_infop info, const Texture& texture, PngPixe
   return true;
 }
 
-bool look_up_colors(const PngPixels& pixels, std::vector<std::uint8_t>& rgb, std::string& error) {
+Result<void> look_up_colors(const PngPixels& pixels, std::vector<std::uint8_t>& rgb) {
   for (const std::uint8_t index : pixels.bytes) {
     if (index >= pixels.colors) {
-      error = "a pixel has a color beyond the end of the palette";
-      return false;
+      return input_error("a pixel has a color beyond the end of the palette");
     }
     const png_color& color = pixels.palette[index];
     rgb.insert(rgb.end(), {color.red, color.green, color.blue});
   }
-  return true;
+  return {};
 }
 
-bool decode_png(std::string_view bytes, Texture& texture, std::string& error) {
+Result<void> decode_png(std::string_view bytes, Texture& texture) {
   Message message;
   Source source{bytes.data(), bytes.size()};
   PngPixels pixels;
@@ -211,10 +209,11 @@ bool decode_png(std::string_view bytes, Texture& texture, std::string& error) {
   png_set_read_fn(png, &source, png_fetch);
   png_set_user_limits(png, static_cast<png_uint_32>(texture.width),
                       static_cast<png_uint_32>(texture.height));
-  bool fine = read_image(png, info, texture, pixels);
-  error = message.text.data();
-  if (fine && pixels.indexed) {
-    fine = look_up_colors(pixels, texture.rgb, error);
+  Result<void> result;
+  if (!read_image(png, info, texture, pixels)) {
+    result = input_error(message.text.data());
+  } else if (pixels.indexed) {
+    result = look_up_colors(pixels, texture.rgb);
   } else {
     texture.rgb.swap(pixels.bytes);
   }
@@ -222,7 +221,7 @@ bool decode_png(std::string_view bytes, Texture& texture, std::string& error) {
   if (message.out_of_memory) {
     throw std::bad_alloc();
   }
-  return fine;
+  return result;
 }
 
 }  // namespace

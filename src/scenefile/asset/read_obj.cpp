@@ -262,12 +262,12 @@ class ObjReader {
         {"uv", counts_.uvs, mesh_.uvs.size()},
         {"normal", counts_.normals, mesh_.normals.size()},
     };
-    std::string why;
-    const std::optional<Corner> corner = parse_corner(word, lists, why);
+    const Result<Corner> corner = parse_corner(word, lists);
     if (!corner) {
-      report(mesh_index, words_.location(word), why);
+      report(mesh_index, words_.location(word), corner.error().text);
+      return {};
     }
-    return corner.value_or(Corner{});
+    return *corner;
   }
 
   void add_triangle(const Corner& a, const Corner& b, const Corner& c) {

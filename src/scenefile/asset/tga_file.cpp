@@ -61,7 +61,8 @@ bool recognizes_tga(std::string_view bytes) {
   return type && palette && depth && (h.descriptor & 0xc0) == 0;
 }
 
-bool read_tga_header(std::string_view bytes, ImageHeader& header, std::string&) {
+Result<ImageHeader> read_tga_header(std::string_view bytes) {
+  ImageHeader header;
   const TgaHeader h = tga_header(bytes);
   header.width = h.width;
   header.height = h.height;
@@ -70,7 +71,7 @@ bool read_tga_header(std::string_view bytes, ImageHeader& header, std::string&) 
   const std::uint64_t data = h.packed() ? pixels / 128 * (1 + pixel_bytes) : pixels * pixel_bytes;
   header.min_bytes =
       header_bytes + h.id_bytes + h.palette_length * ((h.palette_bits + 7) / 8) + data;
-  return true;
+  return header;
 }
 
 using Color = std::array<std::uint8_t, 3>;
@@ -149,7 +150,7 @@ class TgaPixels {
   bool bad_index_ = false;
 };
 
-bool decode_tga(std::string_view bytes, Texture& texture, std::string& error) {
+Result<void> decode_tga(std::string_view bytes, Texture& texture) {
   const TgaHeader header = tga_header(bytes);
   TgaPixels pixels(bytes, header);
   texture.rgb.resize(std::size_t{3} * header.width * header.height);
@@ -161,20 +162,18 @@ bool decode_tga(std::string_view bytes, Texture& texture, std::string& error) {
       std::copy(color.begin(), color.end(), texture.rgb.begin() + 3 * (y * header.width + x));
     }
     if (pixels.ended()) {
-      error = ends_early;
-      return false;
+      return input_error(std::string(ends_early));
     }
     if (pixels.bad_index()) {
-      error = fmt::format("a pixel in row {} has a color beyond the end of the palette", row);
-      return false;
+      return input_error(
+          fmt::format("a pixel in row {} has a color beyond the end of the palette", row));
     }
   }
   // Packets may run from one row into the next, as those of TGA 1 do, but not out of the picture.
   if (pixels.in_packet()) {
-    error = "the run-length data continues past the last pixel";
-    return false;
+    return input_error("the run-length data continues past the last pixel");
   }
-  return true;
+  return {};
 }
 
 }  // namespace

@@ -33,6 +33,11 @@ struct Error {
   std::vector<std::string> notes = {};  ///< more lines, such as the places searched
 };
 
+/// The error for invalid bytes.
+inline Error input_error(std::string text) {
+  return {std::move(text), ErrorKind::input};
+}
+
 /// A value or an error. Converts to true if it holds a value; only then may it be dereferenced.
 template <typename T>
 class [[nodiscard]] Result {

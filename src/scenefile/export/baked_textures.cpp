@@ -43,8 +43,7 @@ std::uint32_t BakedTextures::bake(const RenderMaterial& material, const glm::vec
   for (std::size_t i = 0; i < image.rgb.size(); ++i) {
     image.rgb[i] = value_of[i % 3][texture.rgb[i]];
   }
-  std::string error;
-  files_.push_back(encode_image(image, ImageFormat::png8, Rounding::nearest, error));
+  files_.push_back(*encode_image(image, ImageFormat::png8, Rounding::nearest));
   return entry->second;
 }
 

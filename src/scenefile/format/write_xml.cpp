@@ -7,6 +7,7 @@
 #include "scenefile/format/write_forms.h"
 #include "scenefile/format/write_text.h"
 #include "scenefile/format/write_values.h"
+#include "scenefile/format/xml_values.h"
 #include "scenefile/scene/vocabulary.h"
 #include "scenefile/scene/walk.h"
 #include "scenefile/scene/world_lights.h"
@@ -310,16 +311,6 @@ class XmlForm {
   std::vector<bool> is_head_;  // of the nodes of the tidy copy
   std::vector<bool> held_lights_;
 };
-
-// The attribute names of a value with three parts.
-std::span<const std::string_view> part_names(ValueKind kind) {
-  static constexpr std::string_view of_color[] = {"r", "g", "b"};
-  static constexpr std::string_view of_coefficients[] = {"v1", "v2", "v3"};
-  static constexpr std::string_view of_vector[] = {"x", "y", "z"};
-  return kind == ValueKind::color          ? std::span(of_color)
-         : kind == ValueKind::coefficients ? std::span(of_coefficients)
-                                           : std::span(of_vector);
-}
 
 // Prints elements and attributes, one element per line.
 class XmlPrinter {

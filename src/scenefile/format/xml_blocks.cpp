@@ -604,7 +604,8 @@ std::optional<ObjectTag> read_object_tag(const XmlContext& context, const XmlTag
   if (!type || !name_fits(context, found.name) || !name_fits(context, found.filename)) {
     return std::nullopt;
   }
-  ObjectTag object{*type, found.name != nullptr, {}, {}, tag.location, tag.location};
+  ObjectTag object{*type,        found.name != nullptr, found.filename != nullptr, {}, {},
+                   tag.location, tag.location};
   if (found.name != nullptr) {
     object.name = found.name->value;
     object.name_place = context.place(*found.name);
@@ -653,9 +654,8 @@ std::optional<Shape> read_shape(const XmlContext& context, const XmlTag& tag,
   const auto shape = static_cast<Shape>(i);
   if (shape == Shape::mesh && object.filename.empty()) {
     context.report(xml_missing_attribute, tag,
-                   object.filename_place == tag.location
-                       ? "the mesh is missing the attribute filename"
-                       : "the attribute filename of the mesh is empty");
+                   object.has_filename ? "the attribute filename of the mesh is empty"
+                                       : "the mesh is missing the attribute filename");
     return std::nullopt;
   }
   if (shape != Shape::mesh && !object.filename.empty()) {

@@ -20,6 +20,7 @@ enum class ObjectType : std::uint8_t { tree, master, primitive };
 struct ObjectTag {
   ObjectType type = ObjectType::tree;
   bool has_name = false;
+  bool has_filename = false;
   std::string_view name;      ///< may be empty
   std::string_view filename;  ///< of a mesh
   Location name_place;        ///< of the attribute, or of the tag if there is none

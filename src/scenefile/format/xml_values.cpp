@@ -324,6 +324,10 @@ std::string element_text(std::string_view name) {
   return fmt::format("<{}>", escaped(name, 40));
 }
 
+std::span<const std::string_view> part_names(ValueKind kind) {
+  return std::span(signature_of_three(kind).forms.front().names).first(3);
+}
+
 std::string did_you_mean(std::string_view name, std::string_view mark) {
   if (name.empty()) {
     return {};

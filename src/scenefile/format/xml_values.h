@@ -37,6 +37,9 @@ struct XmlContext {
 /// The name of an element for messages, in angle brackets.
 std::string element_text(std::string_view name);
 
+/// The attributes of a value with three parts.
+std::span<const std::string_view> part_names(ValueKind kind);
+
 /// "; did you mean X?", or empty if X is empty. `mark` surrounds X: "<>" or "".
 std::string did_you_mean(std::string_view name, std::string_view mark = "");
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <numbers>
 
 namespace scenefile::SCENEFILE_LANES {
 
@@ -43,7 +44,7 @@ inline V3 cone_normal(const Around& around) {
 /// std::atan2(y, x) for finite numbers, to 2 units in the last place; 0 if both are 0. The rational
 /// approximation is that of atan() in Cephes (Moshier, 1989).
 inline F angle_of(F y, F x) {
-  constexpr double half_turn = 3.14159265358979323846;
+  constexpr double half_turn = std::numbers::pi;
   const F longer = max(abs(x), abs(y));
   const F shorter = min(abs(x), abs(y));
   const M steep = shorter > splat(0.66) * longer;
@@ -78,7 +79,7 @@ inline F angle_of(F y, F x) {
 
 /// The u coordinate on round sides.
 inline F around_u(const Around& around) {
-  const F turn = splat(2 * 3.14159265358979323846);
+  const F turn = splat(2 * std::numbers::pi);
   const F phi = angle_of(around.sine, around.cosine);
   return select(phi < splat(0), -phi / turn, splat(1) - phi / turn);
 }
@@ -86,7 +87,7 @@ inline F around_u(const Around& around) {
 /// The v coordinate on the sphere.
 inline F sphere_v(F height, const Around& around) {
   const F latitude = angle_of(height, around.distance);
-  return clamp(latitude / splat(3.14159265358979323846) + splat(0.5), 0, 1);
+  return clamp(latitude / splat(std::numbers::pi) + splat(0.5), 0, 1);
 }
 
 }  // namespace scenefile::SCENEFILE_LANES

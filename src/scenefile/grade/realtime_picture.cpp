@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace scenefile {
@@ -13,7 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double cross(const dvec2& a, const dvec2& b) {
   return a.x * b.y - a.y * b.x;

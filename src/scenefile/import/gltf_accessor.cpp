@@ -81,22 +81,20 @@ std::string_view type_name(std::size_t components) {
   return names[components - 1];
 }
 
-bool find_layout(const GltfFile& file, std::uint32_t index, std::size_t components, Layout& layout,
-                 std::string& error) {
+Result<Layout> find_layout(const GltfFile& file, std::uint32_t index, std::size_t components) {
   if (index >= file.accessors.size()) {
-    error = " does not exist";
-    return false;
+    return input_error(" does not exist");
   }
   const JsonValue& accessor = file.accessors[index];
   if (accessor["sparse"]) {
-    error = " is sparse, which is not supported";
-    return false;
+    return input_error(" is sparse, which is not supported");
   }
+  Layout layout;
   layout.component = static_cast<Component>(accessor["componentType"].whole().value_or(0));
   const std::size_t size = size_of(layout.component) * components;
   if (size == 0 || accessor["type"].string().value_or("") != type_name(components)) {
-    error = fmt::format(" should be a {} of a known component type", type_name(components));
-    return false;
+    return input_error(
+        fmt::format(" should be a {} of a known component type", type_name(components)));
   }
   layout.normalized = false;
   if (const JsonValue normalized = accessor["normalized"]) {
@@ -107,19 +105,17 @@ bool find_layout(const GltfFile& file, std::uint32_t index, std::size_t componen
   const std::uint64_t offset =
       accessor["byteOffset"] ? accessor["byteOffset"].whole().value_or(~std::uint64_t{0}) : 0;
   if (view >= file.views.size() || count == 0) {
-    error = " has no bufferView or no elements";
-    return false;
+    return input_error(" has no bufferView or no elements");
   }
   const std::string_view bytes = file.views[view].bytes;
   layout.stride = file.views[view].stride == 0 ? size : file.views[view].stride;
   if (layout.stride < size || offset > bytes.size() || size > bytes.size() - offset ||
       (bytes.size() - offset - size) / layout.stride < count - 1) {
-    error = " points outside of its bufferView";
-    return false;
+    return input_error(" points outside of its bufferView");
   }
   layout.first = bytes.data() + offset;
   layout.count = count;
-  return true;
+  return layout;
 }
 
 }  // namespace
@@ -129,13 +125,14 @@ std::uint64_t element_count(const GltfFile& file, std::uint32_t accessor) {
                                           : 0;
 }
 
-bool read_floats(const GltfFile& file, std::uint32_t accessor, std::size_t components,
-                 std::vector<float>& values, std::string& error) {
-  Layout layout;
-  if (!find_layout(file, accessor, components, layout, error)) {
-    return false;
+Result<std::vector<float>> read_floats(const GltfFile& file, std::uint32_t accessor,
+                                       std::size_t components) {
+  const Result<Layout> found = find_layout(file, accessor, components);
+  if (!found) {
+    return found.error();
   }
-  values.clear();
+  const Layout& layout = *found;
+  std::vector<float> values;
   values.reserve(layout.count * components);
   const std::size_t size = size_of(layout.component);
   for (std::size_t i = 0; i < layout.count; ++i) {
@@ -143,22 +140,21 @@ bool read_floats(const GltfFile& file, std::uint32_t accessor, std::size_t compo
       const float value =
           number(layout.first + i * layout.stride + k * size, layout.component, layout.normalized);
       if (!std::isfinite(value)) {
-        error = fmt::format(" has a number that is not finite, in element {}", i);
-        return false;
+        return input_error(fmt::format(" has a number that is not finite, in element {}", i));
       }
       values.push_back(value);
     }
   }
-  return true;
+  return values;
 }
 
-bool read_indices(const GltfFile& file, std::uint32_t accessor, std::vector<std::uint32_t>& values,
-                  std::string& error) {
-  Layout layout;
-  if (!find_layout(file, accessor, 1, layout, error)) {
-    return false;
+Result<std::vector<std::uint32_t>> read_indices(const GltfFile& file, std::uint32_t accessor) {
+  const Result<Layout> found = find_layout(file, accessor, 1);
+  if (!found) {
+    return found.error();
   }
-  values.clear();
+  const Layout& layout = *found;
+  std::vector<std::uint32_t> values;
   values.reserve(layout.count);
   for (std::size_t i = 0; i < layout.count; ++i) {
     const char* const at = layout.first + i * layout.stride;
@@ -175,11 +171,10 @@ bool read_indices(const GltfFile& file, std::uint32_t accessor, std::vector<std:
       case Component::int8:
       case Component::int16:
       case Component::float32:
-        error = " contains indices, which must be unsigned";
-        return false;
+        return input_error(" contains indices, which must be unsigned");
     }
   }
-  return true;
+  return values;
 }
 
 }  // namespace scenefile

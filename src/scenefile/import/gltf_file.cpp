@@ -158,18 +158,17 @@ class Opener {
       const std::optional<std::string> uri = list[i]["uri"].string();
       std::string_view bytes = binary;
       if (uri) {
-        std::string error;
-        std::optional<std::string> fetched = fetch_uri(*uri, options_, error);
+        Result<std::string> fetched = fetch_uri(*uri, options_);
         if (!fetched) {
           diagnostics_.report(import_missing_file, Severity::error, {},
-                              fmt::format("buffers[{}]: {}", i, error));
+                              fmt::format("buffers[{}]: {}", i, fetched.error().text));
           return false;
         }
         total += fetched->size();
         if (total > options_.limits.mesh_bytes) {
           return fail(import_limit, {}, "the buffers are larger than the limit for all meshes");
         }
-        file_.fetched.push_back(std::move(*fetched));
+        file_.fetched.push_back(*std::move(fetched));
         bytes = file_.fetched.back();
       }
       const std::optional<std::uint64_t> size = list[i]["byteLength"].whole();
@@ -242,25 +241,19 @@ bool open_gltf(std::string_view bytes, const ImportOptions& options, GltfFile& f
   return Opener(options, file, diagnostics).open(bytes);
 }
 
-std::optional<std::string> fetch_uri(const std::string& uri, const ImportOptions& options,
-                                     std::string& error) {
+Result<std::string> fetch_uri(const std::string& uri, const ImportOptions& options) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
     std::optional<std::string> bytes;
     if (comma != std::string::npos && std::string_view(uri).substr(0, comma).ends_with(";base64")) {
       bytes = base64_decoded(std::string_view(uri).substr(comma + 1));
     }
-    error = bytes ? "" : "its data URI is not base64";
-    return bytes;
+    return bytes ? Result<std::string>(*std::move(bytes))
+                 : input_error("its data URI is not base64");
   }
   const std::string name = percent_decoded(uri);
-  if (!options.fetch) {
-    error = fmt::format("the file {} is not opened here", quoted(name, 400));
-    return std::nullopt;
-  }
-  FileContents contents = options.fetch(name);
-  error = contents.error;
-  return error.empty() ? std::optional(std::move(contents.bytes)) : std::nullopt;
+  return options.fetch ? options.fetch(name)
+                       : Error{fmt::format("the file {} is not opened here", quoted(name, 400))};
 }
 
 }  // namespace scenefile

@@ -40,9 +40,7 @@ struct GltfFile {
 bool open_gltf(std::string_view bytes, const ImportOptions& options, GltfFile& file,
                Diagnostics& diagnostics);
 
-/// The bytes of a `data:` URI, or of the file it names; otherwise nullopt and the reason in
-/// `error`.
-std::optional<std::string> fetch_uri(const std::string& uri, const ImportOptions& options,
-                                     std::string& error);
+/// The bytes of a `data:` URI, or of the file it names.
+Result<std::string> fetch_uri(const std::string& uri, const ImportOptions& options);
 
 }  // namespace scenefile

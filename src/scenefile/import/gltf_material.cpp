@@ -201,27 +201,18 @@ std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor)
     return entry->second;
   }
   const JsonValue& json = file_.images[image];
-  std::string fetched;
-  std::string_view bytes;
-  std::string error = "it names neither a file nor a bufferView";
+  Result<Texture> texture = input_error("it names neither a file nor a bufferView");
   if (const std::optional<std::string> uri = json["uri"].string()) {
-    fetched = fetch_uri(*uri, options_, error).value_or("");
-    bytes = fetched;
+    const Result<std::string> bytes = fetch_uri(*uri, options_);
+    texture = bytes ? decode_image(*bytes, options_.limits, texture_budget_)
+                    : input_error(bytes.error().text);
   } else if (const auto view = json["bufferView"].whole(); view && *view < file_.views.size()) {
-    bytes = file_.views[*view].bytes;
-    error.clear();
+    texture = decode_image(file_.views[*view].bytes, options_.limits, texture_budget_);
   }
-  Texture texture;
-  if (error.empty()) {
-    bool over_limit = false;
-    texture = decode_image(bytes, options_.limits, texture_budget_, error, &over_limit);
-    if (over_limit) {
-      diagnostics_.report(import_limit, {}, fmt::format("images[{}]: {}", image, error));
-      return {};
-    }
-  }
-  if (texture.empty()) {
-    diagnostics_.report(import_missing_file, {}, fmt::format("images[{}]: {}", image, error));
+  if (!texture) {
+    const bool limit = texture.error().kind == ErrorKind::limit;
+    diagnostics_.report(limit ? import_limit : import_missing_file, {},
+                        fmt::format("images[{}]: {}", image, texture.error().text));
     return {};
   }
   std::array<std::array<std::uint8_t, 256>, 3> value_of{};
@@ -231,10 +222,10 @@ std::string GltfMaterials::picture(std::uint32_t image, const glm::vec3& factor)
           factor[channel] * linear_of_srgb(static_cast<float>(byte) / 255), Rounding::nearest);
     }
   }
-  for (std::size_t i = 0; i < texture.rgb.size(); ++i) {
-    texture.rgb[i] = value_of[i % 3][texture.rgb[i]];
+  for (std::size_t i = 0; i < texture->rgb.size(); ++i) {
+    texture->rgb[i] = value_of[i % 3][texture->rgb[i]];
   }
-  entry->second = add_picture(texture, options_, files_);
+  entry->second = add_picture(*texture, options_, files_);
   return entry->second;
 }
 

@@ -8,10 +8,8 @@ namespace scenefile {
 
 std::string add_picture(const Texture& texture, const ImportOptions& options,
                         std::vector<ImportedFile>& files) {
-  std::string error;
   const std::string name = fmt::format("{}-{}.png", options.stem, files.size() + 1);
-  files.push_back(
-      {name, encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest, error)});
+  files.push_back({name, *encode_image(to_float(texture), ImageFormat::png8, Rounding::nearest)});
   return name;
 }
 

@@ -326,11 +326,12 @@ class GltfReader {
 
   bool floats(std::uint32_t accessor, std::size_t components, std::size_t count,
               std::vector<float>& values, const std::string& where) {
-    std::string error;
-    if (!read_floats(file_, accessor, components, values, error)) {
-      fail(fmt::format("{}: accessors[{}]{}", where, accessor, error));
+    Result<std::vector<float>> read = read_floats(file_, accessor, components);
+    if (!read) {
+      fail(fmt::format("{}: accessors[{}]{}", where, accessor, read.error().text));
       return false;
     }
+    values = *std::move(read);
     if (count != 0 && values.size() != count * components) {
       fail(fmt::format("{}: its attributes do not have as many elements as POSITION", where));
       return false;
@@ -375,13 +376,14 @@ class GltfReader {
   bool read_corners(std::uint32_t accessor, std::uint32_t mode, TriangleList& list,
                     const std::string& where) {
     std::vector<std::uint32_t> corners;
-    std::string error;
     if (accessor == no_item) {
       for (std::uint32_t i = 0; i < list.positions.size(); ++i) {
         corners.push_back(i);
       }
-    } else if (!read_indices(file_, accessor, corners, error)) {
-      fail(fmt::format("{}: accessors[{}]{}", where, accessor, error));
+    } else if (Result<std::vector<std::uint32_t>> read = read_indices(file_, accessor)) {
+      corners = *std::move(read);
+    } else {
+      fail(fmt::format("{}: accessors[{}]{}", where, accessor, read.error().text));
       return false;
     }
     for (const std::uint32_t corner : corners) {

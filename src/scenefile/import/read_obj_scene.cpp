@@ -108,36 +108,36 @@ class ObjSceneReader {
     return entry->second;
   }
 
+  Result<std::string> fetch(const std::string& name) const {
+    return options_.fetch ? options_.fetch(name) : Error{"it is not opened here"};
+  }
+
   void read_library(const std::string& name, Location location) {
     if (!libraries_.emplace(name, true).second) {
       return;
     }
-    FileContents contents;
-    contents.error = "it is not opened here";
-    if (options_.fetch) {
-      contents = options_.fetch(name);
-    }
-    if (!contents.error.empty()) {
-      diagnostics_.report(import_missing_file, location,
-                          fmt::format("the materials {}: {}", quoted(name, 400), contents.error));
+    const Result<std::string> text = fetch(name);
+    if (!text) {
+      diagnostics_.report(
+          import_missing_file, location,
+          fmt::format("the materials {}: {}", quoted(name, 400), text.error().text));
       return;
     }
-    read_mtl(contents.bytes, materials_);
+    read_mtl(*text, materials_);
   }
 
   static void add_face(ObjWords& words, const CornerLists& lists, Faces& faces) {
-    std::string why;
     std::optional<Corner> first;
     std::optional<Corner> last;
     for (std::string_view word = words.next_word(); !word.empty(); word = words.next_word()) {
-      const std::optional<Corner> corner = parse_corner(word, lists, why);
+      const Result<Corner> corner = parse_corner(word, lists);
       if (!corner) {
         return;
       }
       if (first && last) {
         add_triangle(*first, *last, *corner, faces);
       }
-      (first ? last : first) = corner;
+      (first ? last : first) = *corner;
     }
   }
 
@@ -208,34 +208,24 @@ class ObjSceneReader {
     if (!is_new) {
       return entry->second;
     }
-    FileContents contents;
-    contents.error = "it is not opened here";
-    if (options_.fetch) {
-      contents = options_.fetch(mtl.picture);
-    }
-    Texture texture;
-    if (contents.error.empty()) {
-      bool over_limit = false;
-      texture = decode_image(contents.bytes, options_.limits, texture_budget_, contents.error,
-                             &over_limit);
-      if (over_limit) {
-        diagnostics_.report(import_limit, {},
-                            fmt::format("{}: {}", quoted(mtl.picture, 400), contents.error));
-        return {};
-      }
-    }
-    if (texture.empty()) {
-      diagnostics_.report(
-          import_missing_file, {},
-          fmt::format("the picture {}: {}", quoted(mtl.picture, 400), contents.error));
+    const Result<std::string> bytes = fetch(mtl.picture);
+    Result<Texture> texture =
+        bytes ? decode_image(*bytes, options_.limits, texture_budget_) : Error{bytes.error().text};
+    if (!texture) {
+      const Error& error = texture.error();
+      const std::string name = quoted(mtl.picture, 400);
+      error.kind == ErrorKind::limit
+          ? diagnostics_.report(import_limit, {}, fmt::format("{}: {}", name, error.text))
+          : diagnostics_.report(import_missing_file, {},
+                                fmt::format("the picture {}: {}", name, error.text));
       return {};
     }
-    for (std::size_t i = 0; i < texture.rgb.size(); ++i) {
-      texture.rgb[i] =
-          quantize(factor[static_cast<int>(i % 3)] * (static_cast<float>(texture.rgb[i]) / 255),
+    for (std::size_t i = 0; i < texture->rgb.size(); ++i) {
+      texture->rgb[i] =
+          quantize(factor[static_cast<int>(i % 3)] * (static_cast<float>(texture->rgb[i]) / 255),
                    Rounding::nearest);
     }
-    entry->second = add_picture(texture, options_, result_.files);
+    entry->second = add_picture(*texture, options_, result_.files);
     return entry->second;
   }
 

@@ -174,7 +174,8 @@ enum class Field : std::uint8_t {
   instance_of
 };
 
-/// The place of one value in the file.
+/// The place of one value in the file. The owner is named by its own place, which stays right when
+/// nodes, lights or primitives are added or removed, as an index would not.
 struct FieldPlace {
   Location owner;  ///< the `location` of the Global, Camera, Light, Primitive or Node
   Field field = Field::ambient;

@@ -6,6 +6,8 @@
 #include "scenefile/geometry/shapes.h"
 #include "scenefile/trace/camera_rays.h"
 
+#include <numbers>
+
 namespace scenefile::SCENEFILE_LANES {
 
 /// Derivatives for one step to the right and one step down in the picture.
@@ -145,14 +147,14 @@ inline UvStep shape_uv_step(F shape, F face, const V3& p, const V3& step) {
     return {u, v};
   }
   const F squared = p.x * p.x + p.z * p.z;
-  const F around = (p.z * step.x - p.x * step.z) / squared / splat(2 * 3.14159265358979323846);
+  const F around = (p.z * step.x - p.x * step.z) / squared / splat(2 * std::numbers::pi);
   // Also false for NaN.
   const M off_pole = (around >= splat(-1)) & (around <= splat(1));
   u = select(round, select(off_pole, around, splat(1)), u);
   const F distance = sqrt(squared);
   const F outward = select(distance > splat(0), (p.x * step.x + p.z * step.z) / distance, splat(0));
   const F up =
-      (distance * step.y - p.y * outward) / (squared + p.y * p.y) / splat(3.14159265358979323846);
+      (distance * step.y - p.y * outward) / (squared + p.y * p.y) / splat(std::numbers::pi);
   v = select(round, select(shape_is(shape, Shape::sphere), up, step.y), v);
   return {u, v};
 }

@@ -1,6 +1,7 @@
 #include "scenefile/trace/part_file.h"
 
 #include "scenefile/base/hash.h"
+#include "scenefile/trace/layers.h"
 
 #include <fmt/format.h>
 
@@ -63,18 +64,7 @@ T read_value(std::string_view bytes) {
 }
 
 bool is_kind(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::depth:
-    case LayerKind::normal:
-    case LayerKind::uv:
-    case LayerKind::albedo:
-    case LayerKind::object_id:
-    case LayerKind::light:
-    case LayerKind::shadow:
-    case LayerKind::reflection_depth:
-      return true;
-  }
-  return false;
+  return static_cast<std::size_t>(kind) < layer_words.size();
 }
 
 bool is_rounding(Rounding rounding) {

@@ -70,12 +70,12 @@ RenderOptions default_options(Profile profile) {
 }
 
 RenderOptions in_range(RenderOptions options) {
-  options.width = std::max(1, options.width);
-  options.height = std::max(1, options.height);
-  options.samples = std::clamp(options.samples, 1, 1 << 20);
-  options.min_samples = std::clamp(options.min_samples, 1, options.samples);
-  options.threads = std::clamp(options.threads, 0, 1024);
-  options.max_depth = std::clamp(options.max_depth, 0, 64);
+  visit_options(options, [](const OptionField& field, auto& value) {
+    if constexpr (std::same_as<decltype(value), int&>) {
+      value = std::clamp(value, field.least, field.most);
+    }
+  });
+  options.min_samples = std::min(options.min_samples, options.samples);
   if (options.crop.has_value()) {
     PixelRegion& crop = *options.crop;
     crop.x0 = std::clamp(crop.x0, 0, options.width - 1);
@@ -91,15 +91,19 @@ Rounding rounding_of(Profile profile) {
   return profile == Profile::course ? Rounding::truncate : Rounding::nearest;
 }
 
-OptionSupport support_of(std::string_view name) {
-  OptionSupport support;
+OptionField option_field(std::string_view name) {
+  OptionField found{name};
   const RenderOptions options;
   visit_options(options, [&](const OptionField& field, const auto&) {
     if (field.name == name) {
-      support = field.support;
+      found = field;
     }
   });
-  return support;
+  return found;
+}
+
+OptionSupport support_of(std::string_view field) {
+  return option_field(field).support;
 }
 
 std::string picture_key(const RenderOptions& options) {

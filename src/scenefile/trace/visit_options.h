@@ -6,6 +6,7 @@
 #include "scenefile/trace/render_options.h"
 
 #include <concepts>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -54,6 +55,8 @@ struct OptionField {
   OptionSupport support = supported_everywhere;
   bool changes_pixels = true;
   InAnswers answers = InAnswers::always;
+  int least = 0;  ///< of an int
+  int most = std::numeric_limits<int>::max();
 };
 
 /// RenderOptions or a member of it, const or not.
@@ -65,17 +68,24 @@ template <OptionsOf<RenderOptions> T, typename Visit>
 constexpr void visit_options(T& options, Visit&& visit) {
   auto& [profile, mode, features, width, height, samples, min_samples, max_depth, seed, fresnel,
          threads, crop, layers, denoise] = options;
-  visit(OptionField{"width"}, width);
-  visit(OptionField{"height"}, height);
+  visit(OptionField{.name = "width", .least = 1}, width);
+  visit(OptionField{.name = "height", .least = 1}, height);
   visit(OptionField{"profile"}, profile);
   visit(OptionField{"mode"}, mode);
   visit(OptionField{"features"}, features);
-  visit(OptionField{"max_depth", tracer_only}, max_depth);
-  visit(OptionField{"samples", fine_only}, samples);
-  visit(OptionField{"min_samples", fine_tracer_only}, min_samples);
+  visit(OptionField{.name = "max_depth", .support = tracer_only, .most = 64}, max_depth);
+  visit(OptionField{.name = "samples", .support = fine_only, .least = 1, .most = 1 << 16}, samples);
+  visit(
+      OptionField{.name = "min_samples", .support = fine_tracer_only, .least = 1, .most = 1 << 16},
+      min_samples);
   visit(OptionField{"seed", fine_tracer_only}, seed);
   visit(OptionField{"fresnel", fine_tracer_only}, fresnel);
-  visit(OptionField{"threads", tracer_only, false, InAnswers::never}, threads);
+  visit(OptionField{.name = "threads",
+                    .support = tracer_only,
+                    .changes_pixels = false,
+                    .answers = InAnswers::never,
+                    .most = 1024},
+        threads);
   visit(OptionField{"crop", tracer_only, true, InAnswers::when_set}, crop);
   visit(OptionField{"layers", tracer_only, true, InAnswers::when_set}, layers);
   visit(OptionField{"denoise", fine_tracer_only, true, InAnswers::when_set}, denoise);
@@ -110,8 +120,9 @@ constexpr void visit_options(T& region, Visit&& visit) {
   visit(OptionField{"y1"}, y1);
 }
 
-/// Where the field of RenderOptions with this name has an effect; supported_everywhere if there is
-/// none.
+/// The field of RenderOptions with this name; one without restrictions if there is none.
+OptionField option_field(std::string_view name);
+/// Where that field has an effect.
 OptionSupport support_of(std::string_view field);
 
 /// All options that affect pixels, as one line `width=640 height=480 ...`. Equal for two options if

@@ -68,8 +68,7 @@ std::string thumbnail(const Texture& reference, const Texture& picture, int widt
   const Texture a = reduced(reference, width);
   const Texture b = reduced(picture, width);
   const std::array<const Texture*, 3> pictures{&a, &b, &heat};
-  std::string none;  // at this size
-  return encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest, none);
+  return *encode_image(to_float(side_by_side(pictures)), ImageFormat::png8, Rounding::nearest);
 }
 
 // If no thresholds were given, the kind of difference decides: pictures with known mistakes fail at

@@ -1,11 +1,11 @@
 #include "scenefile/verbs/grade_files.h"
 
+#include "scenefile/base/ascii.h"
 #include "scenefile/base/text.h"
 #include "scenefile/verbs/load_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace scenefile {
 
@@ -17,9 +17,10 @@ constexpr int max_folders = 8;
 // Only letters and digits, in lower case.
 std::string plain(std::string_view name) {
   std::string result;
-  for (const char c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char written : name) {
+    const char c = lower(written);
+    if (is_digit(c) || (c >= 'a' && c <= 'z')) {
+      result += c;
     }
   }
   return result;

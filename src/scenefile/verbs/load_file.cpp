@@ -55,18 +55,6 @@ AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess
   return roots;
 }
 
-FileContents contents_of(Result<std::string> bytes) {
-  FileContents contents;
-  if (bytes) {
-    contents.bytes = *std::move(bytes);
-  } else {
-    contents.error = bytes.error().text;
-    contents.over_limit = bytes.error().kind == ErrorKind::limit;
-    contents.notes = bytes.error().notes;
-  }
-  return contents;
-}
-
 LoadedScene load_scene_file(const std::string& path, const LoadSettings& settings,
                             const AssetAccess& access) {
   if (settings.entering) {
@@ -81,14 +69,14 @@ LoadedScene load_scene_file(const std::string& path, const LoadSettings& setting
     return scene;
   }
   AssetRoots roots(asset_roots_options(path, access, settings.limits));
-  const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
+  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   return load_scene(path, *std::move(text), fetch, settings);
 }
 
 void load_written_file(LoadedScene& scene, const LoadSettings& settings,
                        const AssetAccess& access) {
   AssetRoots roots(asset_roots_options(scene.path, access, settings.limits));
-  const FetchFile fetch = [&](const std::string& name) { return contents_of(roots.read(name)); };
+  const FetchFile fetch = [&](const std::string& name) { return roots.read(name); };
   load_written(scene, fetch, settings);
 }
 
@@ -97,13 +85,11 @@ Result<Texture> load_picture_file(const std::string& path, const Limits& limits)
   if (!bytes) {
     return bytes.error();
   }
-  std::uint64_t budget = limits.texture_bytes;
-  std::string error;
-  bool over_limit = false;
-  Texture picture = decode_image(*bytes, limits, budget, error, &over_limit);
-  if (!error.empty()) {
-    return Error{fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), error),
-                 over_limit ? ErrorKind::limit : ErrorKind::input};
+  Result<Texture> picture = decode_image(*bytes, limits);
+  if (!picture) {
+    return Error{
+        fmt::format("{}: cannot decode: {}", escaped(shown_name(path), 4096), picture.error().text),
+        picture.error().kind};
   }
   return picture;
 }

@@ -53,9 +53,6 @@ Result<std::string> settings_table(const std::string& folder);
 AssetRootsOptions asset_roots_options(const std::string& path, const AssetAccess& access,
                                       const Limits& limits);
 
-/// Converts the result of reading an asset for load_assets() and the importers.
-FileContents contents_of(Result<std::string> bytes);
-
 /// Where each file of the scene was found, textures first.
 std::vector<AssetFile> locate_files(const LoadedScene& scene, const AssetAccess& access,
                                     const Limits& limits);

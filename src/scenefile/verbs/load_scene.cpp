@@ -24,10 +24,10 @@ void enter(const LoadSettings& settings, const char* phase) {
 void load_files(LoadedScene& scene, const FetchFile& fetch, const LoadSettings& settings) {
   Hash hash;
   const FetchFile hashed = [&](const std::string& name) {
-    FileContents contents = fetch(name);
+    Result<std::string> bytes = fetch(name);
     hash.add(name);
-    hash.add(contents.bytes);
-    return contents;
+    hash.add(bytes ? *bytes : std::string());
+    return bytes;
   };
   LoadOptions load;
   load.textures = settings.depth == LoadDepth::with_all_assets;

@@ -34,8 +34,8 @@ using GetProcAddress = GlFunction (*)(const char* name);
 /// compiled at first use.
 class GlDevice {
  public:
-  /// For the current context; null, with `error` set, if it is older than OpenGL 4.1 or ES 3.0.
-  static std::unique_ptr<GlDevice> create(GetProcAddress find, std::string& error);
+  /// For the current context; fails if it is older than OpenGL 4.1 or ES 3.0.
+  static Result<std::unique_ptr<GlDevice>> create(GetProcAddress find);
   ~GlDevice();
   GlDevice(const GlDevice&) = delete;
   GlDevice& operator=(const GlDevice&) = delete;

@@ -28,12 +28,11 @@ void GlDevice::interrupt_with(std::function<bool()> go_on) {
   state_->go_on = std::move(go_on);
 }
 
-std::unique_ptr<GlDevice> GlDevice::create(GetProcAddress find, std::string& error) {
+Result<std::unique_ptr<GlDevice>> GlDevice::create(GetProcAddress find) {
   auto state = std::make_unique<State>();
   gl::Functions& gl = state->gl;
   if (const std::string missing = gl::load(find, gl); !missing.empty()) {
-    error = fmt::format("the OpenGL driver has no {}", missing);
-    return nullptr;
+    return Error{fmt::format("the OpenGL driver has no {}", missing)};
   }
   int major = 0;
   int minor = 0;
@@ -42,8 +41,7 @@ std::unique_ptr<GlDevice> GlDevice::create(GetProcAddress find, std::string& err
   const std::string_view version(reinterpret_cast<const char*>(gl.GetString(gl::VERSION)));
   gl.es = version.starts_with("OpenGL ES");
   if (major * 10 + minor < (gl.es ? 30 : 41)) {
-    error = fmt::format("OpenGL 4.1 is needed, the driver has {}.{}", major, minor);
-    return nullptr;
+    return Error{fmt::format("OpenGL 4.1 is needed, the driver has {}.{}", major, minor)};
   }
   state->renderer = reinterpret_cast<const char*>(gl.GetString(gl::RENDERER));
   gl.GetIntegerv(gl::MAX_SAMPLES, &state->max_samples);

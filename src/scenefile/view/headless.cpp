@@ -113,34 +113,43 @@ HeadlessContext::HeadlessContext(std::unique_ptr<State> state) : state_(std::mov
 
 HeadlessContext::~HeadlessContext() = default;
 
-std::unique_ptr<HeadlessContext> HeadlessContext::create(std::string& error) {
+Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
   auto state = std::make_unique<State>();
   const Egl& egl = state->egl;
   if (!load(state->egl)) {
-    error = "there is no EGL (libEGL.so.1) to draw with; install Mesa (libegl1, libgl1-mesa-dri)";
-    return nullptr;
+    return Error{
+        "there is no EGL (libEGL.so.1) to draw with; install Mesa (libegl1, libgl1-mesa-dri)"};
   }
   const EGLDisplay display = open_display(egl);
   if (display == EGL_NO_DISPLAY || egl.Initialize(display, nullptr, nullptr) != EGL_TRUE) {
-    error = "there is no EGL display to draw with; install Mesa (libegl1, libgl1-mesa-dri)";
-    return nullptr;
+    return Error{"there is no EGL display to draw with; install Mesa (libegl1, libgl1-mesa-dri)"};
   }
   state->display = display;
   if (egl.BindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-    error = "EGL offers no OpenGL here; install Mesa (libgl1-mesa-dri)";
-    return nullptr;
+    return Error{"EGL offers no OpenGL here; install Mesa (libgl1-mesa-dri)"};
   }
   state->context = make_context(egl, display);
   if (state->context == EGL_NO_CONTEXT ||
       egl.MakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, state->context) != EGL_TRUE) {
-    error = "EGL has no OpenGL 4.1 core context without a window";
-    return nullptr;
+    return Error{"EGL has no OpenGL 4.1 core context without a window"};
   }
   return std::unique_ptr<HeadlessContext>(new HeadlessContext(std::move(state)));
 }
 
 GetProcAddress HeadlessContext::get_proc_address() const {
   return state_->egl.GetProcAddress;
+}
+
+Result<HeadlessDevice> open_headless_device() {
+  Result<std::unique_ptr<HeadlessContext>> context = HeadlessContext::create();
+  if (!context) {
+    return context.error();
+  }
+  Result<std::unique_ptr<GlDevice>> device = GlDevice::create((*context)->get_proc_address());
+  if (!device) {
+    return device.error();
+  }
+  return HeadlessDevice{*std::move(context), *std::move(device)};
 }
 
 }  // namespace scenefile

@@ -26,9 +26,10 @@ Result<CameraPath> read_views(const std::string& path, const Limits& limits) {
                : Error{fmt::format("{}:{}", file_name_of(path), views.error().text)};
 }
 
-CollectedViews write_views(const std::string& path, const CameraPath& views) {
+// Returns the number of views.
+Result<std::size_t> write_views(const std::string& path, const CameraPath& views) {
   const Result<void> written = write_file(path, write_cameras(views));
-  return {views.views.size(), written ? std::string() : written.error().text};
+  return written ? Result<std::size_t>(views.views.size()) : written.error();
 }
 
 }  // namespace
@@ -38,10 +39,11 @@ std::string views_file(const std::string& scene) {
   return absolute_path(name.substr(0, name.rfind('.')) + "-views.json");
 }
 
-CollectedViews collect_view(const std::string& path, const Camera& camera, const Limits& limits) {
+Result<std::size_t> collect_view(const std::string& path, const Camera& camera,
+                                 const Limits& limits) {
   Result<CameraPath> views = read_views(path, limits);
   if (!views) {
-    return {0, views.error().text};
+    return views.error();
   }
   scenefile::CameraView view;
   view.camera = camera;
@@ -50,17 +52,20 @@ CollectedViews collect_view(const std::string& path, const Camera& camera, const
   return write_views(path, *views);
 }
 
-CollectedViews drop_view(const std::string& path, const Limits& limits) {
+Result<std::size_t> drop_view(const std::string& path, const Limits& limits) {
   Result<CameraPath> views = read_views(path, limits);
-  if (!views || views->views.empty()) {
-    return {0, views ? std::string("there are no views") : views.error().text};
+  if (!views) {
+    return views.error();
+  }
+  if (views->views.empty()) {
+    return Error{"there are no views"};
   }
   views->views.pop_back();
   if (!views->views.empty()) {
     return write_views(path, *views);
   }
   const Result<void> removed = remove_file(path);
-  return {0, removed ? std::string() : removed.error().text};
+  return removed ? Result<std::size_t>(0) : removed.error();
 }
 
 }  // namespace scenefile::viewer

@@ -3,6 +3,8 @@
 #include "scenefile/format/edit_camera.h"
 #include "scenefile/io/file.h"
 
+#include <utility>
+
 namespace scenefile::viewer {
 
 namespace {
@@ -22,34 +24,27 @@ Result<std::string> read_unchanged(const std::string& path, std::string_view kno
 
 }  // namespace
 
-SavedView save_view(const std::string& path, std::string_view known, const Camera& camera,
-                    const ReadOptions& options) {
+Result<std::string> save_view(const std::string& path, std::string_view known, const Camera& camera,
+                              const ReadOptions& options) {
   const Result<std::string> now = read_unchanged(path, known, options);
   if (!now) {
-    return {{}, now.error().text};
+    return now.error();
   }
   Result<std::string> edited = edit_camera(*now, camera, options);
-  if (!edited) {
-    return {{}, edited.error().text};
+  if (!edited || *edited == *now) {
+    return edited;
   }
-  if (*edited == *now) {
-    return {*std::move(edited), {}};
-  }
-  if (const Result<void> written = write_file(path, *edited); !written) {
-    return {{}, written.error().text};
-  }
-  return {*std::move(edited), {}};
+  const Result<void> written = write_file(path, *edited);
+  return written ? std::move(edited) : written.error();
 }
 
-SavedView restore_text(const std::string& path, std::string_view known, const std::string& before,
-                       const ReadOptions& options) {
+Result<std::string> restore_text(const std::string& path, std::string_view known,
+                                 const std::string& before, const ReadOptions& options) {
   if (const Result<std::string> now = read_unchanged(path, known, options); !now) {
-    return {{}, now.error().text};
+    return now.error();
   }
-  if (const Result<void> written = write_file(path, before); !written) {
-    return {{}, written.error().text};
-  }
-  return {before, {}};
+  const Result<void> written = write_file(path, before);
+  return written ? Result<std::string>(before) : written.error();
 }
 
 }  // namespace scenefile::viewer

@@ -49,19 +49,30 @@ struct ScenePainter::Impl {
   std::thread thread;
 };
 
+namespace {
+
+// Whether the current context is of Mesa's software renderer.
+bool is_software(GetProcAddress find) {
+  const Result<std::unique_ptr<GlDevice>> device = GlDevice::create(find);
+  return device && (*device)->renderer().find("llvmpipe") != std::string::npos;
+}
+
+}  // namespace
+
 PaintContext own_threads(PaintContext otherwise) {
   const auto headless = std::make_shared<std::unique_ptr<HeadlessContext>>();
-  const auto begin = [otherwise, headless](std::string& error) -> GetProcAddress {
-    const GetProcAddress find = otherwise.begin(error);
-    const std::unique_ptr<GlDevice> device =
-        find != nullptr ? GlDevice::create(find, error) : nullptr;
-    if (device == nullptr || device->renderer().find("llvmpipe") == std::string::npos) {
+  const auto begin = [otherwise, headless]() -> Result<GetProcAddress> {
+    const Result<GetProcAddress> find = otherwise.begin();
+    if (!find || !is_software(*find)) {
       return find;
     }
     otherwise.end();
-    std::string ignored;
-    *headless = HeadlessContext::create(ignored);
-    return *headless != nullptr ? (*headless)->get_proc_address() : otherwise.begin(error);
+    Result<std::unique_ptr<HeadlessContext>> own = HeadlessContext::create();
+    if (!own) {
+      return otherwise.begin();
+    }
+    *headless = *std::move(own);
+    return (*headless)->get_proc_address();
   };
   const auto end = [otherwise, headless] {
     if (*headless != nullptr) {
@@ -140,15 +151,17 @@ void ScenePainter::Impl::paint_jobs() {
 
 void ScenePainter::Impl::work() {
   lower_thread_priority();
-  std::string error;
-  if (const GetProcAddress find = context.begin(error)) {
-    device = GlDevice::create(find, error);
-  }
+  const Result<GetProcAddress> find = context.begin();
+  Result<std::unique_ptr<GlDevice>> made =
+      find ? GlDevice::create(*find) : Result<std::unique_ptr<GlDevice>>(find.error());
   {
     const std::lock_guard lock(mutex);
     started = true;
-    failed = error;
-    renderer = device != nullptr ? device->renderer() : "";
+    failed = error_text(made);
+    if (made) {
+      device = *std::move(made);
+      renderer = device->renderer();
+    }
   }
   changed.notify_all();
   if (device != nullptr) {
@@ -161,22 +174,24 @@ void ScenePainter::Impl::work() {
 
 ScenePainter::ScenePainter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-std::unique_ptr<ScenePainter> ScenePainter::create(PaintContext context, std::function<void()> wake,
-                                                   std::string& error) {
+Result<std::unique_ptr<ScenePainter>> ScenePainter::create(PaintContext context,
+                                                           std::function<void()> wake) {
   auto impl = std::make_unique<Impl>(std::move(context), std::move(wake));
   Impl& shared = *impl;
   try {
     impl->thread = std::thread([&shared] { shared.work(); });
   } catch (const std::system_error&) {
-    error = "no thread can be started to draw the scene";
-    return nullptr;
+    return Error{"no thread can be started to draw the scene"};
   }
   std::unique_ptr<ScenePainter> painter(new ScenePainter(std::move(impl)));
   std::unique_lock lock(shared.mutex);
   shared.changed.wait(lock, [&] { return shared.started; });
-  error = shared.failed;
+  const std::string failed = shared.failed;
   lock.unlock();
-  return error.empty() ? std::move(painter) : nullptr;
+  if (!failed.empty()) {
+    return Error{failed};
+  }
+  return painter;
 }
 
 ScenePainter::~ScenePainter() {

@@ -2,6 +2,7 @@
 // Draws scenes with OpenGL on its own thread, with its own context, so that the user's input never
 // waits for a picture. Internal to viewer.
 
+#include "scenefile/base/result.h"
 #include "scenefile/view/draw.h"
 #include "scenefile/viewer/opened_scene.h"
 
@@ -16,8 +17,8 @@ namespace scenefile::viewer {
 
 /// The context of the thread. Both are called on it.
 struct PaintContext {
-  /// Makes the context current; null, with `error` set, if there is none.
-  std::function<GetProcAddress(std::string& error)> begin;
+  /// Makes the context current.
+  std::function<Result<GetProcAddress>()> begin;
   std::function<void()> end;
 };
 
@@ -56,10 +57,10 @@ struct Painted {
 /// Must be used from one thread.
 class ScenePainter {
  public:
-  /// Null, with `error` set, if the thread or its context cannot be created. `wake` is called from
-  /// the thread whenever there is a picture to take.
-  static std::unique_ptr<ScenePainter> create(PaintContext context, std::function<void()> wake,
-                                              std::string& error);
+  /// Fails if the thread or its context cannot be created. `wake` is called from the thread
+  /// whenever there is a picture to take.
+  static Result<std::unique_ptr<ScenePainter>> create(PaintContext context,
+                                                      std::function<void()> wake);
   /// Interrupts the current picture, and waits for the thread to end.
   ~ScenePainter();
   ScenePainter(const ScenePainter&) = delete;

@@ -29,15 +29,16 @@ void save(Session& session) {
     return;
   }
   const Camera camera = camera_of(session.camera, session.shown->camera);
-  SavedView saved = save_view(session.path, session.known_text, camera, session.setup.read);
+  Result<std::string> saved =
+      save_view(session.path, session.known_text, camera, session.setup.read);
   const std::string name = scene_name(session);
-  if (!saved.refused.empty()) {
-    say(session, fmt::format("cannot save the view: {}", saved.refused), true);
-  } else if (saved.text == session.known_text) {
+  if (!saved) {
+    say(session, fmt::format("cannot save the view: {}", saved.error().text), true);
+  } else if (*saved == session.known_text) {
     say(session, fmt::format("{} already has this view", name));
   } else {
     session.saved_over = {session.path, std::move(session.known_text), session.home};
-    session.known_text = std::move(saved.text);
+    session.known_text = *std::move(saved);
     session.home = session.camera;
     say(session, fmt::format("the view is saved: the camera of {}", name));
   }
@@ -48,13 +49,13 @@ void undo_save(Session& session) {
     say(session, "no view has been saved to this scene");
     return;
   }
-  SavedView restored =
+  Result<std::string> restored =
       restore_text(session.path, session.known_text, session.saved_over->text, session.setup.read);
-  if (!restored.refused.empty()) {
-    say(session, fmt::format("cannot undo the save: {}", restored.refused), true);
+  if (!restored) {
+    say(session, fmt::format("cannot undo the save: {}", restored.error().text), true);
     return;
   }
-  session.known_text = std::move(restored.text);
+  session.known_text = *std::move(restored);
   session.home = session.saved_over->home;
   session.saved_over.reset();
   say(session, fmt::format("undone: {} has its old camera", scene_name(session)));
@@ -64,16 +65,16 @@ void undo_save(Session& session) {
 void change_views(Session& session, Action action) {
   const std::string path = views_file(session.path);
   const Limits& limits = session.setup.read.limits;
-  const CollectedViews views =
+  const Result<std::size_t> views =
       action == Action::collect_view
           ? collect_view(path, camera_of(session.camera, session.shown->camera), limits)
           : drop_view(path, limits);
-  if (!views.refused.empty()) {
-    say(session, fmt::format("cannot change the path of views: {}", views.refused), true);
+  if (!views) {
+    say(session, fmt::format("cannot change the path of views: {}", views.error().text), true);
   } else if (action == Action::collect_view) {
-    say(session, fmt::format("view {} is added to {}", views.count, escaped(path)));
+    say(session, fmt::format("view {} is added to {}", *views, escaped(path)));
   } else {
-    say(session, fmt::format("view {} is removed from {}", views.count + 1, escaped(path)));
+    say(session, fmt::format("view {} is removed from {}", *views + 1, escaped(path)));
   }
 }
 

@@ -229,10 +229,10 @@ ReadPicture read_picture(const std::string& path) {
     return read;
   }
   read.is_picture = is_image(*bytes);
-  std::uint64_t budget = limits.texture_bytes;
-  read.picture = decode_image(*bytes, limits, budget, read.error);
-  if (read.picture.empty()) {
-    read.error = fmt::format("{}: {}", path, read.error);
+  if (Result<Texture> picture = decode_image(*bytes, limits)) {
+    read.picture = *std::move(picture);
+  } else {
+    read.error = fmt::format("{}: {}", path, picture.error().text);
   }
   return read;
 }

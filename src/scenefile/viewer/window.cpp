@@ -119,7 +119,7 @@ class Window {
 
  private:
   bool create_window();
-  std::unique_ptr<ScenePainter> create_painter(std::string& error);
+  Result<std::unique_ptr<ScenePainter>> create_painter();
   void start_fonts(double scale);
   void create_gui();
   void install_callbacks();
@@ -205,23 +205,21 @@ bool Window::create_window() {
   return window_ != nullptr;
 }
 
-std::unique_ptr<ScenePainter> Window::create_painter(std::string& error) {
+Result<std::unique_ptr<ScenePainter>> Window::create_painter() {
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   painter_window_ = glfwCreateWindow(16, 16, "scenefile", nullptr, nullptr);
   if (painter_window_ == nullptr) {
-    error = "cannot create a second OpenGL context: " + last_glfw_error;
-    return nullptr;
+    return Error{"cannot create a second OpenGL context: " + last_glfw_error};
   }
-  const auto begin = [window = painter_window_](std::string& wrong) -> GetProcAddress {
+  const auto begin = [window = painter_window_]() -> Result<GetProcAddress> {
     glfwMakeContextCurrent(window);
     if (glfwGetCurrentContext() != window) {
-      wrong = "cannot use the OpenGL context: " + last_glfw_error;
-      return nullptr;
+      return Error{"cannot use the OpenGL context: " + last_glfw_error};
     }
     return glfwGetProcAddress;
   };
   return ScenePainter::create(own_threads({begin, [] { glfwMakeContextCurrent(nullptr); }}),
-                              glfwPostEmptyEvent, error);
+                              glfwPostEmptyEvent);
 }
 
 void Window::start_fonts(double scale) {
@@ -277,12 +275,11 @@ WindowResult Window::open() {
   glfwSetWindowUserPointer(window_, this);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(scripted() ? 0 : 1);
-  std::string error;
-  std::unique_ptr<ScenePainter> painter = create_painter(error);
-  if (painter == nullptr) {
-    return {WindowStatus::failed, error};
+  Result<std::unique_ptr<ScenePainter>> painter = create_painter();
+  if (!painter) {
+    return {WindowStatus::failed, painter.error().text};
   }
-  canvas_ = std::make_unique<Canvas>(std::move(painter));
+  canvas_ = std::make_unique<Canvas>(*std::move(painter));
   canvas_->warm_up(session_);
   create_gui();
   return {};
@@ -549,12 +546,9 @@ void Window::draw_frame(bool best) {
 
 bool Window::write_screenshot(const std::string& path) {
   const Texture picture = read_window(framebuffer_.x, framebuffer_.y);
-  std::string error;
-  const std::string bytes =
-      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest, error);
-  if (error.empty()) {
-    error = error_text(write_file(path, bytes));
-  }
+  const Result<std::string> bytes =
+      encode_image(to_float(picture), ImageFormat::png8, Rounding::nearest);
+  const std::string error = bytes ? error_text(write_file(path, *bytes)) : bytes.error().text;
   if (!error.empty()) {
     say(session_, error, true);
     failure_ = scripted() ? error : "";

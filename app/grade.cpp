@@ -189,7 +189,6 @@ ExitCode run_grade(const Options& options, Context& context) {
     say_error(map.error().text);
     return exit_code(map.error().kind);
   }
-  StudentFiles student_files(options);
   const GradeRequest request{
       .handed_in = options.arguments.front(),
       .references = options.references,
@@ -197,8 +196,7 @@ ExitCode run_grade(const Options& options, Context& context) {
       .compare = compare_settings(options),
       // merge may need them.
       .thumbnails = options.part.has_value() || !options.report.empty() || !options.pages.empty(),
-      .map = *std::move(map),
-      .graded = std::ref(student_files)};
+      .map = *std::move(map)};
   const auto load_scene = [&](const std::string& path) {
     return load_scene_of_pictures(path, options, context);
   };
@@ -217,13 +215,14 @@ ExitCode run_grade(const Options& options, Context& context) {
   if (options.part) {
     return grade_part(options, *grader, request.map, go_on, context);
   }
-  const Result<Gradebook> graded = grader->grade({0, grader->students()}, go_on);
+  Result<Gradebook> graded = grader->grade({0, grader->students()}, go_on);
   bar.reset();
   if (!graded) {
     say_error(graded.error().text);
     return exit_code(graded.error().kind);
   }
-  return write_results(options, *graded, quoted(options.arguments.front(), 400), context);
+  return write_results(options, *std::move(graded), quoted(options.arguments.front(), 400),
+                       context);
 }
 
 }  // namespace scenefile::app

@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"
+#include "scenefile/io/interrupt.h"
 #include "scenefile/verbs/grade_class.h"
 
 #include <fmt/format.h>
@@ -10,10 +11,15 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace scenefile::app {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::string_view title = "Ray tracer grades";
 
@@ -28,26 +34,148 @@ std::string safe_lines(const std::string& text) {
   return result;
 }
 
-ExitCode write_text(const std::string& path, const std::string& text) {
-  if (path.empty()) {
-    return ExitCode::fine;
+// Writes files, and removes those that did not exist before, with their folders, unless they are
+// kept.
+class NewFiles {
+ public:
+  NewFiles() = default;
+  NewFiles(const NewFiles&) = delete;
+  NewFiles& operator=(const NewFiles&) = delete;
+  ~NewFiles() {
+    // Folders precede their files, and only those without other files can be removed.
+    for (auto path = added_.rbegin(); path != added_.rend(); ++path) {
+      std::error_code ignored;
+      fs::remove(*path, ignored);
+    }
   }
-  const Result<void> written = write_file(path, text);
-  if (!written) {
-    say_error(written.error().text);
+
+  Result<void> make_folder(const fs::path& folder) {
+    std::error_code error;
+    if (folder.empty() || fs::is_directory(folder, error)) {
+      return {};
+    }
+    if (const Result<void> parent = make_folder(folder.parent_path()); !parent) {
+      return parent;
+    }
+    if (fs::create_directory(folder, error)) {
+      added_.push_back(folder);
+    }
+    return !error ? Result<void>()
+                  : Error{fmt::format("cannot make the folder {}: {}", quoted(folder.string(), 400),
+                                      error.message())};
   }
-  return written ? ExitCode::fine : ExitCode::environment;
+
+  Result<void> write(const fs::path& path, const std::string& bytes) {
+    if (DeferredSignals::pending() != 0) {
+      return Error{"interrupted", ErrorKind::cancelled};
+    }
+    std::error_code ignored;
+    const bool existed = fs::exists(path, ignored);
+    const Result<void> written = write_file(path.string(), bytes);
+    if (written && !existed) {
+      added_.push_back(path);
+    }
+    return written;
+  }
+
+  void keep() { added_.clear(); }
+
+ private:
+  std::vector<fs::path> added_;
+};
+
+// Unique file names for the pages of students.
+class PageNames {
+ public:
+  std::string name_of(const std::string& student) {
+    std::string base;
+    for (const char c : student.substr(0, max_length)) {
+      const auto byte = static_cast<unsigned char>(c);
+      const bool plain = byte >= 0x80 || std::isalnum(byte) != 0 ||
+                         std::string_view("._-").find(c) != std::string_view::npos;
+      base += plain ? c : '_';
+    }
+    std::string name = base;
+    for (int i = 2; !used_.insert(name).second; ++i) {
+      name = fmt::format("{}-{}", base, i);
+    }
+    return name + ".html";
+  }
+
+ private:
+  static constexpr std::size_t max_length = 200;  // of 255 bytes
+  std::set<std::string> used_;
+};
+
+Result<void> write_pages(const std::string& folder, const Gradebook& book, NewFiles& files) {
+  if (const Result<void> made = files.make_folder(folder); !made) {
+    return made;
+  }
+  PageNames names;
+  for (const StudentResult& student : book.students) {
+    const Result<void> written =
+        files.write(fs::path(folder) / names.name_of(student.name), student_html(student, title));
+    if (!written) {
+      return written;
+    }
+  }
+  return {};
 }
 
-Result<void> write_into(const std::string& folder, const std::string& name,
-                        const std::string& bytes) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return Error{
-        fmt::format("cannot make the folder {}: {}", quoted(folder, 400), error.message())};
+// Moves the pictures out of the report, if there are many.
+Result<void> write_pictures(const std::string& report, Gradebook& book, NewFiles& files) {
+  std::size_t pictures = 0;
+  for (const StudentResult& student : book.students) {
+    pictures += student.pictures.size();
   }
-  return write_file((std::filesystem::path(folder) / name).string(), bytes);
+  if (pictures <= many_pictures) {
+    return {};
+  }
+  const std::string folder = fs::path(report).stem().string() + "-pictures";
+  const fs::path parent = fs::path(report).parent_path();
+  for (std::size_t s = 0; s < book.students.size(); ++s) {
+    std::vector<PictureResult>& of_student = book.students[s].pictures;
+    for (std::size_t p = 0; p < of_student.size(); ++p) {
+      PictureResult& picture = of_student[p];
+      if (picture.png.empty()) {
+        continue;
+      }
+      const std::string name = fmt::format("{}-{}.png", s + 1, p + 1);
+      Result<void> done = files.make_folder(parent / folder);
+      done = done ? files.write(parent / folder / name, picture.png) : done;
+      if (!done) {
+        return done;
+      }
+      picture.png.clear();
+      picture.png_file = folder + "/" + name;
+    }
+  }
+  return {};
+}
+
+Result<void> write_all(const Options& options, Gradebook& book) {
+  const DeferredSignals deferred;
+  NewFiles files;
+  Result<void> done;
+  if (!options.pages.empty()) {
+    done = write_pages(options.pages, book, files);
+  }
+  if (done && !options.report.empty()) {
+    done = write_pictures(options.report, book, files);
+  }
+  const auto write = [&](const std::string& path, const auto& text) {
+    if (done && !path.empty()) {
+      done = files.write(path, text());
+    }
+  };
+  write(options.report, [&] { return gradebook_html(book, title); });
+  write(options.junit, [&] { return gradebook_junit(book); });
+  write(options.csv, [&] { return gradebook_csv(book); });
+  write(options.gradescope, [&] { return gradescope_json(book.students.front()); });
+  if (done) {
+    files.keep();
+  }
+  return done;
 }
 
 }  // namespace
@@ -61,71 +189,22 @@ ExitCode check_result_places(const Options& options, std::span<const NamedFile> 
   return check_outputs(inputs, outputs);
 }
 
-Result<void> StudentFiles::operator()(StudentResult& student, std::size_t number, std::size_t all) {
-  if (!options_.pages.empty()) {
-    const Result<void> written =
-        write_into(options_.pages, page_name(student.name) + ".html", student_html(student, title));
-    if (!written) {
-      return written;
-    }
-  }
-  if (options_.report.empty() || all <= many_pictures) {
-    return {};
-  }
-  const std::filesystem::path report(options_.report);
-  const std::string folder = report.stem().string() + "-pictures";
-  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
-    PictureResult& picture = student.pictures[p];
-    if (picture.png.empty()) {
-      continue;
-    }
-    const std::string name = fmt::format("{}-{}.png", number, p + 1);
-    const Result<void> written =
-        write_into((report.parent_path() / folder).string(), name, picture.png);
-    if (!written) {
-      return written;
-    }
-    picture.png.clear();
-    picture.png_file = folder + "/" + name;
-  }
-  return {};
-}
-
-// A unique file name for each student.
-std::string StudentFiles::page_name(const std::string& student) {
-  std::string name;
-  for (const char c : student) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                       std::string_view("._-").find(c) != std::string_view::npos;
-    name += plain ? c : '_';
-  }
-  const int before = pages_[name]++;
-  return before == 0 ? name : fmt::format("{}-{}", name, before + 1);
-}
-
-ExitCode write_results(const Options& options, const Gradebook& book, std::string_view holder,
+ExitCode write_results(const Options& options, Gradebook book, std::string_view holder,
                        Context& context) {
   if (!options.gradescope.empty() && book.students.size() != 1) {
     say_error(fmt::format("--gradescope is for one student, and {} has {}", holder,
                           book.students.size()));
     return ExitCode::usage;
   }
-  ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
-  // Everything is prepared before files are written, so that nothing can fail afterwards.
-  context.phase = "making the report";
-  const std::string page = options.report.empty() ? std::string() : gradebook_html(book, title);
-  const std::string junit = options.junit.empty() ? std::string() : gradebook_junit(book);
-  const std::string csv = options.csv.empty() ? std::string() : gradebook_csv(book);
-  const std::string scope =
-      options.gradescope.empty() ? std::string() : gradescope_json(book.students.front());
+  context.phase = "writing the report";
+  if (const Result<void> written = write_all(options, book); !written) {
+    say_error(written.error().text);
+    return exit_code(written.error().kind);
+  }
+  const ExitCode status = book.all_passed() ? ExitCode::fine : ExitCode::findings;
   const std::string text = options.json    ? gradebook_json(book)
                            : options.quiet ? std::string()
                                            : safe_lines(gradebook_text(book));
-  context.phase = "writing the report";
-  status = worse(status, write_text(options.report, page));
-  status = worse(status, write_text(options.junit, junit));
-  status = worse(status, write_text(options.csv, csv));
-  status = worse(status, write_text(options.gradescope, scope));
   return text.empty() ? status : worse(status, answer(text));
 }
 

@@ -3,13 +3,9 @@
 
 #include "app/command.h"
 #include "app/outputs.h"
-#include "scenefile/base/result.h"
 #include "scenefile/grade/gradebook.h"
 
-#include <cstddef>
-#include <map>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace scenefile::app {
@@ -18,26 +14,11 @@ namespace scenefile::app {
 /// one of the `inputs`.
 ExitCode check_result_places(const Options& options, std::span<const NamedFile> inputs);
 
-/// Writes the files of each student: a page and, for large classes, the pictures next to the
-/// report.
-class StudentFiles {
- public:
-  /// `options` must outlive this.
-  explicit StudentFiles(const Options& options) : options_(options) {}
-
-  /// For GradeRequest::graded: all students of the class, in order.
-  Result<void> operator()(StudentResult& student, std::size_t number, std::size_t all);
-
- private:
-  std::string page_name(const std::string& student);
-
-  const Options& options_;
-  std::map<std::string, int> pages_;
-};
-
-/// Writes the files of the whole class and prints the results. `holder`: what contains the
+/// Writes all files and prints the results: the files of the class, and with --pages a page for
+/// each student. In large classes, the pictures are files next to the report. If a file cannot be
+/// written, or the program is interrupted, no new file remains. `holder`: what contains the
 /// students, such as a folder, for messages.
-ExitCode write_results(const Options& options, const Gradebook& book, std::string_view holder,
+ExitCode write_results(const Options& options, Gradebook book, std::string_view holder,
                        Context& context);
 
 }  // namespace scenefile::app

@@ -20,10 +20,7 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
   if (const ExitCode status = check_result_places(options, inputs); status != ExitCode::fine) {
     return status;
   }
-  StudentFiles student_files(options);
   Gradebook book;
-  // Keeps only one part in memory at a time, because the parts of a large class contain many
-  // pictures.
   for (const std::size_t file : set.files) {
     Result<GradePart> part = read_grade_part(paths[file]);
     if (!part) {
@@ -35,21 +32,15 @@ ExitCode merge_class(const Options& options, const SortedParts& set,
       return ExitCode::findings;
     }
     for (StudentResult& student : part->students) {
-      if (const Result<void> handed =
-              student_files(student, book.students.size() + 1, part->head.whole.pictures);
-          !handed) {
-        say_error(handed.error().text);
-        return exit_code(handed.error().kind);
-      }
       for (PictureResult& picture : student.pictures) {
-        if (options.report.empty()) {
+        if (options.report.empty() && options.pages.empty()) {
           picture.png = {};
         }
       }
       book.students.push_back(std::move(student));
     }
   }
-  return write_results(options, book, "the class", context);
+  return write_results(options, std::move(book), "the class", context);
 }
 
 }  // namespace scenefile::app

@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
+#include <set>
 
 namespace scenefile {
 
@@ -393,6 +395,97 @@ TEST_F(Grade, MapsAndAllReports) {
       in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, HasSubstr("to the reference \"bal\", but \"right\" has no such file"));
+}
+
+TEST_F(Grade, NamesInMapsMayContainCommas) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/one, \"2\".png", folder.read("right.png"));
+  for (const char* line : {"\"one, \"\"2\"\".png\", ball", "one, \"2\".png\tball"}) {
+    folder.write("names.csv", line);
+    const ProgramRun run =
+        in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"});
+    EXPECT_EQ(run.status, 0) << line << run.out << run.err;
+  }
+  folder.write("names.csv", "one, 2.png, ball");
+  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right", "--map", "names.csv"}).err,
+              HasSubstr("names that contain a comma in double quotes"));
+}
+
+TEST_F(Grade, EachStudentHasAPageOfTheirOwn) {
+  std::filesystem::create_directories(folder.path("right"));
+  folder.write("right/ball.png", folder.read("right.png"));
+  for (const char* student : {"a b", "a_b", "a_b-2", "J\xC3\xB6rg"}) {
+    std::filesystem::create_directories(folder.path("class/" + std::string(student)));
+    folder.write("class/" + std::string(student) + "/ball.png", folder.read("right.png"));
+  }
+  const ProgramRun run =
+      in_folder({"grade", "class", "--references", "right", "--pages", "new/pages"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(folder.read("new/pages/a_b.html"), HasSubstr(">a b: 1 of 1"));
+  EXPECT_THAT(folder.read("new/pages/a_b-2.html"), HasSubstr(">a_b: 1 of 1"));
+  EXPECT_THAT(folder.read("new/pages/a_b-2-2.html"), HasSubstr(">a_b-2: 1 of 1"));
+  EXPECT_THAT(folder.read("new/pages/J\xC3\xB6rg.html"), HasSubstr(">J\xC3\xB6rg: 1 of 1"));
+}
+
+TEST_F(Grade, NothingRemainsOfAnInterruptedRun) {
+  std::filesystem::create_directories(folder.path("right"));
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("right/ball.xml", folder.read("ball.xml"));
+  for (int i = 0; i < 400; ++i) {
+    const std::string student = "class/s" + std::to_string(i);
+    std::filesystem::create_directories(folder.path(student));
+    folder.write(student + "/ball.png", folder.read("wrong.png"));
+  }
+  const auto entries = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  };
+  const std::set<std::string> before = entries();
+  const ProgramRun run = run_program({"grade", "class", "--references", "right", "--report",
+                                      "report.html", "--pages", "pages", "--csv", "a.csv"},
+                                     {.folder = folder.path(), .signal = SIGINT, .delay_ms = 500});
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_EQ(entries(), before);
+}
+
+TEST_F(Grade, NothingRemainsIfAFileCannotBeWritten) {
+  for (const char* name : {"right", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+    folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
+  }
+  const ProgramRun run = in_folder({"grade", "mine", "--references", "right", "--pages",
+                                    "new/pages", "--csv", "new/pages/mine.html/a.csv"});
+  EXPECT_EQ(run.status, 3) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("new")));
+}
+
+TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
+  for (const char* name : {"right", "mine/old"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("mine/ball.png", folder.read("right.png"));
+  folder.write("mine/old/notes.png", folder.read("wrong.png"));
+  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+              HasSubstr("mine  1 of 1 passed"));
+}
+
+TEST_F(Grade, TexturesOfScenesAreNotReferences) {
+  for (const char* name : {"right/textures", "mine"}) {
+    std::filesystem::create_directories(folder.path(name));
+  }
+  folder.write("right/ball.png", folder.read("right.png"));
+  folder.write("right/ball.xml", folder.read("ball.xml"));
+  folder.write("right/textures/wood.png", folder.read("wrong.png"));
+  folder.write("mine/ball.png", folder.read("right.png"));
+  EXPECT_THAT(in_folder({"grade", "mine", "--references", "right"}).out,
+              HasSubstr("mine  1 of 1 passed"));
 }
 
 TEST_F(Grade, GradescopeIsForOneStudent) {

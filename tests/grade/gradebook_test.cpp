@@ -102,6 +102,30 @@ TEST(Gradebook, CausesAreCountedForAStudentAndTheClass) {
   EXPECT_THAT(student_html(book.students[1], "t"), HasSubstr("shadows in 2 of 2"));
 }
 
+TEST(Gradebook, MissingPicturesHaveNoCause) {
+  const std::string html = gradebook_html(two_students(), "t");
+  EXPECT_THAT(html, AllOf(HasSubstr("shadows in 1 of 1"), HasSubstr("</span>: 1 picture</h3>"),
+                          HasSubstr("<span id=\"p1-0\">ball</span>")));
+}
+
+TEST(Gradebook, APictureOfAnotherSizeSaysSo) {
+  Gradebook book = two_students();
+  PictureResult& picture = book.students[1].pictures[1];
+  picture.causes.clear();
+  picture.measures.size = {800, 600};
+  picture.measures.right_size = {1024, 768};
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<a href=\"#p1-1\">size</a>"));
+}
+
+TEST(Gradebook, AllFilesAreUtf8) {
+  Gradebook book = two_students();
+  book.students[0].name = "J\xF6rg";
+  const std::string name = "J\xEF\xBF\xBDrg";
+  EXPECT_THAT(gradebook_csv(book), HasSubstr(name));
+  EXPECT_THAT(gradebook_junit(book), HasSubstr(name));
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr(name));
+}
+
 TEST(Gradebook, Csv) {
   Gradebook book = two_students();
   book.students[0].name = "=cmd|' /C calc'!A0";

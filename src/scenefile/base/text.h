@@ -24,6 +24,9 @@ struct CodePoint {
 /// The first character of the text: strict UTF-8, no overlong forms, no surrogates.
 CodePoint first_code_point(std::string_view text);
 
+/// The text with U+FFFD for each byte that is not UTF-8.
+std::string valid_utf8(std::string_view text);
+
 /// ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 

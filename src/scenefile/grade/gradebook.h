@@ -21,7 +21,9 @@ std::string_view name_of(Verdict verdict);
 struct PictureResult {
   std::string name;  ///< of the reference, without extension
   Verdict verdict = Verdict::passed;
-  PictureMeasures measures;          ///< if there is a picture
+  /// If there is a picture. If its size differs from that of the reference, both have been compared
+  /// at one size, or `same_size` is false.
+  PictureMeasures measures;
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
   std::vector<Claim> causes;         ///< mistakes that explain it
   std::string png;                   ///< reference, picture and heat map as a PNG; may be empty

@@ -1,3 +1,4 @@
+#include "scenefile/base/text.h"
 #include "scenefile/grade/gradebook.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ std::string field(std::string_view text) {
   if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
     result += '\'';
   }
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     result += c == '"' ? "\"\"" : std::string(1, c);
   }
   return result + "\"";

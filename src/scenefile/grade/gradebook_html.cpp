@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scenefile {
 
 namespace {
@@ -19,20 +21,23 @@ main { max-width: 90rem; margin: 0 auto; padding: 1rem; }
 a { color: var(--link); }
 h1 { font-size: 1.6rem; margin: .5rem 0 0; } h2 { font-size: 1.2rem; } h3 { font-size: 1rem; margin: 1rem 0 .2rem; }
 .sum, .dim, figcaption { color: var(--dim); }
-.filters { display: flex; flex-wrap: wrap; gap: .5rem 1rem; margin: 1rem 0 .5rem; }
+.filters { display: flex; flex-wrap: wrap; align-items: center; gap: .5rem 1rem; margin: 1rem 0 .5rem; }
 .filters label { display: flex; gap: .4rem; align-items: center; }
 input, select { font: inherit; color: inherit; background: var(--soft); border: 1px solid var(--line); border-radius: 4px;
   padding: .2rem .4rem; max-width: 14rem; }
-.wide { overflow: auto; max-height: 85vh; border: 1px solid var(--line); border-radius: 4px; }
+.wide { overflow: auto; width: fit-content; max-width: 100%; max-height: 85vh; border: 1px solid var(--line); border-radius: 4px; }
 table { border-collapse: separate; border-spacing: 0; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap;
   background: var(--paper); }
-thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; }
-td:nth-child(3) { white-space: normal; min-width: 9rem; max-width: 14rem; }
-tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 11rem; overflow: hidden;
+thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; white-space: normal;
+  max-width: 9rem; }
+thead th:nth-child(3), td:nth-child(3) { white-space: normal; min-width: 20rem; max-width: 30rem; }
+.tag { display: inline-block; white-space: nowrap; margin-right: .8rem; }
+tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 16rem; overflow: hidden;
   text-overflow: ellipsis; }
 thead th:first-child { left: 0; z-index: 3; }
-th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
+th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer;
+  text-align: left; }
 th[aria-sort=ascending] button::after { content: " ▲"; } th[aria-sort=descending] button::after { content: " ▼"; }
 td a { color: inherit; }
 .passed { color: var(--good); } .differs { color: var(--bad); font-weight: 600; }
@@ -41,8 +46,10 @@ details { border-top: 1px solid var(--line); padding: .4rem 0; } summary { curso
 img { max-width: 100%; height: auto; border-radius: 4px; } figure { margin: .5rem 0 1.5rem; }
 .cause { border-left: 3px solid var(--bad); padding-left: .6rem; margin: .4rem 0; }
 .cause small { display: block; color: var(--dim); overflow-wrap: anywhere; }
-li, h3 { overflow-wrap: anywhere; }
-@media (max-width: 30rem) { main { padding: .5rem; } tbody th { max-width: 7rem; } }
+li, p, h3 { overflow-wrap: anywhere; }
+@media (max-width: 30rem) { main { padding: .5rem; } th, td { padding: .3rem .4rem; }
+  tbody th { max-width: 8.5rem; white-space: normal; overflow-wrap: anywhere; }
+  thead th:nth-child(3), td:nth-child(3) { min-width: 12rem; max-width: 12rem; } .tag { white-space: normal; } }
 )";
 
 // Sorts by a column, filters the rows, and opens the targets of links in the table.
@@ -108,7 +115,7 @@ std::string figure_of(const PictureResult& picture) {
       if (picture.verdict == Verdict::differs && !causes.empty()) {
         return causes;
       }
-      return picture.measures.same_size
+      return picture.measures.size == picture.measures.right_size
                  ? fmt::format("{:.1f} dB", picture.measures.difference.psnr_db)
                  : "size";
     }
@@ -123,18 +130,33 @@ std::size_t failed(const StudentResult& student) {
   return student.pictures.size() - student.passed();
 }
 
-// "blinn in 5 of 5" pictures that did not pass.
-std::string causes_line(const StudentResult& student) {
+// "blinn in 5 of 5": of the pictures that differ, because a missing one has no cause. Each between
+// `before` and `after`.
+std::string causes_line(const StudentResult& student, std::string_view before = {},
+                        std::string_view after = {}, std::string_view between = ", ") {
+  const auto differ =
+      std::count_if(student.pictures.begin(), student.pictures.end(),
+                    [](const PictureResult& p) { return p.verdict == Verdict::differs; });
   std::string text;
   for (const CauseCount& count : count_causes({&student, 1})) {
-    text += fmt::format("{}{} in {} of {}", text.empty() ? "" : ", ", name_of(count.cause),
-                        count.pictures, failed(student));
+    text += fmt::format("{}{}{} in {} of {}{}", text.empty() ? "" : between, before,
+                        name_of(count.cause), count.pictures, differ, after);
   }
   return text;
 }
 
+// Paths may be broken after a slash.
+std::string breakable(std::string_view name) {
+  std::string html;
+  for (const char c : markup(name)) {
+    html += c;
+    html += c == '/' ? "<wbr>" : "";
+  }
+  return html;
+}
+
 std::string header_cell(std::string_view name) {
-  return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", markup(name));
+  return fmt::format("<th scope=\"col\"><button type=\"button\">{}</button></th>", breakable(name));
 }
 
 std::string table_row(const StudentResult& student, std::size_t index) {
@@ -149,7 +171,7 @@ std::string table_row(const StudentResult& student, std::size_t index) {
       "<tr data-passed=\"{}\" data-causes=\"{}\"><th "
       "scope=\"row\">{}</th><td>{}/{}</td><td>{}</td>",
       failed(student) == 0 ? 1 : 0, words, name, student.passed(), student.pictures.size(),
-      causes_line(student));
+      causes_line(student, "<span class=\"tag\">", "</span>", " "));
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
     const PictureResult& picture = student.pictures[p];
     html +=
@@ -236,18 +258,36 @@ std::string details(const PictureResult& picture) {
   return html;
 }
 
+// The pictures that were not handed in, in one line.
+std::string missing(const StudentResult& student, std::size_t index) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < student.pictures.size(); ++p) {
+    if (student.pictures[p].verdict == Verdict::missing) {
+      names += fmt::format("{}<span id=\"p{}-{}\">{}</span>", names.empty() ? "" : ", ", index, p,
+                           markup(student.pictures[p].name));
+      ++count;
+    }
+  }
+  return names.empty()
+             ? std::string()
+             : fmt::format("<h3><span class=\"missing\">missing</span>: {}</h3>\n<p>{}</p>\n",
+                           counted(count, "picture"), names);
+}
+
 // The pictures that did not pass. `index`: of the student in the table.
 std::string failures(const StudentResult& student, std::size_t index) {
   std::string html;
   for (std::size_t p = 0; p < student.pictures.size(); ++p) {
     const PictureResult& picture = student.pictures[p];
-    if (picture.verdict != Verdict::passed) {
+    if (picture.verdict != Verdict::passed && picture.verdict != Verdict::missing) {
       html +=
           fmt::format("<h3 id=\"p{}-{}\">{}: <span class=\"{}\">{}</span></h3>\n", index, p,
                       markup(picture.name), name_of(picture.verdict), name_of(picture.verdict)) +
           details(picture);
     }
   }
+  html += missing(student, index);
   if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
     html += fmt::format("<p>{}.</p>\n", markup(unmatched));
   }

@@ -1,10 +1,16 @@
 #include "scenefile/grade/markup.h"
 
+#include "scenefile/base/text.h"
+
+#include <algorithm>
+
 namespace scenefile {
 
 std::string markup(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  while (!text.empty()) {
+    const auto [value, bytes] = first_code_point(text);
+    const char c = text.front();
     switch (c) {
       case '&':
         result += "&amp;";
@@ -19,8 +25,14 @@ std::string markup(std::string_view text) {
         result += "&quot;";
         break;
       default:
-        result += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? '?' : c;
+        if ((static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') || value == 0xFFFE ||
+            value == 0xFFFF) {
+          result += '?';
+        } else {
+          result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
+        }
     }
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   return result;
 }

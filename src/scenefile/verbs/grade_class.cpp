@@ -46,18 +46,22 @@ std::string name_of_folder(std::string_view path) {
   return std::string(path.substr(path.rfind('/') + 1));
 }
 
-// A folder for each student, or one folder with the pictures of a single student.
-std::vector<StudentFolder> student_folders(const std::string& folder) {
+// A folder for each student; or one folder with the pictures of a single student, if there are only
+// folders of layouts, or pictures of references next to them.
+std::vector<StudentFolder> student_folders(const std::string& folder,
+                                           const std::vector<FoundFile>& references) {
   std::vector<StudentFolder> students;
+  bool one = true;
   for (const FolderEntry& entry : entries_of(folder)) {
     if (entry.folder) {
       students.push_back({entry.name, entry.path, {}});
+      one = one && is_layout_folder(entry.name);
     }
   }
-  const bool layout =
-      std::all_of(students.begin(), students.end(),
-                  [](const StudentFolder& student) { return is_layout_folder(student.name); });
-  if (layout) {
+  std::vector<FoundFile> pictures = files_below(folder, is_picture_name);
+  std::erase_if(pictures, [](const FoundFile& file) { return !file.folders.empty(); });
+  const std::vector<int> matches = match_pictures(references, pictures);
+  if (one || std::any_of(matches.begin(), matches.end(), [](int match) { return match >= 0; })) {
     students = {{name_of_folder(folder), folder, {}}};
   }
   return students;
@@ -171,8 +175,9 @@ struct ClassGrader::State {
     if (const Result<void> read = read_settings(); !read) {
       return read.error();
     }
+    std::vector<int> scene_of = match_scenes(scenes);
+    drop_textures(scenes, scene_of);
     const std::vector<std::string> names = reference_names(files_);
-    const std::vector<int> scene_of = match_scenes(scenes);
     for (std::size_t i = 0; i < files_.size(); ++i) {
       enter("reading a picture");
       Result<Texture> picture = load_picture_file(files_[i].path);
@@ -209,7 +214,7 @@ struct ClassGrader::State {
 
   // Finds the pictures of all students.
   Result<void> find_pictures() {
-    folders_ = student_folders(request_.handed_in);
+    folders_ = student_folders(request_.handed_in, files_);
     std::size_t seen = 0;
     std::size_t matched = 0;
     for (StudentFolder& folder : folders_) {
@@ -281,11 +286,6 @@ struct ClassGrader::State {
           return Error{"interrupted", ErrorKind::cancelled};
         }
       }
-      if (request_.graded) {
-        if (const Result<void> taken = request_.graded(student, s + 1, pictures()); !taken) {
-          return taken.error();
-        }
-      }
     }
     return book;
   }
@@ -321,6 +321,27 @@ struct ClassGrader::State {
           ErrorKind::input};
     }
     return {};
+  }
+
+  // Folders of scenes may contain their textures: pictures in such a folder are references only if
+  // a scene has their name, or if nothing else is a reference.
+  void drop_textures(const std::vector<FoundFile>& scenes, std::vector<int>& scene_of) {
+    const auto is_texture = [&](std::size_t i) {
+      return !scenes.empty() && scene_of[i] < 0 && is_in_texture_folder(files_[i]) &&
+             row_of(table_, files_[i]) == nullptr;
+    };
+    std::vector<FoundFile> files;
+    std::vector<int> of_files;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (!is_texture(i)) {
+        files.push_back(files_[i]);
+        of_files.push_back(scene_of[i]);
+      }
+    }
+    if (!files.empty()) {
+      files_ = std::move(files);
+      scene_of = std::move(of_files);
+    }
   }
 
   // The ways in which a reference may have been drawn; the table's settings take precedence.
@@ -369,6 +390,15 @@ struct ClassGrader::State {
     return best;
   }
 
+  // The text without the folder of the class, which is not for the reports of students.
+  std::string without_folder(std::string text) const {
+    if (text.starts_with(request_.handed_in)) {
+      text.erase(0, request_.handed_in.size());
+      text.erase(0, text.find_first_not_of('/'));
+    }
+    return text;
+  }
+
   // `path` of the picture; empty if there is none.
   PictureResult grade(Reference& reference, const std::string& path,
                       const std::function<bool(double)>& go_on) const {
@@ -389,7 +419,7 @@ struct ClassGrader::State {
     const Result<Texture> picture = load_picture_file(path);
     if (!picture) {
       result.verdict = Verdict::unreadable;
-      result.reasons = {picture.error().text};
+      result.reasons = {without_folder(picture.error().text)};
       return result;
     }
     if (const Reference* other = shown_instead(reference, *picture)) {
@@ -414,7 +444,12 @@ struct ClassGrader::State {
         compare_pictures(reference.picture, *picture, reference.scene ? &*reference.scene : nullptr,
                          settings, go_on);
     result.measures = compared.measures;
+    result.measures.size = {picture->width, picture->height};
+    result.measures.right_size = {reference.picture.width, reference.picture.height};
     result.reasons = compared.broken;
+    if (compared.right_at_other_size) {
+      result.reasons.emplace_back("apart from its size, the picture is right");
+    }
     result.causes = compared.causes.claims;
     result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
     if (by_causes_ && compared.measures.same_size) {

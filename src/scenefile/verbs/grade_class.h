@@ -23,14 +23,10 @@ struct GradeRequest {
   CompareSettings compare;
   bool thumbnails = false;    ///< create PictureResult::png for those that differ
   std::vector<NamePair> map;  ///< pairs of names that the rules of grade_files.h cannot match
-  /// Called for each student as soon as all pictures are graded, with the student's number, from 1,
-  /// and the number of pictures of the class. May move PictureResult::png out; an error stops the
-  /// grading.
-  std::function<Result<void>(StudentResult& student, std::size_t number, std::size_t all)> graded;
 };
 
 /// Classes with more pictures get smaller thumbnails, which callers should write to files instead
-/// of keeping them in memory.
+/// of embedding them in the report.
 inline constexpr std::size_t many_pictures = 200;
 
 /// Loads the scene of a reference, and reports its findings.

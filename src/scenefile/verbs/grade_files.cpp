@@ -151,10 +151,32 @@ bool is_picture_name(std::string_view name) {
 namespace {
 
 std::string trimmed(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(" \t\r\"");
-  const std::size_t end = text.find_last_not_of(" \t\r\"");
+  const std::size_t start = text.find_first_not_of(" \t\r");
+  const std::size_t end = text.find_last_not_of(" \t\r");
   return start == std::string_view::npos ? std::string()
                                          : std::string(text.substr(start, end - start + 1));
+}
+
+// The fields of a line of CSV (RFC 4180), or of a line with tabs.
+std::vector<std::string> fields_of(std::string_view line) {
+  const char separator = line.find('\t') != std::string_view::npos ? '\t' : ',';
+  std::vector<std::string> fields;
+  for (bool more = true; more;) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    std::string field;
+    std::size_t at = 0;
+    if (line.starts_with('"')) {
+      for (at = 1; at < line.size() && (line[at] != '"' || line.substr(at, 2) == "\"\""); ++at) {
+        at += line[at] == '"' ? 1 : 0;
+        field += line[at];
+      }
+    }
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    fields.push_back(at > 0 ? field : trimmed(line.substr(0, end)));
+    more = end < line.size();
+    line.remove_prefix(more ? end + 1 : end);
+  }
+  return fields;
 }
 
 }  // namespace
@@ -181,17 +203,14 @@ std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong) {
     if (line.empty() || line.front() == '#') {
       continue;
     }
-    const std::size_t comma = line.find_first_of(",\t");
-    const NamePair pair{trimmed(std::string_view(line).substr(0, comma)),
-                        comma == std::string::npos
-                            ? std::string()
-                            : trimmed(std::string_view(line).substr(comma + 1))};
-    if (pair.handed_in.empty() || pair.reference.empty()) {
+    const std::vector<std::string> fields = fields_of(line);
+    if (fields.size() != 2 || fields[0].empty() || fields[1].empty()) {
       wrong = "line " + std::to_string(number) +
-              ": expected the name handed in, a comma, and the name of the reference";
+              ": expected the name handed in, a comma, and the name of the reference" +
+              (fields.size() > 2 ? "; put names that contain a comma in double quotes" : "");
       return {};
     }
-    map.push_back(pair);
+    map.push_back({fields[0], fields[1]});
   }
   return map;
 }
@@ -262,6 +281,12 @@ bool is_layout_folder(std::string_view name) {
       "image",      "results",   "render",   "renders",  "lightscamera", "action",  "realtime"};
   const std::string word = meaning(name);
   return word.empty() || std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_in_texture_folder(const FoundFile& file) {
+  return std::any_of(file.folders.begin(), file.folders.end(), [](const std::string& name) {
+    return name == "textures" || name == "texture" || name == "image";
+  });
 }
 
 }  // namespace scenefile

@@ -35,9 +35,9 @@ struct NamePair {
   std::string reference;
 };
 
-/// One pair per line: the submitted name, a comma or a tab, and the name of the reference. Empty
-/// lines and lines that start with # are ignored. `wrong`: an error text with the line number;
-/// empty on success.
+/// One pair per line: the submitted name, a comma or a tab, and the name of the reference. Names
+/// that contain a comma are in double quotes, or a tab separates them. Empty lines and lines that
+/// start with # are ignored. `wrong`: an error text with the line number; empty on success.
 std::vector<NamePair> read_name_map(std::string_view text, std::string& wrong);
 
 /// For each reference, the matching picture as an index into `pictures`; -1 if there is none. Names
@@ -54,5 +54,8 @@ std::vector<std::string> reference_names(const std::vector<FoundFile>& reference
 /// Whether a folder with this name is part of a layout (illuminate, required, ...), rather than a
 /// student.
 bool is_layout_folder(std::string_view name);
+
+/// Whether the file is in a folder for the textures of scenes: textures, image, ...
+bool is_in_texture_folder(const FoundFile& file);
 
 }  // namespace scenefile

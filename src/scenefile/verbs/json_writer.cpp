@@ -13,17 +13,6 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-// Replaces bytes that are not UTF-8; the writer would copy them or fail.
-std::string valid_utf8(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t bytes = first_code_point(text).bytes;
-    result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
-    text.remove_prefix(bytes == 0 ? 1 : bytes);
-  }
-  return result;
-}
-
 rapidjson::SizeType length(std::string_view text) {
   return static_cast<rapidjson::SizeType>(text.size());
 }

@@ -191,10 +191,7 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
 // The picture on a gray one, or the part of it that is visible there.
 void show_at(const TempFolder& folder, const char* from, const char* to, const glm::ivec2& corner,
              const glm::ivec2& size) {
-  const auto bytes = folder.read(from);
-  std::uint64_t budget = 1 << 24;
-  std::string error;
-  const Texture picture = decode_image(bytes, Limits{}, budget, error);
+  const Texture picture = *decode_image(folder.read(from));
   Image shown(size.x, size.y);
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
@@ -205,7 +202,7 @@ void show_at(const TempFolder& folder, const char* from, const char* to, const g
       }
     }
   }
-  folder.write(to, encode_image(shown, ImageFormat::png8, Rounding::nearest, error));
+  folder.write(to, *encode_image(shown, ImageFormat::png8, Rounding::nearest));
 }
 
 TEST_F(DiffImages, ThePartThatShowsTheSceneIsCompared) {

@@ -171,9 +171,9 @@ async function checkAndDraw() {
   if (scene.unsafe) {
     return;
   }
+  const begun = performance.now();
   let checked;
   try {
-    const begun = performance.now();
     if (checker.generation !== now.filesVersion) {
       await checker.call('files', { files: [...now.files] });
       checker.generation = now.filesVersion;
@@ -197,7 +197,7 @@ async function checkAndDraw() {
     return;
   }
   store.begin(scene.id);
-  picture.open(now).then(
+  picture.open(now, begun).then(
     (opened) => {
       if (now.version !== scene.version) {
         return;

@@ -7,7 +7,7 @@ import { Engine, Stopped } from './engine.js';
 const stripTime = 200; // milliseconds that a strip should take
 const minRows = 8; // of a strip: each also traces rows around it
 const frameTime = 45; // milliseconds for a preview
-const patience = 120; // milliseconds for canceled work to finish, before its worker is terminated
+const patience = 50; // milliseconds for canceled work to finish, before its worker is terminated
 const glPatience = 1000; // the same for WebGL2, whose worker takes longer to start again
 const glTimeout = 30_000; // milliseconds; without a graphics card, the first drawing may take seconds
 const coarse = 2; // traced previews are at most this much smaller, if WebGL2 is quicker
@@ -72,14 +72,19 @@ export class Picture {
     return engine.prepare(this.#scene, { version: this.#lookVersion, camera: this.camera && flat(this.camera) });
   }
 
-  async #endOldWork() {
+  // Ends what is no longer needed, since `canceled`. Resolves to a number that is #job until something else is.
+  async #endOldWork(canceled = performance.now()) {
     this.#job += 1;
     const job = this.#job;
-    if (this.#engines.some((engine) => engine.busy)) {
-      await sleep(patience);
-      if (job === this.#job) {
+    while (job === this.#job && this.#engines.some((engine) => engine.busy)) {
+      if (performance.now() - canceled < patience) {
+        await sleep(5);
+      } else {
         this.#engines.filter((engine) => engine.busy).forEach((engine) => engine.stop());
       }
+    }
+    if (job !== this.#job) {
+      return job;
     }
     if (this.#tools.busy) {
       this.#tools.stop();
@@ -90,9 +95,9 @@ export class Picture {
     return job;
   }
 
-  /** Opens another scene, or the same one after a change. Resolves to the core's answer about it. */
-  async open(scene) {
-    const job = await this.#endOldWork();
+  /** Opens another scene, or the same one after a change at the time `changed`. Resolves to the core's answer about it. */
+  async open(scene, changed) {
+    const job = await this.#endOldWork(changed);
     if (job !== this.#job) {
       throw new Stopped('it was replaced', 'replaced');
     }
@@ -370,8 +375,7 @@ export class Picture {
       return;
     }
     this.#previewing = true;
-    this.#job += 1;
-    const job = this.#job;
+    const job = await this.#endOldWork();
     try {
       let drawn = -1;
       while (drawn !== this.#lookVersion && job === this.#job) {

@@ -1035,3 +1035,78 @@ test('times: the first picture, and one of 640 x 480', async () => {
     assert.ok(median <= 1000, `${median} ms`);
   }
 });
+
+// Records the last action of the user, when no worker traces for what was before it, and when one traces again.
+function watchTracing() {
+  const tracing = new Set();
+  globalThis.waits = { tracing, asked: 0, ended: 0, began: 0 };
+  const ask = () => {
+    tracing.forEach((request) => (request.isOld = true));
+    globalThis.waits = { tracing, asked: performance.now(), ended: 0, began: 0 };
+  };
+  for (const action of ['keydown', 'click', 'change']) {
+    addEventListener(action, ask, { capture: true });
+  }
+  const end = (request) => {
+    if (tracing.delete(request) && request.isOld && ![...tracing].some(({ isOld }) => isOld)) {
+      globalThis.waits.ended = performance.now();
+    }
+  };
+  globalThis.Worker = class extends Worker {
+    #requests = new Map();
+    constructor(...args) {
+      super(...args);
+      this.addEventListener('message', ({ data }) => end(this.#requests.get(data.id)));
+    }
+    postMessage(message, ...more) {
+      if (message.call === 'render') {
+        const request = { isOld: false };
+        this.#requests.set(message.id, request);
+        tracing.add(request);
+        globalThis.waits.began ||= performance.now();
+      }
+      super.postMessage(message, ...more);
+    }
+    terminate() {
+      super.terminate();
+      this.#requests.forEach(end);
+    }
+  };
+}
+
+test('a picture in progress is canceled within 100 ms', async () => {
+  await page.addInitScript(watchTracing);
+  await open();
+  await page.click('#open-menu summary');
+  await page.locator('#examples button', { hasText: 'Showcase' }).click();
+  await page.waitForFunction(() => document.getElementById('name').value === 'showcase.xml');
+  await drawn(page, 2);
+  const actions = {
+    'the button Stop': () => page.click('#stop'),
+    'another size': () => page.selectOption('#size', '1280x720'),
+    'a moved camera': () => page.keyboard.press('ArrowLeft'),
+    'an edit': () => page.keyboard.press('Space'),
+  };
+  await page.locator('.cm-line', { hasText: '<!--' }).first().click(); // where the edit will be
+  for (const [name, act] of Object.entries(actions)) {
+    const times = { end: [], begin: [] };
+    for (let i = 0; i < 5; ++i) {
+      await page.selectOption('#size', '1920x1080'); // takes seconds
+      await page.focus(name === 'an edit' ? '.cm-content' : '#canvas');
+      await page.waitForFunction(() => globalThis.waits.began > 0 && globalThis.waits.tracing.size > 1 && /[1-9]/.test(document.getElementById('progress').textContent));
+      await page.waitForTimeout(37 * i);
+      await act();
+      const waits = await page.waitForFunction((again) => {
+        const { asked, ended, began } = globalThis.waits;
+        return ended > 0 && (began > 0 || !again) && { end: ended - asked, begin: began - asked };
+      }, name !== 'the button Stop').then((found) => found.jsonValue());
+      times.end.push(waits.end);
+      times.begin.push(waits.begin);
+    }
+    const [end, begin] = [times.end, times.begin].map((some) => some.sort((a, b) => a - b)[2]);
+    console.log(`${name} ends the tracing of a picture in ${end.toFixed(0)} ms${begin > 0 ? `; the next begins after ${begin.toFixed(0)} ms` : ''}`);
+    if (process.env.TIMES) {
+      assert.ok(end <= 100, `${name}: ${end} ms`);
+    }
+  }
+});

@@ -10,8 +10,13 @@
 #include <limits>
 
 #if !defined(__cpp_lib_to_chars)
-#include <locale>
-#include <sstream>
+#include <cstdlib>
+#include <string>
+#if defined(__APPLE__)
+#include <xlocale.h>
+#else
+#include <locale.h>
+#endif
 #endif
 
 namespace scenefile {
@@ -79,12 +84,11 @@ double convert(std::string_view text) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool overflow = result.ec == std::errc::result_out_of_range;
 #else
-  // libc++ 14 has no from_chars for floating point.
-  std::istringstream stream{std::string(text)};
-  stream.imbue(std::locale::classic());
-  double value = 0;
-  stream >> value;
-  const bool overflow = stream.fail();
+  // libc++ 14 has no from_chars for floating point. Streams are avoided because they make the
+  // WebAssembly module larger.
+  static const locale_t classic = newlocale(LC_ALL_MASK, "C", nullptr);
+  const double value = strtod_l(std::string(text).c_str(), nullptr, classic);
+  const bool overflow = std::isinf(value);
 #endif
   if (!overflow) {
     return value;

@@ -213,10 +213,11 @@ web: ## build for WebAssembly: the page, out/page, and the npm package, out/npm/
 	@tail -5 build/log.txt
 web-serve: web ## build the page, and show it at http://localhost:8123 (PORT=N)
 	@node web/serve.js out/page $(or $(PORT),8123)
-web-test: web ## build the page and the package, and test them; CORPUS=DIR: also compare with the native program
+web-test: web ## build the page and the package, and test them; CORPUS=DIR: also compare with the native program; FILES="DIR...": also open all scenes below, as damaged ones
 	@scripts/install-deps browser
-	@test -z "$(CORPUS)" || $(MAKE) $(QUIET) build
-	@bindings/web/test
+	@test -z "$(CORPUS)$(FILES)" || $(MAKE) $(QUIET) build
+	@FILES="$(FILES)" bindings/web/test
+	@test -z "$(FILES)" || scripts/same-answers --check $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" $(FILES)
 	@test -z "$(CORPUS)" || { scripts/same-answers $(BUILD)/scenefile \
 	  "node build/wasm/package/bin/scenefile.js" "$(CORPUS)" && scripts/same-answers --check \
 	  $(BUILD)/scenefile "node build/wasm/package/bin/scenefile.js" "$(CORPUS)"; }

@@ -19,12 +19,18 @@ const filesBelow = (folder) =>
     return entry.isDirectory() ? filesBelow(path) : entry.isFile() ? [path] : [];
   });
 
-/** In the page: how the scene ended, or null. */
-function ending(drawnBefore) {
+/** In the page: how the scene of this name ended, or null. */
+function ending([name, drawnBefore]) {
   const { textContent: verdict } = document.getElementById('verdict');
   const notice = document.querySelector('.notice.error')?.innerText;
-  const drawn = Number(document.getElementById('canvas').dataset.drawn ?? 0) > drawnBefore;
-  return notice ?? (/[1-9]\d* error|cannot|too large/.test(verdict) ? verdict : drawn ? `drawn, ${verdict}` : null);
+  if (notice !== undefined) {
+    return notice;
+  }
+  if (document.getElementById('name').value !== name || verdict === '') {
+    return null;
+  }
+  const drawn = Number(document.getElementById('canvas').dataset.drawn) > drawnBefore;
+  return drawn ? `drawn, ${verdict}` : /last version without errors/.test(verdict) ? verdict : null;
 }
 
 test('every file ends in findings, a picture or a message', { skip: folders.length === 0 && 'FILES is not set' }, async (t) => {
@@ -47,12 +53,16 @@ test('every file ends in findings, a picture or a message', { skip: folders.leng
     if (statSync(path).size > largest) {
       continue;
     }
-    const before = await page.evaluate(() => Number(document.getElementById('canvas').dataset.drawn));
+    const before = await page.evaluate(() => {
+      document.getElementById('verdict').textContent = ''; // of the scene before
+      document.getElementById('notices').replaceChildren();
+      return Number(document.getElementById('canvas').dataset.drawn);
+    });
     const given = [path, ...others.filter((other) => statSync(other).size < 1_000_000 && /\.(png|jpg|obj)$/i.test(other))];
     const begun = Date.now();
     try {
       await page.setInputFiles('#file-input', given.map((one) => ({ name: basename(one), mimeType: 'application/octet-stream', buffer: readFileSync(one) })));
-      const end = await page.waitForFunction(ending, before, { timeout: 10_000 });
+      const end = await page.waitForFunction(ending, [basename(path), before], { timeout: 10_000 });
       const alive = await Promise.race([page.evaluate(() => true), new Promise((resolve) => setTimeout(resolve, 1000, false))]);
       if (process.env.VERBOSE) {
         console.log(`${path}: ${Date.now() - begun} ms: ${String(await end.jsonValue()).replaceAll('\n', ' ').slice(0, 150)}`);

@@ -1074,7 +1074,7 @@ function watchTracing() {
   };
 }
 
-test('a picture in progress is canceled within 100 ms', async () => {
+test('a picture in progress is canceled within 100 ms', { skip: !process.env.TIMES && 'TIMES is not set' }, async () => {
   await page.addInitScript(watchTracing);
   await open();
   await page.click('#open-menu summary');
@@ -1085,14 +1085,15 @@ test('a picture in progress is canceled within 100 ms', async () => {
     'the button Stop': () => page.click('#stop'),
     'another size': () => page.selectOption('#size', '1280x720'),
     'a moved camera': () => page.keyboard.press('ArrowLeft'),
-    'an edit': () => page.keyboard.press('Space'),
+    'an edit': () => page.keyboard.press('Space'), // at the end of the first line
   };
-  await page.locator('.cm-line', { hasText: '<!--' }).first().click(); // where the edit will be
   for (const [name, act] of Object.entries(actions)) {
     const times = { end: [], begin: [] };
     for (let i = 0; i < 5; ++i) {
       await page.selectOption('#size', '1920x1080'); // takes seconds
       await page.focus(name === 'an edit' ? '.cm-content' : '#canvas');
+      await page.keyboard.press('End');
+      await page.waitForTimeout(350); // a camera that moved has come to rest, and its picture has begun
       await page.waitForFunction(() => globalThis.waits.began > 0 && globalThis.waits.tracing.size > 1 && /[1-9]/.test(document.getElementById('progress').textContent));
       await page.waitForTimeout(37 * i);
       await act();

@@ -190,6 +190,15 @@ bool is_unlikely(const Simulation& sim, std::uint16_t mistake) {
 
 // A likelier mistake that gives the same picture, if there is one.
 Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tried>& alone) {
+  if (!(sim.list[found.mistakes.front()].turn == Turn())) {
+    // A flipped picture is that exactly; a mistake in drawing may look nearly like it.
+    for (const Tried& t : alone) {
+      if (sim.list[t.mistakes.front()].stage != Stage::picture && sure(t) &&
+          t.explained > found.explained + 0.002) {
+        return t;
+      }
+    }
+  }
   if (!is_unlikely(sim, found.mistakes.front())) {
     return found;
   }

@@ -137,6 +137,7 @@ PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const 
   ProgressBar bar(!options.quiet && !options.json && wants_progress());
   CompareSettings settings = compare_settings(options);
   settings.lossy = a.jpeg || b.jpeg;
+  settings.ways = folder_first(a.path, std::move(settings.ways));
   return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
     bar.update(done);
     return true;

@@ -188,6 +188,17 @@ TEST_F(DiffImages, OtherSizesAndFiles) {
   EXPECT_THAT(text.err, HasSubstr("text.png: cannot decode: "));
 }
 
+TEST_F(DiffImages, AFolderOfTheCourseDecidesBetweenEqualFeatures) {
+  std::filesystem::create_directories(folder.path("grading_illuminate"));
+  folder.write("grading_illuminate/ball.png", folder.read("right.png"));
+  const auto said = [&](const char* reference) {
+    return in_folder({"diff", reference, "wrong.png", "--scene", "ball.xml"}).out;
+  };
+  EXPECT_THAT(said("right.png"), HasSubstr("reference: as drawn with --profile course\n"));
+  EXPECT_THAT(said("grading_illuminate/ball.png"),
+              HasSubstr("reference: as drawn with --profile course --features illuminate\n"));
+}
+
 // The picture on a gray one, or the part of it that is visible there.
 void show_at(const TempFolder& folder, const char* from, const char* to, const glm::ivec2& corner,
              const glm::ivec2& size) {

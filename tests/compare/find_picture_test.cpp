@@ -95,5 +95,13 @@ TEST(FindPicture, OtherSizesAndCamerasAreNoParts) {
   EXPECT_FALSE(find_picture(blank(240, 180), balls(320, 240)));
 }
 
+TEST(FindPicture, OutlinesOfOtherScenes) {
+  const Texture reference = balls(240, 180);
+  EXPECT_FALSE(have_other_outlines(reference, balls(240, 180, 0.3)));
+  EXPECT_TRUE(have_other_outlines(reference, balls(240, 180, 1, 1.5)));
+  EXPECT_TRUE(have_other_outlines(reference, mirrored(reference)));
+  EXPECT_FALSE(have_other_outlines(reference, blank(240, 180)));  // not enough edges
+}
+
 }  // namespace
 }  // namespace scenefile::compare_test

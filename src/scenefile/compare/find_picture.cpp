@@ -17,6 +17,7 @@ constexpr std::size_t few_edges = 16;  // fewer edges are not evidence
 constexpr float min_step = 8;          // smallest edge, in 1/255 over two pixels
 constexpr double min_visible = 0.6;    // share of the edges that must not be cut off
 constexpr double min_score = 0.5;
+constexpr double max_other = 0.4;      // agreement of pictures of other scenes
 constexpr double min_frame = 0.5;      // share of each side where colors change
 constexpr double min_gain = 0.2;       // over the picture as a whole
 constexpr double step_of_size = 1.03;  // between sizes in the first search
@@ -447,6 +448,16 @@ std::optional<PicturePlace> picture_next_to(const PicturePlace& place, const Tex
   return best && difference_at(place, reference, shown) < difference_at(*best, reference, shown)
              ? best
              : std::nullopt;
+}
+
+bool have_other_outlines(const Texture& a, const Texture& b) {
+  const Texture small_a = at_most(a, 2 * coarse_size);
+  const Texture small_b = at_most(b, 2 * coarse_size);
+  const PicturePlace all{{0, 0}, {small_a.width, small_a.height}};
+  const auto alike = [&](const Texture& of, const Texture& in) {
+    return edge_points(edges_of(of), 40).size() < few_edges ? 1 : score_of(all, of, in, 1);
+  };
+  return alike(small_a, small_b) < max_other && alike(small_b, small_a) < max_other;
 }
 
 Texture cut_out(const Texture& picture, const glm::ivec2& corner, const glm::ivec2& size) {

@@ -28,6 +28,10 @@ std::optional<PicturePlace> find_picture(const Texture& reference, const Texture
 std::optional<PicturePlace> picture_next_to(const PicturePlace& place, const Texture& reference,
                                             const Texture& shown);
 
+/// Whether most edges of each picture have no edge of the other of their direction at their place:
+/// wrong colors keep some of them, but another scene or camera does not. The sizes must be equal.
+bool have_other_outlines(const Texture& a, const Texture& b);
+
 /// The pixels of the rectangle, which must be inside the picture.
 Texture cut_out(const Texture& picture, const glm::ivec2& corner, const glm::ivec2& size);
 

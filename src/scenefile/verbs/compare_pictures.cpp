@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
@@ -168,7 +169,7 @@ struct Looked {
 // The means of 2x2 or 4x4 pixels: the noise of JPEGs, palettes and scaling is small in them.
 Looked without_noise(const Looked& look) {
   const auto& [reference, test, part] = look;
-  const int k = reference.width >= 900 ? 4 : reference.width >= 240 ? 2 : 1;
+  const int k = reference.width >= 600 ? 4 : reference.width >= 240 ? 2 : 1;
   const glm::ivec2 size = glm::ivec2(test.width, test.height) / k;
   const auto smaller = [&](const Texture& t) {
     return scaled(cut_out(t, {0, 0}, k * size), size.x, size.y);
@@ -236,6 +237,8 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.drawn_with = way->words;
   found.where = place_to_look(reference, test, scene, way, part);
+  found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
+                         have_other_outlines(reference, test);
   if (found.causes.share_scene_unlike > max_share_unlike) {
     found.exchanged = !found.other_size() && share_unlike(test, *scene, *way) <= max_share_right;
     if (found.exchanged) {  // so the causes are those of the reference, the wrong way around
@@ -408,6 +411,32 @@ std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, boo
   return ways;
 }
 
+std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways) {
+  struct Folder {
+    std::string_view word;
+    std::string_view way;
+  };
+  static constexpr std::array folders{Folder{"intersect_normal", "--mode normals"},
+                                      Folder{"intersect", "--features intersect"},
+                                      Folder{"illuminate", "--features illuminate"}};
+  const std::string path = lower_case(reference.substr(0, reference.rfind('/') + 1));
+  std::size_t last = 0;
+  std::string_view named;
+  for (const Folder& folder : folders) {
+    const std::size_t at = path.rfind(folder.word);
+    if (at != std::string::npos && (named.empty() || at > last)) {
+      last = at;
+      named = folder.way;
+    }
+  }
+  if (!named.empty()) {
+    std::stable_partition(ways.begin(), ways.end(), [named](const DrawnWay& way) {
+      return std::string_view(way.words).ends_with(named);
+    });
+  }
+  return ways;
+}
+
 DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns) {
   return {RenderOptions(), realtime_words(panel), panel, unknowns};
 }
@@ -543,6 +572,9 @@ std::string causes_text(const PictureComparison& found) {
                 ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
             : report.share_different < 0.001
                 ? "cause: none; the pictures only differ at edges and by rounding\n"
+            : found.other_outlines
+                ? "cause: no known mistake explains the difference; the outlines are others: the "
+                  "picture shows another scene, or from elsewhere\n"
             : found.scene_used ? "cause: no known mistake explains the difference\n"
                                : "cause: none found from the pictures alone; most causes need "
                                  "--scene SCENE, the scene of the pictures\n";
@@ -623,6 +655,7 @@ void add_comparison(Json& json, const PictureComparison& found) {
   }
   json.add("right_at_other_size", found.right_at_other_size);
   json.add("exchanged", found.exchanged);
+  json.add("other_outlines", found.other_outlines);
   add_measures(json, found.measures);
   add_clauses(json, "broken", found.broken);
   add_claims(json, "causes", found.causes.claims);

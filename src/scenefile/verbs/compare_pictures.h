@@ -44,6 +44,11 @@ struct CompareSettings {
 /// references usually use.
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known);
 
+/// `ways`, with that of the course's project first after which a folder in the path of the
+/// reference is named, as the course's are: Intersect, grading_illuminate, intersect_normal_color.
+/// The last such folder counts. Of ways that fit a reference equally, the first is used.
+std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<DrawnWay> ways);
+
 /// A way of drawing the assignment Realtime.
 DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns);
 
@@ -87,6 +92,7 @@ struct PictureComparison {
   bool scene_used = false;           ///< whether the search for causes had a scene
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
+  bool other_outlines = false;  ///< nothing explains the difference, and few edges are the same
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 
   bool other_size() const { return other_reference || other_test; }

@@ -349,7 +349,7 @@ struct ClassGrader::State {
     const RealtimeRow* const row = row_of(table_, file);
     if (row == nullptr || !std::any_of(settings_.ways.begin(), settings_.ways.end(),
                                        [](const DrawnWay& way) { return way.realtime; })) {
-      return settings_.ways;
+      return folder_first(file.path, settings_.ways);
     }
     return {realtime_way(row->panel, {})};
   }

@@ -1,5 +1,6 @@
 #include "app/grade_results.h"
 
+#include "app/load.h"
 #include "app/output.h"
 #include "scenefile/base/text.h"
 #include "scenefile/io/file.h"

@@ -30,14 +30,14 @@ table { border-collapse: separate; border-spacing: 0; font-size: .9rem; font-var
 th, td { padding: .3rem .6rem; border-bottom: 1px solid var(--line); text-align: left; white-space: nowrap;
   background: var(--paper); }
 thead th { position: sticky; top: 0; background: var(--soft); z-index: 2; vertical-align: bottom; white-space: normal;
-  max-width: 9rem; }
+  max-width: 12rem; overflow-wrap: break-word; }
 thead th:nth-child(3), td:nth-child(3) { white-space: normal; min-width: 20rem; max-width: 30rem; }
 .tag { display: inline-block; white-space: nowrap; margin-right: .8rem; }
 tbody th { position: sticky; left: 0; z-index: 1; font-weight: 600; max-width: 16rem; overflow: hidden;
   text-overflow: ellipsis; }
 thead th:first-child { left: 0; z-index: 3; }
 th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer;
-  text-align: left; }
+  text-align: left; max-width: 100%; overflow-wrap: break-word; }
 th[aria-sort=ascending] button::after { content: " ▲"; } th[aria-sort=descending] button::after { content: " ▼"; }
 td a { color: inherit; }
 .passed { color: var(--good); } .differs { color: var(--bad); font-weight: 600; }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <csignal>

@@ -296,7 +296,7 @@ std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture&
   const bool black = std::max({only->x, only->y, only->z}) <= 2;
   return Claim{
       Cause::black,
-      black ? "the picture is black: nothing is drawn, or nothing is lit"
+      black ? "the picture is black"
             : fmt::format("the whole picture shows one color, {} {} {}", only->x, only->y, only->z),
       black ? "all pixels are black, but the reference shows something"
             : "all pixels are equal, and those of the reference are not",

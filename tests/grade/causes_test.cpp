@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 
 namespace scenefile::grade_test {
@@ -413,6 +414,41 @@ TEST(Causes, Shapes) {
   }
   EXPECT_GE(visible, 6u);
   EXPECT_GE(10 * named, 9 * visible);
+}
+
+TEST(Causes, FormsOfTheSameMistakes) {
+  static const std::map<std::string, std::set<Cause>> mistakes{
+      {"camera-zero-to-one", {Cause::camera}},
+      {"shape-wide-caps", {Cause::shapes}},
+      {"shape-cone-normal-constant", {Cause::shapes}},
+      {"light-vector-sum", {Cause::lights}},
+      {"attenuation-of-eye-distance", {Cause::attenuation}},
+      {"shadow-before-surface", {Cause::shadows}},
+      {"shadow-inverted", {Cause::shadows, Cause::lights, Cause::diffuse}},
+      {"ambient-times-texture", {Cause::ambient}},
+      {"specular-eye-not-normalized", {Cause::specular}},
+      {"texture-half-turned-mirrored", {Cause::texture}},
+      {"mirror-maximum", {Cause::reflection}},
+      {"output-column-order", {Cause::viewport}},
+      {"output-one-pixel-off", {Cause::half_pixel_shift}},
+      {"output-signed", {Cause::overflow}}};
+  std::size_t visible = 0;
+  std::size_t named = 0;
+  std::string others;
+  const GeneratedScene scene(2);
+  const SceneView view = view_of(scene);
+  const Texture reference = reference_of(scene, false);
+  for (const auto& [mistake, causes] : mistakes) {
+    const CauseReport report = find_causes(reference, scene.drawn_by_student({mistake}), &view);
+    if (report.share_different > 0.01) {
+      ++visible;
+      const bool right = report.claims.size() == 1 && causes.contains(report.claims[0].cause);
+      named += right ? 1 : 0;
+      others += right ? "" : mistake + ": " + said(report) + "\n";
+    }
+  }
+  EXPECT_GE(visible, 9u);
+  EXPECT_GE(10 * named, 9 * visible) << others;
 }
 
 TEST(Causes, Shadows) {

@@ -213,6 +213,30 @@ constexpr KnownMistake table[] = {
     {"output-srgb", "output", "gamma"},
     {"output-blurred", "output", "samples"},
     {"output-gray", "output", "brightness"},
+    {"camera-zero-to-one", "camera", "camera"},
+    {"transform-scale-divided", "transforms", "transforms"},
+    {"transform-half-turned", "transforms", "transforms"},
+    {"shape-wide-caps", "shapes", "shapes"},
+    {"shape-wide-cylinders", "shapes", "shapes"},
+    {"shape-cone-normal-constant", "shapes", "shapes|normals"},
+    {"shape-cube-normal-sphere", "shapes", "shapes|normals"},
+    {"light-unit-colors", "lights", "lights"},
+    {"light-vector-sum", "lights", "lights"},
+    {"attenuation-of-eye-distance", "attenuation", "attenuation"},
+    {"spot-double-penumbra", "spots", "spot-falloff"},
+    {"shadow-before-surface", "shadows", "shadows"},
+    {"shadow-not-of-spheres", "shadows", "shadows"},
+    {"shadow-inverted", "shadows", "shadows"},
+    {"ambient-times-texture", "ambient", "ambient"},
+    {"specular-eye-not-normalized", "specular", "specular"},
+    {"texture-mirrored-repeat", "textures", "texture"},
+    {"texture-half-turned-mirrored", "textures", "texture"},
+    {"mirror-maximum", "mirrors", "reflection"},
+    {"mirror-large-bias", "mirrors", "reflection"},
+    {"glass-wrong-sign", "refraction", "refraction"},
+    {"output-column-order", "output", "viewport"},
+    {"output-one-pixel-off", "output", "half-pixel-shift|viewport"},
+    {"output-signed", "output", "overflow"},
     // Correct programs that differ from ours: no mistake may be named.
     {"habit-rounds", "habits", "rounding"},
     {"habit-four-samples", "habits", ""},
@@ -342,7 +366,9 @@ class Tracer {
     result.rgb.resize(std::size_t{3} * job_.width * job_.height);
     for (int row = 0; row < job_.height; ++row) {
       for (int column = 0; column < job_.width; ++column) {
-        store(result.rgb.data() + 3 * (std::size_t(row) * job_.width + column),
+        const int place =
+            has("output-column-order") ? column * job_.height + row : row * job_.width + column;
+        store(result.rgb.data() + std::size_t{3} * place,
               has("output-black") ? vec3(0) : pixel(column, row));
       }
     }
@@ -379,7 +405,8 @@ class Tracer {
 
   vec3 pixel(int column, int row) const {
     const int y = has("output-upside-down") ? job_.height - 1 - row : row;
-    const int x = has("output-mirrored") ? job_.width - 1 - column : column;
+    int x = has("output-mirrored") ? job_.width - 1 - column : column;
+    x = has("output-one-pixel-off") ? std::min(x + 1, job_.width - 1) : x;
     const bool four =
         has("habit-four-samples") || has("output-misses-black") || has("output-sum-of-samples");
     const int side = four ? 2 : has("habit-nine-samples") ? 3 : 1;
@@ -430,6 +457,10 @@ class Tracer {
     }
     float a = 2 * x / (float(job_.width) - less) - 1;
     float b = 1 - 2 * y / (float(job_.height) - less);
+    if (has("camera-zero-to-one")) {
+      a = (a + 1) / 2;
+      b = (b + 1) / 2;
+    }
     if (has("strange-fisheye")) {
       const float bend = 1 + 0.25f * (a * a + b * b);
       a *= bend;
@@ -506,6 +537,9 @@ class Tracer {
       if (has("output-srgb")) {
         c = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
       }
+      if (has("output-signed") && c >= 128 / 255.0f) {
+        c = 0;
+      }
       if (has("output-half")) {
         c = c / 2;
       }
@@ -518,15 +552,17 @@ class Tracer {
     if (const auto* move = std::get_if<Translate>(&transform.map)) {
       m[3] = vec4(move->by, 1);
     } else if (const auto* scale = std::get_if<Scale>(&transform.map)) {
-      if (!has("transform-no-scale")) {
-        m[0][0] = scale->by.x;
-        m[1][1] = scale->by.y;
-        m[2][2] = scale->by.z;
-      }
+      const vec3 by = has("transform-no-scale")        ? vec3(1)
+                      : has("transform-scale-divided") ? 1.0f / scale->by
+                                                       : scale->by;
+      m[0][0] = by.x;
+      m[1][1] = by.y;
+      m[2][2] = by.z;
     } else if (const auto* rotate = std::get_if<Rotate>(&transform.map)) {
       float angle = rotate->angle_deg;
       angle = has("transform-radians") ? angle : angle * pi / 180;
       angle = has("transform-rotation-sign") ? -angle : angle;
+      angle = has("transform-half-turned") ? angle / 2 : angle;
       const vec3 a = glm::normalize(rotate->axis);
       const float c = std::cos(angle);
       const float s = std::sin(angle);
@@ -622,7 +658,7 @@ class Tracer {
             if (std::abs(p[(axis + 1) % 3]) <= 0.5f && std::abs(p[(axis + 2) % 3]) <= 0.5f) {
               vec3 n(0);
               n[axis] = side < 0 && !has("shape-cube-normals-positive") ? -1.0f : 1.0f;
-              offer(list, t, o, d, n, false);
+              offer(list, t, o, d, has("shape-cube-normal-sphere") ? 2.0f * p : n, false);
             }
           }
         }
@@ -633,7 +669,7 @@ class Tracer {
         }
         const float a = d.x * d.x + d.z * d.z;
         const float b = 2 * (o.x * d.x + o.z * d.z);
-        const float c = o.x * o.x + o.z * o.z - 0.25f;
+        const float c = o.x * o.x + o.z * o.z - (has("shape-wide-cylinders") ? 1.0f : 0.25f);
         const float root = b * b - 4 * a * c;
         for (const float sign : {-1.0f, 1.0f}) {
           const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
@@ -664,7 +700,8 @@ class Tracer {
             const float slope = has("shape-cone-normal-level")   ? 0
                                 : has("shape-cone-normal-steep") ? 0.5f - p.y
                                                                  : (0.5f - p.y) / 2;
-            offer(list, t, o, d, {2 * p.x, slope, 2 * p.z}, false);
+            offer(list, t, o, d, {2 * p.x, has("shape-cone-normal-constant") ? 1 : slope, 2 * p.z},
+                  false);
           }
         }
         cap(o, d, -0.5f, has("shape-no-cone-cap") || has("shape-no-bottom-cap"), list);
@@ -678,8 +715,9 @@ class Tracer {
   void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) const {
     const float t = (y - o.y) / d.y;
     const vec3 p = o + t * d;
+    const float limit = has("shape-wide-caps") ? 1.0f : 0.25f;
     const bool inside = has("shape-square-caps") ? std::max(std::abs(p.x), std::abs(p.z)) <= 0.5f
-                                                 : p.x * p.x + p.z * p.z <= 0.25f;
+                                                 : p.x * p.x + p.z * p.z <= limit;
     if (!missing && inside) {
       offer(list, t, o, d, {0, y < 0 ? -1.0f : 1.0f, 0}, true);
     }
@@ -690,6 +728,9 @@ class Tracer {
     std::vector<Found> list;
     for (const Object& object : objects_) {
       if (has("shape-some-missing") && (&object - objects_.data()) % 3 == 1) {
+        continue;
+      }
+      if (has("shadow-not-of-spheres") && shadow && object.primitive->shape == Shape::sphere) {
         continue;
       }
       const vec3 o = vec3(object.inverse * vec4(from, 1));
@@ -748,7 +789,9 @@ class Tracer {
       return {p.x + 0.5f, n.y > 0 ? 0.5f - p.z : p.z + 0.5f};
     }
     const float theta = std::atan2(p.z, p.x);
-    const float u = theta < 0 ? -theta / (2 * pi) : 1 - theta / (2 * pi);
+    const float u = has("texture-half-turned-mirrored") ? (theta + pi) / (2 * pi)
+                    : theta < 0                         ? -theta / (2 * pi)
+                                                        : 1 - theta / (2 * pi);
     return {u, shape == Shape::sphere
                    ? std::asin(std::min(std::max(2 * p.y, -1.0f), 1.0f)) / pi + 0.5f
                    : p.y + 0.5f};
@@ -819,7 +862,11 @@ class Tracer {
       uv = {1 - uv.y, 1 - uv.x};
     }
     const bool repeats = !has("texture-not-repeated");
-    const auto place = [](float x, int size) {
+    const auto place = [this](float x, int size) {
+      if (has("texture-mirrored-repeat")) {
+        x = std::fmod(std::abs(x), 2.0f);
+        x = x > 1 ? 2 - x : x;
+      }
       const int i = static_cast<int>(std::floor(x * float(size))) % size;
       return i < 0 ? i + size : i;
     };
@@ -882,6 +929,9 @@ class Tracer {
     if (has("spot-no-penumbra")) {
       inner = outer;
     }
+    if (has("spot-double-penumbra")) {
+      inner -= outer - inner;
+    }
     if (has("spot-inner-only")) {
       outer = inner;
     }
@@ -918,6 +968,10 @@ class Tracer {
     if (has("ambient-twice")) {
       color *= 2.0f;
     }
+    if (has("ambient-times-texture")) {
+      vec3 texture(1);
+      color *= share_over_lighting(f, texture) > 0 ? texture : vec3(1);
+    }
     if (has("ambient-times-diffuse")) {
       color *= m.diffuse;
     }
@@ -944,10 +998,11 @@ class Tracer {
       }
       if (!directional) {
         distance = glm::length(lamp.position - point);
-        to_light = (lamp.position - point) / distance;
+        to_light = has("light-vector-sum") ? glm::normalize(lamp.position + point)
+                                           : (lamp.position - point) / distance;
         const vec3& a = light.attenuation;
-        const float c = a.x + a.y * distance +
-                        (has("attenuation-no-quadratic") ? 0 : a.z * distance * distance);
+        const float far = has("attenuation-of-eye-distance") ? glm::length(point - eye_) : distance;
+        const float c = a.x + a.y * far + (has("attenuation-no-quadratic") ? 0 : a.z * far * far);
         strength = has("attenuation-not-clamped") ? 1 / c : std::min(1.0f, 1 / c);
         if (has("attenuation-none")) {
           strength = 1;
@@ -985,6 +1040,9 @@ class Tracer {
         if (has("shadow-bias-normal")) {
           start += 0.2f * normal;
         }
+        if (has("shadow-before-surface")) {
+          start += 0.2f * glm::normalize(eye_ - point);
+        }
         vec3 toward = has("shadow-reversed") ? -to_light : to_light;
         if (has("shadow-spot-axis") && light.type == LightType::spot) {
           toward = -axis;
@@ -993,7 +1051,7 @@ class Tracer {
                           : has("shadow-unit-distance")   ? 1.0f
                           : has("shadow-distance-of-eye") ? glm::length(point - eye_)
                                                           : distance;
-        shadowed = closest(start, toward, bias, true).t < end;
+        shadowed = (closest(start, toward, bias, true).t < end) != has("shadow-inverted");
         if (has("strange-soft-shadows")) {
           const vec3 side(
               0.15f * chance(static_cast<int>(1e4f * point.x), static_cast<int>(1e4f * point.z)),
@@ -1037,7 +1095,9 @@ class Tracer {
       weight =
           has("strange-oren") ? weight * (1.2f - 0.6f * std::abs(glm::dot(normal, eye))) : weight;
       weight *= has("diffuse-missing") ? 0.0f : has("diffuse-twice") ? 2.0f : 1.0f;
-      const vec3 v = has("specular-eye-reversed") ? -eye : eye;
+      const vec3 v = has("specular-eye-reversed")         ? -eye
+                     : has("specular-eye-not-normalized") ? eye_ - point
+                                                          : eye;
       float shine = glm::dot(2 * cosine * normal - l, v);
       if (has("specular-blinn")) {
         shine = glm::dot(normal, glm::normalize(l + v));
@@ -1062,7 +1122,9 @@ class Tracer {
       if (has("specular-times-cosine")) {
         highlight *= std::max(cosine, 0.0f);
       }
-      vec3 light_color = has("light-white") ? vec3(1) : light.color;
+      vec3 light_color = has("light-white")         ? vec3(1)
+                         : has("light-unit-colors") ? glm::normalize(light.color)
+                                                    : light.color;
       light_color /= has("light-no-color-share") ? float(lamps_.size()) : 1.0f;
       if (shadowed) {
         if (has("shadow-keeps-specular")) {
@@ -1111,9 +1173,10 @@ class Tracer {
 
   // NOLINTNEXTLINE(misc-no-recursion): limited by the depth of reflections
   vec3 trace(const vec3& from, const vec3& direction, int depth) const {
-    const float least = depth == 0           ? (has("hit-behind") ? -far_away : 0)
-                        : has("mirror-acne") ? 0
-                                             : 1e-3f;
+    const float least = depth == 0                 ? (has("hit-behind") ? -far_away : 0)
+                        : has("mirror-acne")       ? 0
+                        : has("mirror-large-bias") ? 0.5f
+                                                   : 1e-3f;
     const Found f = closest(from, direction, least, false);
     if (f.object == nullptr) {
       return has("output-background") && depth == 0 ? vec3(0.5f, 0.7f, 0.9f) : vec3(0);
@@ -1171,6 +1234,7 @@ class Tracer {
       color = has("mirror-blended")         ? (1.0f - weight) * color + weight * seen
               : has("mirror-blended-plain") ? (1.0f - ks) * color + ks * seen
               : has("mirror-blended-color") ? (1.0f - m.reflective) * color + m.reflective * seen
+              : has("mirror-maximum")       ? glm::max(color, weight * seen)
               : has("mirror-product")       ? (1.0f - weight) * color + weight * seen * color
                                             : color + weight * seen;
     }
@@ -1243,7 +1307,8 @@ class Tracer {
       out = d + 2 * c * n;
       return false;
     }
-    out = glm::normalize(eta * d + (eta * c - std::sqrt(k)) * n);
+    out = glm::normalize(eta * d +
+                         (eta * c - (has("glass-wrong-sign") ? -std::sqrt(k) : std::sqrt(k))) * n);
     return true;
   }
 

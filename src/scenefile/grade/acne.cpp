@@ -24,7 +24,11 @@ constexpr std::size_t few_windows = 5;  // fewer windows are not evidence
 // Minimum share of the picture. A correct program in single precision may have specks in a
 // thousandth of it.
 constexpr double min_area = 0.003;
-constexpr double min_explained = 0.85;    // share of the examined pixels that acne must explain
+constexpr double min_explained = 0.85;  // share of the examined pixels that acne must explain
+constexpr double max_by_chance = 0.5;   // of the share of those that acne explains
+// Of the pixels on mirrors, half or more lack light in the reflection, too.
+constexpr double min_lacking_on_mirrors = 0.2;
+constexpr std::size_t few_dull = 5;       // pixels on surfaces without reflections
 constexpr std::size_t max_spots = 300;    // pixels to examine
 constexpr std::size_t max_windows = 60;   // to examine
 constexpr std::size_t max_subsets = 512;  // of lights and reflections
@@ -186,6 +190,10 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
   std::size_t between = 0;  // between unlit and fully lit
   std::size_t dull = 0;
   std::size_t lacking = 0;  // the color is exactly that without some lights
+  std::size_t lacking_on_mirrors = 0;
+  // The same for colors that acne does not give: several lights fit many colors by chance.
+  std::size_t controls = 0;
+  std::size_t lacking_by_chance = 0;
   std::size_t mirrors = 0;
   std::size_t seeing_themselves = 0;
   for (std::size_t i = 0; i < sim.points.size() && spots.size() < max_spots; ++i) {
@@ -219,10 +227,19 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
                                   glm::max(unlit_color, lit) + 4.0)) <= 0
                    ? 1
                    : 0;
+    const bool lacks = lacks_lights(picture, p.test, full, arriving);
+    if (const dvec3 lack = lit - p.test; largest_of(glm::abs(lack)) > 24) {
+      ++controls;
+      lacking_by_chance += lacks_lights(picture, lit - 0.7 * lack, full, arriving) ? 1 : 0;
+    }
     if (m.reflective == glm::vec3(0)) {
       ++dull;
-      lacking += lacks_lights(picture, p.test, full, arriving) ? 1 : 0;
-    } else if (++mirrors; made.empty()) {
+      lacking += lacks ? 1 : 0;
+      continue;
+    }
+    lacking_on_mirrors += lacks ? 1 : 0;
+    ++mirrors;
+    if (made.empty()) {
       const std::vector<dvec3> seen = picture.model().self_mirrored(ray, 16);
       seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
         return largest_of(glm::abs(picture.shown(c) - p.test)) <= 3;
@@ -254,9 +271,12 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
   const bool all_mirrors = 10 * dull < dull + mirrors;
   const double darker = share(between, dull + mirrors);
   const double lack = share(lacking, dull);
-  if (all_mirrors
-          ? darker < 0.95
-          : dull < few_pixels || lack < std::max(min_explained, least) || darker < min_explained) {
+  const double lack_on_mirrors = share(lacking_on_mirrors, mirrors);
+  const bool exactly = dull >= few_dull && lack >= std::max(min_explained, least);
+  const bool enough_lacks = all_mirrors ? exactly || lack_on_mirrors >= min_lacking_on_mirrors
+                                        : exactly && dull >= few_pixels;
+  if (!enough_lacks || darker < (all_mirrors ? 0.95 : min_explained) ||
+      share(lacking_by_chance, controls) > max_by_chance * std::max(lack, lack_on_mirrors)) {
     return {};
   }
   if (!is_noise(sim, picture, spots)) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace scenefile {
 
@@ -48,6 +49,7 @@ void add_camera(HypothesisList& list) {
             1 / aspect);
     stretch(list, "the aspect ratio is applied to the height, not to the width", 1 / aspect,
             aspect);
+    stretch(list, "the film is as high as it is wide", 1, aspect);
     stretch(list, "the aspect ratio is applied twice", aspect, 1);
     stretch(list, "the height angle is divided by the aspect ratio, and used as the width angle",
             1 / aspect, std::tan(h / aspect / 2) / right);
@@ -73,6 +75,18 @@ void add_camera(HypothesisList& list) {
   stretch(list, "pixel positions are divided by width - 1 and height - 1",
           list.width / (list.width - 1.0), list.height / (list.height - 1.0));
   list.items.back().cause = Cause::half_pixel_shift;
+  for (const bool down : {false, true}) {
+    edit_camera(list,
+                down ? "pixel positions are from 0 to 1, not from -1 to 1, with y down"
+                     : "pixel positions are from 0 to 1, not from -1 to 1",
+                [=](RenderCamera& c) {
+                  c.u *= 0.5;
+                  c.v *= down ? -0.5 : 0.5;
+                  c.w -= right * (aspect * c.u + (down ? -1.0 : 1.0) * c.v);
+                });
+  }
+  edit_camera(list, "right and up of the camera are exchanged",
+              [](RenderCamera& c) { std::swap(c.u, c.v); });
   edit_camera(list, "the camera looks backward", [](RenderCamera& c) { c.w = -c.w; });
   edit_camera(list, "the camera looks backward (turned around)", [](RenderCamera& c) {
     c.w = -c.w;
@@ -173,6 +187,15 @@ void add_shifts(HypothesisList& list) {
     list.add(
         Cause::half_pixel_shift,
         fmt::format("rays go through the {} of pixels, not their centers", where),
+        [by = shift](Trial& t) { t.shift = by; }, Stage::camera);
+  }
+  static constexpr std::array<std::pair<glm::dvec2, const char*>, 4> neighbors{
+      {{{1, 0}, "left"}, {{-1, 0}, "right"}, {{0, 1}, "up"}, {{0, -1}, "down"}}};
+  for (const auto& [shift, where] : neighbors) {
+    list.add(
+        Cause::half_pixel_shift,
+        fmt::format("the picture is shifted by one pixel ({}): rows or columns are counted from 1",
+                    where),
         [by = shift](Trial& t) { t.shift = by; }, Stage::camera);
   }
 }

@@ -27,13 +27,15 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
 
 // Three mistakes, or a fitted number and another mistake, can imitate many pictures.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
-  return mistakes.size() > 2 || (mistakes.size() > 1 && any_fitted(sim, mistakes));
+  return mistakes.size() > 2 || any_fitted(sim, mistakes);
 }
 
 // Whether the claim satisfies the thresholds, which are higher for several mistakes.
 bool good_enough(const Simulation& sim, const Tried& t) {
-  return good(t) && (sure(t) || (!needs_to_be_sure(sim, t.mistakes) &&
-                                 (t.mistakes.size() == 1 || t.exact >= enough)));
+  return good(t) &&
+         (sure(t) ||
+          (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
+         right_within_rounding(sim, t.mistakes);
 }
 
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
@@ -124,6 +126,26 @@ std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Si
 
 bool good(const Tried& t) {
   return t.explained >= enough && t.exact >= enough_exact && t.broken <= max_broken;
+}
+
+bool right_within_rounding(const Simulation& sim, const Combination& mistakes) {
+  constexpr double rounding = 1.6;
+  constexpr double min_share = 0.6;
+  constexpr double small = 16;  // mean difference
+  const Colors colors = sim.predicted(mistakes, sim.points.size());
+  double right = 0;
+  double exactly = 0;
+  double difference = 0;
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    if (p.differs && largest_of(outside(c, p.low, p.high)) <= exact_within - tolerance) {
+      right += p.weight;
+      exactly += largest_of(glm::abs(c - p.test)) <= rounding ? p.weight : 0;
+      difference += p.weight * largest_of(glm::abs(sim.clean({}).reference[i] - p.test));
+    }
+  }
+  return difference >= small * right || exactly >= min_share * right;
 }
 
 bool reproduces_all(const Tried& t) {

@@ -15,6 +15,10 @@ inline constexpr std::size_t few_points = 100;  ///< points used to screen combi
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
+/// Whether being near the test's colors is evidence: either they differ much from the reference, or
+/// most of the differing points that are right are so within rounding. A mistake that imitates
+/// another with a small effect is only near.
+bool right_within_rounding(const Simulation& sim, const Combination& mistakes);
 /// Whether the claim reproduces the picture.
 bool reproduces_all(const Tried& t);
 /// Whether the claim explains nearly everything, so that the search can stop.

@@ -41,8 +41,45 @@ std::size_t causes_as_good(const Simulation& sim, const Tried& found,
   return causes.size();
 }
 
+// Whether the mistakes show most of what is not dark in the test, which may be little: then, few of
+// the points are there.
+bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
+  constexpr std::size_t max_points = 200;
+  const Turn turn = sim.turn_of(t.mistakes);
+  std::vector<std::uint32_t> bright;
+  for (std::uint32_t i = 0; 3 * i < sim.test.rgb.size(); ++i) {
+    const std::uint8_t* p = &sim.test.rgb[3 * i];
+    if (std::max({p[0], p[1], p[2]}) > 16) {
+      bright.push_back(i);
+    }
+  }
+  // Otherwise, the points say enough.
+  constexpr std::size_t very_few = 4;
+  if (bright.size() < very_few ||
+      10 * bright.size() > std::size_t(sim.test.width) * sim.test.height ||
+      sim.stage_of(t.mistakes) == Stage::picture) {
+    return true;
+  }
+  std::mt19937 random(5);
+  std::vector<Point> points;
+  add_points(sim.reference, sim.test, std::move(bright), max_points, true, false, random, points);
+  const Trial trial = sim.trial_of(t.mistakes);
+  const Colors colors =
+      sim.finished(t.mistakes, sim.draw(trial, *sim.shapes_of(trial, sim.stage_of(t.mistakes)),
+                                        points, points.size(), turn, nullptr));
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    right += largest_of(outside(c, points[i].low, points[i].high)) <= right_within ? 1 : 0;
+  }
+  return 2 * right >= points.size();
+}
+
 // Whether the picture with the mistakes is not just black: many mistakes make a picture black.
 bool shows_much(const Simulation& sim, const Tried& t) {
+  if (!shows_bright_pixels(sim, t)) {
+    return false;
+  }
   double bright = 0;
   double matched = 0;
   const Colors colors = sim.predicted(t.mistakes, sim.points.size());
@@ -232,7 +269,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   std::optional<Tried> found;
   // A fitted number must explain more than other mistakes, because it can imitate them.
   const auto first = std::find_if(alone.begin(), alone.end(), [&](const Tried& t) {
-    return good(t) && (t.mistakes.front() < sim.first_fitted || sure(t));
+    return good(t) &&
+           (t.mistakes.front() < sim.first_fitted ? right_within_rounding(sim, t.mistakes)
+                                                  : sure(t));
   });
   const bool single = first != alone.end();
   const bool doubtful = single && breaks_right_pixels(sim, *first);
@@ -289,9 +328,10 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   }
   std::optional<Claim> undrawn = claim_of_undrawn_part(sim.reference, sim.test, pixels.different);
   if (undrawn) {
-    // A color other than black may be an object that fills the view.
-    const glm::ivec3 only = only_color(sim.test).value_or(glm::ivec3(0));
-    if (!sim.usable || std::max({only.x, only.y, only.z}) <= 2) {
+    // A color other than black may be an object that fills the view, and small things may be shown.
+    const bool black = std::all_of(sim.test.rgb.begin(), sim.test.rgb.end(),
+                                   [](std::uint8_t value) { return value <= 2; });
+    if (!sim.usable || black || !only_color(sim.test)) {
       report.claims.push_back(*std::move(undrawn));
       return report;
     }

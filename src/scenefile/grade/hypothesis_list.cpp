@@ -26,6 +26,11 @@ bool HypothesisList::glass() const {
          any_material([](const RenderMaterial& m) { return m.transparent != glm::vec3(0); });
 }
 
+bool HypothesisList::textured() const {
+  return ray_mode() && view.options.features.texture &&
+         any_material([](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; });
+}
+
 bool HypothesisList::any_type(bool (*is)(LightType)) const {
   return std::any_of(types.begin(), types.end(), is);
 }

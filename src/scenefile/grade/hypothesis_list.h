@@ -32,6 +32,8 @@ struct HypothesisList {
   /// Whether the reference shows reflections or refraction.
   bool mirrors() const;
   bool glass() const;
+  /// Whether the reference shows textures.
+  bool textured() const;
   bool any_type(bool (*is)(LightType)) const;
   bool any_light(const std::function<bool(const RenderLight&)>& is) const;
   bool any_material(bool (*is)(const RenderMaterial&)) const;

@@ -104,6 +104,10 @@ void add_lights(HypothesisList& list) {
     });
     static constexpr std::size_t max_lights = 24;
     const std::size_t count = list.scene.lights.size();
+    for (std::size_t n = 2; n < std::min<std::size_t>(count - 1, 9); ++n) {
+      list.add(Cause::lights, fmt::format("only the first {} lights are used", n),
+               [n](Trial& t) { t.scene.lights.resize(std::min(n, t.scene.lights.size())); });
+    }
     for (std::size_t i = 0; i < std::min(count, max_lights); ++i) {
       list.add(Cause::lights,
                i == 0           ? std::string("the first light is left out")
@@ -135,6 +139,18 @@ void add_lights(HypothesisList& list) {
             l.direction = is_infinitely_far(l.type) ? sign * glm::normalize(written) : l.direction;
           });
     }
+    for (const float sign : {1.0f, -1.0f}) {
+      change_lights(list, Cause::lights,
+                    sign > 0
+                        ? "the direction of directional lights is used as a position"
+                        : "the direction of directional lights, negated, is used as a position",
+                    [sign](RenderLight& l) {
+                      if (is_infinitely_far(l.type)) {
+                        l.type = LightType::point;
+                        l.position = sign * l.direction;
+                      }
+                    });
+    }
   }
   if (positional) {
     put({{L::reversed_positional, "vectors to point lights and spotlights point away from them"},
@@ -145,7 +161,10 @@ void add_lights(HypothesisList& list) {
           "vectors to point lights and spotlights start at the object-space point"},
          {L::from_object_point_all,
           "vectors and distances to point lights and spotlights, and shadow rays, start at the "
-          "object-space point"}});
+          "object-space point"},
+         {L::sum,
+          "vectors to point lights and spotlights are sums of light and point, not "
+          "differences"}});
   }
   if (list.scene.lights.size() > 1) {
     list.set(Cause::lights, &ModelMistakes::brightest_light, true,
@@ -155,10 +174,31 @@ void add_lights(HypothesisList& list) {
   }
   change_lights(list, Cause::lights, "the color of lights is ignored: they are white",
                 [](RenderLight& l) { l.color = glm::vec3(1); });
+  change_lights(list, Cause::lights, "colors of lights are normalized like vectors",
+                [](RenderLight& l) {
+                  const float length = glm::length(l.color);
+                  l.color /= length > 0 ? length : 1;
+                });
+  change_lights(list, Cause::lights, "colors of lights are scaled to a maximum of 1",
+                [](RenderLight& l) {
+                  const float most = std::max({l.color.x, l.color.y, l.color.z});
+                  l.color /= most > 0 ? most : 1;
+                });
+  change_lights(list, Cause::lights, "colors of lights are limited to 1",
+                [](RenderLight& l) { l.color = glm::min(l.color, glm::vec3(1)); });
+  change_lights(
+      list, Cause::lights, "lights are gray: the mean of their color is used",
+      [](RenderLight& l) { l.color = glm::vec3((l.color.x + l.color.y + l.color.z) / 3); });
+  change_lights(list, Cause::lights, "lights only have the red of their color",
+                [](RenderLight& l) { l.color = glm::vec3(l.color.x); });
 }
 
 void add_brightness_of_light(HypothesisList& list) {
   list.set(Cause::diffuse, &ModelMistakes::diffuse_factor, 0.5, "the diffuse term is halved");
+  if (list.scene.global.diffuse != 1) {
+    list.add(Cause::diffuse, "the coefficient of the diffuse term is squared",
+             [](Trial& t) { t.scene.global.diffuse *= t.scene.global.diffuse; });
+  }
   change_lights(list, Cause::lights, "lights are twice as bright",
                 [](RenderLight& l) { l.color *= 2; });
   change_lights(list, Cause::lights, "lights are half as bright",
@@ -298,9 +338,15 @@ void add_attenuation(HypothesisList& list) {
        {A::diffuse_only, "highlights do not fade with distance"},
        {A::specular_only, "the diffuse term does not fade with distance"},
        {A::to_eye, "the attenuation uses the distance from the light to the eye"},
+       {A::eye_to_point, "the attenuation uses the distance from the eye to the point"},
+       {A::from_origin, "the attenuation uses the distance from the world's origin to the light"},
        {A::one_plus, "1 is added to the attenuation polynomial"},
        {A::squared_distance, "the attenuation uses the squared distance as the distance"},
        {A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1"}});
+  if (list.any_type(has_cone) && list.any_type(is_plain_point)) {
+    put({{A::spots_only, "point lights do not fade with distance; spotlights do"},
+         {A::points_only, "spotlights do not fade with distance; point lights do"}});
+  }
 }
 
 void add_spots(HypothesisList& list) {
@@ -321,7 +367,9 @@ void add_spots(HypothesisList& list) {
   spot("spotlights shine in all directions", [](RenderLight& l) { l.type = LightType::point; });
   spot("spotlights have no penumbra: full light up to the outer angle",
        [](RenderLight& l) { l.inner_angle = l.outer_angle; });
-  put({{S::linear, "spotlights fall off linearly instead of by the smoothstep"}});
+  put({{S::linear, "spotlights fall off linearly instead of by the smoothstep"},
+       {S::quadratic, "spotlights fall off by (1 - t)^2 instead of by the smoothstep"},
+       {S::one_minus_square, "spotlights fall off by 1 - t^2 instead of by the smoothstep"}});
   spot("spotlights end at their inner angle",
        [](RenderLight& l) { l.outer_angle = l.inner_angle; });
   spot("the penumbra is outside the angle of the spotlight, not inside", [](RenderLight& l) {
@@ -339,6 +387,22 @@ void add_spots(HypothesisList& list) {
          l.outer_angle = penumbra;
          l.inner_angle = std::max(0.0f, penumbra - outer);
        });
+  for (const float factor : {2.0f, 0.5f}) {
+    change_lights(list, Cause::spot_falloff,
+                  factor == 2 ? "the penumbra of spotlights is twice as wide as it should be"
+                              : "the penumbra of spotlights is half as wide as it should be",
+                  [factor](RenderLight& l) {
+                    if (has_cone(l.type)) {
+                      l.inner_angle =
+                          std::max(0.0f, l.outer_angle - factor * (l.outer_angle - l.inner_angle));
+                    }
+                  });
+  }
+  spot("spotlights are aimed at the world's origin", [](RenderLight& l) {
+    if (glm::length(l.position) > 0) {
+      l.direction = -glm::normalize(l.position);
+    }
+  });
   spot("spotlights are too wide by half of the penumbra: it is centered on the outer angle",
        [](RenderLight& l) {
          const float half = (l.outer_angle - l.inner_angle) / 2;
@@ -388,6 +452,22 @@ void add_shadows(HypothesisList& list) {
           "objects behind a light cast shadows too: the distance is not compared"}});
   }
   if (list.scene.lights.size() > 1) {
+    put({{S::first_light_only, "only the first light casts shadows"},
+         {S::last_light_only, "only the last light casts shadows"}});
+  }
+  if (list.shapes.size() > 1) {
+    for (const auto& [shape, value] :
+         {std::pair(Shape::sphere, S::no_spheres), std::pair(Shape::cube, S::no_cubes),
+          std::pair(Shape::cylinder, S::no_cylinders), std::pair(Shape::cone, S::no_cones),
+          std::pair(Shape::mesh, S::no_meshes)}) {
+      if (list.shapes.contains(shape)) {
+        list.set(
+            Cause::shadows, &ModelMistakes::shadow, value,
+            fmt::format("{}{} cast no shadows", word_of(shape), shape == Shape::mesh ? "es" : "s"));
+      }
+    }
+  }
+  if (list.scene.lights.size() > 1) {
     put({{S::ambient_only,
           "where one light is shadowed, all are lost: only the ambient term is left"},
          {S::stops, "lights after the first shadowed one are lost"},
@@ -398,7 +478,9 @@ void add_shadows(HypothesisList& list) {
        {S::no_ambient_if_all, "where every light is shadowed, the ambient term is lost, too"},
        {S::keeps_specular, "shadows remove only the diffuse term"},
        {S::keeps_diffuse, "shadows remove only the specular term"},
-       {S::half, "shadows remove only half of the light"}});
+       {S::half, "shadows remove only half of the light"},
+       {S::inverted,
+        "the test for shadows is inverted: lights only shine where they are shadowed"}});
   if (list.any_type(has_cone)) {
     put({{S::spot_along_axis, "shadow rays of spotlights run along the axis of the spotlight"},
          {S::spot_without, "spotlights cast no shadows"}});
@@ -440,6 +522,11 @@ void add_shadows(HypothesisList& list) {
         Cause::shadows, &ModelMistakes::shadow_lift, lift,
         fmt::format("shadow rays start too far from the surface (about {} units along the normal)",
                     lift));
+  }
+  for (const double back : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+    list.set(
+        Cause::shadows, &ModelMistakes::shadow_back, back,
+        fmt::format("shadow rays start before the surface (about {} units toward the eye)", back));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "scenefile/grade/hypothesis_list.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace scenefile {
@@ -58,6 +60,22 @@ void add_ambient(HypothesisList& list) {
       m.ambient = m.diffuse;
     }
   });
+  list.add(Cause::ambient, "the ambient color of the material is ignored", [](Trial& t) {
+    for (RenderMaterial& m : t.scene.materials) {
+      m.ambient = glm::vec3(1);
+    }
+  });
+  list.add(Cause::ambient, "the specular color is used as the ambient color", [](Trial& t) {
+    for (RenderMaterial& m : t.scene.materials) {
+      m.ambient = m.specular;
+    }
+  });
+  if (list.textured()) {
+    list.set_each<A>(Cause::ambient, &ModelMistakes::ambient,
+                     {{A::times_texture, "the ambient term is multiplied by the texture"},
+                      {A::only_texture, "the texture replaces the ambient color"},
+                      {A::textured, "the ambient color is blended with the texture"}});
+  }
   list.add(Cause::ambient, "the coefficient of the ambient term is squared",
            [](Trial& t) { t.scene.global.ambient *= t.scene.global.ambient; });
 }
@@ -131,6 +149,11 @@ void add_specular(HypothesisList& list) {
        {S::by_normal_light, "the specular term uses N.L, not R.V"},
        {S::mirror_not_doubled, "R of the specular term lacks a factor of 2: (N.L) N - L"},
        {S::mirror_of_view_wrong, "the eye vector of the specular term points away from the eye"},
+       {S::eye_not_normalized, "the eye vector of the specular term is not normalized"},
+       {S::ray_not_normalized, "camera rays are not normalized: the eye vector is too long"},
+       {S::half_not_normalized, "highlights are Blinn's, and the vector H is not normalized"},
+       {S::eye_as_direction, "the eye vector of the specular term is the eye's position"},
+       {S::point_as_direction, "the eye vector of the specular term is the point's position"},
        {S::eye_at_origin, "the eye of the specular term is at the world's origin"},
        {S::looks_along_camera, "the eye vector of the specular term is the same in all pixels"},
        {S::exponent_double, "the exponent of highlights is doubled"},
@@ -143,6 +166,10 @@ void add_specular(HypothesisList& list) {
        {S::squared_coefficient, "the specular term has the global coefficient twice"},
        {S::times_shininess, "the specular term is multiplied by the exponent"},
        {S::lit_side_only, "highlights are cut off where N.L is below 0"}});
+  for (const double exponent : {2.0, 5.0, 10.0, 16.0, 20.0, 32.0, 50.0, 64.0, 100.0}) {
+    list.add(Cause::specular, fmt::format("the exponent of highlights is always {}", exponent),
+             [exponent](Trial& t) { t.mistakes.exponent = exponent; });
+  }
   if (list.any_material(
           [](const RenderMaterial& m) { return m.specular != glm::vec3(0) && m.shininess == 0; })) {
     put({{S::zero_shines, "an exponent of 0 gives a uniform highlight instead of none"}});

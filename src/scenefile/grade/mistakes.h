@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace scenefile {
@@ -36,11 +37,15 @@ enum class ConeNormalMistake : std::uint8_t {
   half_slope,
   double_slope,
   four_slopes,
-  slope_down
+  slope_down,
+  constant_y,       ///< (x, 1/2, z)
+  half_constant_y,  ///< (x, 1/4, z)
+  from_apex,        ///< the vector from the apex
 };
 
 enum class NearestMistake : std::uint8_t {
   none,
+  first_of_ties,               ///< of equal distances, the first object of the file wins
   farthest,                    ///< the farthest hit wins
   farthest_object,             ///< the farthest of the nearest hits of each object wins
   last,                        ///< the last object of the file wins
@@ -71,6 +76,7 @@ enum class LightVectorMistake : std::uint8_t {
   to_origin_all,          ///< ... also for the falloff of spotlights and shadow rays
   from_object_point,      ///< to point and spot lights: from the point in object space
   from_object_point_all,  ///< ... also for the distance and shadow rays
+  sum,                    ///< position of the light plus the point, not minus
 };
 
 enum class AttenuationMistake : std::uint8_t {
@@ -93,6 +99,10 @@ enum class AttenuationMistake : std::uint8_t {
   one_plus,          ///< 1 / (1 + polynomial)
   squared_distance,  ///< the squared distance is used as the distance
   to_eye,            ///< by the distance from the light to the eye
+  eye_to_point,      ///< by the distance from the eye to the point
+  from_origin,       ///< by the distance from the world's origin to the light
+  spots_only,        ///< point lights do not fade
+  points_only,       ///< spotlights do not fade
   clamped_below,     ///< max(1, f)
   infinite_white,    ///< not clamped: 1 / 0 is infinite, and 0 * infinity is stored as 255
   infinite_black,    ///< ... stored as 0
@@ -107,6 +117,8 @@ enum class SpotMistake : std::uint8_t {
   penumbra_inverted,  ///< 1 - falloff in the penumbra
   no_limit,           ///< falloff not clamped outside: light beyond the cone
   squared,
+  quadratic,         ///< (1 - t)^2
+  one_minus_square,  ///< 1 - t^2
   cosine_power,
   reversed_axis,
   inner_only_penumbra,  ///< no light between the two angles
@@ -142,11 +154,22 @@ enum class ShadowMistake : std::uint8_t {
   from_eye,              ///< the ray starts at the eye
   from_origin,           ///< the ray starts at the world's origin
   point_as_directional,  ///< t ends at 1, but the direction is a unit vector
+  inverted,              ///< lit where the light is shadowed
+  first_light_only,      ///< other lights cast no shadows
+  last_light_only,
+  no_spheres,  ///< spheres cast no shadows
+  no_cubes,
+  no_cylinders,
+  no_cones,
+  no_meshes,
 };
 
 enum class AmbientMistake : std::uint8_t {
   none,
   times_diffuse,
+  times_texture,
+  only_texture,  ///< coefficient * texture
+  textured,      ///< blended with the texture
   lit_only,
   unlit_only,
   no_in_reflections
@@ -194,7 +217,12 @@ enum class SpecularMistake : std::uint8_t {
   diffuse_color,
   mirror_of_view_wrong,  ///< uses the ray's direction instead of the direction to the eye
   eye_at_origin,
-  looks_along_camera,  ///< uses the camera's axis as the eye vector
+  looks_along_camera,   ///< uses the camera's axis as the eye vector
+  eye_as_direction,     ///< the vector from the world's origin to the eye
+  point_as_direction,   ///< the vector from the world's origin to the point
+  eye_not_normalized,   ///< as long as the distance to the eye
+  ray_not_normalized,   ///< as long as the camera ray to the film at distance 1
+  half_not_normalized,  ///< Blinn's, with N.(L + V)
   squared_coefficient,
   times_shininess,
 };
@@ -213,6 +241,7 @@ enum class TextureMistake : std::uint8_t {
   gray,
   lookup_clamped,  ///< no wrap mode: lookups are clamped to the edge
   divided_repeat,
+  white_rest,  ///< the diffuse color's share of the blend is white
   swapped_uv,
   blend_drops_color,       ///< only blend * texture
   decoded,                 ///< from sRGB
@@ -225,6 +254,13 @@ enum class TextureMistake : std::uint8_t {
   filtered,                ///< bilinear, half a texel off
   filtered_centered,       ///< bilinear
   not_filtered,
+  averaged,            ///< half diffuse color, half texture
+  times_lighting,      ///< the finished lighting is multiplied by the texture
+  times_lighting_too,  ///< ... and blended with the diffuse color
+  specular_too,        ///< multiplies the specular color as well
+  mirrored_repeat,     ///< every other copy is mirrored
+  size_less_one,       ///< u and v are multiplied by size - 1
+  to_nearest,          ///< u and v times the size are rounded, not truncated
 };
 
 enum class UvMistake : std::uint8_t {
@@ -232,15 +268,24 @@ enum class UvMistake : std::uint8_t {
   flip_u,
   flip_v,
   flip_both,
+  shift_u,  ///< by half of the texture
+  shift_v,
   quarter,
   half,
   three_quarters,  ///< of a turn around the axis
   round_flip_u,    ///< only around the axis
+  round_flip_quarter,
+  round_flip_half,
+  round_flip_three_quarters,
   sphere_linear_v,
+  sphere_planar,  ///< x and y, not angles
   sphere_flip_v,
-  cube_same_faces,  ///< opposite faces have the same u and v
+  cube_ends_flip_v,  ///< only on the faces at the top and bottom
+  cube_front,        ///< x and y on all faces
+  cube_same_faces,   ///< opposite faces have the same u and v
   caps_flip_v,
   caps_as_side,
+  caps_polar,  ///< u around the axis, v from the center
   flat_flip_u,
   flat_flip_v,
   sphere_missing,
@@ -267,9 +312,12 @@ enum class MirrorMistake : std::uint8_t {
   not_chained,          ///< no weights after the first mirror
   last_weight_only,     ///< only the weight of the last mirror counts
   replaces,             ///< the lighting is dropped
+  maximum,              ///< the larger of lighting and reflection
+  screened,             ///< 1 - (1 - lighting) (1 - reflection)
   reversed,             ///< the reflected ray points into the surface
   wrong_sign,           ///< d + 2 (d.n) n
   not_doubled,          ///< d - (d.n) n
+  from_eye,             ///< the reflected ray starts where the ray started
   along_normal,
   straight,       ///< the ray is not deflected
   eye_at_camera,  ///< highlights in reflections are those for the camera
@@ -292,19 +340,24 @@ enum class GlassMistake : std::uint8_t {
   eta_inverted,
   no_total_reflection,     ///< black where it occurs
   straight,                ///< not refracted
+  straight_shaded,         ///< ... and the back wall is lit, and counts as another refraction
+  wrong_sign,              ///< of the normal's share in the refracted direction
   one_side,                ///< only refracted on entering
   shaded_inside,           ///< the back wall is lit, and counts as another refraction
   entering_always,         ///< 1 / ior at both walls
   blended,                 ///< mixed with the lighting, by kt * color
   blended_by_color,        ///< ... by the transparent color
-  blended_plain,           ///< ... by kt
+  blended_plain,           ///< ... by kt, without the transparent color
+  blended_all,             ///< the lighting by 1 - kt, refraction by kt * color
   eta_inverted_black,      ///< inverted; total reflection on entering is black
   eta_inverted_all_black,  ///< inverted; any total reflection is black
   black_inside,            ///< the ray ends at the back wall
   mirrored,                ///< follows the reflected direction
   times_diffuse,
   no_local,
+  replaces_all,  ///< only what is seen through the object, without a weight
   ior_one_and_half,
+  ior_of_water,
   half,
 };
 
@@ -323,6 +376,14 @@ enum class ShapeMistake : std::uint8_t {
   cylinder_normal_like_sphere,
   cube_normals_positive,  ///< faces at -0.5 have the normals of those at 0.5
   cap_normals_up,
+  wide_caps,  ///< the radius is 1
+  wide_cone,  ///< the radius at the base is 1
+  cube_normals_like_sphere,
+  sphere_normals_inward,
+  cube_normals_inward,
+  cylinder_normals_inward,  ///< of the side
+  cone_normals_inward,      ///< of the side
+  side_normals_inward,      ///< of cylinders and cones
 };
 
 /// What is shown instead of the lit surface.
@@ -352,6 +413,7 @@ struct ModelMistakes {
   std::vector<double> light_lengths;  ///< of the written directions, for as_long_as_written
   double shadow_bias = 1e-3;          ///< along the ray
   double shadow_lift = 0;             ///< along the normal
+  double shadow_back = 0;             ///< toward where the ray came from
   double mirror_bias = 1e-3;
   AmbientMistake ambient = AmbientMistake::none;
   DiffuseMistake diffuse = DiffuseMistake::none;
@@ -360,6 +422,7 @@ struct ModelMistakes {
   double glass_factor = 1;
   bool glass_over_mirror = false;  ///< GlassMistake::blended*: mixed with reflections, too
   SpecularMistake specular = SpecularMistake::none;
+  std::optional<double> exponent;  ///< the same for all materials
   TextureMistake texture = TextureMistake::none;
   UvMistake uv = UvMistake::none;
   MirrorMistake mirror = MirrorMistake::none;
@@ -367,7 +430,8 @@ struct ModelMistakes {
   ShownInstead shown = ShownInstead::none;
   glm::dvec3 background{0};
   bool background_in_reflections = false;
-  bool behind_in_reflections = true;  ///< reflected rays also hit objects behind their start
+  bool directions_translated = false;  ///< of rays, into object space (w = 1)
+  bool behind_in_reflections = true;   ///< reflected rays also hit objects behind their start
   double orthographic = 0;       ///< parallel rays from a film at this distance; 0: perspective
   bool brightest_light = false;  ///< the maximum of the lights, not their sum
   bool all_lights = false;       ///< in a mode that only uses directional lights

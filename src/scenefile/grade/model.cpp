@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 namespace scenefile {
 
@@ -88,6 +89,10 @@ struct Model::TextureUse {
   bool unlit = false;
   dvec3 over{0};  // to blend with the finished lighting
   double share_over = 0;
+  dvec3 times{1};  // to multiply the finished lighting by
+  dvec3 times_specular{1};
+  dvec3 color{1};    // of the texture
+  double blend = 0;  // 0: no texture is used
 };
 
 struct Model::Arrival {
@@ -174,10 +179,15 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
       uv = flat_uv((face - 1) / 2, (face - 1) % 2 == 1, p);
       if (mistake == UvMistake::cube_same_faces) {
         uv = flat_uv((face - 1) / 2, (face - 1) / 2 == 0, p);
+      } else if (mistake == UvMistake::cube_front) {
+        uv = {p.x + 0.5, p.y + 0.5};
       }
       flat = true;
       break;
     case Shape::sphere:
+      if (mistake == UvMistake::sphere_planar) {
+        return {p.x + 0.5, p.y + 0.5};
+      }
       uv = {around(p), mistake == UvMistake::sphere_linear_v
                            ? p.y + 0.5
                            : std::asin(std::clamp(2 * p.y, -1.0, 1.0)) / pi + 0.5};
@@ -185,7 +195,7 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
     case Shape::cylinder:
     case Shape::cone:
       cap = face != 0;
-      flat = cap && mistake != UvMistake::caps_as_side;
+      flat = cap && mistake != UvMistake::caps_as_side && mistake != UvMistake::caps_polar;
       // Beyond the ends, where only shapes without ends continue, textures repeat.
       uv = flat ? flat_uv(1, face == 2, p)
                 : dvec2(around(p),
@@ -204,6 +214,15 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
     case UvMistake::flip_both:
       uv = 1.0 - uv;
       break;
+    case UvMistake::shift_u:
+      uv.x += uv.x < 0.5 ? 0.5 : -0.5;
+      break;
+    case UvMistake::shift_v:
+      uv.y += uv.y < 0.5 ? 0.5 : -0.5;
+      break;
+    case UvMistake::cube_ends_flip_v:
+      uv.y = shape == Shape::cube && (face - 1) / 2 == 1 ? 1 - uv.y : uv.y;
+      break;
     case UvMistake::quarter:
     case UvMistake::half:
     case UvMistake::three_quarters:
@@ -215,11 +234,25 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
     case UvMistake::round_flip_u:
       uv.x = flat ? uv.x : 1 - uv.x;
       break;
+    case UvMistake::round_flip_quarter:
+    case UvMistake::round_flip_half:
+    case UvMistake::round_flip_three_quarters:
+      if (!flat) {
+        uv.x = (mistake == UvMistake::round_flip_quarter ? 0.25
+                : mistake == UvMistake::round_flip_half  ? 0.5
+                                                         : 0.75) -
+               uv.x;
+        uv.x -= std::floor(uv.x);
+      }
+      break;
     case UvMistake::sphere_flip_v:
       uv.y = shape == Shape::sphere ? 1 - uv.y : uv.y;
       break;
     case UvMistake::caps_flip_v:
       uv.y = cap ? 1 - uv.y : uv.y;
+      break;
+    case UvMistake::caps_polar:
+      uv.y = cap ? 2 * std::hypot(p.x, p.z) : uv.y;
       break;
     case UvMistake::flat_flip_u:
       uv.x = flat ? 1 - uv.x : uv.x;
@@ -229,7 +262,9 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
       break;
     case UvMistake::none:
     case UvMistake::sphere_linear_v:
+    case UvMistake::sphere_planar:
     case UvMistake::cube_same_faces:
+    case UvMistake::cube_front:
     case UvMistake::caps_as_side:
     case UvMistake::sphere_missing:
     case UvMistake::cube_missing:
@@ -258,10 +293,12 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
       dvec3 n(0);
       const bool low = (face - 1) % 2 == 1 && mistake != ShapeMistake::cube_normals_positive;
       n[(face - 1) / 2] = low ? -1 : 1;
-      return n;
+      return mistake == ShapeMistake::cube_normals_like_sphere ? 2.0 * p
+             : mistake == ShapeMistake::cube_normals_inward    ? -n
+                                                               : n;
     }
     case Shape::sphere:
-      return 2.0 * p;
+      return (mistake == ShapeMistake::sphere_normals_inward ? -2.0 : 2.0) * p;
     case Shape::cylinder:
     case Shape::cone:
       break;
@@ -272,8 +309,13 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
     const bool up = face == 1 || mistake == ShapeMistake::cap_normals_up;
     return {0, up == !caps_down ? 1 : -1, 0};
   }
+  const bool inward = mistake == ShapeMistake::side_normals_inward ||
+                      mistake == (shape == Shape::cylinder ? ShapeMistake::cylinder_normals_inward
+                                                           : ShapeMistake::cone_normals_inward);
+  const double sign = inward ? -1 : 1;
   if (shape == Shape::cylinder) {
-    return {2 * p.x, mistake == ShapeMistake::cylinder_normal_like_sphere ? 2 * p.y : 0, 2 * p.z};
+    return sign * dvec3(2 * p.x, mistake == ShapeMistake::cylinder_normal_like_sphere ? 2 * p.y : 0,
+                        2 * p.z);
   }
   const double slope = 0.25 * (1 - 2 * p.y);
   switch (cone) {
@@ -289,10 +331,16 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
       return {2 * p.x, 4 * slope, 2 * p.z};
     case ConeNormalMistake::slope_down:
       return {2 * p.x, -slope, 2 * p.z};
+    case ConeNormalMistake::constant_y:
+      return {p.x, 0.5, p.z};
+    case ConeNormalMistake::half_constant_y:
+      return {p.x, 0.25, p.z};
+    case ConeNormalMistake::from_apex:
+      return {p.x, p.y - 0.5, p.z};
     case ConeNormalMistake::none:
       break;
   }
-  return {2 * p.x, slope, 2 * p.z};
+  return sign * dvec3(2 * p.x, slope, 2 * p.z);
 }
 
 dvec3 to_world(const ModelPart& part, const dvec3& raw, bool flat, NormalMistake mistake) {
@@ -316,7 +364,8 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
   s.position = hit.stretch == 1 ? met : ray.origin + hit.stretch * hit.t * ray.direction;
   s.direction = ray.direction;
   s.eye = scene_.camera.position;
-  s.object_point = part.object_from_world.point(met);
+  const ModelRay in_object = object_ray(part, ray);
+  s.object_point = in_object.origin + hit.t * in_object.direction;
   if (part.shape == Shape::mesh) {
     const bool smooth = options_.profile != Profile::course;
     const auto at = surface_at(assets_.meshes[part.mesh], hit.triangle, hit.b1, hit.b2, smooth);
@@ -351,6 +400,12 @@ dvec3 texel(const Texture& texture, double x, double y, bool wraps) {
   };
   const std::uint8_t* p = texture.texel(index(x, texture.width), index(y, texture.height));
   return dvec3(p[0], p[1], p[2]) / 255.0;
+}
+
+// Like a mirror at each whole number.
+double mirrored_repeat(double x) {
+  const double rest = std::abs(x) - 2 * std::floor(std::abs(x) / 2);
+  return rest > 1 ? 2 - rest : rest;
 }
 
 dvec3 lookup(const Texture& texture, double x, double y, bool filtered, bool wraps) {
@@ -399,14 +454,21 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
     u = s.uv.y * material.texture.repeat_u;
     v = (1 - s.uv.x) * material.texture.repeat_v;
   }
+  if (m_.texture == TextureMistake::mirrored_repeat) {
+    u = mirrored_repeat(u);
+    v = mirrored_repeat(v);
+  }
   const bool centered = m_.texture == TextureMistake::filtered_centered;
   const bool filtered =
       (options_.features.texture_filter || centered || m_.texture == TextureMistake::filtered) &&
       m_.texture != TextureMistake::not_filtered;
-  const double off = centered ? 0.5 : 0;
-  dvec3 t = lookup(texture, u * texture.width - off, v * texture.height - off, filtered,
-                   m_.texture != TextureMistake::lookup_clamped);
+  const double off = centered ? 0.5 : m_.texture == TextureMistake::to_nearest ? -0.5 : 0;
+  const int less = m_.texture == TextureMistake::size_less_one ? 1 : 0;
+  dvec3 t = lookup(texture, u * (texture.width - less) - off, v * (texture.height - less) - off,
+                   filtered, m_.texture != TextureMistake::lookup_clamped);
   const double blend = material.blend;
+  use.color = t;
+  use.blend = blend;
   switch (m_.texture) {
     case TextureMistake::blend_ignored:
       return t;
@@ -422,8 +484,19 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
       return glm::mix(t, plain, blend);
     case TextureMistake::added:
       return plain + blend * t;
+    case TextureMistake::averaged:
+      return glm::mix(plain, t, 0.5);
     case TextureMistake::unlit:
       use.unlit = true;
+      break;
+    case TextureMistake::times_lighting:
+      use.times = t;
+      return plain;
+    case TextureMistake::times_lighting_too:
+      use.times = t;
+      break;
+    case TextureMistake::specular_too:
+      use.times_specular = t;
       break;
     case TextureMistake::over_lighting:
     case TextureMistake::over_all:
@@ -446,6 +519,8 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
     case TextureMistake::decoded:
       t = glm::pow(t, dvec3(2.2));
       break;
+    case TextureMistake::white_rest:
+      return glm::mix(dvec3(kd), t, blend);
     case TextureMistake::no_coefficient_on_rest:
       return glm::mix(color, t, blend);
     case TextureMistake::none:
@@ -456,6 +531,9 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
     case TextureMistake::divided_repeat:
     case TextureMistake::swapped_uv:
     case TextureMistake::ambient_too:
+    case TextureMistake::mirrored_repeat:
+    case TextureMistake::size_less_one:
+    case TextureMistake::to_nearest:
       break;
   }
   return glm::mix(plain, t, blend);
@@ -514,6 +592,10 @@ double faded(const glm::vec3& coefficients, double d, AttenuationMistake mistake
     case AttenuationMistake::clamped_below:
       return std::max(1.0, 1 / std::max(right, 1e-9));
     case AttenuationMistake::none:
+    case AttenuationMistake::eye_to_point:
+    case AttenuationMistake::from_origin:
+    case AttenuationMistake::spots_only:
+    case AttenuationMistake::points_only:
     case AttenuationMistake::to_eye:
     case AttenuationMistake::diffuse_only:
     case AttenuationMistake::specular_only:
@@ -554,6 +636,12 @@ double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) 
       return inside ? 1 : outside ? std::abs(falling) : falling;
     case SpotMistake::squared:
       falling *= falling;
+      break;
+    case SpotMistake::quadratic:
+      falling = (1 - t) * (1 - t);
+      break;
+    case SpotMistake::one_minus_square:
+      falling = 1 - t * t;
       break;
     case SpotMistake::cosine_power:
       return outside || cosine <= 0 ? 0 : cosine;
@@ -610,10 +698,17 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   if (has_rectangle(light.type) && cosine <= 0) {
     return false;
   }
-  const double fading = faded(
-      light.attenuation,
-      m_.attenuation == AttenuationMistake::to_eye ? glm::length(from - s.eye) : arriving.distance,
-      m_.attenuation);
+  double along_light = arriving.distance;
+  if (m_.attenuation == AttenuationMistake::to_eye) {
+    along_light = glm::length(from - s.eye);
+  } else if (m_.attenuation == AttenuationMistake::eye_to_point) {
+    along_light = glm::length(s.position - s.eye);
+  } else if (m_.attenuation == AttenuationMistake::from_origin) {
+    along_light = glm::length(from);
+  }
+  const bool not_faded = m_.attenuation == (has_cone(light.type) ? AttenuationMistake::points_only
+                                                                 : AttenuationMistake::spots_only);
+  const double fading = not_faded ? 1 : faded(light.attenuation, along_light, m_.attenuation);
   const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
                           mistake == LightVectorMistake::as_long_as_written;
   const double along = as_written ? cosine * written_length(light) : cosine;
@@ -639,6 +734,9 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
     case LightVectorMistake::to_origin:
       arriving.to_light = unit(from);
       break;
+    case LightVectorMistake::sum:
+      arriving.to_light = unit(from + s.position);
+      break;
     case LightVectorMistake::from_object_point:
     case LightVectorMistake::from_object_point_all:
       arriving.to_light = unit(from - s.object_point);
@@ -655,6 +753,28 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   }
   return arriving.factor > 0 || arriving.specular_factor > 0;
 }
+
+namespace {
+
+// The kind of shape that casts no shadows.
+std::optional<Shape> shape_without_shadow(ShadowMistake mistake) {
+  switch (mistake) {
+    case ShadowMistake::no_spheres:
+      return Shape::sphere;
+    case ShadowMistake::no_cubes:
+      return Shape::cube;
+    case ShadowMistake::no_cylinders:
+      return Shape::cylinder;
+    case ShadowMistake::no_cones:
+      return Shape::cone;
+    case ShadowMistake::no_meshes:
+      return Shape::mesh;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
 
 bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,
                      int depth) const {
@@ -697,6 +817,13 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     case ShadowMistake::not_own_object:
       without = s.hit.part;
       break;
+    case ShadowMistake::first_light_only:
+    case ShadowMistake::last_light_only:
+      if (&light != (m_.shadow == ShadowMistake::first_light_only ? &scene_.lights.front()
+                                                                  : &scene_.lights.back())) {
+        return false;
+      }
+      break;
     case ShadowMistake::any_nearer_than_eye:
       end = glm::length(s.position - s.eye);
       break;
@@ -728,14 +855,17 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     default:
       break;
   }
-  ray.origin += m_.shadow_lift * s.normal;
+  ray.origin += m_.shadow_lift * s.normal - m_.shadow_back * s.direction;
   ModelHit hit;
-  if (m_.shadow != ShadowMistake::glass_lets_through) {
-    return search(ray, m_.shadow_bias, end, true, without, hit);
+  const std::optional<Shape> passed = shape_without_shadow(m_.shadow);
+  if (m_.shadow != ShadowMistake::glass_lets_through && !passed) {
+    return search(ray, m_.shadow_bias, end, true, without, hit) !=
+           (m_.shadow == ShadowMistake::inverted);
   }
   double start = m_.shadow_bias;
   for (int i = 0; i < 16 && search(ray, start, end, false, without, hit); ++i) {
-    if (scene_.materials[hit.part->material].transparent == glm::vec3(0)) {
+    if (passed ? hit.part->shape != *passed
+               : scene_.materials[hit.part->material].transparent == glm::vec3(0)) {
       return true;
     }
     start = hit.t + 1e-4;
@@ -762,6 +892,12 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   dvec3 ambient = ka * dvec3(material.ambient);
   if (m_.ambient == AmbientMistake::times_diffuse) {
     ambient *= dvec3(material.diffuse);
+  } else if (m_.ambient == AmbientMistake::times_texture) {
+    ambient *= use.color;
+  } else if (m_.ambient == AmbientMistake::only_texture) {
+    ambient = use.blend > 0 ? ka * use.color : ambient;
+  } else if (m_.ambient == AmbientMistake::textured) {
+    ambient = glm::mix(ambient, ka * use.color, use.blend);
   } else if (m_.texture == TextureMistake::ambient_too && options_.features.texture &&
              options_.mode == Mode::ray && material.texture.used()) {
     ambient = ka * base;
@@ -781,6 +917,18 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     case SpecularMistake::looks_along_camera:
       eye = scene_.camera.w;
       break;
+    case SpecularMistake::eye_as_direction:
+      eye = unit(s.eye);
+      break;
+    case SpecularMistake::point_as_direction:
+      eye = unit(s.position);
+      break;
+    case SpecularMistake::eye_not_normalized:
+      eye = s.eye - s.position;
+      break;
+    case SpecularMistake::ray_not_normalized:
+      eye /= depth == 0 ? glm::dot(eye, scene_.camera.w) : 1.0;
+      break;
     default:
       break;
   }
@@ -789,7 +937,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   }
   double ks = m_.specular == SpecularMistake::no_coefficient ? 1 : global.specular;
   ks = m_.specular == SpecularMistake::squared_coefficient ? ks * ks : ks;
-  double exponent = material.shininess;
+  double exponent = m_.exponent.value_or(material.shininess);
   switch (m_.specular) {
     case SpecularMistake::no_exponent:
       exponent = 1;
@@ -816,6 +964,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   if (m_.specular == SpecularMistake::times_shininess) {
     specular_color *= material.shininess;
   }
+  specular_color *= use.times_specular;
   dvec3 sum = ambient;
   bool any_lit = false;
   bool any_shadow = false;
@@ -860,6 +1009,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       case SpecularMistake::blinn:
       case SpecularMistake::blinn_four:
         shine = glm::dot(n, unit(l + eye));
+        break;
+      case SpecularMistake::half_not_normalized:
+        shine = glm::dot(n, l + eye);
         break;
       case SpecularMistake::absolute:
         shine = std::abs(shine);
@@ -975,6 +1127,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   }
   const bool over_lighting = m_.texture == TextureMistake::over_lighting ||
                              m_.texture == TextureMistake::over_lighting_too;
+  sum *= use.times;
   return over_lighting ? glm::mix(sum, use.over, use.share_over) : sum;
 }
 
@@ -1158,12 +1311,13 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
   }
   const dvec3 weights = factor;
   dvec3 seen;
+  const dvec3 start = m_.mirror == MirrorMistake::from_eye ? ray.origin : s.position;
   if ((self_hits_ >> depth & 1) != 0) {
     ModelHit itself = s.hit;
     itself.t = 0;
     seen = trace({s.position, unit(direction)}, depth + 1, &itself, 0, weights);
   } else {
-    seen = trace({s.position, unit(direction)}, depth + 1, nullptr, m_.mirror_bias, weights);
+    seen = trace({start, unit(direction)}, depth + 1, nullptr, m_.mirror_bias, weights);
   }
   switch (m_.mirror) {
     case MirrorMistake::blended:
@@ -1188,6 +1342,10 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     case MirrorMistake::replaces:
       local = dvec3(0);
       break;
+    case MirrorMistake::maximum:
+      return glm::max(dvec3(0), factor * seen - local);
+    case MirrorMistake::screened:
+      return factor * seen * (1.0 - clamped(local));
     case MirrorMistake::last_weight_only:
       return seen;
     case MirrorMistake::not_chained:
@@ -1223,6 +1381,9 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     case GlassMistake::half:
       factor *= 0.5;
       break;
+    case GlassMistake::replaces_all:
+      factor = dvec3(1);
+      break;
     default:
       break;
   }
@@ -1230,7 +1391,9 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
   if (factor == dvec3(0)) {
     return dvec3(0);
   }
-  const double ior = m_.glass == GlassMistake::ior_one_and_half ? 1.5 : material.ior;
+  const double ior = m_.glass == GlassMistake::ior_one_and_half ? 1.5
+                     : m_.glass == GlassMistake::ior_of_water   ? 1.33
+                                                                : material.ior;
   const auto bent = [&](const dvec3& direction, dvec3 normal, bool entering, dvec3& out) {
     double eta = (entering || m_.glass == GlassMistake::entering_always) ? 1 / ior : ior;
     const bool inverted = m_.glass == GlassMistake::eta_inverted ||
@@ -1240,7 +1403,8 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     if (glm::dot(direction, normal) > 0) {
       normal = -normal;
     }
-    if (m_.glass == GlassMistake::straight || (m_.glass == GlassMistake::one_side && !entering)) {
+    if (m_.glass == GlassMistake::straight || m_.glass == GlassMistake::straight_shaded ||
+        (m_.glass == GlassMistake::one_side && !entering)) {
       out = direction;
       return true;
     }
@@ -1250,15 +1414,22 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
       out = direction + 2 * cosine * normal;
       return false;
     }
-    out = unit(eta * direction + (eta * cosine - std::sqrt(under)) * normal);
+    const double root = m_.glass == GlassMistake::wrong_sign ? -std::sqrt(under) : std::sqrt(under);
+    out = unit(eta * direction + (eta * cosine - root) * normal);
     return true;
   };
   if (m_.glass == GlassMistake::blended || m_.glass == GlassMistake::blended_by_color ||
       m_.glass == GlassMistake::blended_plain) {
     local *= 1.0 - factor;
     reflected *= m_.glass_over_mirror ? 1.0 - factor : dvec3(1);
+  } else if (m_.glass == GlassMistake::blended_all) {
+    local *= 1 - kt;
+    reflected *= m_.glass_over_mirror ? 1 - kt : 1;
+  } else if (m_.glass == GlassMistake::replaces_all) {
+    local = reflected = dvec3(0);
   } else if (m_.glass == GlassMistake::no_local) {
     local = dvec3(0);
+    reflected *= m_.glass_over_mirror ? 0 : 1;
   }
   const dvec3 weights = factor;
   const bool entering = glm::dot(s.geometric, ray.direction) < 0;
@@ -1275,7 +1446,8 @@ dvec3 Model::refracted(const Surface& s, const ModelRay& ray, int depth, dvec3& 
     }
     inside_glass = !entering;
   }
-  if (!inside_glass || m_.glass == GlassMistake::shaded_inside) {
+  if (!inside_glass || m_.glass == GlassMistake::shaded_inside ||
+      m_.glass == GlassMistake::straight_shaded) {
     return factor * trace(inside, depth + 1, nullptr, m_.mirror_bias, weights);
   }
   // Continues inside the object; its back wall is not lit.

@@ -230,8 +230,9 @@ void cap(const dvec3& o, const dvec3& d, double y, int face, ShapeMistake mistak
   const double t = (y - o.y) / d.y;
   const double x = o.x + t * d.x;
   const double z = o.z + t * d.z;
-  if (mistake == ShapeMistake::square_caps ? std::max(std::abs(x), std::abs(z)) <= 0.5
-                                           : x * x + z * z <= 0.25) {
+  if (mistake == ShapeMistake::square_caps
+          ? std::max(std::abs(x), std::abs(z)) <= 0.5
+          : x * x + z * z <= (mistake == ShapeMistake::wide_caps ? 1 : 0.25)) {
     found.add(t, face);
   }
 }
@@ -268,8 +269,9 @@ void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, C
 void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
   const bool endless = mistake == ShapeMistake::endless || mistake == ShapeMistake::endless_cone;
   const double y = o.y - 0.5;
-  side_roots(o, d, d.x * d.x + d.z * d.z - 0.25 * d.y * d.y, o.x * d.x + o.z * d.z - 0.25 * y * d.y,
-             o.x * o.x + o.z * o.z - 0.25 * y * y,
+  const double k = mistake == ShapeMistake::wide_cone ? 1 : 0.25;
+  side_roots(o, d, d.x * d.x + d.z * d.z - k * d.y * d.y, o.x * d.x + o.z * d.z - k * y * d.y,
+             o.x * o.x + o.z * o.z - k * y * y,
              endless || mistake == ShapeMistake::deep_cone ? -infinity : -0.5,
              endless || mistake == ShapeMistake::double_cone ? infinity : 0.5, found);
   if (caps && d.y != 0 && mistake != ShapeMistake::no_bottom_cap) {
@@ -281,7 +283,8 @@ void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Cross
 bool is_unbounded(ShapeMistake mistake) {
   return mistake == ShapeMistake::endless_cylinder || mistake == ShapeMistake::endless_cone ||
          mistake == ShapeMistake::double_cone || mistake == ShapeMistake::deep_cone ||
-         mistake == ShapeMistake::endless;
+         mistake == ShapeMistake::endless || mistake == ShapeMistake::wide_caps ||
+         mistake == ShapeMistake::wide_cone;
 }
 
 bool meets_box(const BoxTree::Box& box, const dvec3& origin, const dvec3& inverse, double t_min,
@@ -355,10 +358,17 @@ bool triangle(const Mesh& mesh, std::uint32_t index, const dvec3& o, const dvec3
 
 }  // namespace
 
+ModelRay Model::object_ray(const ModelPart& part, const ModelRay& ray) const {
+  const DAffine& to_object = part.object_from_world;
+  return {to_object.point(ray.origin), m_.directions_translated ? to_object.point(ray.direction)
+                                                                : to_object.vector(ray.direction)};
+}
+
 bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max,
                  bool shadow, ModelHit& hit) const {
-  const dvec3 o = part.object_from_world.point(ray.origin);
-  const dvec3 d = part.object_from_world.vector(ray.direction);
+  const ModelRay in_object = object_ray(part, ray);
+  const dvec3& o = in_object.origin;
+  const dvec3& d = in_object.direction;
   bool found = false;
   const bool far = m_.nearest == NearestMistake::farthest || m_.nearest == NearestMistake::far_root;
   const auto offer = [&](double t, int face, std::uint32_t index, double b1, double b2) {
@@ -425,9 +435,9 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
                                         m_.shadow == ShadowMistake::object_distance);
   const bool pruned =
       !scaled_shadow &&
-      (nearest == NearestMistake::none || nearest == NearestMistake::far_root ||
-       nearest == NearestMistake::near_root_only || nearest == NearestMistake::behind ||
-       nearest == NearestMistake::behind_first);
+      (nearest == NearestMistake::none || nearest == NearestMistake::first_of_ties ||
+       nearest == NearestMistake::far_root || nearest == NearestMistake::near_root_only ||
+       nearest == NearestMistake::behind || nearest == NearestMistake::behind_first);
   const bool of_object = nearest == NearestMistake::object_distance ||
                          nearest == NearestMistake::object_distance_compared ||
                          nearest == NearestMistake::object_distance_everywhere;
@@ -447,6 +457,8 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
         return candidate.part < hit.part;
       case NearestMistake::behind:
         return std::abs(key) < std::abs(best);
+      case NearestMistake::first_of_ties:
+        return key < best || (key == best && candidate.part < hit.part);
       case NearestMistake::none:
       case NearestMistake::object_distance:
       case NearestMistake::object_distance_compared:
@@ -482,7 +494,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
     }
     return shadow;
   };
-  if (is_unbounded(m_.shape)) {
+  if (is_unbounded(m_.shape) || m_.directions_translated) {
     for (std::uint32_t i = 0; i < shapes_.parts.size() && !(shadow && found); ++i) {
       visit(i);
     }

@@ -51,6 +51,9 @@ void add_gamma(Hypotheses& list) {
             srgb_value);
   add_curve(list, "values were tone mapped (x / (1 + x)), but the format has no tone mapping",
             [](double v) { return v / (1 + v); });
+  add_picture(list, Cause::gamma,
+              "values were tone mapped (1 - exp(-x)), but the format has no tone mapping",
+              [](const dvec3& c) { return 1.0 - glm::exp(-c); });
 }
 
 void add_brightness(Hypotheses& list) {
@@ -59,9 +62,7 @@ void add_brightness(Hypotheses& list) {
         std::pair(2.0, "the picture is twice as bright"),
         std::pair(0.25, "the picture has a quarter of its brightness"),
         std::pair(4.0, "the picture is four times as bright"),
-        std::pair(1 / 3.0, "the picture has a third of its brightness"),
-        std::pair(1 / 1.5, "the picture has two thirds of its brightness"),
-        std::pair(1.5, "the picture is one and a half times as bright")}) {
+        std::pair(1 / 3.0, "the picture has a third of its brightness")}) {
     add_picture(list, Cause::brightness, what,
                 [factor = factor](const dvec3& c) { return factor * clamped(c); });
   }
@@ -126,6 +127,14 @@ void add_overflow(Hypotheses& list) {
   add_picture(list, Cause::overflow, "colors over 1 become black", [](const dvec3& color) {
     return std::max({color.x, color.y, color.z}) > 1 ? dvec3(0) : color;
   });
+  add_picture(list, Cause::overflow, "values over 127 become 0: they are stored in a signed type",
+              [](const dvec3& color) {
+                dvec3 c = clamped(color);
+                for (int i = 0; i < 3; ++i) {
+                  c[i] = c[i] >= 128 / 255.0 ? 0 : c[i];
+                }
+                return c;
+              });
   add_picture(list, Cause::overflow, "values over 1 become 0", [](const dvec3& color) {
     return dvec3(color.x > 1 ? 0 : color.x, color.y > 1 ? 0 : color.y, color.z > 1 ? 0 : color.z);
   });

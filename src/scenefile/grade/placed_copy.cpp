@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace scenefile {
 
@@ -54,8 +55,11 @@ dvec3 color_of_copy(const Texture& reference, const CopyPlace& place, int x, int
   return at(reference, static_cast<int>(p.x), static_cast<int>(p.y));
 }
 
+// The color of a copy of the reference, by pixel of the test.
+using Copy = std::function<dvec3(int x, int y)>;
+
 // Whether the test is the copy: nearly all pixels that are not black in both, and all of a sample.
-bool is_copy(const Texture& reference, const Texture& test, const CopyPlace& place, bool exactly) {
+bool is_copy(const Texture& reference, const Texture& test, const Copy& color_at, bool exactly) {
   std::size_t shown = 0;
   std::size_t right = 0;
   std::size_t varied = 0;
@@ -66,7 +70,7 @@ bool is_copy(const Texture& reference, const Texture& test, const CopyPlace& pla
       return false;
     }
     for (int x = y % 2; x < test.width; x += 2) {
-      const dvec3 copy = color_of_copy(reference, place, x, y);
+      const dvec3 copy = color_at(x, y);
       const dvec3 color = at(test, x, y);
       if (largest_of(copy) <= right_within && largest_of(color) <= right_within) {
         continue;
@@ -82,6 +86,12 @@ bool is_copy(const Texture& reference, const Texture& test, const CopyPlace& pla
          static_cast<double>(right) >= nearly_all_of_copy * static_cast<double>(shown);
 }
 
+bool is_copy(const Texture& reference, const Texture& test, const CopyPlace& place, bool exactly) {
+  return is_copy(
+      reference, test, [&](int x, int y) { return color_of_copy(reference, place, x, y); },
+      exactly);
+}
+
 Claim copy_claim(std::string what) {
   return {Cause::viewport, std::move(what),
           fmt::format("at least {} of the pixels that show something equal the reference there",
@@ -91,6 +101,48 @@ Claim copy_claim(std::string what) {
 
 const char* corner_word(bool right, bool low) {
   return low ? (right ? "lower right" : "lower left") : (right ? "upper right" : "upper left");
+}
+
+// Pixels that are stored in another order.
+std::optional<Claim> claim_of_order(const Texture& reference, const Texture& test) {
+  const int width = test.width;
+  const int height = test.height;
+  const auto at_or_black = [&](int x, int y) {
+    const bool inside = x >= 0 && y >= 0 && x < width && y < height;
+    return inside ? at(reference, x, y) : dvec3(0);
+  };
+  // The pixel at this place in the order of rows.
+  const auto place = [width](int x, int y) { return y * width + x; };
+  const auto rows_of = [&](int length) {
+    return [=](int x, int y) { return at_or_black(place(x, y) % length, place(x, y) / length); };
+  };
+  const std::array<std::pair<const char*, Copy>, 8> orders{
+      {{"rows and columns are exchanged: the picture is transposed",
+        [=](int x, int y) { return at_or_black(y, x); }},
+       {"rows and columns are exchanged and scaled to the size of the picture",
+        [=](int x, int y) {
+          return at_or_black(int((y + 0.5) * width / height), int((x + 0.5) * height / width));
+        }},
+       {"the picture is rotated by a quarter turn, clockwise",
+        [=](int x, int y) { return at_or_black(y, height - 1 - x); }},
+       {"the picture is rotated by a quarter turn, counterclockwise",
+        [=](int x, int y) { return at_or_black(width - 1 - y, x); }},
+       {"pixels are stored column by column, not row by row",
+        [=](int x, int y) { return at_or_black(place(x, y) / height, place(x, y) % height); }},
+       {"pixels are read column by column, not row by row",
+        [=](int x, int y) {
+          const int i = x * height + y;
+          return at_or_black(i % width, i / width);
+        }},
+       {"rows are stored one pixel too far apart: the picture is skewed", rows_of(width + 1)},
+       {"rows are stored one pixel too close together: the picture is skewed",
+        rows_of(width - 1)}}};
+  for (const auto& [what, copy] : orders) {
+    if (width > 1 && is_copy(reference, test, copy, true)) {
+      return copy_claim(what);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Claim> claim_of_shift(const Texture& reference, const Texture& test,
@@ -137,6 +189,9 @@ std::optional<Claim> claim_of_placed_copy(const Texture& reference, const Textur
   const dvec2 size(test.width, test.height);
   if (static_cast<double>(different.size()) < min_share_moved * size.x * size.y) {
     return std::nullopt;
+  }
+  if (std::optional<Claim> order = claim_of_order(reference, test)) {
+    return order;
   }
   for (const bool right : {false, true}) {
     for (const bool low : {false, true}) {

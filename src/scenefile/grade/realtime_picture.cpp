@@ -98,6 +98,13 @@ glm::vec3 cone_normal(const glm::vec3& right, const glm::vec3& position,
       return unit({x, 4 * slope, z});
     case ConeNormalMistake::slope_down:
       return unit({x, -slope, z});
+    case ConeNormalMistake::constant_y:
+    case ConeNormalMistake::half_constant_y: {
+      const double y = mistake == ConeNormalMistake::constant_y ? 0.5 : 0.25;
+      return unit({position.x, y, position.z});
+    }
+    case ConeNormalMistake::from_apex:
+      return unit({position.x, position.y - 0.5, position.z});
     case ConeNormalMistake::none:
       break;
   }

@@ -295,6 +295,17 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
   return best;
 }
 
+// Whether mistakes of that kind make lights brighter or darker. With a fitted factor, they imitate
+// each other.
+bool changes_strength_of_light(Cause cause) {
+  return cause == Cause::attenuation || cause == Cause::lights || cause == Cause::spot_falloff;
+}
+
+// Whether the curve multiplies all values.
+bool is_factor(const Hypothesis& curve) {
+  return largest_of(glm::abs(curve.color(dvec3(0.4)) - 2.0 * curve.color(dvec3(0.2)))) < 1e-6;
+}
+
 // Combines a mistake in drawing with a curve that is fitted to the picture with that mistake.
 std::optional<Tried> with_fitted_curve(Simulation& sim) {
   const std::size_t count = std::min(screen, sim.points.size());
@@ -321,6 +332,9 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
     }
     const Colors colors = clamped(first_of(drawn, count));
     for (const Hypothesis& curve : fitted_curves(points, colors)) {
+      if (changes_strength_of_light(h.cause) && is_factor(curve)) {
+        continue;
+      }
       const Score s = score(points, count, curved(curve, colors));
       order[i].first = std::min(order[i].first, -sim.rated({}, s, sim.base(count)).merit());
     }
@@ -336,11 +350,15 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
     const Colors colors =
         clamped(sim.drawn({i}, sim.points.size(), turn).value_or(sim.clean(turn).drawn));
     for (Hypothesis& curve : fitted_curves(sim.points, colors)) {
+      if (changes_strength_of_light(sim.list[i].cause) && is_factor(curve)) {
+        continue;
+      }
       const auto added = static_cast<std::uint16_t>(sim.list.size());
       sim.list.push_back(std::move(curve));
       const Combination mistakes{i, added};
       const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
-      if (sure(t) && t.broken <= max_broken && each_needed(sim, mistakes)) {
+      if (sure(t) && t.broken <= max_broken && right_within_rounding(sim, mistakes) &&
+          each_needed(sim, mistakes)) {
         return t;
       }
       sim.list.pop_back();

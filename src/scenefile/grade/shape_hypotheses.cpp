@@ -61,6 +61,14 @@ void add_shapes(HypothesisList& list) {
     list.set(Cause::shapes, &ModelMistakes::cap_normals_down, true, "normals of caps are inverted");
     put_shape({{S::cap_normals_up, "normals of all caps point up"}}, Stage::shading);
   }
+  if ((cone || cylinder) && few) {
+    put_shape({{S::wide_caps, "caps are twice as wide as they should be: their radius is 1"}},
+              Stage::hits);
+  }
+  if (cone && few) {
+    put_shape({{S::wide_cone, "cones are twice as wide as they should be: their radius is 1"}},
+              Stage::hits);
+  }
   if (cylinder && few) {
     put_shape({{S::endless_cylinder, "cylinders have no ends: y is not limited"}}, Stage::hits);
   }
@@ -75,8 +83,26 @@ void add_shapes(HypothesisList& list) {
   }
   if (list.shapes.contains(Shape::cube)) {
     put_shape({{S::cube_normals_positive,
-                "normals of cubes point along the positive axes on opposite faces, too"}},
+                "normals of cubes point along the positive axes on opposite faces, too"},
+               {S::cube_normals_like_sphere, "normals of cubes are those of spheres"},
+               {S::cube_normals_inward, "normals of cubes point inward"}},
               Stage::shading);
+  }
+  if (list.shapes.contains(Shape::sphere)) {
+    put_shape({{S::sphere_normals_inward, "normals of spheres point inward"}}, Stage::shading);
+  }
+  if (cylinder) {
+    put_shape({{S::cylinder_normals_inward, "normals of the sides of cylinders point inward"}},
+              Stage::shading);
+  }
+  if (cone) {
+    put_shape({{S::cone_normals_inward, "normals of the sides of cones point inward"}},
+              Stage::shading);
+  }
+  if (cylinder && cone) {
+    put_shape(
+        {{S::side_normals_inward, "normals of the sides of cylinders and cones point inward"}},
+        Stage::shading);
   }
   if (cone) {
     using C = ConeNormalMistake;
@@ -88,7 +114,12 @@ void add_shapes(HypothesisList& list) {
          {C::half_slope, "normals of cones rise too little"},
          {C::double_slope, "normals of cones rise too much"},
          {C::four_slopes, "normals of cones rise far too much"},
-         {C::slope_down, "normals of cones point down"}});
+         {C::slope_down, "normals of cones point down"},
+         {C::constant_y,
+          "normals of cones have the same y everywhere: they are not scaled with "
+          "the distance from the axis"},
+         {C::half_constant_y, "normals of cones have the same y everywhere, and rise too little"},
+         {C::from_apex, "normals of cones are vectors from the apex"}});
   }
   for (const Shape shape : list.shapes) {
     if (list.shapes.size() > 1) {
@@ -105,6 +136,38 @@ void add_shapes(HypothesisList& list) {
                   [shape, factor](RenderGroup& g) {
                     for (RenderPrimitive& p : g.primitives) {
                       p.group_from_object.linear *= p.shape == shape ? factor : 1.0f;
+                    }
+                  });
+    }
+    const bool round = shape == Shape::cylinder || shape == Shape::cone;
+    for (const float factor : {2.0f, 0.5f}) {
+      const char* const by = factor == 2 ? "twice" : "half";
+      const auto stretched = [&](const char* along, const glm::vec3& scale) {
+        edit_shapes(
+            list, fmt::format("{}s are {} as {} as they should be", plural_stem(shape), by, along),
+            [=](RenderGroup& g) {
+              for (RenderPrimitive& p : g.primitives) {
+                for (int axis = 0; axis < 3 && p.shape == shape; ++axis) {
+                  p.group_from_object.linear[axis] *= scale[axis];
+                }
+              }
+            });
+      };
+      if (round) {
+        stretched("wide", {factor, 1, factor});
+        stretched("high", {1, factor, 1});
+      }
+    }
+    if (shape != Shape::mesh && shape != Shape::sphere) {
+      const glm::vec3 by = round ? glm::vec3(0, 0.5f, 0) : glm::vec3(0.5f);
+      edit_shapes(list,
+                  fmt::format("{}s are from {} to 1, not from -0.5 to 0.5", plural_stem(shape),
+                              round ? "y = 0" : "0"),
+                  [=](RenderGroup& g) {
+                    for (RenderPrimitive& p : g.primitives) {
+                      if (p.shape == shape) {
+                        p.group_from_object.offset += p.group_from_object.linear * by;
+                      }
                     }
                   });
     }
@@ -178,6 +241,9 @@ void add_nearest(HypothesisList& list) {
   const auto put = [&](std::initializer_list<Row<N>> rows) {
     list.set_each(Cause::nearest_hit, &ModelMistakes::nearest, rows, Stage::hits);
   };
+  put({{N::first_of_ties,
+        "where surfaces coincide, the first object of the file is shown, not the last"}});
+  list.items.back().mistake = false;
   put({{N::last, "the last object that is hit is shown, not the nearest"},
        {N::first, "the first object that is hit is shown, not the nearest"},
        {N::farthest, "the farthest hit is shown, not the nearest"},

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace scenefile {
 
 void add_textures(HypothesisList& list) {
-  if (!list.ray_mode() || !list.view.options.features.texture ||
-      !list.any_material(
-          [](const RenderMaterial& m) { return m.texture.used() && m.blend != 0; })) {
+  if (!list.textured()) {
     return;
   }
   list.add(Cause::texture, "textures are not drawn",
@@ -30,7 +29,9 @@ void add_textures(HypothesisList& list) {
   using T = TextureMistake;
   uv({{U::flip_v, "textures are upside down"},
       {U::flip_u, "textures are mirrored left to right"},
-      {U::flip_both, "textures are mirrored both ways"}});
+      {U::flip_both, "textures are mirrored both ways"},
+      {U::shift_u, "textures are shifted by half of their width"},
+      {U::shift_v, "textures are shifted by half of their height"}});
   put({{T::swapped_uv, "u and v of textures are swapped"}});
   change("textures are not repeated",
          [](RenderMaterial& m) { m.texture.repeat_u = m.texture.repeat_v = 1; });
@@ -45,10 +46,16 @@ void add_textures(HypothesisList& list) {
         "textures are multiplied by the diffuse color, and the blend is ignored"},
        {T::blend_reversed, "the blend of textures is reversed"},
        {T::added, "textures are added to the diffuse color, not blended with it"},
+       {T::white_rest, "the diffuse color's share of the blend is white"},
        {T::blend_drops_color, "the diffuse color's share of the blend is missing"},
        {T::no_coefficient_on_rest,
         "the diffuse color blended with the texture is missing its coefficient"},
+       {T::averaged, "the texture and the diffuse color are averaged: the blend is ignored"},
        {T::unlit, "textures are drawn without N.L"},
+       {T::times_lighting, "the finished lighting is multiplied by the texture"},
+       {T::times_lighting_too,
+        "the finished lighting, already textured, is multiplied by the texture"},
+       {T::specular_too, "the texture multiplies the specular term as well"},
        {T::over_lighting, "textures are blended with the finished lighting: they are not lit"},
        {T::over_all,
         "textures are blended with the finished lighting and reflections: they are not lit"},
@@ -59,9 +66,12 @@ void add_textures(HypothesisList& list) {
         "reflections"},
        {T::blue_red, "red and blue of textures are swapped"},
        {T::gray, "textures are gray"},
+       {T::mirrored_repeat, "every other copy of the texture is mirrored"},
        {T::lookup_clamped, "textures end at their edges: the lookup does not wrap around"},
        {T::divided_repeat, "u and v are divided by the repeat counts"},
-       {T::decoded, "textures are decoded with gamma 2.2"}});
+       {T::decoded, "textures are decoded with gamma 2.2"},
+       {T::to_nearest, "positions in textures are rounded, not truncated: half a texel off"},
+       {T::size_less_one, "u and v are multiplied by the texture's size less one"}});
   const auto put_sampling = [&](T value, const char* what) {
     list.set(Cause::features, &ModelMistakes::texture, value, what);
     list.items.back().mistake = false;
@@ -81,18 +91,49 @@ void add_textures(HypothesisList& list) {
       {U::quarter, "textures are rotated by a quarter turn around spheres, cylinders and cones"},
       {U::three_quarters,
        "textures are rotated by three quarters of a turn around spheres, cylinders and cones"},
+      {U::round_flip_half,
+       "textures run the wrong way around spheres, cylinders and cones, and are rotated by half a "
+       "turn"},
+      {U::round_flip_quarter,
+       "textures run the wrong way around spheres, cylinders and cones, and are rotated by a "
+       "quarter "
+       "turn"},
+      {U::round_flip_three_quarters,
+       "textures run the wrong way around spheres, cylinders and cones, and are rotated by three "
+       "quarters of a turn"},
       {U::sphere_linear_v, "v of spheres grows with the height, not with the angle"},
+      {U::sphere_planar, "u and v of spheres are x and y, not angles"},
       {U::sphere_flip_v, "textures are upside down on spheres"},
+      {U::cube_front, "u and v of cubes are x and y on all faces"},
       {U::cube_same_faces, "opposite faces of cubes have the same u and v"},
       {U::flat_flip_u, "textures are mirrored on flat faces"},
       {U::flat_flip_v, "textures are upside down on flat faces"},
+      {U::cube_ends_flip_v, "textures are upside down on the top and bottom of cubes"},
       {U::caps_flip_v, "textures are upside down on caps"},
       {U::caps_as_side, "caps are textured like the side"},
+      {U::caps_polar, "u of caps is the angle around the axis"},
       {U::sphere_missing, "spheres have no texture"},
       {U::cube_missing, "cubes have no texture"},
       {U::cylinder_missing, "cylinders have no texture"},
       {U::cone_missing, "cones have no texture"},
       {U::caps_missing, "caps have no texture"}});
+  std::set<std::uint32_t> files;
+  for (const RenderMaterial& m : list.scene.materials) {
+    if (m.texture.used()) {
+      files.insert(m.texture.file);
+    }
+  }
+  if (files.size() > 1) {
+    for (const auto& [file, which] :
+         {std::pair(*files.begin(), "first"), std::pair(*files.rbegin(), "last")}) {
+      list.add(Cause::texture, fmt::format("all objects have the {} texture", which),
+               [file = file](Trial& t) {
+                 for (RenderMaterial& m : t.scene.materials) {
+                   m.texture.file = m.texture.used() ? file : m.texture.file;
+                 }
+               });
+    }
+  }
   if (list.any_material([](const RenderMaterial& m) {
         return m.texture.repeat_u != m.texture.repeat_v || m.texture.repeat_u != 1;
       })) {
@@ -131,6 +172,8 @@ void add_mirrors(HypothesisList& list) {
         "reflections are mixed with the lighting as a product, by the reflective color alone"},
        {M::averaged, "reflections and lighting are averaged, not added"},
        {M::replaces, "reflections replace the lighting"},
+       {M::maximum, "the larger of lighting and reflection is used, not their sum"},
+       {M::screened, "reflections are screened with the lighting, not added"},
        {M::not_chained,
         "weights are not multiplied along the path: nothing after the first mirror is weighted"},
        {M::last_weight_only,
@@ -144,6 +187,7 @@ void add_mirrors(HypothesisList& list) {
        {M::wrong_sign, "reflected rays have the wrong sign: d + 2 (d.n) n"},
        {M::not_doubled, "reflected rays lack a factor of 2: d - (d.n) n"},
        {M::along_normal, "reflected rays follow the normal"},
+       {M::from_eye, "reflected rays start at the eye, not at the surface"},
        {M::straight, "reflected rays continue straight ahead"},
        {M::no_shadows, "reflections show no shadows"},
        {M::no_ambient, "reflections are missing the ambient term"},
@@ -155,6 +199,10 @@ void add_mirrors(HypothesisList& list) {
        {M::times_diffuse, "reflections are multiplied by the diffuse color"},
        {M::white_background, "reflected rays that hit nothing are white"},
        {M::clamped_never, "reflected colors are not clamped to 1 before they are added"}});
+  for (const double bias : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0}) {
+    list.set(Cause::reflection, &ModelMistakes::mirror_bias, bias,
+             fmt::format("reflected rays start too far from the surface (about {} units)", bias));
+  }
 }
 
 void add_glass(HypothesisList& list) {
@@ -174,6 +222,9 @@ void add_glass(HypothesisList& list) {
        {G::eta_inverted_all_black,
         "the ratio of the indices of refraction is inverted, and total reflection is black"},
        {G::straight, "rays go straight through transparent objects: they are not bent"},
+       {G::straight_shaded,
+        "rays go straight through transparent objects, and the inner walls are lit, too"},
+       {G::wrong_sign, "the refracted direction has a wrong sign"},
        {G::one_side, "rays are bent on the way in, not on the way out"},
        {G::entering_always, "the ratio of the indices is the same on the way in and out"},
        {G::shaded_inside, "the inner walls of transparent objects are lit and weighted again"},
@@ -184,11 +235,14 @@ void add_glass(HypothesisList& list) {
        {G::mirrored, "transparent objects reflect: the wrong direction is used"},
        {G::times_diffuse, "refraction is multiplied by the diffuse color"},
        {G::no_local, "transparent objects are not lit"},
+       {G::replaces_all, "what is seen through transparent objects replaces their lighting"},
        {G::ior_one_and_half, "the index of refraction is always 1.5"},
+       {G::ior_of_water, "the index of refraction is always 1.33"},
        {G::half, "refraction is halved"}});
   for (const auto& [value, by] : {std::pair(G::blended, "coefficient and color"),
                                   std::pair(G::blended_by_color, "the transparent color"),
-                                  std::pair(G::blended_plain, "the coefficient")}) {
+                                  std::pair(G::blended_plain, "the coefficient, without color"),
+                                  std::pair(G::blended_all, "the coefficient")}) {
     for (const bool over_mirror : {false, true}) {
       if (!over_mirror || list.mirrors()) {
         list.add(Cause::refraction,

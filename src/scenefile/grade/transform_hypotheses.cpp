@@ -3,6 +3,8 @@
 #include "scenefile/grade/node_matrices.h"
 #include "scenefile/scene/prepare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,6 +32,14 @@ bool place_all(Scene& scene, const MatrixMistakes& mistakes) {
         if (!node.primitives.empty()) {
           // Only the upper three rows of the inverse transform rays to object space.
           glm::dmat4 to_world = mistakes.transposed ? glm::transpose(matrix) : matrix;
+          if (mistakes.untranslated) {
+            to_world[3] = glm::dvec4(0, 0, 0, 1);
+          } else if (mistakes.inverse_by_transpose) {
+            const glm::dmat3 turned = glm::transpose(glm::dmat3(matrix));
+            glm::dmat4 to_object(turned);
+            to_object[3] = glm::dvec4(-(turned * glm::dvec3(matrix[3])), 1);
+            to_world = glm::inverse(to_object);
+          }
           if (!mistakes.inverted) {
             glm::dmat4 to_object = glm::inverse(to_world);
             for (int column = 0; column < 4; ++column) {
@@ -158,15 +168,53 @@ void add_transforms(HypothesisList& list) {
                [&](Transform& t) { return turned(t, float(180 / pi)); });
   rewrite_each(list, "angles of rotations are converted to radians twice",
                [&](Transform& t) { return turned(t, float(pi / 180)); });
+  rewrite_each(list, "angles of rotations are halved",
+               [&](Transform& t) { return turned(t, 0.5f); });
+  rewrite_each(list, "angles of rotations are doubled", [&](Transform& t) { return turned(t, 2); });
+  for (const auto& [axis, name] :
+       {std::pair(glm::vec3(1, 0, 0), "x"), std::pair(glm::vec3(0, 1, 0), "y"),
+        std::pair(glm::vec3(0, 0, 1), "z")}) {
+    rewrite_each(list, fmt::format("all rotations are about the {} axis", name).c_str(),
+                 [axis = axis](Transform& t) {
+                   Rotate* const rotate = std::get_if<Rotate>(&t.map);
+                   const bool any = rotate != nullptr && rotate->axis != axis;
+                   if (any) {
+                     rotate->axis = axis;
+                   }
+                   return any;
+                 });
+  }
   rewrite_each(list, "rotations are ignored", drop<Rotate>);
   rewrite_each(list, "scalings are ignored", drop<Scale>);
   rewrite_each(list, "translations are ignored", drop<Translate>);
-  rewrite_each(list, "translations go the wrong way", [&](Transform& t) {
-    Translate* const move = std::get_if<Translate>(&t.map);
-    if (move != nullptr) {
-      move->by = -move->by;
+  for (const auto& [factor, what] : {std::pair(-1.0f, "translations go the wrong way"),
+                                     std::pair(2.0f, "translations are applied twice"),
+                                     std::pair(0.5f, "translations are halved")}) {
+    rewrite_each(list, what, [factor = factor](Transform& t) {
+      Translate* const move = std::get_if<Translate>(&t.map);
+      if (move != nullptr) {
+        move->by *= factor;
+      }
+      return move != nullptr;
+    });
+  }
+  const auto scaled = [](Transform& t, glm::vec3 (*change)(const glm::vec3&)) {
+    Scale* const scale = std::get_if<Scale>(&t.map);
+    const glm::vec3 before = scale != nullptr ? scale->by : glm::vec3(1);
+    const glm::vec3 after = change(before);
+    if (scale != nullptr) {
+      scale->by = after;
     }
-    return move != nullptr;
+    return before != after;
+  };
+  rewrite_each(list, "scalings are divided by, not multiplied by", [&](Transform& t) {
+    return scaled(
+        t, [](const glm::vec3& s) { return s.x != 0 && s.y != 0 && s.z != 0 ? 1.0f / s : s; });
+  });
+  rewrite_each(list, "scalings are applied twice",
+               [&](Transform& t) { return scaled(t, [](const glm::vec3& s) { return s * s; }); });
+  rewrite_each(list, "scalings use x for all three axes", [&](Transform& t) {
+    return scaled(t, [](const glm::vec3& s) { return glm::vec3(s.x); });
   });
   rewrite_each(list, "matrices are ignored", drop<Matrix>);
   rewrite_each(list, "the axes of rotations are not normalized", [&](Transform& t) {
@@ -233,6 +281,17 @@ void add_transforms(HypothesisList& list) {
   place_each(list, "matrices of the file are transposed", {.written_transposed = true});
   place_each(list, "rays are transformed by the object-to-world matrix, not by its inverse",
              {.inverted = true});
+  place_each(list, "the inverse of matrices is computed as the transpose",
+             {.inverse_by_transpose = true});
+  place_each(list, "the origins of rays are transformed like directions (w = 0)",
+             {.untranslated = true});
+  static constexpr double max_unbounded = 1000;  // shapes that are met without bounding boxes
+  if (count_virtual_primitives(list.scene) <= max_unbounded) {
+    list.add(
+        Cause::transforms,
+        "the directions of rays are translated into object space, like points (w = 1)",
+        [](Trial& t) { t.mistakes.directions_translated = true; }, Stage::hits);
+  }
   place_each(list, "lights are not moved by the transforms of their blocks", {.lights_stay = true});
   rewrite(list, "the last transform of each block is missing", [](Scene& scene) {
     bool any = false;

@@ -170,8 +170,17 @@ std::string missing_lines(const Undrawn& u, bool rows) {
       covered += differing;
     }
   }
+  // The other lines must show what the reference shows: a picture may be dark for another reason.
+  std::size_t shown = 0;
+  for (int i = 0; i < lines; ++i) {
+    for (int k = 0; k < length && !missing[static_cast<std::size_t>(i)]; ++k) {
+      shown += (rows ? u.shown(k, i) : u.shown(i, k)) ? 1 : 0;
+    }
+  }
   if (gaps.empty() ||
-      static_cast<double>(covered) < nearly_all_pixels * static_cast<double>(u.count)) {
+      static_cast<double>(covered) < nearly_all_pixels * static_cast<double>(u.count) ||
+      static_cast<double>(u.count - covered) >
+          (1 - nearly_all_pixels) * static_cast<double>(shown)) {
     return {};
   }
   std::size_t cuts = 0;
@@ -277,6 +286,16 @@ std::string missing_grid(const Undrawn& u) {
   }
 }
 
+std::size_t other_pixels(const Texture& picture, const Bytes& color) {
+  std::size_t others = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      others += largest_step(bytes_at(picture, x, y), color) > 2 ? 1 : 0;
+    }
+  }
+  return others;
+}
+
 // The test has a single color, such as black, and the reference does not.
 std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture& test) {
   const std::optional<glm::ivec3> only = only_color(test);
@@ -293,27 +312,29 @@ std::optional<Claim> claim_of_one_color(const Texture& reference, const Texture&
   if (static_cast<double>(shown) < 0.005 * test.width * test.height) {
     return std::nullopt;
   }
+  const std::size_t others = other_pixels(test, color);
+  if (shown < 20 * others) {
+    return std::nullopt;
+  }
   const bool black = std::max({only->x, only->y, only->z}) <= 2;
-  return Claim{
-      Cause::black,
-      black ? "the picture is black"
-            : fmt::format("the whole picture shows one color, {} {} {}", only->x, only->y, only->z),
-      black ? "all pixels are black, but the reference shows something"
-            : "all pixels are equal, and those of the reference are not",
-      1};
+  const std::string but = others == 0 ? "" : fmt::format(" but for {} pixels", others);
+  return Claim{Cause::black,
+               black ? "the picture is black" + but
+                     : fmt::format("the whole picture{} shows one color, {} {} {}", but, only->x,
+                                   only->y, only->z),
+               black
+                   ? fmt::format("all pixels{} are black, but the reference shows something", but)
+                   : fmt::format("all pixels{} are equal, and those of the reference are not", but),
+               1};
 }
 
 }  // namespace
 
 std::optional<glm::ivec3> only_color(const Texture& picture) {
   const Bytes only = bytes_at(picture, picture.width / 2, picture.height / 2);
-  std::size_t same = 0;
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      same += largest_step(bytes_at(picture, x, y), only) <= 2 ? 1 : 0;
-    }
-  }
-  return static_cast<double>(same) < 0.9995 * picture.width * picture.height
+  constexpr double max_others = 0.002;
+  return static_cast<double>(other_pixels(picture, only)) >
+                 max_others * picture.width * picture.height
              ? std::nullopt
              : std::optional(glm::ivec3(only[0], only[1], only[2]));
 }

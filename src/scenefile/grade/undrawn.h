@@ -12,7 +12,7 @@
 
 namespace scenefile {
 
-/// The color of a picture whose pixels all have the same; nullopt if they do not.
+/// The color that all pixels of a picture have, but for very few; nullopt if there is none.
 std::optional<glm::ivec3> only_color(const Texture& picture);
 
 /// A claim that the whole test picture has one color, or about the part of it that is not drawn.

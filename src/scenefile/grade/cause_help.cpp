@@ -188,8 +188,8 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The fragment shader of the second pass: the size of the kernel, its divisor, the distance of "
      "samples, and the order of rows and columns."},
     {Cause::viewport, "Viewport and frame",
-     "The scene is smaller, larger, stretched or shifted, or only a quarter of it is shown; its "
-     "content is right.",
+     "The scene is smaller, larger, stretched or shifted, only a quarter of it is shown, or its "
+     "pixels are in another order: transposed, turned or skewed. Its content is right.",
      "What is drawn must fill the picture, one pixel for one. In Realtime, the viewport must be as "
      "large as the framebuffer; its references were drawn in a window of 1092 x 818 pixels, which "
      "determines their aspect ratio, so other windows give other pictures.",

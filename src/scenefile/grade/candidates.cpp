@@ -45,6 +45,9 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   fewer.erase(fewer.begin() + std::ptrdiff_t(member));
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(mistakes, count), sim.predicted(fewer, count));
+  if (e.gained_all < double(few_pixels)) {
+    return false;
+  }
   const double differs = sim.weight_that_differs(count);
   const auto reproduces = [&](double share) {
     return e.differing_right >= share * differs && !any_fitted(sim, mistakes) &&

@@ -364,8 +364,10 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
   s.position = hit.stretch == 1 ? met : ray.origin + hit.stretch * hit.t * ray.direction;
   s.direction = ray.direction;
   s.eye = scene_.camera.position;
-  const ModelRay in_object = object_ray(part, ray);
-  s.object_point = in_object.origin + hit.t * in_object.direction;
+  s.object_point = part.object_from_world.point(met);
+  if (m_.directions_translated) {
+    s.object_point += hit.t * part.object_from_world.offset;
+  }
   if (part.shape == Shape::mesh) {
     const bool smooth = options_.profile != Profile::course;
     const auto at = surface_at(assets_.meshes[part.mesh], hit.triangle, hit.b1, hit.b2, smooth);

@@ -118,8 +118,6 @@ class Model {
   struct Surface;
   struct Arrival;
   struct TextureUse;
-  /// The ray in object space; its direction is not normalized.
-  ModelRay object_ray(const ModelPart& part, const ModelRay& ray) const;
   bool meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max, bool shadow,
             ModelHit& hit) const;
   bool search(const ModelRay& ray, double t_min, double t_max, bool shadow,

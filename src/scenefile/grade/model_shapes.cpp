@@ -358,17 +358,12 @@ bool triangle(const Mesh& mesh, std::uint32_t index, const dvec3& o, const dvec3
 
 }  // namespace
 
-ModelRay Model::object_ray(const ModelPart& part, const ModelRay& ray) const {
-  const DAffine& to_object = part.object_from_world;
-  return {to_object.point(ray.origin), m_.directions_translated ? to_object.point(ray.direction)
-                                                                : to_object.vector(ray.direction)};
-}
-
 bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, double t_max,
                  bool shadow, ModelHit& hit) const {
-  const ModelRay in_object = object_ray(part, ray);
-  const dvec3& o = in_object.origin;
-  const dvec3& d = in_object.direction;
+  const DAffine& to_object = part.object_from_world;
+  const dvec3 o = to_object.point(ray.origin);
+  const dvec3 d =
+      m_.directions_translated ? to_object.point(ray.direction) : to_object.vector(ray.direction);
   bool found = false;
   const bool far = m_.nearest == NearestMistake::farthest || m_.nearest == NearestMistake::far_root;
   const auto offer = [&](double t, int face, std::uint32_t index, double b1, double b2) {

@@ -198,8 +198,16 @@ std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {
       shifts.push_back({i});
     }
   }
-  std::vector<Tried> tried = sim.try_all(shifts, sim.points.size(), 0.95, 1);
-  sort_by(tried, [](const Tried& t) { return t.score.raw; });
+  constexpr std::size_t max_tried = 12;  // at all points
+  const auto by_rest = [](const Tried& t) { return t.score.raw; };
+  std::vector<Tried> tried = sim.try_all(shifts, 2 * screen, 0.95, 0.98);
+  sort_by(tried, by_rest);
+  shifts.clear();
+  for (std::size_t i = 0; i < std::min(max_tried, tried.size()); ++i) {
+    shifts.push_back(tried[i].mistakes);
+  }
+  tried = sim.try_all(shifts, sim.points.size(), 0.98, 1);
+  sort_by(tried, by_rest);
   if (tried.empty()) {
     return std::nullopt;
   }

@@ -229,7 +229,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
     const DrawnWay* other_way = way;
     CauseReport causes = causes_of(without_noise(as_it_is), *scene, ways, go_on,
                                    LookFor::single_mistakes, other_way);
-    if (!explains_nothing(causes)) {
+    if (explained_by_one(causes)) {
       causes.share_scene_unlike = found.causes.share_scene_unlike;
       found.causes = std::move(causes);
       way = other_way;

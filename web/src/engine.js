@@ -148,13 +148,16 @@ export class Engine {
 
   async call(call, args = {}, { timeout = 9_000, transfer = [] } = {}) {
     this.#ready ??= this.#start();
+    const ready = this.#ready;
     try {
-      await this.#ready;
+      await ready;
     } catch (error) {
-      this.stop(error);
+      if (ready === this.#ready) {
+        this.stop(error);
+      }
       throw error;
     }
-    if (this.#worker === null) {
+    if (ready !== this.#ready) {
       throw new Stopped('it was stopped', 'replaced');
     }
     return this.#post(call, args, transfer, timeout);

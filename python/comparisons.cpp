@@ -247,6 +247,16 @@ void bind_comparisons(py::module_& m) {
                              [](const Comparison& c) { return tuple_of(c.found.causes.rivals); })
       .def_property_readonly("partial",
                              [](const Comparison& c) { return tuple_of(c.found.causes.partial); })
+      .def_property_readonly("notes",
+                             [](const Comparison& c) { return tuple_of(c.found.causes.notes); })
+      .def_property_readonly("place",
+                             [](const Comparison& c) -> py::object {
+                               if (!c.found.place) {
+                                 return py::none();
+                               }
+                               const auto& [corner, size] = *c.found.place;
+                               return py::make_tuple(corner.x, corner.y, size.x, size.y);
+                             })
       .def_property_readonly("drawn_with", [](const Comparison& c) { return c.found.drawn_with; })
       .def_property_readonly(
           "heat_map",

@@ -179,6 +179,16 @@ def test_compare_names_the_mistake(ball):
     assert scenefile.compare(reference, upside_down, min_psnr=1).same
 
 
+def test_compare_finds_the_scene_in_a_screenshot(scenes):
+    reference = scenefile.read(scenes / "hello.xml").render(size=(320, 240), profile="course")
+    screenshot = np.full((300, 360, 3), 200, np.uint8)
+    screenshot[40:280, 20:340] = reference.quantized
+    comparison = scenefile.compare(reference, screenshot, scenes / "hello.xml")
+    assert comparison.place == (20, 40, 320, 240)
+    assert comparison.notes == comparison.causes == ()
+    assert scenefile.compare(reference, reference).place is None
+
+
 def test_compare_refuses_what_is_no_picture(ball):
     with pytest.raises(TypeError):
         scenefile.compare(3, ball)

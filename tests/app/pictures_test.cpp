@@ -4,8 +4,8 @@
 #include "scenefile/asset/image_file.h"
 
 #include <fmt/format.h>
-#include <gmock/gmock.h>
 #include <glm/glm.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
@@ -51,6 +51,12 @@ struct Pictures : ::testing::Test {
     const ProgramRun run =
         in_folder({"render", from, "-o", to, "--size", size, "--profile", "course", "--quiet"});
     EXPECT_EQ(run.status, 0) << run.err;
+  }
+
+  void make_folders(const std::vector<std::string>& names) const {
+    for (const std::string& name : names) {
+      std::filesystem::create_directories(folder.path(name));
+    }
   }
 
   ProgramRun in_folder(const std::vector<std::string>& words) const {
@@ -364,10 +370,8 @@ TEST_F(Grade, OneStudentWhoPasses) {
 }
 
 TEST_F(Grade, CommonFoldersAndNames) {
-  for (const char* name : {"right/LIGHT", "right/INTERSECT", "mine/illuminate/required",
-                           "mine/intersect/required", "mine/__MACOSX/illuminate"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right/LIGHT", "right/INTERSECT", "mine/illuminate/required",
+                "mine/intersect/required", "mine/__MACOSX/illuminate"});
   folder.write("right/LIGHT/ball.png", folder.read("right.png"));
   folder.write("right/INTERSECT/ball.png", folder.read("wrong.png"));
   folder.write("mine/illuminate/required/ball_gen.png", folder.read("right.png"));
@@ -379,9 +383,7 @@ TEST_F(Grade, CommonFoldersAndNames) {
 }
 
 TEST_F(Grade, MapsAndAllReports) {
-  for (const char* name : {"right", "mine/results"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine/results"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/results/my picture.png", folder.read("right.png"));
   folder.write("names.csv", "# handed in, reference\n\nresults/my picture.png, ball\n");
@@ -407,9 +409,7 @@ TEST_F(Grade, MapsAndAllReports) {
 }
 
 TEST_F(Grade, NamesInMapsMayContainCommas) {
-  for (const char* name : {"right", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/one, \"2\".png", folder.read("right.png"));
   for (const char* line : {"\"one, \"\"2\"\".png\", ball", "one, \"2\".png\tball"}) {
@@ -475,9 +475,7 @@ TEST_F(Grade, NothingRemainsIfAFileCannotBeWritten) {
 }
 
 TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
-  for (const char* name : {"right", "mine/old"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine/old"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/ball.png", folder.read("right.png"));
   folder.write("mine/old/notes.png", folder.read("wrong.png"));
@@ -486,9 +484,7 @@ TEST_F(Grade, PicturesNextToFoldersAreOfOneStudent) {
 }
 
 TEST_F(Grade, TexturesOfScenesAreNotReferences) {
-  for (const char* name : {"right/textures", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right/textures", "mine"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("right/ball.xml", folder.read("ball.xml"));
   folder.write("right/textures/wood.png", folder.read("wrong.png"));
@@ -498,9 +494,7 @@ TEST_F(Grade, TexturesOfScenesAreNotReferences) {
 }
 
 TEST_F(Grade, GradescopeIsForOneStudent) {
-  for (const char* name : {"right", "class/anna", "class/ben"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "class/anna", "class/ben"});
   for (const char* name : {"right", "class/anna", "class/ben"}) {
     folder.write(std::string(name) + "/ball.png", folder.read("right.png"));
   }
@@ -511,9 +505,7 @@ TEST_F(Grade, GradescopeIsForOneStudent) {
 }
 
 TEST_F(Grade, AnotherSizeIsScaledAndReported) {
-  for (const char* name : {"right", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("mine/ball.png", folder.read("small.png"));
   const ProgramRun run = in_folder({"grade", "mine", "--references", "right"});
@@ -522,9 +514,7 @@ TEST_F(Grade, AnotherSizeIsScaledAndReported) {
 }
 
 TEST_F(Grade, PicturesThatMatchNothingAreListed) {
-  for (const char* name : {"right", "mine/results"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine/results"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("right/cube.png", folder.read("wrong.png"));
   folder.write("mine/ball (1).png", folder.read("right.png"));
@@ -545,9 +535,7 @@ TEST_F(Grade, PicturesThatMatchNothingAreListed) {
 }
 
 TEST_F(Grade, AJpegIsReported) {
-  for (const char* name : {"right", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine"});
   folder.write("right/ball.png", folder.read("right.png"));
   std::filesystem::copy_file(std::filesystem::path(SCENEFILE_FIXTURES) / "asset/rgb.jpg",
                              folder.path("mine/ball.png"));
@@ -560,9 +548,7 @@ TEST_F(Grade, AJpegIsReported) {
 }
 
 TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
-  for (const char* name : {"right", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine"});
   std::string box = ball("0.2");
   box.replace(box.find("\"sphere\""), 8, "\"cube\"");
   folder.write("box.xml", box);
@@ -579,9 +565,7 @@ TEST_F(Grade, ThePictureOfAnotherReferenceIsReported) {
 
 // A black picture is close to a dark reference, but not the picture of it.
 TEST_F(Grade, ABlackPictureIsNotThatOfADarkReference) {
-  for (const char* name : {"right", "mine"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "mine"});
   const auto gray = [](const char* value) {
     return scene_with(
         fmt::format(R"(<ambient r="{0}" g="{0}" b="{0}"/> <diffuse r="0" g="0" b="0"/>)", value));
@@ -597,9 +581,7 @@ TEST_F(Grade, ABlackPictureIsNotThatOfADarkReference) {
 }
 
 TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
-  for (const char* name : {"right", "class/anna"}) {
-    std::filesystem::create_directories(folder.path(name));
-  }
+  make_folders({"right", "class/anna"});
   folder.write("right/ball.png", folder.read("right.png"));
   folder.write("class/anna/cube.png", folder.read("right.png"));
   const ProgramRun run = in_folder({"grade", "class", "--references", "right"});

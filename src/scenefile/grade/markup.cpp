@@ -2,15 +2,14 @@
 
 #include "scenefile/base/text.h"
 
-#include <algorithm>
-
 namespace scenefile {
 
 std::string markup(std::string_view text) {
   std::string result;
-  while (!text.empty()) {
-    const auto [value, bytes] = first_code_point(text);
-    const char c = text.front();
+  const std::string valid = valid_utf8(text);
+  for (std::string_view rest = valid; !rest.empty();) {
+    const auto [value, bytes] = first_code_point(rest);
+    const char c = rest.front();
     switch (c) {
       case '&':
         result += "&amp;";
@@ -29,10 +28,10 @@ std::string markup(std::string_view text) {
             value == 0xFFFF) {
           result += '?';
         } else {
-          result += bytes == 0 ? std::string_view("\xEF\xBF\xBD") : text.substr(0, bytes);
+          result += rest.substr(0, bytes);
         }
     }
-    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+    rest.remove_prefix(bytes);
   }
   return result;
 }

@@ -49,15 +49,9 @@ std::optional<std::uint16_t> shift_at_edges(Simulation& sim, const Combination& 
   sim.prepare_clean();
   const std::size_t count = sim.points.size();
   const Colors before = sim.predicted(mistakes, count);
-  std::vector<std::uint16_t> shifts;
-  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    if (sim.list[i].cause == Cause::half_pixel_shift) {
-      shifts.push_back(i);
-    }
-  }
   std::optional<std::uint16_t> best;
   double most = 0.5;
-  for (const std::uint16_t i : shifts) {
+  for (const std::uint16_t i : subpixel_shifts(sim)) {
     const Colors after = sim.predicted(joined(mistakes, {i}), count);
     double changed = 0;
     double gained = 0;
@@ -160,6 +154,16 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels) {
     }
   }
   return std::nullopt;
+}
+
+std::vector<std::uint16_t> subpixel_shifts(const Simulation& sim) {
+  std::vector<std::uint16_t> shifts;
+  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+    if (sim.list[i].cause == Cause::half_pixel_shift) {
+      shifts.push_back(i);
+    }
+  }
+  return shifts;
 }
 
 Tried with_shift(Simulation& sim, const Tried& found) {

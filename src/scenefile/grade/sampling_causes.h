@@ -11,6 +11,8 @@ namespace scenefile {
 std::optional<Claim> claim_of_missed_samples(Simulation& sim);
 /// Each pixel is a mean of several of the reference.
 std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels);
+/// The subpixel shifts among the mistakes to try.
+std::vector<std::uint16_t> subpixel_shifts(const Simulation& sim);
 /// Adds a claim of a subpixel shift if the edges of the picture show one.
 Tried with_shift(Simulation& sim, const Tried& found);
 /// Subpixel shifts are only visible at edges.

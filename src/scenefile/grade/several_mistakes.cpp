@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/acne.h"
 #include "scenefile/grade/fitted_mistakes.h"
+#include "scenefile/grade/sampling_causes.h"
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>
@@ -377,10 +378,8 @@ std::vector<Tried> with_subpixel_shifts(Simulation& sim, const std::vector<Tried
     if (t.merit() < 0.3 || sim.list[t.mistakes.front()].cause == Cause::half_pixel_shift) {
       continue;
     }
-    for (std::uint16_t i = 0; i < sim.first_fitted; ++i) {
-      if (sim.list[i].cause == Cause::half_pixel_shift) {
-        sets.push_back(joined(t.mistakes, {i}));
-      }
+    for (const std::uint16_t shift : subpixel_shifts(sim)) {
+      sets.push_back(joined(t.mistakes, {shift}));
     }
   }
   return sim.try_all(sets, few_points, 0.45, 0.45);

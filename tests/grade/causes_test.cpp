@@ -451,6 +451,27 @@ TEST(Causes, FormsOfTheSameMistakes) {
   EXPECT_GE(10 * named, 9 * visible) << others;
 }
 
+// Known mistakes come near to these, but leave more than rounding.
+TEST(Causes, FunctionsOnNoList) {
+  std::string others;
+  for (const std::uint32_t seed : {1u, 4u}) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const Texture reference = reference_of(scene, false);
+    for (const auto& [mistake, cause] : {std::pair("attenuation-root", Cause::attenuation),
+                                         std::pair("attenuation-exponential", Cause::attenuation),
+                                         std::pair("attenuation-late", Cause::attenuation),
+                                         std::pair("spot-cosine-cubed", Cause::spot_falloff)}) {
+      const CauseReport report = find_causes(reference, scene.drawn_by_student({mistake}), &view);
+      if (report.share_different > 0.01 &&
+          !(report.claims.size() == 1 && report.claims.front().cause == cause)) {
+        others += mistake + (" " + std::to_string(seed)) + ": " + said(report) + "\n";
+      }
+    }
+  }
+  EXPECT_EQ(others, "");
+}
+
 TEST(Causes, Shadows) {
   expect_named(Cause::shadows, {"shadow-none"});
 }

@@ -246,6 +246,12 @@ constexpr KnownMistake table[] = {
     {"habit-bias-along-normal", "habits", ""},
     {"habit-coarse-distances", "habits", ""},
     {"habit-clamped-lights", "habits", ""},
+    // Forms of functions that are on no list.
+    {"attenuation-root", "attenuation", "attenuation"},
+    {"attenuation-exponential", "attenuation", "attenuation"},
+    {"attenuation-late", "attenuation", "attenuation"},
+    {"specular-root-of-exponent", "specular", "specular"},
+    {"spot-cosine-cubed", "spots", "spot-falloff"},
     // Mistakes of no known family: no mistake may be named.
     {"strange-fog", "strange", ""},
     {"strange-vignette", "strange", ""},
@@ -936,6 +942,9 @@ class Tracer {
       outer = inner;
     }
     const float angle = std::acos(std::min(std::max(glm::dot(-to_light, axis), -1.0f), 1.0f));
+    if (has("spot-cosine-cubed")) {
+      return std::pow(std::max(std::cos(angle), 0.0f), 3.0f);
+    }
     if (angle <= inner) {
       return 1;
     }
@@ -1018,6 +1027,15 @@ class Tracer {
         }
         if (has("attenuation-no-linear")) {
           strength = std::min(1.0f, 1 / (a.x + a.z * distance * distance));
+        }
+        if (has("attenuation-root")) {
+          strength = 1 / std::sqrt(distance);
+        }
+        if (has("attenuation-exponential")) {
+          strength = std::exp(-0.2f * distance);
+        }
+        if (has("attenuation-late")) {
+          strength = std::min(1.0f, 3 / (1 + distance));
         }
         if (light.type == LightType::spot) {
           strength *= spot(light, axis, to_light);
@@ -1109,7 +1127,9 @@ class Tracer {
         shine = std::abs(shine);
       }
       vec3 highlight(0);
-      const float exponent = has("specular-half-exponent") ? m.shininess / 2 : m.shininess;
+      const float exponent = has("specular-half-exponent")      ? m.shininess / 2
+                             : has("specular-root-of-exponent") ? std::sqrt(m.shininess) + 2
+                                                                : m.shininess;
       const bool any_sign = has("specular-negative-power") && exponent == std::floor(exponent);
       if ((shine > 0 || any_sign) && m.shininess > 0) {
         highlight =

@@ -3,6 +3,7 @@
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>
+#include <map>
 
 namespace scenefile {
 
@@ -11,9 +12,22 @@ namespace {
 using glm::dvec3;
 
 constexpr double necessary = 0.01;         // share of the difference that each of several changes
+constexpr double rounding = 1.1;           // of two pictures, by truncating one or both
 constexpr double nearly_as_exact = 0.004;  // share of the differing pixels
 constexpr double complete = 0.97;          // share of the differing pixels that are right
 constexpr std::size_t max_shapes_to_edit = 2000;  // with more: no combinations of shape changes
+
+struct Share {
+  std::size_t part = 0;
+  std::size_t all = 0;
+  void add(bool is_part) {
+    part += is_part ? 1 : 0;
+    ++all;
+  }
+  double value() const {
+    return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 1;
+  }
+};
 
 // Whether the mistake has a number that was estimated from the pictures.
 bool is_fitted(const Simulation& sim, std::size_t mistake) {
@@ -35,7 +49,7 @@ bool good_enough(const Simulation& sim, const Tried& t) {
   return good(t) &&
          (sure(t) ||
           (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
-         right_within_rounding(sim, t.mistakes);
+         leaves_only_rounding(sim, t.mistakes);
 }
 
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
@@ -131,24 +145,68 @@ bool good(const Tried& t) {
   return t.explained >= enough && t.exact >= enough_exact && t.broken <= max_broken;
 }
 
-bool right_within_rounding(const Simulation& sim, const Combination& mistakes) {
-  constexpr double rounding = 1.6;
-  constexpr double min_share = 0.6;
-  constexpr double small = 16;  // mean difference
-  const Colors colors = sim.predicted(mistakes, sim.points.size());
-  double right = 0;
-  double exactly = 0;
-  double difference = 0;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
+  constexpr double min_share = 0.8;
+  constexpr double min_share_of_group = 0.5;  // of an object, or of what one of several changes
+  constexpr double min_share_at_edges = 0.6;
+  constexpr double small = 16;  // difference
+  constexpr std::size_t enough_of_group = 2 * few_pixels;
+  const std::size_t count = sim.points.size();
+  const Colors with = sim.predicted(mistakes, count);
+  const Colors& clean = sim.usable ? sim.clean({}).drawn : sim.clean({}).reference;
+  std::vector<Colors> without_one;
+  for (std::size_t k = 0; mistakes.size() > 1 && k < mistakes.size(); ++k) {
+    Combination fewer = mistakes;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(k));
+    without_one.push_back(sim.predicted(fewer, count));
+  }
+  const auto changes = [](const dvec3& a, const dvec3& b) {
+    return largest_of(glm::abs(a - glm::clamp(b, dvec3(0), dvec3(255)))) > 2 * tolerance;
+  };
+  Share changed;
+  Share unchanged;
+  Share at_edges;  // of the points that differ a little and are right
+  std::map<std::uint32_t, Share> of_object;
+  std::vector<Share> of_member(without_one.size());
+  for (std::size_t i = 0; i < count; ++i) {
     const Point& p = sim.points[i];
-    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    if (p.differs && largest_of(outside(c, p.low, p.high)) <= exact_within - tolerance) {
-      right += p.weight;
-      exactly += largest_of(glm::abs(c - p.test)) <= rounding ? p.weight : 0;
-      difference += p.weight * largest_of(glm::abs(sim.clean({}).reference[i] - p.test));
+    const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
+    const bool exactly = largest_of(glm::abs(c - p.test)) <= rounding;
+    if (p.differs && largest_of(glm::abs(clean[i] - p.test)) < small &&
+        largest_of(outside(c, p.low, p.high)) <= exact_within - tolerance) {
+      at_edges.add(exactly);
+    }
+    // At edges, the neighbors' colors count as equal.
+    if (largest_of(p.high - p.low) > 2 * tolerance) {
+      continue;
+    }
+    for (std::size_t k = 0; k < without_one.size(); ++k) {
+      if (changes(c, without_one[k][i])) {
+        of_member[k].add(exactly);
+      }
+    }
+    if (p.differs || changes(c, clean[i])) {
+      changed.add(exactly);
+      const ModelPart* part = sim.usable ? sim.clean({}).hits[i].part : nullptr;
+      of_object[part != nullptr ? part->source : no_index].add(exactly);
+    } else if (largest_of(p.test) > 2 * tolerance) {
+      unchanged.add(exactly);
     }
   }
-  return difference >= small * right || exactly >= min_share * right;
+  // Other samples of pixels show more in a curve of the finished picture, and elsewhere in a flip.
+  if (changed.all < enough_of_group || sim.stage_of(mistakes) == Stage::picture ||
+      !(sim.turn_of(mistakes) == Turn())) {
+    return at_edges.value() >= min_share_at_edges;
+  }
+  const bool noisy = sim.view != nullptr && sim.view->samples > 1;
+  const double at_best = noisy && unchanged.all >= enough_of_group ? unchanged.value() : 1;
+  const auto enough_are_exact = [&](const Share& group) {
+    return group.all < enough_of_group || group.value() >= min_share_of_group * at_best;
+  };
+  return changed.value() >= min_share * at_best &&
+         std::all_of(of_member.begin(), of_member.end(), enough_are_exact) &&
+         std::all_of(of_object.begin(), of_object.end(),
+                     [&](const auto& one) { return enough_are_exact(one.second); });
 }
 
 bool reproduces_all(const Tried& t) {
@@ -272,6 +330,7 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
     if (largest_of(glm::abs(a - b)) > right_within) {
       e.changed += p.weight;
       e.right += now;
+      e.within_rounding += largest_of(glm::abs(a - p.test)) <= rounding ? p.weight : 0;
       e.gained += gain;
       e.shown += largest_of(p.test) > 16 ? gain : 0;
     }

@@ -15,10 +15,9 @@ inline constexpr std::size_t few_points = 100;  ///< points used to screen combi
 
 /// Whether the claim satisfies the thresholds in evidence.h.
 bool good(const Tried& t);
-/// Whether being near the test's colors is evidence: either they differ much from the reference, or
-/// most of the differing points that are right are so within rounding. A mistake that imitates
-/// another with a small effect is only near.
-bool right_within_rounding(const Simulation& sim, const Combination& mistakes);
+/// Whether what the mistakes leave is rounding: at most points that they are to explain, the color
+/// is the test's but for rounding. A mistake that imitates another one is near it, but not equal.
+bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes);
 /// Whether the claim reproduces the picture.
 bool reproduces_all(const Tried& t);
 /// Whether the claim explains nearly everything, so that the search can stop.
@@ -49,6 +48,7 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
 struct Effect {
   double changed = 0;          ///< points that change visibly
   double right = 0;            ///< of those: right with the change
+  double within_rounding = 0;  ///< of those: differing by no more than rounding
   double gained = 0;           ///< right with the change, minus right without it
   double shown = 0;            ///< of `gained`: points that are not dark in the test
   double gained_all = 0;       ///< the same as `gained`, of all points

@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/acne.h"
 #include "scenefile/grade/claims.h"
+#include "scenefile/grade/fitted_functions.h"
 #include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/placed_copy.h"
 #include "scenefile/grade/sampling_causes.h"
@@ -114,12 +115,13 @@ bool is_chance(Cause rival, Cause found) {
          (rival == Cause::swapped_channels && found != Cause::swapped_channels);
 }
 
-// Whether a mistake is right nearly everywhere where it changes the picture. Otherwise it only
-// happens to reduce the difference.
+// Whether a mistake is right nearly everywhere where it changes the picture, mostly within
+// rounding. Otherwise it only happens to reduce the difference.
 bool reproduces_its_part(const Simulation& sim, const Tried& t) {
   const std::size_t count = sim.points.size();
   const Effect e = effect_of(sim, sim.predicted(t.mistakes, count), sim.predicted({}, count));
-  return e.changed >= part * sim.weight_that_differs(count) && e.right >= nearly_all * e.changed;
+  return e.changed >= part * sim.weight_that_differs(count) && e.right >= nearly_all * e.changed &&
+         e.within_rounding >= 0.8 * e.changed;
 }
 
 // Equal but for rounding.
@@ -249,6 +251,26 @@ Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tri
   return found;
 }
 
+// Fits functions of the lighting equation; puts those that explain the picture before the others.
+std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alone,
+                                         std::optional<Tried>& found) {
+  const Simulation::Base b = sim.base(sim.points.size());
+  std::vector<Tried> fitting;
+  for (Hypothesis& h : fitted_functions(sim)) {
+    sim.list.push_back(std::move(h));
+    const Combination one{static_cast<std::uint16_t>(sim.list.size() - 1)};
+    Tried t = sim.rated(one, sim.score_of(one, sim.points.size()), b);
+    if (sure(t) && t.broken <= max_broken && leaves_only_rounding(sim, one)) {
+      fitting.push_back(std::move(t));
+    }
+  }
+  if (!fitting.empty()) {
+    found = fitting.front();
+  }
+  append(fitting, alone);
+  return fitting;
+}
+
 void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
@@ -262,16 +284,15 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
   std::vector<Tried> ranked = sim.try_all(singles, screen, 0, 0.3);
   sort_by_merit(ranked);
-  const std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
+  std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
   if (sim.stopped && alone.empty()) {
     return;
   }
   std::optional<Tried> found;
   // A fitted number must explain more than other mistakes, because it can imitate them.
   const auto first = std::find_if(alone.begin(), alone.end(), [&](const Tried& t) {
-    return good(t) &&
-           (t.mistakes.front() < sim.first_fitted ? right_within_rounding(sim, t.mistakes)
-                                                  : sure(t));
+    return good(t) && (t.mistakes.front() < sim.first_fitted || sure(t)) &&
+           leaves_only_rounding(sim, t.mistakes);
   });
   const bool single = first != alone.end();
   const bool doubtful = single && breaks_right_pixels(sim, *first);
@@ -294,6 +315,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     if (more && (!found || clearly_better(*more, *found))) {
       found = std::move(more);
     }
+  }
+  if (!found && !sim.stopped && look_for == LookFor::several_at_once) {
+    alone = with_fitted_functions(sim, std::move(alone), found);
   }
   if (found && found->mistakes.size() == 1) {
     found = likeliest(sim, *found, alone);

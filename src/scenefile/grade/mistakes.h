@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace scenefile {
@@ -398,6 +399,13 @@ enum class ShownInstead : std::uint8_t {
   white
 };
 
+/// A function that is linear between its knots, and constant beyond them.
+struct Curve {
+  std::vector<double> knots;  ///< rising; empty: no function
+  std::vector<double> values;
+  double at(double x) const;
+};
+
 struct ModelMistakes {
   NormalMistake normals = NormalMistake::none;
   ConeNormalMistake cone_normal = ConeNormalMistake::none;
@@ -410,6 +418,14 @@ struct ModelMistakes {
   AttenuationMistake attenuation = AttenuationMistake::none;
   SpotMistake spot = SpotMistake::none;
   ShadowMistake shadow = ShadowMistake::none;
+  /// By light, replaces the attenuation: a function of the distance.
+  std::vector<Curve> fading;
+  /// By light, replaces the falloff of spotlights: a function of the angle from the axis in
+  /// radians.
+  std::vector<Curve> cone;
+  Curve diffuse_response;  ///< replaces max(0, N.L): a function of N.L
+  /// Replaces powers of R.V, by exponent: functions of the angle in radians.
+  std::vector<std::pair<double, Curve>> highlights;
   std::vector<double> light_lengths;  ///< of the written directions, for as_long_as_written
   double shadow_bias = 1e-3;          ///< along the ray
   double shadow_lift = 0;             ///< along the normal

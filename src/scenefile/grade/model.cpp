@@ -11,6 +11,19 @@
 
 namespace scenefile {
 
+double Curve::at(double x) const {
+  const auto above = std::lower_bound(knots.begin(), knots.end(), x);
+  if (above == knots.begin()) {
+    return values.front();
+  }
+  if (above == knots.end()) {
+    return values.back();
+  }
+  const auto k = static_cast<std::size_t>(above - knots.begin());
+  return values[k - 1] +
+         (values[k] - values[k - 1]) * (x - knots[k - 1]) / (knots[k] - knots[k - 1]);
+}
+
 namespace {
 
 using glm::dvec2;
@@ -659,6 +672,11 @@ double spot_share(const RenderLight& light, double cosine, SpotMistake mistake) 
 
 }  // namespace
 
+const Curve* Model::curve_of(const RenderLight& light, const std::vector<Curve>& curves) const {
+  const auto index = static_cast<std::size_t>(&light - scene_.lights.data());
+  return index < curves.size() && !curves[index].knots.empty() ? &curves[index] : nullptr;
+}
+
 double Model::written_length(const RenderLight& light) const {
   const auto index = static_cast<std::size_t>(&light - scene_.lights.data());
   return index < m_.light_lengths.size() ? m_.light_lengths[index] : 1;
@@ -710,11 +728,18 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   }
   const bool not_faded = m_.attenuation == (has_cone(light.type) ? AttenuationMistake::points_only
                                                                  : AttenuationMistake::spots_only);
-  const double fading = not_faded ? 1 : faded(light.attenuation, along_light, m_.attenuation);
+  const Curve* const other_fading = curve_of(light, m_.fading);
+  const double fading = other_fading != nullptr ? other_fading->at(arriving.distance)
+                        : not_faded             ? 1
+                                    : faded(light.attenuation, along_light, m_.attenuation);
   const bool as_written = mistake == LightVectorMistake::spot_as_long_as_written ||
                           mistake == LightVectorMistake::as_long_as_written;
   const double along = as_written ? cosine * written_length(light) : cosine;
-  const double spot = has_cone(light.type) ? spot_share(light, along, m_.spot) : 1;
+  const Curve* const other_cone = curve_of(light, m_.cone);
+  const double spot = other_cone != nullptr
+                          ? other_cone->at(std::acos(std::clamp(cosine, -1.0, 1.0)))
+                      : has_cone(light.type) ? spot_share(light, along, m_.spot)
+                                             : 1;
   arriving.factor = fading * spot;
   arriving.specular_factor = arriving.factor;
   if (m_.attenuation == AttenuationMistake::diffuse_only) {
@@ -1004,6 +1029,9 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       default:
         break;
     }
+    if (!m_.diffuse_response.knots.empty()) {
+      weight = m_.diffuse_response.at(cosine);
+    }
     weight = use.unlit ? 1 : weight;
     const dvec3 diffuse = m_.diffuse_factor * weight * base;
     double shine = glm::dot(2 * cosine * n - l, eye);
@@ -1041,6 +1069,11 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         m_.specular == SpecularMistake::negative_power && exponent == std::floor(exponent);
     if ((shine > 0 || any_sign) && (exponent > 0 || m_.specular == SpecularMistake::zero_shines)) {
       shining = ks * specular_color * raised(shine, exponent);
+    }
+    for (const auto& other : m_.highlights) {
+      if (shine > 0 && exponent == other.first) {
+        shining = ks * specular_color * other.second.at(std::acos(std::min(shine, 1.0)));
+      }
     }
     if (m_.specular == SpecularMistake::times_cosine) {
       shining *= std::max(0.0, cosine);

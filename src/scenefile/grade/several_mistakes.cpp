@@ -358,7 +358,7 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
       sim.list.push_back(std::move(curve));
       const Combination mistakes{i, added};
       const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
-      if (sure(t) && t.broken <= max_broken && right_within_rounding(sim, mistakes) &&
+      if (sure(t) && t.broken <= max_broken && leaves_only_rounding(sim, mistakes) &&
           each_needed(sim, mistakes)) {
         return t;
       }

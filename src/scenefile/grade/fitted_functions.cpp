@@ -1,0 +1,417 @@
+#include "scenefile/grade/fitted_functions.h"
+
+#include "scenefile/base/shape_traits.h"
+#include "scenefile/trace/tasks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+
+constexpr std::size_t max_points = 400;
+constexpr std::size_t max_groups = 4;  // of lights or materials with the same function
+constexpr double right_angle = std::numbers::pi / 2;
+
+// A function that several lights or materials share.
+struct Group {
+  std::vector<double> knots;                      // rising
+  std::function<void(Trial&, const Curve&)> set;  // replaces the function
+};
+
+// Where the first points are in the world.
+std::vector<dvec3> places_of(const Simulation& sim, std::size_t count) {
+  const Trial trial = sim.right_trial(false);
+  const Model model(trial.scene, *sim.shapes, *sim.view->assets, trial.options, trial.mistakes);
+  std::vector<dvec3> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ModelHit& hit = sim.clean({}).hits[i];
+    if (hit.part != nullptr) {
+      const ModelRay ray = sim.ray(model, sim.middle(sim.points[i], {}));
+      result.push_back(ray.origin + hit.t * hit.stretch * ray.direction);
+    }
+  }
+  return result;
+}
+
+std::vector<double> evenly(double from, double to, std::size_t count) {
+  std::vector<double> knots;
+  for (std::size_t k = 0; k < count; ++k) {
+    knots.push_back(from + (to - from) * double(k) / double(count - 1));
+  }
+  return knots;
+}
+
+// Knots at equal shares of the values.
+std::vector<double> quantiles(std::vector<double> values, std::size_t count) {
+  std::sort(values.begin(), values.end());
+  std::vector<double> knots;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double value = values[k * (values.size() - 1) / (count - 1)];
+    if (knots.empty() || value > knots.back() + 1e-3) {
+      knots.push_back(value);
+    }
+  }
+  return knots;
+}
+
+Curve hat(const std::vector<double>& knots, std::size_t k) {
+  Curve curve{knots, std::vector<double>(knots.size(), 0)};
+  curve.values[k] = 1;
+  return curve;
+}
+
+// Solves a symmetric system of equations by Cholesky's method; empty if it is singular.
+std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = a[i][j];
+      for (std::size_t k = 0; k < j; ++k) {
+        sum -= a[i][k] * a[j][k];
+      }
+      if (i == j) {
+        if (!(sum > 0)) {
+          return {};
+        }
+        a[i][i] = std::sqrt(sum);
+      } else {
+        a[i][j] = sum / a[j][j];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      b[i] -= a[i][k] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) {
+      b[i] -= a[k][i] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  return b;
+}
+
+// The functions of the groups that make the scene look most like the test; nullopt if none comes
+// near to it.
+std::optional<std::vector<Curve>> fitted(const Simulation& sim, const std::vector<Group>& groups) {
+  const std::size_t count = std::min(max_points, sim.points.size());
+  const auto drawn = [&](std::size_t group, const Curve& curve) {
+    Trial trial = sim.right_trial(false);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::vector<double>& knots = groups[g].knots;
+      groups[g].set(trial, g == group ? curve : Curve{knots, std::vector<double>(knots.size(), 0)});
+    }
+    return sim.draw(trial, *sim.shapes, sim.points, count, Turn(), &sim.clean({}).hits);
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> unknowns;  // group, knot
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    for (std::size_t k = 0; k < groups[g].knots.size(); ++k) {
+      unknowns.emplace_back(g, k);
+    }
+  }
+  const std::size_t n = unknowns.size();
+  const Colors none = drawn(groups.size(), {});
+  std::vector<Colors> bases(n);
+  for_each_task(n, [&](std::size_t u) {
+    bases[u] = drawn(unknowns[u].first, hat(groups[unknowns[u].first].knots, unknowns[u].second));
+    for (std::size_t i = 0; i < count; ++i) {
+      bases[u][i] -= none[i];
+    }
+  });
+  std::vector<double> values(n, 0);
+  std::size_t near = 0;
+  std::size_t used = 0;
+  // Points at edges and other outliers are left out step by step.
+  for (const double limit : {1e9, 40.0, 12.0, 4.0}) {
+    std::vector<std::vector<double>> a(n, std::vector<double>(n, 0));
+    std::vector<double> b(n, 0);
+    near = used = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int channel = 0; channel < 3; ++channel) {
+        const double t = sim.points[i].test[channel];
+        double now = none[i][channel];
+        for (std::size_t u = 0; u < n; ++u) {
+          now += values[u] * bases[u][i][channel];
+        }
+        if (t <= 0 || t >= 255) {
+          continue;
+        }
+        ++used;
+        if (std::abs(now - t) > limit) {
+          continue;
+        }
+        ++near;
+        for (std::size_t u = 0; u < n; ++u) {
+          const double x = bases[u][i][channel];
+          if (x == 0) {
+            continue;
+          }
+          b[u] += x * (t + 0.25 - none[i][channel]);
+          for (std::size_t v = 0; v <= u; ++v) {
+            a[u][v] += x * bases[v][i][channel];
+          }
+        }
+      }
+    }
+    double trace = 0;
+    for (std::size_t u = 0; u < n; ++u) {
+      trace += a[u][u];
+    }
+    if (!(trace > 0) || 2 * near < used) {
+      return std::nullopt;
+    }
+    // Values without evidence follow those next to them.
+    const double stiffness = 1e-4 * trace / double(n);
+    for (std::size_t u = 0; u < n; ++u) {
+      a[u][u] += 1e-3 * stiffness;
+      if (u + 1 < n && unknowns[u].first == unknowns[u + 1].first) {
+        a[u][u] += stiffness;
+        a[u + 1][u + 1] += stiffness;
+        a[u + 1][u] -= stiffness;
+      }
+    }
+    values = solved(std::move(a), std::move(b));
+    if (values.empty()) {
+      return std::nullopt;
+    }
+  }
+  if (4 * near < 3 * used) {
+    return std::nullopt;
+  }
+  std::vector<Curve> curves;
+  for (const Group& group : groups) {
+    curves.push_back({group.knots, std::vector<double>(group.knots.size(), 0)});
+  }
+  for (std::size_t u = 0; u < n; ++u) {
+    curves[unknowns[u].first].values[unknowns[u].second] = values[u];
+  }
+  return curves;
+}
+
+void add_function(const Simulation& sim, Cause cause, const std::vector<Group>& groups,
+                  const std::function<std::string(const std::vector<Curve>&)>& words,
+                  std::vector<Hypothesis>& list) {
+  if (groups.empty() || groups.size() > max_groups) {
+    return;
+  }
+  const std::optional<std::vector<Curve>> curves = fitted(sim, groups);
+  if (!curves) {
+    return;
+  }
+  list.push_back({cause,
+                  words(*curves),
+                  Stage::shading,
+                  [groups, curves = *curves](Trial& t) {
+                    for (std::size_t g = 0; g < groups.size(); ++g) {
+                      groups[g].set(t, curves[g]);
+                    }
+                  },
+                  {},
+                  {}});
+}
+
+void set_by_light(std::vector<Curve>& curves, const std::vector<std::size_t>& lights,
+                  const Curve& curve, std::size_t count) {
+  curves.resize(count);
+  for (const std::size_t light : lights) {
+    curves[light] = curve;
+  }
+}
+
+// A function of each group of lights that have the same numbers. `of_point`: its argument.
+template <typename Key>
+std::vector<Group> groups_of_lights(
+    const Simulation& sim, const std::vector<dvec3>& points,
+    std::vector<Curve> ModelMistakes::*member,
+    const std::function<std::optional<Key>(const RenderLight&)>& key,
+    const std::function<double(const RenderLight&, const dvec3&)>& argument,
+    const std::function<std::vector<double>(std::vector<double>)>& knots) {
+  const std::vector<RenderLight>& lights = sim.view->scene->lights;
+  std::map<Key, std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (const std::optional<Key> k = key(lights[i])) {
+      members[*k].push_back(i);
+    }
+  }
+  std::vector<Group> groups;
+  for (const auto& one : members) {
+    const std::vector<std::size_t>& of_group = one.second;
+    std::vector<double> arguments;
+    for (const std::size_t i : of_group) {
+      for (const dvec3& p : points) {
+        arguments.push_back(argument(lights[i], p));
+      }
+    }
+    groups.push_back(
+        {knots(std::move(arguments)), [=, count = lights.size()](Trial& t, const Curve& curve) {
+           set_by_light(t.mistakes.*member, of_group, curve, count);
+         }});
+  }
+  return groups;
+}
+
+void add_fading(const Simulation& sim, const std::vector<dvec3>& points,
+                std::vector<Hypothesis>& list) {
+  using Key = std::tuple<float, float, float>;
+  const std::vector<Group> groups = groups_of_lights<Key>(
+      sim, points, &ModelMistakes::fading,
+      [](const RenderLight& light) {
+        const glm::vec3& a = light.attenuation;
+        return has_position(light.type) ? std::optional(Key(a.x, a.y, a.z)) : std::nullopt;
+      },
+      [](const RenderLight& light, const dvec3& point) {
+        return glm::length(dvec3(light.position) - point);
+      },
+      [](std::vector<double> distances) { return quantiles(std::move(distances), 16); });
+  add_function(
+      sim, Cause::attenuation, groups,
+      [&](const std::vector<Curve>& curves) {
+        const Curve& c = curves.front();
+        const double near = c.knots[c.knots.size() / 4];
+        const double far = c.knots[3 * c.knots.size() / 4];
+        return fmt::format(
+            "lights fade with distance in another way than the file says: the factor is {:.2g} at "
+            "a distance of {:.2g}, and {:.2g} at {:.2g}",
+            c.at(near), near, c.at(far), far);
+      },
+      list);
+}
+
+void add_cones(const Simulation& sim, const std::vector<dvec3>& points,
+               std::vector<Hypothesis>& list) {
+  using Key = std::tuple<float, float>;
+  const std::vector<Group> groups = groups_of_lights<Key>(
+      sim, points, &ModelMistakes::cone,
+      [](const RenderLight& light) {
+        return has_cone(light.type) ? std::optional(Key(light.inner_angle, light.outer_angle))
+                                    : std::nullopt;
+      },
+      [](const RenderLight& light, const dvec3& point) {
+        const dvec3 way = glm::normalize(point - dvec3(light.position));
+        return std::acos(std::clamp(glm::dot(way, dvec3(light.direction)), -1.0, 1.0));
+      },
+      [](const std::vector<double>& angles) {
+        return evenly(*std::min_element(angles.begin(), angles.end()),
+                      *std::max_element(angles.begin(), angles.end()), 32);
+      });
+  add_function(
+      sim, Cause::spot_falloff, groups,
+      [&](const std::vector<Curve>& curves) {
+        const Curve& c = curves.front();
+        const double most = *std::max_element(c.values.begin(), c.values.end());
+        double half = 0;
+        for (std::size_t k = 0; k < c.knots.size(); ++k) {
+          half = c.values[k] >= most / 2 ? c.knots[k] : half;
+        }
+        return fmt::format(
+            "spotlights fall off with the angle in another way than the file says: half of their "
+            "light is left at about {:.0f} degrees from the axis",
+            half * 180 / std::numbers::pi);
+      },
+      list);
+}
+
+void add_diffuse_response(const Simulation& sim, std::vector<Hypothesis>& list) {
+  const std::vector<Group> groups{{evenly(-1, 1, 24), [](Trial& t, const Curve& curve) {
+                                     t.mistakes.diffuse_response = curve;
+                                   }}};
+  add_function(
+      sim, Cause::diffuse, groups,
+      [](const std::vector<Curve>& curves) {
+        const Curve& c = curves.front();
+        return fmt::format(
+            "the diffuse term depends on N.L in another way: its factor is {:.2g} where N.L is "
+            "0.3, and {:.2g} where N.L is 0.8",
+            c.at(0.3), c.at(0.8));
+      },
+      list);
+}
+
+// The exponent that is most like the shape of a highlight.
+double exponent_like(const Curve& curve) {
+  double best = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (double exponent = 0.25; exponent < 2000; exponent *= 1.02) {
+    double ab = 0, bb = 0, aa = 0;
+    for (std::size_t k = 0; k < curve.knots.size(); ++k) {
+      const double power = std::pow(std::cos(std::min(curve.knots[k], right_angle)), exponent);
+      ab += curve.values[k] * power;
+      bb += power * power;
+      aa += curve.values[k] * curve.values[k];
+    }
+    if (const double left = aa - ab * ab / bb; left < least) {
+      least = left;
+      best = exponent;
+    }
+  }
+  return best;
+}
+
+void add_highlights(const Simulation& sim, std::vector<Hypothesis>& list) {
+  std::map<float, std::size_t> exponents;  // with the number of points
+  for (const ModelHit& hit : sim.clean({}).hits) {
+    if (hit.part != nullptr) {
+      const RenderMaterial& m = sim.view->scene->materials[hit.part->material];
+      if (m.shininess > 0 && m.specular != glm::vec3(0)) {
+        ++exponents[m.shininess];
+      }
+    }
+  }
+  std::vector<double> angles;  // between R and V
+  for (const double x : evenly(0, 1, 20)) {
+    angles.push_back(right_angle * x * x);
+  }
+  std::vector<Group> groups;
+  for (const auto& one : exponents) {
+    groups.push_back({angles, [exponent = one.first](Trial& t, const Curve& curve) {
+                        t.mistakes.highlights.emplace_back(exponent, curve);
+                      }});
+  }
+  add_function(
+      sim, Cause::specular, groups,
+      [&](const std::vector<Curve>& curves) {
+        const auto most =
+            std::max_element(exponents.begin(), exponents.end(),
+                             [](const auto& x, const auto& y) { return x.second < y.second; });
+        return fmt::format(
+            "highlights have another size or brightness: those of exponent {:g} are like those of "
+            "exponent {:.2g}",
+            most->first,
+            exponent_like(curves[std::size_t(std::distance(exponents.begin(), most))]));
+      },
+      list);
+}
+
+}  // namespace
+
+std::vector<Hypothesis> fitted_functions(const Simulation& sim) {
+  std::vector<Hypothesis> list;
+  if (!sim.usable || sim.view->options.mode == Mode::normals || sim.view->scene->lights.empty()) {
+    return list;
+  }
+  const std::vector<dvec3> points = places_of(sim, std::min(max_points, sim.points.size()));
+  if (points.size() < few_pixels) {
+    return list;
+  }
+  add_fading(sim, points, list);
+  add_highlights(sim, list);
+  add_cones(sim, points, list);
+  add_diffuse_response(sim, list);
+  return list;
+}
+
+}  // namespace scenefile

@@ -1,0 +1,15 @@
+#pragma once
+// Mistakes in a function of the lighting equation whose form is on no list: how lights fade with
+// distance or with the angle from a spotlight's axis, how diffuse light depends on N.L, the shape
+// of highlights. The picture is linear in the values of such a function, so that least squares over
+// the points find the function. Internal to grade.
+
+#include "scenefile/grade/simulation.h"
+
+namespace scenefile {
+
+/// The mistakes whose functions fit the points nearly everywhere, the likeliest first. The pictures
+/// decide whether they are causes: see leaves_only_rounding().
+std::vector<Hypothesis> fitted_functions(const Simulation& sim);
+
+}  // namespace scenefile

@@ -33,8 +33,7 @@ Location TextPlaces::at(std::size_t offset) {
   if (offset < last_.offset || offset - last_.offset > step) {
     go_near(offset);
   }
-  advance(last_, offset);
-  return last_.location;
+  return advance(last_, offset);
 }
 
 void TextPlaces::go_near(std::size_t offset) {
@@ -45,7 +44,7 @@ void TextPlaces::go_near(std::size_t offset) {
   last_ = {offset / step * step, steps_[offset / step]};
 }
 
-void TextPlaces::advance(Mark& mark, std::size_t offset) const {
+Location TextPlaces::advance(Mark& mark, std::size_t offset) const {
   const char* p = text_.data() + mark.offset;
   const char* const end = text_.data() + offset;
   Location location = mark.location;
@@ -71,6 +70,7 @@ void TextPlaces::advance(Mark& mark, std::size_t offset) const {
     location.column += starts_character(*p);
   }
   mark = {offset, location};
+  return location;
 }
 
 double TextPlaces::progress() const {

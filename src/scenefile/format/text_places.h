@@ -30,7 +30,8 @@ class TextPlaces {
     Location location{1, 1};
   };
   void go_near(std::size_t offset);
-  void advance(Mark& mark, std::size_t offset) const;
+  /// Returns the place that `mark` then has.
+  Location advance(Mark& mark, std::size_t offset) const;
 
   std::string_view text_;
   bool lone_cr_;                 ///< whether a CR that is not part of CR LF ends a line

@@ -124,7 +124,9 @@ bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft&
   draft.seen.note(context, tag, *field);
   const ValueRow<Camera>& row = camera_rows[*field];
   if (*field == focus_row) {
-    draft.focus = read_three(context, tag, row.kind);
+    if (!read_three(context, tag, row.kind, draft.focus.emplace())) {
+      draft.focus.reset();
+    }
   } else if (row.has_member()) {
     read_value(context, tag, camera_rows, *field, draft.seen, draft.camera);
   } else {
@@ -335,10 +337,11 @@ void read_bare_blend(const Writer& to, const XmlAttribute& attribute, bool is_te
   }
   to.context.report(xml_texture_blend, attribute,
                     fmt::format("attribute {} of <texture> was read as <blend>", name));
-  const std::optional<float> blend = read_number(to.context, to.tag, attribute);
+  float blend = 0;
+  const bool known = read_number(to.context, to.tag, attribute, blend);
   if (!to.seen.has(blend_row)) {
-    to.primitive.material.blend = blend.value_or(0);
-    to.seen.set_unread(blend_row, !blend);
+    to.primitive.material.blend = blend;
+    to.seen.set_unread(blend_row, !known);
   }
 }
 
@@ -388,10 +391,9 @@ Rare<TextureUse> read_texture(const Writer& to, bool is_texture) {
     if (&attribute == file) {
       continue;
     }
-    if (attribute.name == "u") {
-      texture.repeat_u = read_number(to.context, to.tag, attribute).value_or(1);
-    } else if (attribute.name == "v") {
-      texture.repeat_v = read_number(to.context, to.tag, attribute).value_or(1);
+    if (attribute.name == "u" || attribute.name == "v") {
+      float& repeat = attribute.name == "u" ? texture.repeat_u : texture.repeat_v;
+      repeat = read_number(to.context, to.tag, attribute, repeat) ? repeat : 1;
     } else if (is_blend_name(attribute.name)) {
       read_bare_blend(to, attribute, is_texture);
     } else {
@@ -514,7 +516,12 @@ const XmlAttribute* find_in_any_case(const XmlContext& context, const XmlTag& ta
 }
 
 Found find_attributes(const XmlContext& context, const XmlTag& tag) {
-  Found found;
+  Found found{tag.find("type"), tag.find("name"), tag.find("filename"), tag.find("meshfile"), {}};
+  const std::size_t count = (found.type != nullptr) + (found.name != nullptr) +
+                            (found.filename != nullptr) + (found.meshfile != nullptr);
+  if (count == tag.attributes.size()) {
+    return found;  // the usual case
+  }
   found.type = find_in_any_case(context, tag, "type");
   found.name = find_in_any_case(context, tag, "name");
   found.filename = find_in_any_case(context, tag, "filename");
@@ -678,6 +685,15 @@ bool is_finite(const glm::mat4& m) {
   return std::all_of(first, first + 16, [](float value) { return std::isfinite(value); });
 }
 
+template <typename Map>
+std::optional<Transform> read_vector(const XmlContext& context, const XmlTag& tag) {
+  Map map;
+  if (!read_three(context, tag, ValueKind::vector, map.by)) {
+    return std::nullopt;
+  }
+  return Transform{map, tag.location};
+}
+
 // Sets the last row to 0 0 0 1.
 void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4& rows) {
   const glm::vec4 last = rows[3];
@@ -712,13 +728,11 @@ void make_affine(const XmlContext& context, const MatrixDraft& draft, glm::mat4&
 }  // namespace
 
 std::optional<Transform> read_translate(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
-  return by ? std::optional(Transform{Translate{*by}, tag.location}) : std::nullopt;
+  return read_vector<Translate>(context, tag);
 }
 
 std::optional<Transform> read_scale(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<glm::vec3> by = read_three(context, tag, ValueKind::vector);
-  return by ? std::optional(Transform{Scale{*by}, tag.location}) : std::nullopt;
+  return read_vector<Scale>(context, tag);
 }
 
 std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& tag) {
@@ -741,9 +755,11 @@ std::optional<Transform> read_rotate(const XmlContext& context, const XmlTag& ta
     context.report(xml_rotate_angle, tag,
                    "<rotate> has no angle, so it has no effect; write its degrees as angle");
   }
-  const std::optional<glm::vec4> numbers = read_numbers(context, tag, parts);
-  return numbers ? std::optional(Transform{Rotate{glm::vec3(*numbers), numbers->w}, tag.location})
-                 : std::nullopt;
+  glm::vec4 numbers;
+  if (!read_numbers(context, tag, parts, {&numbers.x, 4})) {
+    return std::nullopt;
+  }
+  return Transform{Rotate{glm::vec3(numbers), numbers.w}, tag.location};
 }
 
 void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft& draft) {
@@ -754,9 +770,8 @@ void read_matrix_child(const XmlContext& context, const XmlTag& tag, MatrixDraft
         fmt::format("{} is one row too many: a matrix has four", element_text(tag.name)));
     return;
   }
-  const std::optional<glm::vec4> row = read_matrix_row(context, tag);
-  draft.valid = draft.valid && row;
-  draft.rows[static_cast<int>(draft.count)] = row.value_or(glm::vec4(0));
+  glm::vec4& row = draft.rows[static_cast<int>(draft.count)];
+  draft.valid = read_matrix_row(context, tag, row) && draft.valid;
   draft.last_row = tag.location;
   ++draft.count;
 }

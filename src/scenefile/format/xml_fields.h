@@ -93,17 +93,19 @@ template <typename Owner, std::size_t N>
 void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Owner> (&rows)[N],
                 std::size_t field, SeenFields& seen, Owner& owner) {
   const ValueRow<Owner>& row = rows[field];
-  const auto store = [&](const auto member, const auto& value) {
+  const auto note = [&](const auto member, bool known) {
     static const Owner defaults;
-    owner.*member = value ? *value : defaults.*member;
-    seen.set_unread(field, !value);
+    if (!known) {
+      owner.*member = defaults.*member;
+    }
+    seen.set_unread(field, !known);
   };
   if (const auto* const number = std::get_if<float Owner::*>(&row.member)) {
-    store(*number, read_single(context, tag));
+    note(*number, read_single(context, tag, owner.**number));
   } else if (const auto* const optional = std::get_if<std::optional<float> Owner::*>(&row.member)) {
-    store(*optional, read_single(context, tag));
+    note(*optional, read_single(context, tag, (owner.**optional).emplace()));
   } else if (const auto* const vector = std::get_if<glm::vec3 Owner::*>(&row.member)) {
-    store(*vector, read_three(context, tag, row.kind));
+    note(*vector, read_three(context, tag, row.kind, owner.**vector));
   }
 }
 

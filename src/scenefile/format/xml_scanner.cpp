@@ -17,8 +17,9 @@ enum CharacterClass : std::uint8_t {
   blank = 1,
   name_start = 2,
   name_part = 4,
-  value_part = 8,    ///< of a value in either quotes
-  comment_part = 16  ///< but for the dash
+  name_end = 8,       ///< what may follow a name
+  value_part = 16,    ///< of a value in either quotes
+  comment_part = 32,  ///< but for the dash
 };
 
 /// Bytes from 128 on are in no class.
@@ -33,7 +34,10 @@ constexpr std::array<std::uint8_t, 256> make_character_classes() {
                                   (special ? 0 : value_part) | (c == '-' ? 0 : comment_part));
   }
   for (const unsigned c : {' ', '\t', '\n', '\r'}) {
-    classes[c] |= blank | comment_part;
+    classes[c] |= blank | name_end | comment_part;
+  }
+  for (const unsigned c : {'=', '>', '/', '"', '\''}) {
+    classes[c] |= name_end;
   }
   return classes;
 }
@@ -63,15 +67,11 @@ std::size_t plain_character(std::string_view text) {
   return c.value == 0xFFFE || c.value == 0xFFFF ? 0 : c.bytes;
 }
 
-bool ends_name(char c) {
-  return is(c, blank) || c == '=' || c == '>' || c == '/' || c == '"' || c == '\'';
-}
-
-// Reads the tag at the beginning of a text.
+// Reads the tag at `begin`.
 class TagScanner {
  public:
-  TagScanner(std::string_view text, XmlToken& token)
-      : begin_(text.data()), end_(begin_ + text.size()), token_(token) {}
+  TagScanner(const char* begin, const char* end, XmlToken& token)
+      : begin_(begin), end_(end), token_(token) {}
 
   // The hot loop of reading: keeps its place in registers, and leaves it to functions that are not
   // inlined only if something is not plain.
@@ -83,7 +83,7 @@ class TagScanner {
     while (true) {
       const char* const before = p;
       p = skip(p, end_, blank);
-      if (p == end_ || ends_name(*p)) {
+      if (p == end_ || is(*p, name_end)) {
         break;
       }
       if (p == before || is_end) {
@@ -111,7 +111,7 @@ class TagScanner {
       plain_ = false;
     }
     p = skip(p, end_, name_part);
-    while (p != end_ && !ends_name(*p)) {
+    while (p != end_ && !is(*p, name_end)) {
       plain_ = false;
       ++p;
     }
@@ -296,9 +296,10 @@ std::size_t markup_end(std::string_view text, XmlTokenKind& kind) {
   return text.starts_with("<?") ? end_after(text, "?>", 2) : doctype_end(text);
 }
 
-bool is_tag(std::string_view text) {
-  const char c = text.size() > 1 ? text[1] : ' ';
-  return c != '!' && c != '?' && !(c == '-' && text.starts_with("<--"));
+// Whether the `<` at `p` begins a tag.
+bool is_tag(const char* p, const char* end) {
+  const char c = p + 1 != end ? p[1] : ' ';
+  return c != '!' && c != '?' && !(c == '-' && between(p, end).starts_with("<--"));
 }
 
 }  // namespace
@@ -319,10 +320,10 @@ bool XmlScanner::next(XmlToken& token) {
   if (p == end) {
     return false;
   }
-  const std::string_view rest = between(p, end);
-  if (*p == '<' && is_tag(rest)) {
-    TagScanner(rest, token).run();
+  if (*p == '<' && is_tag(p, end)) {
+    TagScanner(p, end, token).run();
   } else {
+    const std::string_view rest = between(p, end);
     token.attributes.clear();
     token.name = {};
     token.needs_decoding = false;

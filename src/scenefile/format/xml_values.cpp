@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -240,12 +239,18 @@ bool report_one_for_all(const XmlContext& context, const XmlTag& tag, const Sign
   return true;
 }
 
-// All attributes in order, as programs read them that ignore the names.
-Parts by_order(const XmlContext& context, const XmlTag& tag, const Signature& signature) {
-  Parts parts{};
+// The attributes in their order. Made in place: see read_number().
+std::optional<Parts> all_attributes(const XmlTag& tag) {
+  std::optional<Parts> parts(std::in_place);
   for (std::size_t i = 0; i < tag.attributes.size(); ++i) {
-    parts[i] = &tag.attributes[i];
+    (*parts)[i] = &tag.attributes[i];
   }
+  return parts;
+}
+
+// All attributes in order, as programs read them that ignore the names.
+std::optional<Parts> by_order(const XmlContext& context, const XmlTag& tag,
+                              const Signature& signature) {
   const XmlAttribute& first = tag.attributes.front();
   if (signature.parts == 1) {
     context.report(xml_alias_attribute, first,
@@ -256,7 +261,7 @@ Parts by_order(const XmlContext& context, const XmlTag& tag, const Signature& si
                    fmt::format("the attributes of {} were read in their order, as {}",
                                element_text(tag.name), names_text(signature)));
   }
-  return parts;
+  return all_attributes(tag);
 }
 
 void report_alias(const XmlContext& context, const XmlTag& tag, const Signature& signature,
@@ -395,11 +400,7 @@ void report_missing(const XmlContext& context, const XmlTag& tag, const Signatur
 std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
                                 const Signature& signature) {
   if (is_canonical(tag, signature)) {
-    Parts parts{};
-    for (std::size_t i = 0; i < signature.parts; ++i) {
-      parts[i] = &tag.attributes[i];
-    }
-    return parts;
+    return all_attributes(tag);
   }
   FoundForm found = find_best_form(tag, signature);
   if (found.count < signature.parts && tag.attributes.size() == signature.parts &&
@@ -427,103 +428,101 @@ std::optional<Parts> find_parts(const XmlContext& context, const XmlTag& tag,
 
 void report_order(const XmlContext& context, const XmlTag& tag,
                   std::span<const XmlAttribute* const> in_order) {
-  std::vector<const XmlAttribute*> wanted(in_order.begin(), in_order.end());
-  std::erase(wanted, nullptr);
+  Parts wanted{};
+  const auto end = std::remove_copy(in_order.begin(), in_order.end(), wanted.begin(), nullptr);
   // Attributes are stored in the order of the text, so pointers can be compared.
-  std::vector<const XmlAttribute*> written = wanted;
-  std::sort(written.begin(), written.end(), std::less<>());
+  if (std::is_sorted(wanted.begin(), end)) {
+    return;
+  }
+  Parts written = wanted;
+  std::stable_sort(written.begin(), written.begin() + (end - wanted.begin()));
   const auto other = std::mismatch(
-      written.begin(), written.end(), wanted.begin(),
+      wanted.begin(), end, written.begin(),
       [](const XmlAttribute* a, const XmlAttribute* b) { return a->value == b->value; });
-  if (other.first == written.end()) {
+  if (other.first == end) {
     return;
   }
   std::vector<std::string> names;
-  for (const XmlAttribute* attribute : wanted) {
-    names.push_back(escaped(attribute->name, 40));
+  for (auto attribute = wanted.begin(); attribute != end; ++attribute) {
+    names.push_back(escaped((*attribute)->name, 40));
   }
-  context.report(xml_attribute_order, **other.first,
+  context.report(xml_attribute_order, **other.second,
                  fmt::format("the attributes of {} were read by their names; programs that use "
                              "their order differ: write them in the order {}",
                              element_text(tag.name), fmt::join(names, ", ")));
 }
 
-std::optional<float> read_number(const XmlContext& context, const XmlTag& tag,
-                                 const XmlAttribute& attribute) {
-  const ParsedNumber number = parse_number(attribute.value);
-  if (number.error == NumberError::none) {
-    const auto value = static_cast<float>(number.value);
-    if (underflows(attribute.value, value)) {
-      context.report(xml_number_underflow, attribute,
-                     fmt::format("attribute {} of {}: {} is too small for a number here; it counts "
-                                 "as 0",
-                                 escaped(attribute.name, 40), element_text(tag.name),
-                                 quoted(attribute.value)));
-    }
-    return value;
+bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
+                 float& number) {
+  const ParsedNumber parsed = parse_number(attribute.value);
+  number = parsed.error == NumberError::none ? static_cast<float>(parsed.value) : 0;
+  if (parsed.error == NumberError::none && !underflows(attribute.value, number)) {
+    return true;
   }
   const std::string what =
       fmt::format("attribute {} of {}", escaped(attribute.name, 40), element_text(tag.name));
   const std::string value = quoted(attribute.value);
-  switch (number.error) {
+  switch (parsed.error) {
     case NumberError::none:
-      break;
+      context.report(
+          xml_number_underflow, attribute,
+          fmt::format("{}: {} is too small for a number here; it counts as 0", what, value));
+      return true;
     case NumberError::empty:
       context.report(xml_empty_number, attribute, what + " is empty; it counts as 0");
-      return 0;
+      return true;
     case NumberError::out_of_range:
       context.report(xml_number_range, attribute,
                      fmt::format("{}: {} is too large for a number", what, value));
-      break;
+      return false;
     case NumberError::malformed:
-      if (!context.options.compat_course) {
-        context.report(
-            xml_number, attribute,
-            fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value)));
-        break;
-      }
-      context.diagnostics.report(xml_number, Severity::warning, context.place(attribute),
-                                 fmt::format("{}: {} is not a number; it was read as {}", what,
-                                             value, number_text(static_cast<float>(number.value))));
-      return static_cast<float>(number.value);
+      break;
   }
-  return std::nullopt;
+  if (!context.options.compat_course) {
+    context.report(
+        xml_number, attribute,
+        fmt::format("{}: {} is not a number{}", what, value, number_hint(attribute.value)));
+    return false;
+  }
+  number = static_cast<float>(parsed.value);
+  context.diagnostics.report(
+      xml_number, Severity::warning, context.place(attribute),
+      fmt::format("{}: {} is not a number; it was read as {}", what, value, number_text(number)));
+  return true;
 }
 
-std::optional<glm::vec4> read_numbers(const XmlContext& context, const XmlTag& tag,
-                                      const Parts& parts) {
-  glm::vec4 numbers(0);
+bool read_numbers(const XmlContext& context, const XmlTag& tag, const Parts& parts,
+                  std::span<float> numbers) {
   bool all_known = true;
-  for (int i = 0; i < 4; ++i) {
-    if (const XmlAttribute* const part = parts[static_cast<std::size_t>(i)]) {
-      const std::optional<float> number = read_number(context, tag, *part);
-      numbers[i] = number.value_or(0);
-      all_known = all_known && number;
-    }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = 0;
+    all_known =
+        (parts[i] == nullptr || read_number(context, tag, *parts[i], numbers[i])) && all_known;
   }
-  return all_known ? std::optional(numbers) : std::nullopt;
+  return all_known;
 }
 
-std::optional<float> read_single(const XmlContext& context, const XmlTag& tag) {
+bool read_single(const XmlContext& context, const XmlTag& tag, float& number) {
   const std::optional<Parts> parts = find_parts(context, tag, single_signature);
-  return parts ? read_number(context, tag, *(*parts)[0]) : std::nullopt;
+  number = 0;
+  return parts && read_number(context, tag, *(*parts)[0], number);
+}
+
+bool read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind, glm::vec3& value) {
+  const std::optional<Parts> parts = find_parts(context, tag, signature_of_three(kind));
+  value = {};
+  return parts && read_numbers(context, tag, *parts, {&value.x, 3});
+}
+
+bool read_matrix_row(const XmlContext& context, const XmlTag& tag, glm::vec4& row) {
+  const std::optional<Parts> parts = find_parts(context, tag, row_signature);
+  row = {};
+  return parts && read_numbers(context, tag, *parts, {&row.x, 4});
 }
 
 std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag) {
   const std::optional<Parts> parts = find_parts(context, tag, word_signature);
   return parts ? std::optional((*parts)[0]->value) : std::nullopt;
-}
-
-std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind) {
-  const std::optional<Parts> parts = find_parts(context, tag, signature_of_three(kind));
-  const std::optional<glm::vec4> numbers =
-      parts ? read_numbers(context, tag, *parts) : std::nullopt;
-  return numbers ? std::optional(glm::vec3(*numbers)) : std::nullopt;
-}
-
-std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag) {
-  const std::optional<Parts> parts = find_parts(context, tag, row_signature);
-  return parts ? read_numbers(context, tag, *parts) : std::nullopt;
 }
 
 }  // namespace scenefile

@@ -75,17 +75,20 @@ void report_missing(const XmlContext& context, const XmlTag& tag, const Signatur
 void report_order(const XmlContext& context, const XmlTag& tag,
                   std::span<const XmlAttribute* const> in_order);
 
-/// Each of these returns nullopt, after an error, if an attribute is missing or not a number.
-std::optional<float> read_number(const XmlContext& context, const XmlTag& tag,
-                                 const XmlAttribute& attribute);
-/// The numbers of the parts; 0 for null ones.
-std::optional<glm::vec4> read_numbers(const XmlContext& context, const XmlTag& tag,
-                                      const Parts& parts);
-std::optional<float> read_single(const XmlContext& context, const XmlTag& tag);
-std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
+/// Each of these returns false, after an error, if an attribute is missing or not a number; the
+/// numbers that could not be read are then 0. They write in place because the processor stalls when
+/// a struct is copied that was just written part by part.
+bool read_number(const XmlContext& context, const XmlTag& tag, const XmlAttribute& attribute,
+                 float& number);
+/// The numbers of the first parts; 0 for null ones.
+bool read_numbers(const XmlContext& context, const XmlTag& tag, const Parts& parts,
+                  std::span<float> numbers);
+bool read_single(const XmlContext& context, const XmlTag& tag, float& number);
 /// A vector, a color or coefficients.
-std::optional<glm::vec3> read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind);
-std::optional<glm::vec4> read_matrix_row(const XmlContext& context, const XmlTag& tag);
+bool read_three(const XmlContext& context, const XmlTag& tag, ValueKind kind, glm::vec3& value);
+bool read_matrix_row(const XmlContext& context, const XmlTag& tag, glm::vec4& row);
+/// Returns nullopt after an error if the attribute is missing.
+std::optional<std::string_view> read_word(const XmlContext& context, const XmlTag& tag);
 
 /// The kind of value that elements of this name have; nullopt if they have none.
 std::optional<ValueKind> kind_of_element(std::string_view element);

@@ -66,29 +66,23 @@ std::string unknown_text(std::string_view name, const std::vector<std::string_vi
 }
 
 // Returns whether every instance has its template.
-bool check_instances(const Scene& scene, const TemplateNames& names, Reporter& reporter) {
+bool check_instances(const Scene& scene, const TemplateNames& names,
+                     const std::vector<NodeId>& instances, Reporter& reporter) {
   const std::vector<std::string_view> known = some_names(scene);
   std::size_t unknown = 0;
-  std::vector<bool> seen(scene.nodes.size());
-  for (const NodeId head : tree_heads(scene)) {
-    walk_nodes(scene, head, 0, seen, [&](NodeId id, int) {
-      const Node& node = scene.nodes[id];
-      if (node.instance_of.empty()) {
-        return 0;
-      }
-      if (names.find(node.instance_of) == names.end()) {
-        const bool suggest = ++unknown <= max_suggestions;
-        reporter.report(
-            tree_unknown_template, subject_of(scene, id), Field::instance_of,
-            unknown_text(node.instance_of, suggest ? known : std::vector<std::string_view>{}));
-      }
-      if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
-        reporter.report(
-            tree_instance_with_contents, subject_of(scene, id),
-            fmt::format("contents inside an instance of {} are ignored", quoted(node.instance_of)));
-      }
-      return 0;
-    });
+  for (const NodeId id : instances) {
+    const Node& node = scene.nodes[id];
+    if (names.find(node.instance_of) == names.end()) {
+      const bool suggest = ++unknown <= max_suggestions;
+      reporter.report(
+          tree_unknown_template, subject_of(scene, id), Field::instance_of,
+          unknown_text(node.instance_of, suggest ? known : std::vector<std::string_view>{}));
+    }
+    if (!node.primitives.empty() || !node.lights.empty() || !node.children.empty()) {
+      reporter.report(
+          tree_instance_with_contents, subject_of(scene, id),
+          fmt::format("contents inside an instance of {} are ignored", quoted(node.instance_of)));
+    }
   }
   return unknown == 0;
 }
@@ -284,8 +278,8 @@ void check_structure(const Scene& scene, Reporter& reporter) {
 void check_templates(const Scene& scene, const Limits& limits, Reporter& reporter) {
   const TemplateNames names = template_names(scene);
   check_names(scene, names, reporter);
-  const bool all_known = check_instances(scene, names, reporter);
   const TemplateGraph graph = template_graph(scene);
+  const bool all_known = check_instances(scene, names, graph.instances, reporter);
   std::vector<bool> used(graph.heads.size());
   const bool loops = check_loops(scene, graph, reporter, used);
   if (!loops) {

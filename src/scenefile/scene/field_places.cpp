@@ -43,7 +43,7 @@ UnreadFields::UnreadFields(std::vector<UnreadField> fields) : sorted_(std::move(
   std::sort(sorted_.begin(), sorted_.end(), comes_before<UnreadField>);
 }
 
-bool UnreadFields::has(Location owner, Field field) const {
+bool UnreadFields::find(Location owner, Field field) const {
   return std::binary_search(sorted_.begin(), sorted_.end(), UnreadField{owner, field},
                             comes_before<UnreadField>);
 }

@@ -26,9 +26,11 @@ class UnreadFields {
  public:
   explicit UnreadFields(std::vector<UnreadField> fields);
 
-  bool has(Location owner, Field field) const;
+  bool has(Location owner, Field field) const { return !sorted_.empty() && find(owner, field); }
 
  private:
+  bool find(Location owner, Field field) const;
+
   std::vector<UnreadField> sorted_;
 };
 

@@ -58,6 +58,10 @@ TemplateGraph template_graph(const Scene& scene) {
   for (const NodeId head : graph.heads) {
     graph.uses.first.push_back(static_cast<std::uint32_t>(graph.uses.target.size()));
     walk_nodes(scene, head, 0, seen, [&](NodeId id, int) {
+      if (scene.nodes[id].instance_of.empty()) {
+        return 0;
+      }
+      graph.instances.push_back(id);
       const auto found = names.find(scene.nodes[id].instance_of);
       if (found != names.end()) {
         graph.uses.target.push_back(found->second);

@@ -72,8 +72,9 @@ void visit_depth_first(const Graph& graph, std::span<const std::uint32_t> starts
 /// them.
 struct TemplateGraph {
   std::vector<NodeId> heads;
-  Graph uses;                    ///< an edge from a tree to the template of each of its instances
-  std::vector<NodeId> use_node;  ///< the node of the instance, for each edge of `uses`
+  std::vector<NodeId> instances;  ///< all, also those whose template does not exist
+  Graph uses;                     ///< an edge from a tree to the template of each of its instances
+  std::vector<NodeId> use_node;   ///< the node of the instance, for each edge of `uses`
 
   std::uint32_t root() const { return uses.size() - 1; }
 };

@@ -5,7 +5,9 @@
 #include "scenefile/grade/causes.h"
 
 #include "grade/generated_scene.h"
+#include "scenefile/grade/hypotheses.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -638,6 +640,31 @@ TEST(Causes, StopsOnRequest) {
   int asked = 0;
   find_causes(reference_of(scene, false), picture, &view, [&](double) { return ++asked < 3; });
   EXPECT_EQ(asked, 3);
+}
+
+// Both lights are alike in world space; the one in the template is drawn last.
+TEST(Causes, KnowFromWhichWrittenLightALightComes) {
+  Scene scene;
+  const auto add_light = [&](NodeId node, float length) {
+    Light light;
+    light.type = LightType::directional;
+    light.direction = {0, -length, 0};
+    scene.nodes[node].lights.push_back(light);
+  };
+  add_light(add_template(scene, "lamp"), 3);
+  scene.nodes[add_child(scene, scene.root)].instance_of = "lamp";
+  add_light(add_child(scene, scene.root), 1);
+  const Prepared ready = prepare(scene, Limits());
+  const Assets assets;
+  SceneView view{&ready.scene, &assets, default_options(Profile::course), &scene, {}};
+  view.sources = &ready.sources;
+  Trial trial{ready.scene, view.options, {}};
+  for (const Hypothesis& hypothesis : drawing_hypotheses(view, width, height)) {
+    if (hypothesis.what == "directions of directional lights are not normalized") {
+      hypothesis.draw(trial);
+    }
+  }
+  EXPECT_THAT(trial.mistakes.light_lengths, ::testing::ElementsAre(1, 3));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ struct Fixture {
   }
 
   RealtimeView view(const RealtimeOptions& panel) const {
-    return {&ready.scene, &assets, &written, panel};
+    return {&ready.scene, &assets, &written, panel, &ready.sources};
   }
 
   Texture right(const RealtimeOptions& panel) const {

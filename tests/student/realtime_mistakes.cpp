@@ -241,7 +241,8 @@ int main(int count, char** words) {
       }
       ++asked;
       const auto start = std::chrono::steady_clock::now();
-      RealtimeView view{&p.scene.ready.scene, &p.scene.assets, &p.scene.written, p.row.panel};
+      RealtimeView view{&p.scene.ready.scene, &p.scene.assets, &p.scene.written, p.row.panel,
+                        &p.scene.ready.sources};
       if (settings.unknown) {
         view.panel = find_realtime_settings(p.reference, {view.scene, view.assets, nullptr, {}},
                                             {true, true, true, true, true});

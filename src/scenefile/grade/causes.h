@@ -2,6 +2,7 @@
 // Finds out why a picture differs from its reference: simulates common mistakes, and names one only
 // if simulating it turns the reference into the picture.
 
+#include "scenefile/scene/prepare.h"
 #include "scenefile/scene/scene.h"
 #include "scenefile/trace/render.h"
 
@@ -83,6 +84,8 @@ struct SceneView {
   glm::dvec2 whole{0};
   glm::dvec2 corner{0};
   int samples = 1;  ///< of a pixel, across and down; more for pictures that were scaled down
+  /// That `scene` refers to; needed with `written`.
+  const std::vector<Source>* sources = nullptr;
 };
 
 struct CauseReport {

@@ -1,6 +1,6 @@
 #include "scenefile/base/shape_traits.h"
 #include "scenefile/grade/hypothesis_list.h"
-#include "scenefile/grade/node_matrices.h"
+#include "scenefile/scene/world_lights.h"
 
 #include <fmt/format.h>
 
@@ -27,37 +27,25 @@ struct WrittenLight {
   bool no_attenuation = false;  // all coefficients are 0
 };
 
-std::vector<WrittenLight> lights_as_written(const Scene& written, const RenderScene& ready) {
-  std::vector<std::pair<const Light*, glm::dmat4>> lights;
-  visit_nodes(written, {}, [&](const Node& node, const glm::dmat4& matrix) {
-    for (const Light& light : node.lights) {
-      lights.emplace_back(&light, matrix);
+// Like the lights of the view: instances of one light are in the order of world_lights().
+std::vector<WrittenLight> lights_as_written(const SceneView& view) {
+  const std::vector<RenderLight>& ready = view.scene->lights;
+  std::vector<WrittenLight> result;
+  world_lights(*view.written, [&](const WorldLight& at) {
+    if (result.size() == ready.size()) {
+      return false;
     }
+    const Source& source = (*view.sources)[ready[result.size()].source];
+    const Light& light = view.written->nodes[at.node].lights[at.index];
+    if (source.node == at.node && source.index == at.index &&
+        ready_light(light, at.world_from_node)) {
+      result.push_back({at.world_from_node.point(dvec3(light.position)),
+                        glm::length(at.world_from_node.vector(dvec3(light.direction))),
+                        has_position(light.type) && light.attenuation == glm::vec3(0)});
+    }
+    return true;
   });
-  std::vector<WrittenLight> result(ready.lights.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const RenderLight& light = ready.lights[i];
-    for (auto& [candidate, matrix] : lights) {
-      if (candidate == nullptr || candidate->type != light.type ||
-          candidate->color != light.color) {
-        continue;
-      }
-      const dvec3 direction(matrix * glm::dvec4(candidate->direction, 0));
-      const dvec3 position(matrix * glm::dvec4(candidate->position, 1));
-      const double length = glm::length(direction);
-      const bool aimed = !has_direction(light.type) ||
-                         glm::length(direction - length * dvec3(light.direction)) < 1e-3 * length;
-      const bool placed =
-          !has_position(light.type) ||
-          glm::length(position - dvec3(light.position)) < 1e-3 * (1 + glm::length(position));
-      if (aimed && placed) {
-        result[i] = {position, length,
-                     has_position(light.type) && candidate->attenuation == glm::vec3(0)};
-        candidate = nullptr;
-        break;
-      }
-    }
-  }
+  result.resize(ready.size());
   return result;
 }
 
@@ -235,10 +223,10 @@ void add_reversed_shading(HypothesisList& list) {
 // Mistakes about lights that need the written file, because the prepared scene lacks that
 // information.
 void add_written_lights(HypothesisList& list) {
-  if (list.view.written == nullptr) {
+  if (list.view.written == nullptr || list.view.sources == nullptr) {
     return;
   }
-  const std::vector<WrittenLight> written = lights_as_written(*list.view.written, list.scene);
+  const std::vector<WrittenLight> written = lights_as_written(list.view);
   std::vector<double> lengths;
   bool longer = false;
   bool placed = false;

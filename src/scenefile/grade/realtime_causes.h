@@ -17,6 +17,7 @@ struct RealtimeView {
   const Assets* assets = nullptr;
   const Scene* written = nullptr;  ///< the written scene; null: transforms are not tried
   RealtimeOptions panel;
+  const std::vector<Source>* sources = nullptr;  ///< that `scene` refers to; needed with `written`
 };
 
 /// Which settings are not given.

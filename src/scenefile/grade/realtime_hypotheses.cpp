@@ -651,7 +651,7 @@ class Maker {
   void add_common() {
     RenderOptions options;
     options.features = {false, false, false, false, false, false, false};
-    const SceneView view{&lit_, view_.assets, options, view_.written, {}};
+    const SceneView view{&lit_, view_.assets, options, view_.written, {}, {}, {}, 1, view_.sources};
     for (Hypothesis& h : drawing_hypotheses(view, window_.width, window_.height)) {
       if (!is_for_realtime(h)) {
         continue;

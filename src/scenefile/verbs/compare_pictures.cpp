@@ -68,7 +68,7 @@ void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
 }
 
 RealtimeView realtime_view_of(const LoadedScene& scene, const DrawnWay& way) {
-  return {&scene.ready.scene, &scene.assets, &scene.written, *way.realtime};
+  return {&scene.ready.scene, &scene.assets, &scene.written, *way.realtime, &scene.ready.sources};
 }
 
 // The part of the picture of the scene that is compared: SceneView's members of these names.
@@ -79,8 +79,8 @@ struct Part {
 };
 
 SceneView view_of(const LoadedScene& scene, const DrawnWay& way, const Part& part = {}) {
-  return {&scene.ready.scene, &scene.assets, way.options, &scene.written,
-          way.words,          part.whole,    part.corner, part.samples};
+  return {&scene.ready.scene, &scene.assets, way.options,  &scene.written,      way.words,
+          part.whole,         part.corner,   part.samples, &scene.ready.sources};
 }
 
 // Finds the region where the pictures differ most. `way`: how the scene is drawn, or null.

@@ -50,9 +50,8 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
     draw.samples = options_.render.samples;
   }
   DrawStats stats;
-  std::string error;
-  image = draw_image(*state_->gl.device, *state_->drawing, ready.camera, draw,
-                     options_.render.width, options_.render.height, error, &stats);
+  Result<Image> drawn = draw_image(*state_->gl.device, *state_->drawing, ready.camera, draw,
+                                   options_.render.width, options_.render.height, &stats);
   if (stats.left_out != 0 && !std::exchange(state_->copies_left_out, true)) {
     scene_.diagnostics.report(
         gl_copies_left_out, {},
@@ -74,7 +73,11 @@ Outcome GlPainter::draw(Image& image, GlReport& report, Context& context) {
             stats.objects,
             stats.triangles,
             stats.samples};
-  return {error.empty() ? ExitCode::fine : ExitCode::environment, error};
+  if (!drawn) {
+    return {ExitCode::environment, drawn.error().text};
+  }
+  image = *std::move(drawn);
+  return {};
 }
 
 }  // namespace scenefile::app

@@ -158,21 +158,28 @@ class Merger {
     };
   }
 
+  // Null to stop.
   const PartRows::Band* band_of(int y) {
-    return DeferredSignals::pending() != 0 ? nullptr : rows_->band_of(y);
+    if (DeferredSignals::pending() != 0) {
+      return nullptr;
+    }
+    const Result<const PartRows::Band*> band = rows_->band_of(y);
+    unread_ = error_text(band);
+    return band ? *band : nullptr;
   }
 
   Outcome failure(const Output& output) const {
     if (DeferredSignals::pending() != 0) {
       return outcome_of(RenderStatus::cancelled, {});
     }
-    return {ExitCode::environment, rows_->error().empty() ? output.error() : rows_->error()};
+    return {ExitCode::environment, unread_.empty() ? output.error() : unread_};
   }
 
   const Options& options_;
   const PartSet& set_;
   std::vector<PartHead> heads_;
   std::optional<PartRows> rows_;
+  std::string unread_;  // why rows could not be read
   std::vector<Output> outputs_;
 };
 

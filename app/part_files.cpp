@@ -136,7 +136,7 @@ PartRows::PartRows(const PartSet& set, std::span<const PartHead> heads,
   }
 }
 
-const PartRows::Band* PartRows::band_of(int y) {
+Result<const PartRows::Band*> PartRows::band_of(int y) {
   const int first = y / rows_of_a_band * rows_of_a_band;
   if (first == band_.first) {
     return &band_;
@@ -144,15 +144,15 @@ const PartRows::Band* PartRows::band_of(int y) {
   band_.first = -1;
   const PixelRegion& whole = set_.picture.region;
   const int end = std::min(whole.y0 + first + rows_of_a_band, whole.y1);
-  if (!read(whole.y0 + first, end)) {
-    return nullptr;
+  if (const Result<void> done = read(whole.y0 + first, end); !done) {
+    return done.error();
   }
   band_.first = first;
   return &band_;
 }
 
 // The rows from `first` up to, but not including, `end` of the picture.
-bool PartRows::read(int first, int end) {
+Result<void> PartRows::read(int first, int end) {
   for (const std::size_t file : set_.files) {
     const PartHead& head = heads_[file];
     const PixelRegion part = head.region();
@@ -163,8 +163,7 @@ bool PartRows::read(int first, int end) {
     }
     const Result<FileReader> reader = FileReader::open(paths_[file]);
     if (!reader) {
-      error_ = reader.error().text;
-      return false;
+      return reader.error();
     }
     const std::size_t row = part_row_bytes(head.picture, part.width());
     const std::uint64_t rows_begin =
@@ -172,15 +171,16 @@ bool PartRows::read(int first, int end) {
     const std::size_t wanted = row * static_cast<std::size_t>(to - from);
     const Result<std::string> rows = reader->read(
         rows_begin + std::uint64_t{row} * static_cast<std::uint64_t>(from - part.y0), wanted);
-    if (!rows || rows->size() != wanted) {
-      error_ = rows ? fmt::format("{}: the file was truncated while it was read",
-                                  escaped(paths_[file], 4096))
-                    : rows.error().text;
-      return false;
+    if (!rows) {
+      return rows.error();
+    }
+    if (rows->size() != wanted) {
+      return Error{
+          fmt::format("{}: the file was truncated while it was read", escaped(paths_[file], 4096))};
     }
     place_part_rows(head, *rows, from, first, band_.layers);
   }
-  return true;
+  return {};
 }
 
 }  // namespace scenefile::app

@@ -50,19 +50,17 @@ class PartRows {
     int first = 0;                   ///< first row in the merged picture
     std::vector<ImageLayer> layers;  ///< the picture itself, then its layers
   };
-  /// The band that contains row y of the merged picture, valid until the next call; null if a file
-  /// could not be read, see error().
-  const Band* band_of(int y);
-  const std::string& error() const { return error_; }
+  /// The band that contains row y of the merged picture, valid until the next call. An error if a
+  /// file cannot be read.
+  Result<const Band*> band_of(int y);
 
  private:
-  bool read(int first, int end);
+  Result<void> read(int first, int end);
 
   const PartSet& set_;
   std::span<const PartHead> heads_;  // by file
   std::span<const std::string> paths_;
   Band band_;
-  std::string error_;
 };
 
 }  // namespace scenefile::app

@@ -65,17 +65,15 @@ viewer::ScriptStep& add_step(viewer::Script& script, viewer::StepKind kind) {
 }
 
 // The scripted steps, after which the window closes.
-viewer::Script script_of(const Options& options, std::string& error) {
-  std::string text;
+Result<viewer::Script> script_of(const Options& options) {
+  Result<std::string> text = std::string();
   if (!options.script.empty()) {
-    Result<std::string> read = read_file(options.script, options.load.limits.file_bytes);
-    if (read) {
-      text = *std::move(read);
-    } else {
-      error = read.error().text;
-    }
+    text = read_file(options.script, options.load.limits.file_bytes);
   }
-  viewer::Script script = viewer::parse_script(text);
+  if (!text) {
+    return text.error();
+  }
+  viewer::Script script = viewer::parse_script(*text);
   if (!options.screenshot.empty()) {
     add_step(script, viewer::StepKind::settle);
     add_step(script, viewer::StepKind::frames).number = options.frames;
@@ -128,19 +126,18 @@ ExitCode run_view(const Options& options, Context& context) {
     say_error(text);
     return ExitCode::environment;
   }
-  std::string error;
-  viewer::Script script = script_of(options, error);
-  if (!error.empty()) {
-    say_error(error);
+  Result<viewer::Script> script = script_of(options);
+  if (!script) {
+    say_error(script.error().text);
     return ExitCode::environment;
   }
-  if (!script.wrong.empty()) {
-    say_error(fmt::format("{}: {}", options.script, script.wrong));
+  if (!script->wrong.empty()) {
+    say_error(fmt::format("{}: {}", options.script, script->wrong));
     return ExitCode::usage;
   }
-  const bool unattended = !script.steps.empty();
+  const bool unattended = !script->steps.empty();
   context.phase = "showing the window";
-  viewer::WindowOptions window = window_options(options, std::move(script));
+  viewer::WindowOptions window = window_options(options, *std::move(script));
   bool opened = true;
   window.failed = [&](const viewer::WindowResult& result) {
     opened = false;

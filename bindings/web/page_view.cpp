@@ -239,13 +239,12 @@ const std::uint8_t* page_view_outline(int profile, int width, int height, const 
     if (options.draw.objects.empty()) {
       return "{}";
     }
-    std::string error;
-    const Image picture = draw_image(*view().device, drawing, page().scene.ready.scene.camera,
-                                     options.draw, width, height, error);
-    if (!error.empty()) {
-      return error_json(error);
+    const Result<Image> picture = draw_image(
+        *view().device, drawing, page().scene.ready.scene.camera, options.draw, width, height);
+    if (!picture) {
+      return error_json(picture.error().text);
     }
-    trace_outline(picture, page().pixels);
+    trace_outline(*picture, page().pixels);
     pixels = page().pixels.data();
     return "{}";
   });

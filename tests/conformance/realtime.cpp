@@ -113,12 +113,13 @@ Measured measure(GlDevice& device, const std::string& folder, const RealtimeRow&
   Drawing drawing = upload(device, scene, loaded.assets, {}, loaded.diagnostics);
   DrawOptions options;
   options.realtime = row.options;
-  const Texture ours = quantize(
-      draw_image(device, drawing, scene.camera, options, theirs.width, theirs.height, result.error),
-      Rounding::nearest);
-  if (!result.error.empty()) {
+  const Result<Image> drawn =
+      draw_image(device, drawing, scene.camera, options, theirs.width, theirs.height);
+  if (!drawn) {
+    result.error = drawn.error().text;
     return result;
   }
+  const Texture ours = quantize(*drawn, Rounding::nearest);
   const view_test::SoftwarePicture software =
       view_test::software_realtime(scene, row.options, theirs.width, theirs.height);
   result.ours = compare_images(ours, theirs, threshold);

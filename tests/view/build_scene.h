@@ -82,10 +82,9 @@ class Drawn : public ::testing::Test {
 
   Image draw_square(Drawing& drawing, const RenderCamera& camera, const DrawOptions& options,
                     int size = 32) {
-    std::string error;
-    Image image = draw_image(*device, drawing, camera, options, size, size, error, &stats);
-    EXPECT_EQ(error, "");
-    return image;
+    Result<Image> image = draw_image(*device, drawing, camera, options, size, size, &stats);
+    EXPECT_EQ(error_text(image), "");
+    return *std::move(image);
   }
 
   GlDevice* device = nullptr;

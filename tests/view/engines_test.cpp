@@ -133,10 +133,8 @@ TEST_F(BothEngines, OpenGlDrawsTheAcceptedPictures) {
     const testing_support::LoadedScene scene =
         testing_support::load_scene(fmt::format("{}/{}.xml", SCENEFILE_SCENES, name), false);
     Drawing drawing = upload(*device, scene.ready.scene, scene.assets, {}, diagnostics);
-    std::string error;
-    const Texture ours =
-        quantize(draw_image(*device, drawing, scene.ready.scene.camera, {}, 240, 180, error),
-                 Rounding::nearest);
+    const Texture ours = quantize(
+        *draw_image(*device, drawing, scene.ready.scene.camera, {}, 240, 180), Rounding::nearest);
     const std::string path = fmt::format("{}/{}-gl.png", SCENEFILE_GOLDEN, name);
     if (std::getenv("SCENEFILE_ACCEPT_GOLDEN") != nullptr) {
       const std::string png = *encode_image(to_float(ours), ImageFormat::png8, Rounding::nearest);

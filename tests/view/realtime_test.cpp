@@ -28,11 +28,10 @@ class Realtime : public Drawn {
     options.mode = mode;
     options.realtime = realtime;
     Drawing drawing = uploaded(builder);
-    std::string error;
-    const Image image =
-        draw_image(*device, drawing, builder.scene.camera, options, width, height, error, &stats);
-    EXPECT_EQ(error, "");
-    return quantize(image, Rounding::nearest);
+    const Result<Image> image =
+        draw_image(*device, drawing, builder.scene.camera, options, width, height, &stats);
+    EXPECT_EQ(error_text(image), "");
+    return quantize(*image, Rounding::nearest);
   }
 };
 
@@ -326,8 +325,7 @@ TEST_F(Realtime, PickingFindsWhatThePictureShows) {
     options.realtime.emplace();
     options.realtime->milestone = milestone;
     options.mode = DrawMode::object_id;
-    std::string error;
-    const Image ids = draw_image(*device, drawing, builder.scene.camera, options, 96, 72, error);
+    const Image ids = *draw_image(*device, drawing, builder.scene.camera, options, 96, 72);
     for (int y = 1; y < 71; y += 5) {
       for (int x = 1; x < 95; x += 5) {
         bool even = true;  // whether the neighboring pixels show the same object

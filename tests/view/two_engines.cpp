@@ -43,8 +43,7 @@ Image draw_objects(GlDevice& device, Drawing& drawing, const RenderCamera& camer
   DrawOptions options = same_features();
   options.mode = DrawMode::object_id;
   options.samples = 1;
-  std::string error;
-  return draw_image(device, drawing, camera, options, width, height, error);
+  return *draw_image(device, drawing, camera, options, width, height);
 }
 
 std::vector<bool> outlines(const std::vector<float>& numbers, const Image& objects) {
@@ -106,10 +105,12 @@ Agreement two_engines(GlDevice& device, const testing_support::LoadedScene& scen
   Diagnostics diagnostics;
   const RenderCamera& camera = scene.ready.scene.camera;
   Drawing drawing = upload(device, scene.ready.scene, scene.assets, {}, diagnostics);
-  result.drawn = draw_image(device, drawing, camera, same_features(), width, height, result.error);
-  if (!result.error.empty()) {
+  Result<Image> drawn = draw_image(device, drawing, camera, same_features(), width, height);
+  if (!drawn) {
+    result.error = drawn.error().text;
     return result;
   }
+  result.drawn = *std::move(drawn);
   result.near_outline =
       outlines(traced.layers[0].values, draw_objects(device, drawing, camera, width, height));
   result.traced = std::move(traced.image);

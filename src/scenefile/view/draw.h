@@ -168,11 +168,11 @@ struct DrawStats {
 DrawStats draw(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
                const DrawOptions& options, const DrawTarget& target);
 
-/// Draws into a new image; binds framebuffer 0 afterwards. Values are multiples of 1/255. Empty,
-/// with `error` set, if the size exceeds the limits of the device.
-Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
-                 const DrawOptions& options, int width, int height, std::string& error,
-                 DrawStats* stats = nullptr);
+/// Draws into a new image; binds framebuffer 0 afterwards. Values are multiples of 1/255. An error
+/// if the size exceeds the limits of the device, or the driver rejects a shader.
+Result<Image> draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
+                         const DrawOptions& options, int width, int height,
+                         DrawStats* stats = nullptr);
 
 /// Index into drawing.objects() of the object at the pixel (x, y), row 0 at the top, in a picture
 /// of this size; nullopt on the background. Respects options.objects, but not the mode. Binds

@@ -7,15 +7,6 @@
 
 namespace scenefile {
 
-namespace {
-
-std::string device_error(GlDevice::State& state) {
-  const std::string& refusal = state.programs.error();
-  return refusal.empty() ? refusal : fmt::format("the OpenGL driver rejects a shader: {}", refusal);
-}
-
-}  // namespace
-
 GlDevice::GlDevice(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 GlDevice::~GlDevice() = default;
@@ -49,9 +40,8 @@ Result<std::unique_ptr<GlDevice>> GlDevice::create(GetProcAddress find) {
   return std::unique_ptr<GlDevice>(new GlDevice(std::move(state)));
 }
 
-Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
-                 const DrawOptions& options, int width, int height, std::string& error,
-                 DrawStats* stats) {
+Result<Image> draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
+                         const DrawOptions& options, int width, int height, DrawStats* stats) {
   GlDevice::State& state = device.state();
   const gl::Functions& gl = state.gl;
   DrawStats taken;
@@ -61,11 +51,11 @@ Image draw_image(GlDevice& device, Drawing& drawing, const RenderCamera& camera,
   if (stats != nullptr) {
     *stats = taken;
   }
-  error = picture != nullptr
-              ? device_error(state)
-              : fmt::format("{} cannot draw a picture of {}x{}", state.renderer, width, height);
-  if (!error.empty()) {
-    return {};
+  if (picture == nullptr) {
+    return Error{fmt::format("{} cannot draw a picture of {}x{}", state.renderer, width, height)};
+  }
+  if (const std::string& refusal = state.programs.error(); !refusal.empty()) {
+    return Error{fmt::format("the OpenGL driver rejects a shader: {}", refusal)};
   }
   std::vector<std::uint8_t> rgba(std::size_t{4} * width * height);
   gl.BindFramebuffer(gl::FRAMEBUFFER, picture->framebuffer.name());

@@ -104,13 +104,12 @@ Painted ScenePainter::Impl::paint(const PaintJob& job) {
     const bool long_work = job.refines || job.recipe.hurry == 0;
     device->interrupt_with(long_work ? [this] { return !interrupted; } : std::function<bool()>());
     const auto start = std::chrono::steady_clock::now();
-    std::string error;
-    const Image image = draw_image(*device, *drawing, job.recipe.camera, job.recipe.options,
-                                   job.recipe.width, job.recipe.height, error, &painted.stats);
-    if (error.empty()) {
-      painted.picture = quantize(image, Rounding::nearest);
+    const Result<Image> image = draw_image(*device, *drawing, job.recipe.camera, job.recipe.options,
+                                           job.recipe.width, job.recipe.height, &painted.stats);
+    if (image) {
+      painted.picture = quantize(*image, Rounding::nearest);
     } else {
-      painted.notes.push_back(error);
+      painted.notes.push_back(image.error().text);
     }
     painted.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -92,27 +92,19 @@ TEST(JsonReader, GlobalsAndCamera) {
 }
 
 TEST(JsonReader, ListsValuesThatCouldNotBeRead) {
-  const auto unread = [](const JsonReading& r) {
-    std::vector<Field> fields;
-    for (const UnreadField& at : r.scene.unread_fields) {
-      fields.push_back(at.field);
-    }
-    return fields;
-  };
   const JsonReading r = read(R"({
     "globalData": {"ambientCoeff": 0.1, "diffuseCoeff": 0.2, "specularCoeff": "much"},
     "cameraData": {"position": [1, 2], "up": [0, 0, 1], "focus": [2, 4, 6], "heightAngle": 30},
     "groups": [{"primitives": [{"type": "cube", "shininess": [1], "diffuse": [0, 0, 0]}]}]})");
-  EXPECT_EQ(unread(r),
-            (std::vector{Field::specular, Field::position, Field::look, Field::shininess}));
-  EXPECT_EQ(r.scene.unread_fields.at(0).owner, r.scene.global.location);
-  EXPECT_EQ(r.scene.unread_fields.at(2).owner, r.scene.camera->location);
-  EXPECT_EQ(r.scene.unread_fields.at(3).owner, r.child(0).primitives.at(0).location);
+  EXPECT_EQ(r.scene.global.unread, FieldSet{Field::specular});
+  EXPECT_EQ(r.scene.camera->unread, (FieldSet{Field::position, Field::look}));
+  EXPECT_EQ(r.child(0).primitives.at(0).unread, FieldSet{Field::shininess});
   EXPECT_EQ(r.child(0).primitives.at(0).material.shininess, 0);
-  EXPECT_EQ(unread(read(R"({"globalData": {"ambientCoeff": 0.1, "diffuseCoeff": 0.2,
+  const JsonReading both = read(R"({"globalData": {"ambientCoeff": 0.1, "diffuseCoeff": 0.2,
     "specularCoeff": 0.3}, "cameraData": {"position": [1, 2, 3], "heightAngle": 30,
-    "look": [0, 0, 1], "focus": [0, 0, 0]}, "groups": []})")),
-            (std::vector{Field::up, Field::look}));
+    "look": [0, 0, 1], "focus": [0, 0, 0]}, "groups": []})");
+  EXPECT_EQ(both.scene.global.unread, FieldSet{});
+  EXPECT_EQ(both.scene.camera->unread, (FieldSet{Field::up, Field::look}));
 }
 
 TEST(JsonReader, AbsentTransparentCoefficientStaysAbsent) {

@@ -122,65 +122,50 @@ TEST(XmlPlaces, OfUnusualColorsAreKept) {
   EXPECT_EQ(scene.field_places[0].location, (Location{5, 29}));
 }
 
-// As "4:1 7": the place of the owner, and the field.
-std::vector<std::string> unread(const Scene& scene) {
-  std::vector<std::string> result;
-  for (const UnreadField& at : scene.unread_fields) {
-    result.push_back(
-        fmt::format("{}:{} {}", at.owner.line, at.owner.column, static_cast<int>(at.field)));
-  }
-  return result;
-}
-
-std::string at(std::string_view owner, Field field) {
-  return fmt::format("{} {}", owner, static_cast<int>(field));
-}
-
 TEST(XmlPlaces, ValuesThatCouldNotBeReadAreListed) {
-  const Scene scene =
-      read(with_material("<shininess v=\"x\"/><reflective r=\"1\" g=\"q\" b=\"0\"/>")).scene;
-  EXPECT_THAT(unread(scene),
-              UnorderedElementsAre(at("4:1", Field::shininess), at("4:1", Field::reflective)));
-  EXPECT_EQ(scene.nodes[1].primitives.at(0).material, Material{});
-  EXPECT_THAT(unread(read(with_material("<shininess v=\"3\"/>")).scene), IsEmpty());
+  const auto material = [](std::string_view inside) {
+    return read(with_material(inside)).scene.nodes[1].primitives.at(0);
+  };
+  const Primitive primitive = material("<shininess v=\"x\"/><reflective r=\"1\" g=\"q\" b=\"0\"/>");
+  EXPECT_EQ(primitive.unread, (FieldSet{Field::shininess, Field::reflective}));
+  EXPECT_EQ(primitive.material, Material{});
+  EXPECT_EQ(material("<shininess v=\"3\"/>").unread, FieldSet{});
 }
 
 TEST(XmlPlaces, TheLastOfTwoValuesDecidesWhetherItCouldBeRead) {
-  const Scene last_good = read(with_material("<shininess v=\"x\"/><shininess v=\"3\"/>")).scene;
-  EXPECT_THAT(unread(last_good), IsEmpty());
-  EXPECT_EQ(last_good.nodes[1].primitives.at(0).material.shininess, 3);
-  const Scene last_bad = read(with_material("<shininess v=\"3\"/><shininess v=\"x\"/>")).scene;
-  EXPECT_THAT(unread(last_bad), ElementsAre(at("4:1", Field::shininess)));
-  EXPECT_EQ(last_bad.nodes[1].primitives.at(0).material.shininess, 0);
+  const auto material = [](std::string_view inside) {
+    return read(with_material(inside)).scene.nodes[1].primitives.at(0);
+  };
+  const Primitive last_good = material("<shininess v=\"x\"/><shininess v=\"3\"/>");
+  EXPECT_EQ(last_good.unread, FieldSet{});
+  EXPECT_EQ(last_good.material.shininess, 3);
+  const Primitive last_bad = material("<shininess v=\"3\"/><shininess v=\"x\"/>");
+  EXPECT_EQ(last_bad.unread, FieldSet{Field::shininess});
+  EXPECT_EQ(last_bad.material.shininess, 0);
 }
 
 TEST(XmlPlaces, ASecondBlockOfGlobalsDoesNotMakeALostValueKnown) {
-  EXPECT_THAT(unread(read(with_top("<globaldata><specularcoeff v=\"x\"/></globaldata>\n"
-                                   "<globaldata><diffusecoeff v=\"1\"/></globaldata>"))
-                         .scene),
-              ElementsAre(at("3:1", Field::specular)));
+  const Scene scene = read(with_top("<globaldata><specularcoeff v=\"x\"/></globaldata>\n"
+                                    "<globaldata><diffusecoeff v=\"1\"/></globaldata>"))
+                          .scene;
+  EXPECT_EQ(scene.global.unread, FieldSet{Field::specular});
 }
 
 TEST(XmlPlaces, ALookThatFollowsFromALostValueIsUnread) {
-  const std::string ends = "<up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45\"/></cameradata>";
+  const auto unread = [](const std::string& inside) {
+    return read(with_top("<cameradata>" + inside +
+                         "<up x=\"0\" y=\"1\" z=\"0\"/><heightangle v=\"45\"/></cameradata>"))
+        .scene.camera->unread;
+  };
   const std::string good = "<pos x=\"1\" y=\"2\" z=\"3\"/>";
   for (const std::string& inside :
        {good + "<focus x=\"q\" y=\"0\" z=\"0\"/>", good + "<focus x=\"1\" y=\"2\" z=\"3\"/>",
         good + "<look x=\"0\" y=\"0\" z=\"1\"/><focus x=\"0\" y=\"0\" z=\"0\"/>"}) {
-    EXPECT_THAT(unread(read(with_top("<cameradata>" + inside + ends)).scene),
-                ElementsAre(at("2:1", Field::look)))
-        << inside;
+    EXPECT_EQ(unread(inside), FieldSet{Field::look}) << inside;
   }
-  EXPECT_THAT(
-      unread(read(with_top("<cameradata><pos x=\"q\" y=\"0\" z=\"0\"/><focus x=\"1\" y=\"0\" "
-                           "z=\"0\"/>" +
-                           ends))
-                 .scene),
-      UnorderedElementsAre(at("2:1", Field::position), at("2:1", Field::look)));
-  EXPECT_THAT(
-      unread(
-          read(with_top("<cameradata>" + good + "<focus x=\"0\" y=\"0\" z=\"0\"/>" + ends)).scene),
-      IsEmpty());
+  EXPECT_EQ(unread("<pos x=\"q\" y=\"0\" z=\"0\"/><focus x=\"1\" y=\"0\" z=\"0\"/>"),
+            (FieldSet{Field::position, Field::look}));
+  EXPECT_EQ(unread(good + "<focus x=\"0\" y=\"0\" z=\"0\"/>"), FieldSet{});
 }
 
 TEST(XmlPlaces, OfNodesAndTheirParts) {

@@ -47,7 +47,9 @@ class GeneratedScene {
       matrix[3] = glm::vec4(a.offset, 1);
       Node& node = scene.nodes[add_child(scene, scene.root)];
       node.transforms.push_back({Matrix(matrix), {}});
-      node.primitives.push_back({part.shape, {}, written(ready.materials[part.material]), {}});
+      Primitive& primitive = node.primitives.emplace_back();
+      primitive.shape = part.shape;
+      primitive.material = written(ready.materials[part.material]);
     }
     for (const RenderLight& light : ready.lights) {
       Light l;

@@ -534,70 +534,61 @@ TEST(Check, FindingsAreAtThePlaceOfTheValue) {
 }
 
 TEST(Check, NothingFollowsFromValuesThatCouldNotBeRead) {
-  constexpr Location global{1, 1};
-  constexpr Location camera_place{2, 1};
-  constexpr Location light{3, 1};
-  constexpr Location object{4, 1};
+  const auto global = [](Scene& s) -> FieldSet& { return s.global.unread; };
+  const auto camera = [](Scene& s) -> FieldSet& { return s.camera->unread; };
+  const auto light = [](Scene& s) -> FieldSet& { return s.nodes[0].lights[0].unread; };
+  const auto object = [](Scene& s) -> FieldSet& { return s.nodes[0].primitives[0].unread; };
   const auto change = [&](const auto& edit) {
     Scene scene = fine_scene();
-    scene.global.location = global;
-    scene.camera.emplace().location = camera_place;
-    scene.nodes[0].lights[0].location = light;
-    scene.nodes[0].primitives[0].location = object;
+    scene.camera.emplace();
     edit(scene, scene.nodes[0].lights[0], scene.nodes[0].primitives[0].material);
     return scene;
   };
   struct Case {
     const Code* code;
     Scene scene;
-    UnreadField unread;
+    FieldSet& (*owner)(Scene& scene);
+    Field unread;
   };
   const Case cases[] = {
-      {&global_negative,
-       change([](Scene& s, Light&, Material&) { s.global.diffuse = -1; }),
-       {global, Field::diffuse}},
-      {&global_transparent_default,
-       change([](Scene&, Light&, Material& m) {
+      {&global_negative, change([](Scene& s, Light&, Material&) { s.global.diffuse = -1; }), global,
+       Field::diffuse},
+      {&global_transparent_default, change([](Scene&, Light&, Material& m) {
          m.transparent = {0.5f, 0.5f, 0.5f};
        }),
-       {global, Field::transparent}},
+       global, Field::transparent},
       {&camera_height_angle,
-       change([](Scene& s, Light&, Material&) { s.camera->height_angle_deg = 0; }),
-       {camera_place, Field::height_angle_deg}},
-      {&camera_look_zero,
-       change([](Scene& s, Light&, Material&) {
+       change([](Scene& s, Light&, Material&) { s.camera->height_angle_deg = 0; }), camera,
+       Field::height_angle_deg},
+      {&camera_look_zero, change([](Scene& s, Light&, Material&) {
          s.camera->look = {0, 0, 0};
        }),
-       {camera_place, Field::look}},
+       camera, Field::look},
       {&camera_up_parallel_to_look,
-       change([](Scene& s, Light&, Material&) { s.camera->up = s.camera->look; }),
-       {camera_place, Field::look}},
-      {&light_spot_without_angle,
-       change([](Scene&, Light& l, Material&) {
+       change([](Scene& s, Light&, Material&) { s.camera->up = s.camera->look; }), camera,
+       Field::look},
+      {&light_spot_without_angle, change([](Scene&, Light& l, Material&) {
          l.type = LightType::spot;
          l.direction = {0, -1, 0};
        }),
-       {light, Field::angle_deg}},
-      {&material_reflective_and_transparent,
-       change([](Scene& s, Light&, Material& m) {
+       light, Field::angle_deg},
+      {&material_reflective_and_transparent, change([](Scene& s, Light&, Material& m) {
          s.global.transparent = 1;
          s.global.specular = 1;
          m.reflective = m.transparent = {1, 1, 1};
        }),
-       {global, Field::specular}},
-      {&material_specular_without_shininess,
-       change([](Scene&, Light&, Material& m) {
+       global, Field::specular},
+      {&material_specular_without_shininess, change([](Scene&, Light&, Material& m) {
          m.specular = {1, 1, 1};
        }),
-       {object, Field::shininess}},
-      {&material_blend_without_texture,
-       change([](Scene&, Light&, Material& m) { m.blend = 1; }),
-       {object, Field::blend}},
+       object, Field::shininess},
+      {&material_blend_without_texture, change([](Scene&, Light&, Material& m) { m.blend = 1; }),
+       object, Field::blend},
   };
   for (const Case& c : cases) {
     EXPECT_NE(find(checked(c.scene), *c.code), nullptr) << c.code->name;
     Scene scene = c.scene;
-    scene.unread_fields = {{{9, 9}, Field::id}, c.unread, {{1, 1}, Field::height}};
+    c.owner(scene).insert(c.unread);
     EXPECT_EQ(find(checked(scene), *c.code), nullptr) << c.code->name;
   }
 }

@@ -22,6 +22,7 @@ struct ObjectReader {
   JsonContext& context;
   const JsonFields& fields;
   Location owner;
+  FieldSet& unread;
   Scene& scene;
 
   // Reads the value of a row into its member, which keeps its default after an error. The caller
@@ -35,7 +36,7 @@ struct ObjectReader {
       if (value) {
         to.*member = *value;
       } else {
-        note_unread(*row.field);
+        unread.insert(*row.field);
       }
     };
     bool worth_a_place = row.field.has_value();
@@ -62,13 +63,6 @@ struct ObjectReader {
   std::optional<glm::vec3> read_three(std::size_t key, ValueKind kind) const {
     const JsonIndex at = fields.key(key);
     return kind == ValueKind::color ? color_value(context, at) : vector_value(context, at);
-  }
-  void note_unread(Field field) const { scene.unread_fields.push_back({owner, field}); }
-  bool is_unread(Field field) const {
-    const auto& all = scene.unread_fields;
-    return std::any_of(all.begin(), all.end(), [&](const UnreadField& unread) {
-      return unread.owner == owner && unread.field == field;
-    });
   }
   void note(std::size_t key, Field field) const {
     scene.field_places.push_back({owner, field, context.place(fields.key(key))});
@@ -168,7 +162,7 @@ void read_required(const ObjectReader& reader, Field field, Camera& camera) {
   if (reader.fields.require(key_of(camera_rows, field))) {
     reader.read(camera_rows, field, camera);
   } else {
-    reader.note_unread(field);
+    reader.unread.insert(field);
   }
 }
 
@@ -180,13 +174,13 @@ void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera
     const JsonIndex second = std::max(fields.key(look), fields.key(focus));
     context.report(json_look_and_focus, second,
                    "cameraData has both \"look\" and \"focus\"; remove one of them");
-    reader.note_unread(Field::look);
+    reader.unread.insert(Field::look);
   } else if (fields.has(focus)) {
     const std::optional<glm::vec3> point = reader.read_three(focus, ValueKind::vector);
-    if (point && !reader.is_unread(Field::position)) {
+    if (point && !reader.unread.contains(Field::position)) {
       camera.look = direction_to(*point, camera.position);
     } else {
-      reader.note_unread(Field::look);
+      reader.unread.insert(Field::look);
     }
     reader.note(focus, Field::look);
   } else if (fields.has(look)) {
@@ -194,7 +188,7 @@ void read_direction(const ObjectReader& reader, JsonIndex object, Camera& camera
   } else {
     context.report(json_missing_key, object,
                    "cameraData must have one of the keys \"look\" and \"focus\"");
-    reader.note_unread(Field::look);
+    reader.unread.insert(Field::look);
   }
 }
 }  // namespace camera
@@ -312,7 +306,7 @@ void read_material(const ObjectReader& reader, Material& material) {
     }
     material.** texture = read_texture(reader.context, reader.fields, key);
     if (*texture == &Material::texture && reader.fields.has(key) && !material.texture) {
-      reader.note_unread(Field::blend);  // unknown whether there is a texture to blend
+      reader.unread.insert(Field::blend);  // unknown whether there is a texture to blend
     }
   }
 }
@@ -326,7 +320,7 @@ void read_json_global(JsonContext& context, JsonIndex key, Scene& scene) {
   }
   const JsonFields fields(context, key + 1, global::vocabulary);
   scene.global.location = context.place(key);
-  const ObjectReader reader{context, fields, scene.global.location, scene};
+  const ObjectReader reader{context, fields, scene.global.location, scene.global.unread, scene};
   fields.require(key_of(global_rows, Field::ambient));
   fields.require(key_of(global_rows, Field::diffuse));
   fields.require(key_of(global_rows, Field::specular));
@@ -342,7 +336,7 @@ void read_json_camera(JsonContext& context, JsonIndex key, Scene& scene) {
   const JsonFields fields(context, key + 1, camera::vocabulary);
   Camera& camera = scene.camera.emplace();
   camera.location = context.place(key);
-  const ObjectReader reader{context, fields, camera.location, scene};
+  const ObjectReader reader{context, fields, camera.location, camera.unread, scene};
   camera::read_required(reader, Field::position, camera);
   camera::read_required(reader, Field::up, camera);
   camera::read_required(reader, Field::height_angle_deg, camera);
@@ -369,7 +363,7 @@ std::optional<Light> read_json_light(JsonContext& context, JsonIndex item, Scene
   }
   light::require_keys(context, fields, item, light.type);
   light::report_unused_keys(context, fields, light.type);
-  const ObjectReader reader{context, fields, light.location, scene};
+  const ObjectReader reader{context, fields, light.location, light.unread, scene};
   for (std::size_t i = 0; i < std::size(light_rows); ++i) {
     const ValueRow<Light>& row = light_rows[i];
     if (!row.json.empty() && row.has_member() && row.used_by_type(light.type)) {
@@ -392,7 +386,7 @@ std::optional<Primitive> read_json_primitive(JsonContext& context, JsonIndex ite
   Primitive primitive;
   primitive.shape = static_cast<Shape>(*type);
   primitive.location = context.place(item);
-  const ObjectReader reader{context, fields, primitive.location, scene};
+  const ObjectReader reader{context, fields, primitive.location, primitive.unread, scene};
   primitive::read_material(reader, primitive.material);
   if (primitive.shape != Shape::mesh) {
     report_unused(context, fields, primitive::mesh_file, "on any primitive but a mesh");

@@ -113,7 +113,7 @@ bool read_global(const XmlContext& context, const XmlTag& tag, SeenFields& seen,
 }
 
 void finish_globals(const SeenFields& seen, Scene& scene) {
-  add_unread(global_rows, seen, scene.global.location, scene);
+  scene.global.unread = unread_fields(global_rows, seen);
 }
 
 bool read_camera_part(const XmlContext& context, const XmlTag& tag, CameraDraft& draft) {
@@ -144,7 +144,7 @@ void finish_camera(const XmlContext& context, CameraDraft& draft, Scene& scene) 
                                            scene.camera->location.line));
   }
   add_places(camera_rows, draft.seen, draft.camera.location, scene);
-  add_unread(camera_rows, draft.seen, draft.camera.location, scene);
+  draft.camera.unread = unread_fields(camera_rows, draft.seen);
   scene.camera = draft.camera;
 }
 
@@ -291,7 +291,7 @@ void finish_light(const XmlContext& context, LightDraft& draft, Scene& scene) {
     draft.light.position = glm::vec3(0);
   }
   add_places(light_rows, draft.seen, draft.light.location, scene);
-  add_unread(light_rows, draft.seen, draft.light.location, scene);
+  draft.light.unread = unread_fields(light_rows, draft.seen);
   scene.nodes[scene.root].lights.push_back(std::move(draft.light));
 }
 
@@ -433,7 +433,7 @@ void finish_primitive(PrimitiveDraft& draft, Scene& scene) {
     // Unknown whether there is a texture to blend.
     draft.seen.set_unread(blend_row, true);
   }
-  add_unread(material_rows, draft.seen, scene.nodes[draft.node].primitives.back().location, scene);
+  scene.nodes[draft.node].primitives.back().unread = unread_fields(material_rows, draft.seen);
 }
 
 // The tags of objects.

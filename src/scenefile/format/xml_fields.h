@@ -109,15 +109,16 @@ void read_value(const XmlContext& context, const XmlTag& tag, const ValueRow<Own
   }
 }
 
-/// Lists the values that could not be read.
+/// The values that could not be read.
 template <typename Owner, std::size_t N>
-void add_unread(const ValueRow<Owner> (&rows)[N], const SeenFields& seen, Location owner,
-                Scene& scene) {
+FieldSet unread_fields(const ValueRow<Owner> (&rows)[N], const SeenFields& seen) {
+  FieldSet fields;
   for (std::size_t i = 0; seen.any_unread() && i < N; ++i) {
     if (seen.unread(i)) {
-      scene.unread_fields.push_back({owner, *rows[i].field});
+      fields.insert(*rows[i].field);
     }
   }
+  return fields;
 }
 
 /// Stores the places of the children that findings can refer to.

@@ -97,7 +97,7 @@ bool Reporter::finite(const Subject& subject, Field field, std::string_view name
 
 bool Reporter::finite(const Subject& subject, Field field, std::string_view name,
                       const glm::vec3& value) {
-  if (!knows(subject.location, field)) {
+  if (subject.unread.contains(field)) {
     return false;
   }
   if (scenefile::finite(value)) {

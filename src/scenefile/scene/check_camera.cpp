@@ -87,7 +87,7 @@ void check_lens(const Camera& camera, const Subject& subject, Reporter& reporter
 }  // namespace
 
 void check_global(const Global& global, Reporter& reporter) {
-  const Subject subject{"global data", global.location};
+  const Subject subject{"global data", global.location, no_node, global.unread};
   check_coefficient(global.ambient, Field::ambient, "ambientcoeff", subject, reporter);
   check_coefficient(global.diffuse, Field::diffuse, "diffusecoeff", subject, reporter);
   check_coefficient(global.specular, Field::specular, "specularcoeff", subject, reporter);
@@ -98,7 +98,7 @@ void check_global(const Global& global, Reporter& reporter) {
 }
 
 void check_camera(const Camera& camera, Reporter& reporter) {
-  const Subject subject{"camera", camera.location};
+  const Subject subject{"camera", camera.location, no_node, camera.unread};
   if (reporter.finite(subject, Field::position, "pos", camera.position) &&
       largest(glm::abs(camera.position)) > far_away) {
     reporter.report(camera_far_away, subject, Field::position,
@@ -107,7 +107,7 @@ void check_camera(const Camera& camera, Reporter& reporter) {
   }
   check_directions(camera, subject, reporter);
   // Negated to catch NaN too.
-  if (reporter.knows(camera.location, Field::height_angle_deg) &&
+  if (!camera.unread.contains(Field::height_angle_deg) &&
       !(camera.height_angle_deg > 0 && camera.height_angle_deg < 180)) {
     reporter.report(camera_height_angle, subject, Field::height_angle_deg,
                     fmt::format("heightangle {} is not between 0 and 180 degrees",

@@ -91,7 +91,7 @@ void check_cone(const Light& light, const Subject& subject, Reporter& reporter) 
   }
   if (light.angle_deg) {
     check_angle(light, subject, reporter);
-  } else if (reporter.knows(light.location, Field::angle_deg)) {
+  } else if (!light.unread.contains(Field::angle_deg)) {
     reporter.report(light_spot_without_angle, subject,
                     light.penumbra_deg > 0
                         ? fmt::format("the spotlight has no angle; penumbra {} counts as its "
@@ -115,7 +115,7 @@ void check_rectangle(const Light& light, const Subject& subject, Reporter& repor
 }  // namespace
 
 void check_light(const Light& light, NodeId node, Reporter& reporter) {
-  const Subject subject{light_type_name(light.type), light.location, node};
+  const Subject subject{light_type_name(light.type), light.location, node, light.unread};
   check_color(light, subject, reporter);
   check_attenuation(light, subject, reporter);
   if (light_uses(light.type, Field::position)) {

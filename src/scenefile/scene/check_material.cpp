@@ -89,8 +89,7 @@ void check_refraction(const Material& material, const Subject& subject, Reporter
 // The energy that a surface passes on, summed like the renderers do.
 void check_energy(const Material& material, const Global& global, const Subject& subject,
                   Reporter& reporter) {
-  if (!reporter.knows(global.location, Field::specular) ||
-      !reporter.knows(global.location, Field::transparent)) {
+  if (global.unread.contains(Field::specular) || global.unread.contains(Field::transparent)) {
     return;
   }
   const glm::vec3 reflected = global.specular * material.reflective;
@@ -151,7 +150,7 @@ void check_blend(const Material& material, const Subject& subject, Reporter& rep
 
 void check_primitive(const Primitive& primitive, NodeId node, const Global& global,
                      Reporter& reporter) {
-  const Subject subject{word_of(primitive.shape), primitive.location, node};
+  const Subject subject{word_of(primitive.shape), primitive.location, node, primitive.unread};
   const Material& m = primitive.material;
   if (primitive.shape == Shape::mesh && primitive.mesh_file.empty()) {
     reporter.report(tree_mesh_without_file, subject, Field::mesh_file,

@@ -24,16 +24,14 @@ struct Subject {
   std::string_view what;  ///< such as "sphere"
   Location location;
   NodeId node = no_node;
+  FieldSet unread = {};  ///< findings must not depend on these
 };
 
 /// Adds findings with the place of their subject or field.
 class Reporter {
  public:
   Reporter(const Scene& scene, Diagnostics& diagnostics)
-      : scene_(scene),
-        diagnostics_(diagnostics),
-        places_(scene.field_places),
-        unread_(scene.unread_fields) {}
+      : scene_(scene), diagnostics_(diagnostics), places_(scene.field_places) {}
 
   /// A finding about the subject as a whole. If the subject has no place in a file, the message
   /// names its node.
@@ -46,8 +44,6 @@ class Reporter {
     return places_.find(subject.location, field) != subject.location;
   }
 
-  /// False if the file gives the value, but it could not be read.
-  bool knows(Location owner, Field field) const { return !unread_.has(owner, field); }
   /// Returns whether the value is known and finite; reports one that is not finite.
   bool finite(const Subject& subject, Field field, std::string_view name, float value);
   bool finite(const Subject& subject, Field field, std::string_view name, const glm::vec3& value);
@@ -58,7 +54,6 @@ class Reporter {
   const Scene& scene_;
   Diagnostics& diagnostics_;
   FieldPlaces places_;
-  UnreadFields unread_;
   std::optional<NodePaths> paths_;
 };
 

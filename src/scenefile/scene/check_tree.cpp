@@ -222,7 +222,7 @@ void check_totals(const Scene& scene, const TemplateGraph& graph, const Contents
                                 limits.instance_nesting));
   }
   if (contents.transparent != nullptr && !scene.global.transparent &&
-      reporter.knows(scene.global.location, Field::transparent)) {
+      !scene.global.unread.contains(Field::transparent)) {
     reporter.report(global_transparent_default,
                     {"primitive", contents.transparent->location, contents.transparent_node},
                     Field::transparent,

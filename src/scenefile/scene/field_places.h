@@ -1,6 +1,5 @@
 #pragma once
-// Looks up what the reader noted about a value: its place in the file, or that it could not be
-// read. Internal to scene.
+// Looks up the places of values in the file. Internal to scene.
 
 #include "scenefile/scene/scene.h"
 
@@ -19,19 +18,6 @@ class FieldPlaces {
  private:
   const std::vector<FieldPlace>& places_;
   std::vector<FieldPlace> sorted_;
-};
-
-/// Takes no time for scenes without such values.
-class UnreadFields {
- public:
-  explicit UnreadFields(std::vector<UnreadField> fields);
-
-  bool has(Location owner, Field field) const { return !sorted_.empty() && find(owner, field); }
-
- private:
-  bool find(Location owner, Field field) const;
-
-  std::vector<UnreadField> sorted_;
 };
 
 }  // namespace scenefile

@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +21,54 @@
 #include <vector>
 
 namespace scenefile {
+
+/// A value of the global data, the camera, a light, a primitive or a node; named like the member
+/// that holds it.
+enum class Field : std::uint8_t {
+  ambient,
+  diffuse,
+  specular,
+  transparent,
+  position,
+  look,
+  up,
+  height_angle_deg,
+  aperture,
+  focal_length,
+  color,
+  direction,
+  attenuation,
+  angle_deg,
+  penumbra_deg,
+  width,
+  height,
+  id,
+  reflective,
+  shininess,
+  ior,
+  blend,
+  mesh_file,
+  instance_of
+};
+
+/// A set of fields.
+class FieldSet {
+ public:
+  constexpr FieldSet(std::initializer_list<Field> fields = {}) {
+    for (const Field field : fields) {
+      insert(field);
+    }
+  }
+  constexpr void insert(Field field) { bits_ |= bit(field); }
+  constexpr bool contains(Field field) const { return (bits_ & bit(field)) != 0; }
+  friend constexpr bool operator==(const FieldSet&, const FieldSet&) = default;
+
+ private:
+  static constexpr std::uint32_t bit(Field field) { return 1u << static_cast<unsigned>(field); }
+  static_assert(static_cast<unsigned>(Field::instance_of) < 32);
+
+  std::uint32_t bits_ = 0;
+};
 
 /// Coefficients that scale the terms of the lighting equation in the whole scene.
 struct Global {
@@ -29,6 +78,9 @@ struct Global {
   /// Not given in nearly all files; the renderer's profile then decides its value.
   std::optional<float> transparent;
   Location location;
+  /// Values that the file gives, but that could not be read; they have their defaults. check()
+  /// reports nothing that depends on them.
+  FieldSet unread{};
 
   friend bool operator==(const Global& a, const Global& b);
 };
@@ -42,6 +94,7 @@ struct Camera {
   float aperture = 0;           ///< lens size in world units; 0 is a pinhole
   float focal_length = 0;       ///< distance of the plane in focus, world units; 0 is a pinhole
   Location location;
+  FieldSet unread{};  ///< as in Global
 
   friend bool operator==(const Camera& a, const Camera& b);
 };
@@ -106,6 +159,7 @@ struct Material {
 
 struct Primitive {
   Shape shape = Shape::cube;
+  FieldSet unread{};   ///< as in Global
   RareText mesh_file;  ///< as written; only for Shape::mesh
   Material material;
   Location location;
@@ -126,6 +180,7 @@ struct Light {
   std::optional<int> id;  ///< has no effect
   std::string name;       ///< has no effect
   Location location;
+  FieldSet unread{};  ///< as in Global
 
   friend bool operator==(const Light& a, const Light& b);
 };
@@ -145,47 +200,12 @@ struct Node {
   Location location;
 };
 
-/// A value of the global data, the camera, a light, a primitive or a node; named like the member
-/// that holds it.
-enum class Field : std::uint8_t {
-  ambient,
-  diffuse,
-  specular,
-  transparent,
-  position,
-  look,
-  up,
-  height_angle_deg,
-  aperture,
-  focal_length,
-  color,
-  direction,
-  attenuation,
-  angle_deg,
-  penumbra_deg,
-  width,
-  height,
-  id,
-  reflective,
-  shininess,
-  ior,
-  blend,
-  mesh_file,
-  instance_of
-};
-
 /// The place of one value in the file. The owner is named by its own place, which stays right when
 /// nodes, lights or primitives are added or removed, as an index would not.
 struct FieldPlace {
   Location owner;  ///< the `location` of the Global, Camera, Light, Primitive or Node
   Field field = Field::ambient;
   Location location;
-};
-
-/// A value that the file gives, but that could not be read; its member has the default.
-struct UnreadField {
-  Location owner;  ///< as in FieldPlace
-  Field field = Field::ambient;
 };
 
 /// A scene as written. The nodes form a forest whose trees are the root and the templates. Every
@@ -201,8 +221,6 @@ struct Scene {
   NodeId root = 0;
   /// Only for messages; in any order. The place of a value that is not listed is that of its owner.
   std::vector<FieldPlace> field_places;
-  /// In any order. check() reports nothing that depends on these values.
-  std::vector<UnreadField> unread_fields;
   /// The file had errors or no root, so parts may be missing. check() then does not report problems
   /// that may follow from that.
   bool incomplete = false;

@@ -612,6 +612,46 @@ TEST(Causes, ABackgroundInATurnedPicture) {
                });
 }
 
+TEST(Causes, AFactorOfThePictureBesideAnotherMistake) {
+  for (const double factor : {0.7, 1.5}) {
+    const Change darker = each_value([factor](const std::uint8_t* pixel, int channel) {
+      return static_cast<int>(std::min(255.0, factor * pixel[channel]));
+    });
+    expect_right(
+        6, {{"shadow-none"}, {"normal-of-object"}, {"mirror-missing"}, {"texture-swapped"}}, {1, 2},
+        darker, [factor](const CauseReport& report) {
+          const std::string number = factor < 1 ? "0.70" : "1.50";
+          return report.claims.size() == 2 && all_named(report).contains(Cause::brightness) &&
+                 said(report).find("is " + number + " times") != std::string::npos;
+        });
+  }
+}
+
+TEST(Causes, BlurBesideAnotherMistake) {
+  expect_right(2, {{"shadow-none", "output-blurred"}, {"ambient-twice", "output-blurred"}}, {1, 3},
+               unchanged, [](const CauseReport& report) {
+                 return report.claims.size() == 2 && all_named(report).contains(Cause::samples);
+               });
+}
+
+TEST(Causes, MissedSamplesBesideAnotherMistake) {
+  expect_right(
+      3, {{"specular-missing", "output-misses-black"}, {"shadow-none", "output-misses-black"}},
+      {1, 3}, unchanged, [](const CauseReport& report) {
+        return report.claims.size() == 2 && all_named(report).contains(Cause::samples);
+      });
+}
+
+TEST(Causes, AcneBesideAnotherMistake) {
+  expect_right(5,
+               {{"camera-aspect-ignored", "shadow-acne"},
+                {"texture-swapped", "shadow-acne"},
+                {"texture-swapped", "mirror-acne"}},
+               {1, 3}, unchanged, [](const CauseReport& report) {
+                 return report.claims.size() == 2 && all_named(report).contains(Cause::acne);
+               });
+}
+
 TEST(Causes, FindsTheViewOfTheReference) {
   const GeneratedScene scene(4);
   const SceneView right = view_of(scene);

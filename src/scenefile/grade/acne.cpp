@@ -171,9 +171,22 @@ bool is_noise(const Simulation& sim, const Expected& picture,
          wrong.changes >= min_noise * wrong.expected;
 }
 
+// Whether pixels between the specks need each of the mistakes.
+bool each_makes_right(const Simulation& sim, const Combination& made) {
+  constexpr double min_share = 0.02;  // of the weight that differs
+  const std::size_t count = sim.points.size();
+  const double least = std::max(double(few_pixels), min_share * sim.weight_that_differs(count));
+  return std::all_of(made.begin(), made.end(), [&](std::uint16_t i) {
+    Combination others = made;
+    others.erase(std::find(others.begin(), others.end(), i));
+    return effect_of(sim, sim.predicted(made, count), sim.predicted(others, count)).gained_all >=
+           least;
+  });
+}
+
 }  // namespace
 
-std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, double least) {
+Acne find_acne(const Simulation& sim, const Combination& made, double least) {
   if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray ||
       sim.turn_of(made) != Turn()) {
     return {};
@@ -239,25 +252,32 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
     }
     lacking_on_mirrors += lacks ? 1 : 0;
     ++mirrors;
-    if (made.empty()) {
-      const std::vector<dvec3> seen = picture.model().self_mirrored(ray, 16);
-      seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
-        return largest_of(glm::abs(picture.shown(c) - p.test)) <= 3;
-      });
-    }
+    const std::vector<dvec3> seen = picture.model().self_mirrored(ray, 16);
+    seeing_themselves += std::any_of(seen.begin(), seen.end(), [&](const dvec3& c) {
+      return largest_of(glm::abs(picture.shown(c) - p.test)) <= 3;
+    });
   }
   // Glass cannot be checked, so it must not be the main evidence. The other mistakes must explain
   // the pixels outside the spots.
   const double area = share(spots.size(), differing) * sim.weight_that_differs(sim.points.size());
   if (area < min_area * sim.test.width * sim.test.height || dull + mirrors < few_pixels ||
-      2 * (dull + mirrors) < spots.size() ||
-      (!made.empty() && (share(spots.size(), differing) > 0.75 || !each_needed(sim, made)))) {
+      2 * (dull + mirrors) < spots.size() || !each_makes_right(sim, made)) {
     return {};
   }
-  std::vector<Claim> claims;
+  Acne acne;
+  std::vector<Claim>& claims = acne.claims;
+  const double explained = 1 - share(spots.size(), differing);
+  for (const std::uint16_t i : made) {
+    claims.push_back({sim.list[i].cause, sim.list[i].what,
+                      fmt::format("simulating this mistake explains {} of the pixels that differ; "
+                                  "the others are specks",
+                                  percent(explained)),
+                      explained});
+  }
   const double mirrored = share(seeing_themselves, mirrors);
   if (mirrors >= 3 * few_pixels && mirrored >= std::max(min_explained, least) &&
       mirrors > 3 * dull) {
+    acne.unexplained = 1 - mirrored;
     claims.push_back(
         {Cause::acne,
          "reflected rays hit the surface that they start from, in spots (acne): offset their "
@@ -265,7 +285,7 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
          fmt::format("{} of the pixels that differ on mirrors show the mirror itself",
                      percent(mirrored)),
          mirrored});
-    return is_noise(sim, picture, spots) ? claims : std::vector<Claim>();
+    return is_noise(sim, picture, spots) ? acne : Acne();
   }
   // On mirrors, the reflection may show acne, too, so the missing light may fit no set of lights.
   const bool all_mirrors = 10 * dull < dull + mirrors;
@@ -282,14 +302,7 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
   if (!is_noise(sim, picture, spots)) {
     return {};
   }
-  const double explained = 1 - share(spots.size(), differing);
-  for (const std::uint16_t i : made) {
-    claims.push_back({sim.list[i].cause, sim.list[i].what,
-                      fmt::format("simulating this mistake explains {} of the pixels that differ; "
-                                  "the others are specks",
-                                  percent(explained)),
-                      explained});
-  }
+  acne.unexplained = 1 - share(lacking + lacking_on_mirrors, dull + mirrors);
   claims.push_back(
       {Cause::acne,
        "surfaces shadow themselves in spots (shadow acne): offset the start of shadow rays from "
@@ -303,7 +316,37 @@ std::vector<Claim> claims_of_acne(Simulation& sim, const Combination& made, doub
                          "between them",
                          percent(lack), made.empty() ? "" : " still"),
        darker});
-  return claims;
+  return acne;
+}
+
+Acne with_camera(const Simulation& sim, Acne acne) {
+  constexpr double much = 0.03;    // unexplained
+  constexpr double most_of = 0.4;  // of that, the rest with a camera
+  if (acne.claims.empty() || acne.unexplained < much) {
+    return acne;
+  }
+  Acne best;
+  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+    const Hypothesis& h = sim.list[i];
+    if (h.stage == Stage::camera || h.cause == Cause::samples) {
+      Acne found = find_acne(sim, {i}, 0);
+      if (!found.claims.empty() && found.unexplained < best.unexplained) {
+        best = std::move(found);
+      }
+    }
+  }
+  return best.unexplained <= most_of * acne.unexplained ? best : acne;
+}
+
+Acne find_acne_beside(const Simulation& sim, const std::vector<Combination>& mistakes) {
+  Acne best;
+  for (const Combination& made : mistakes) {
+    Acne found = find_acne(sim, made, 0);
+    if (!found.claims.empty() && found.unexplained < best.unexplained) {
+      best = std::move(found);
+    }
+  }
+  return best;
 }
 
 }  // namespace scenefile

@@ -1,4 +1,5 @@
 #include "scenefile/grade/hypothesis_list.h"
+#include "scenefile/grade/sampling_causes.h"
 
 #include <fmt/format.h>
 
@@ -198,6 +199,14 @@ void add_shifts(HypothesisList& list) {
                     where),
         [by = shift](Trial& t) { t.shift = by; }, Stage::camera);
   }
+  for (const auto& [size, filter] : pixel_filters()) {
+    list.add(
+        Cause::samples, fmt::format("the picture is blurred: each pixel is the mean of {}", size),
+        [filter = filter](Trial& t) { t.filter = filter; }, Stage::hits);
+  }
+  list.add(
+      Cause::samples, "pixels stay black where one of several samples misses everything",
+      [](Trial& t) { t.black_if_missed = true; }, Stage::hits);
 }
 
 }  // namespace scenefile

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace scenefile {
 
@@ -39,17 +40,43 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
                      [&](std::size_t i) { return is_fitted(sim, i); });
 }
 
-// Three mistakes, or a fitted number and another mistake, can imitate many pictures.
+// Three mistakes, or a fitted number and another mistake, can imitate many pictures. Right programs
+// take several samples of a pixel, too.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
-  return mistakes.size() > 2 || any_fitted(sim, mistakes);
+  return mistakes.size() > 2 || any_fitted(sim, mistakes) ||
+         std::any_of(mistakes.begin(), mistakes.end(),
+                     [&](std::uint16_t i) { return sim.list[i].cause == Cause::samples; });
 }
 
-// Whether the claim satisfies the thresholds, which are higher for several mistakes.
-bool good_enough(const Simulation& sim, const Tried& t) {
-  return good(t) &&
-         (sure(t) ||
-          (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
-         leaves_only_rounding(sim, t.mistakes);
+// Whether a color says much: black and full brightness have many causes.
+bool is_telling(const dvec3& color) {
+  return largest_of(color) > 3 && std::min({color.x, color.y, color.z}) < 252;
+}
+
+// Whether the mistakes explain pixels that are neither black nor full: the others are easily right.
+// Several mistakes must be right within rounding, nearly as often as pixels without mistakes.
+bool explains_telling_pixels(const Simulation& sim, const Combination& mistakes) {
+  const bool several = mistakes.size() > 1 && sim.usable;
+  const bool means = sim.view != nullptr && sim.view->samples > 1;  // of pixels with noise
+  const double exactly = means || any_fitted(sim, mistakes) ? 3 : 1.6;
+  const double min_share = !several ? 0.5 : means ? 0.8 : 0.93;
+  const auto right = [&](const Point& p, const dvec3& color) {
+    const double limit = several ? exactly : std::min(right_within, 1 + 0.3 * largest_of(p.test));
+    return largest_of(glm::abs(glm::clamp(color, dvec3(0), dvec3(255)) - p.test)) <= limit;
+  };
+  const Colors colors = sim.predicted(mistakes, sim.points.size());
+  const Colors& clean = sim.clean({}).reference;
+  double differing = 0, explained = 0, same = 0, equal = 0;
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    if (is_telling(p.test)) {
+      (p.differs ? differing : same) += p.weight;
+      explained += p.differs && right(p, colors[i]) ? p.weight : 0;
+      equal += !p.differs && right(p, clean[i]) ? p.weight : 0;
+    }
+  }
+  const double noise = same >= 10 * few_pixels ? 1 - equal / same : 0;
+  return explained >= min_share * (1 - noise) * differing;
 }
 
 // Whether one of several mistakes is needed: where it changes the picture, the picture is right
@@ -139,18 +166,38 @@ std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Si
   return best;
 }
 
+// Whether the mistakes `t` give the same picture as those found.
+bool equally_good(const Simulation& sim, const Tried& t, const Tried& found) {
+  return t.score.raw <= tie_limit(found.score.raw, sim.base(sim.points.size()).left) &&
+         t.exact >= found.exact - nearly_as_exact;
+}
+
 }  // namespace
 
 bool good(const Tried& t) {
   return t.explained >= enough && t.exact >= enough_exact && t.broken <= max_broken;
 }
 
+bool good_enough(const Simulation& sim, const Tried& t) {
+  return good(t) &&
+         (sure(t) ||
+          (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
+         leaves_only_rounding(sim, t.mistakes);
+}
+
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
+  if (!explains_telling_pixels(sim, mistakes)) {
+    return false;
+  }
   constexpr double min_share = 0.8;
   constexpr double min_share_of_group = 0.5;  // of an object, or of what one of several changes
   constexpr double min_share_at_edges = 0.6;
   constexpr double small = 16;  // difference
   constexpr std::size_t enough_of_group = 2 * few_pixels;
+  // Programs may change the finished picture after they have truncated its values.
+  const bool twice = std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
+    return sim.list[i].color || sim.list[i].cause == Cause::samples;
+  });
   const std::size_t count = sim.points.size();
   const Colors with = sim.predicted(mistakes, count);
   const Colors& clean = sim.usable ? sim.clean({}).drawn : sim.clean({}).reference;
@@ -171,7 +218,7 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   for (std::size_t i = 0; i < count; ++i) {
     const Point& p = sim.points[i];
     const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
-    const bool exactly = largest_of(glm::abs(c - p.test)) <= rounding;
+    const bool exactly = largest_of(glm::abs(c - p.test)) <= (twice ? rounding + 1 : rounding);
     if (p.differs && largest_of(glm::abs(clean[i] - p.test)) < small &&
         largest_of(outside(c, p.low, p.high)) <= exact_within - tolerance) {
       at_edges.add(exactly);
@@ -250,19 +297,18 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
   if (sim.list[other].stage == Stage::shapes && sim.shapes->parts.size() > max_shapes_to_edit) {
     return false;
   }
-  // Fitted curves of the finished picture can imitate any other mistake.
-  const auto is_fitted_curve = [&](std::uint16_t i) {
-    return i >= sim.first_fitted && sim.list[i].stage == Stage::picture;
-  };
-  if (!start.empty() &&
-      (is_fitted_curve(other) || std::any_of(start.begin(), start.end(), is_fitted_curve))) {
+  const auto combines = [&](std::uint16_t i) { return sim.list[i].combines; };
+  if (!start.empty() && !(combines(other) && std::all_of(start.begin(), start.end(), combines))) {
     return false;
   }
   return std::none_of(start.begin(), start.end(), [&](std::uint16_t i) {
     const Hypothesis& a = sim.list[i];
     const Hypothesis& b = sim.list[other];
-    const bool shift = a.cause == Cause::half_pixel_shift || b.cause == Cause::half_pixel_shift;
-    return shift ||
+    // A shift makes a wrong camera fit better.
+    const auto shifts = [](const Hypothesis& one, const Hypothesis& two) {
+      return one.cause == Cause::half_pixel_shift && two.stage == Stage::camera;
+    };
+    return shifts(a, b) || shifts(b, a) ||
            (a.cause == b.cause && a.cause != Cause::specular && a.cause != Cause::texture &&
             a.cause != Cause::shapes) ||
            (a.stage == Stage::shapes && b.stage == Stage::shapes && a.cause == Cause::transforms);
@@ -371,6 +417,70 @@ Tried without_needless(Simulation& sim, Tried found) {
     }
     found = std::move(rest);
     i = 0;
+  }
+  return found;
+}
+
+std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
+                                 const std::vector<Tried>& tried) {
+  constexpr std::size_t max_checked = 12;
+  const Simulation::Base few = sim.base(few_points);
+  const double limit =
+      sim.rated(found.mistakes, sim.score_of(found.mistakes, few_points), few).merit() - necessary;
+  std::set<Combination> others;
+  for (const Tried& t : tried) {
+    const bool disjoint = std::none_of(t.mistakes.begin(), t.mistakes.end(), [&](std::uint16_t i) {
+      return std::find(found.mistakes.begin(), found.mistakes.end(), i) != found.mistakes.end();
+    });
+    if (disjoint && t.mistakes.size() == found.mistakes.size() && t.merit() >= limit) {
+      others.insert(t.mistakes);
+    }
+  }
+  std::vector<Tried> equal;
+  std::size_t left = max_checked;
+  const Simulation::Base b = sim.base(sim.points.size());
+  for (const Combination& mistakes : others) {
+    if (left-- == 0) {
+      break;
+    }
+    Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
+    Tried rounded = found;  // a fitted factor is off by half a step
+    rounded.score.raw += 0.5 * 3 * b.differs;
+    if (equally_good(sim, t, rounded) && good_enough(sim, t)) {
+      equal.push_back(std::move(t));
+    }
+  }
+  return equal;
+}
+
+Tried simplified(Simulation& sim, const Tried& found) {
+  if (found.mistakes.size() < 3) {
+    return found;
+  }
+  std::vector<Combination> sets;
+  for (std::size_t a = 0; a < found.mistakes.size(); ++a) {
+    for (std::size_t b = a + 1; b < found.mistakes.size(); ++b) {
+      Combination rest = found.mistakes;
+      rest.erase(rest.begin() + std::ptrdiff_t(b));
+      rest.erase(rest.begin() + std::ptrdiff_t(a));
+      for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+        if (std::find(rest.begin(), rest.end(), i) == rest.end() && fits(sim, rest, i)) {
+          sets.push_back(joined(rest, {i}));
+        }
+      }
+    }
+  }
+  const double limit =
+      sim.rated(found.mistakes, sim.score_of(found.mistakes, few_points), sim.base(few_points))
+          .merit() -
+      necessary;
+  std::vector<Tried> tried = sim.try_all(sets, few_points, 1, 1);
+  std::erase_if(tried, [&](const Tried& t) { return t.merit() < limit; });
+  sort_by_merit(tried);
+  for (const Tried& t : verified(sim, tried, 8, 1, 1)) {
+    if (equally_good(sim, t, found) && good_enough(sim, t) && each_needed(sim, t.mistakes)) {
+      return simplified(sim, t);
+    }
   }
   return found;
 }

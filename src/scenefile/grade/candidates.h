@@ -18,6 +18,8 @@ bool good(const Tried& t);
 /// Whether what the mistakes leave is rounding: at most points that they are to explain, the color
 /// is the test's but for rounding. A mistake that imitates another one is near it, but not equal.
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes);
+/// Whether the claim satisfies all thresholds, which are higher for several mistakes.
+bool good_enough(const Simulation& sim, const Tried& t);
 /// Whether the claim reproduces the picture.
 bool reproduces_all(const Tried& t);
 /// Whether the claim explains nearly everything, so that the search can stop.
@@ -60,6 +62,11 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
 bool each_needed(const Simulation& sim, const Combination& mistakes);
 /// Removes the mistakes that are not needed.
 Tried without_needless(Simulation& sim, Tried found);
+/// Other combinations of those tried that give the same picture without any of the mistakes found.
+std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
+                                 const std::vector<Tried>& tried);
+/// The same picture with one mistake in place of two, where there is one.
+Tried simplified(Simulation& sim, const Tried& found);
 /// Adds the mistake that explains most of the remaining difference, if any.
 Tried completed(Simulation& sim, const Tried& found);
 /// The first candidate that satisfies the thresholds after removing mistakes that are not needed,

@@ -132,13 +132,16 @@ bool equal_colors(const Colors& a, const Colors& b) {
 constexpr std::size_t max_ties = 4;
 
 // Names the mistakes that give the same picture in place of one of several: one of each kind first,
-// the likeliest before others.
-void name_ties(const Simulation& sim, const Tried& found, CauseReport& report) {
+// the likeliest before others. Then a combination of others, in place of all.
+void name_ties(const Simulation& sim, const Tried& found, const std::vector<Tried>& equal,
+               CauseReport& report) {
+  std::set<std::uint16_t> seen_instead;
   for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
     std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
-    if (same.empty()) {
+    if (same.empty() || shows_at_edges(sim.list[found.mistakes[k]])) {
       continue;
     }
+    seen_instead.insert(same.begin(), same.end());
     same.push_back(found.mistakes[k]);
     std::sort(same.begin(), same.end());
     std::set<Cause> seen;
@@ -162,10 +165,26 @@ void name_ties(const Simulation& sim, const Tried& found, CauseReport& report) {
     }
     one.what += ": these give the same picture";
   }
+  const auto other = std::find_if(equal.begin(), equal.end(), [&](const Tried& t) {
+    return std::none_of(t.mistakes.begin(), t.mistakes.end(),
+                        [&](std::uint16_t i) { return seen_instead.contains(i); });
+  });
+  if (other == equal.end()) {
+    return;
+  }
+  std::string all;
+  for (const std::uint16_t i : other->mistakes) {
+    const Hypothesis& h = sim.list[i];
+    all += (all.empty() ? "" : "; and ") + h.what;
+    report.rivals.push_back(
+        {h.cause, h.what, evidence_of_share(other->explained), other->explained, true});
+  }
+  report.claims.back().what +=
+      ". In place of all of these, the following give the same picture: " + all;
 }
 
 void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& others,
-           CauseReport& report) {
+           const std::vector<Tried>& several, CauseReport& report) {
   const Simulation::Base b = sim.base(sim.points.size());
   const double values = 3.0 * sim.test.width * sim.test.height;
   for (const std::uint16_t i : found.mistakes) {
@@ -179,7 +198,7 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
     report.claims.push_back(std::move(one));
   }
   if (found.mistakes.size() > 1) {
-    name_ties(sim, found, report);
+    name_ties(sim, found, equal_instead(sim, found, several), report);
     return;
   }
   std::string same;
@@ -274,8 +293,8 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
 void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    // Shifts by half a pixel show at edges, where find_shift() looks.
-    if (sim.list[i].cause != Cause::half_pixel_shift) {
+    // Other samples of pixels show at edges, where sampling_causes.cpp looks.
+    if (!shows_at_edges(sim.list[i])) {
       singles.push_back({i});
     }
   }
@@ -297,7 +316,8 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   const bool single = first != alone.end();
   const bool doubtful = single && breaks_right_pixels(sim, *first);
   if (!single || doubtful || first->exact < nearly_all) {
-    report.claims = claims_of_acne(sim, {}, single && !doubtful ? first->exact : 0);
+    const double least = single && !doubtful ? first->exact : 0;
+    report.claims = with_camera(sim, find_acne(sim, {}, least)).claims;
   }
   if (single && report.claims.empty()) {
     found = completed(sim, *first);
@@ -305,15 +325,17 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   if (!report.claims.empty()) {
     return;
   }
+  std::vector<Tried> several;
   if (look_for == LookFor::several_at_once && !(found && sure(*found)) &&
       report.share_different >= min_share_for_several) {
-    std::optional<Tried> more = sim.usable ? find_several(sim, ranked, alone, report.claims)
-                                           : find_several_of_picture(sim, ranked);
+    std::optional<Tried> more = sim.usable
+                                    ? find_several(sim, ranked, alone, report.claims, several)
+                                    : find_several_of_picture(sim, ranked);
     if (!report.claims.empty()) {
       return;
     }
     if (more && (!found || clearly_better(*more, *found))) {
-      found = std::move(more);
+      found = simplified(sim, *more);
     }
   }
   if (!found && !sim.stopped && look_for == LookFor::several_at_once) {
@@ -324,8 +346,8 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
-    const Tried all = with_shift(sim, *found);
-    claim(sim, all, alone, report);
+    const Tried all = with_edges(sim, *found);
+    claim(sim, all, alone, several, report);
     separate_notes(sim, all, report);
     return;
   }
@@ -386,6 +408,10 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   sim.interleave(different);
   sim.prepare_clean();
   sim.first_fitted = sim.list.size();
+  if (sim.usable) {
+    sim.fill_cache(screen);
+    add_factors_of_picture(sim);
+  }
   for (Hypothesis& curve : fitted_curves(sim.points, sim.clean({}).reference)) {
     sim.list.push_back(std::move(curve));
   }
@@ -426,7 +452,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
       report.claims.push_back(*std::move(found));
     } else if (sim.usable) {
       if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
-        claim(sim, *shift, {}, report);
+        claim(sim, *shift, {}, {}, report);
       }
     }
   }

@@ -299,6 +299,9 @@ std::vector<Hypothesis> fitted_curves(const std::vector<Point>& points, const Co
         [p = *p](const dvec3& c) { return glm::pow(clamped(c), dvec3(p)); });
   }
   add_lines(by_channel, list);
+  for (Hypothesis& curve : list) {
+    curve.combines = false;
+  }
   return list;
 }
 
@@ -308,15 +311,130 @@ std::optional<Hypothesis> addition_to_objects(const std::vector<Point>& points,
   if (!n || std::abs(*n) <= 4) {
     return std::nullopt;
   }
-  return Hypothesis{Cause::brightness,
-                    fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
-                                *n > 0 ? "added to" : "subtracted from"),
-                    Stage::picture,
-                    {},
-                    {},
-                    [n = *n / 255](const dvec3& c) {
-                      return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c);
-                    }};
+  return Hypothesis{
+      Cause::brightness,
+      fmt::format("{:.0f} of 255 was {} all colors but black", std::abs(*n),
+                  *n > 0 ? "added to" : "subtracted from"),
+      Stage::picture,
+      {},
+      {},
+      [n = *n / 255](const dvec3& c) { return clamped(c) == dvec3(0) ? dvec3(0) : n + clamped(c); },
+      true,
+      false};
+}
+
+namespace {
+
+struct FoundFactor {
+  double value = 1;
+  double share = 0;  // of the values that show the factor
+};
+
+// The factor that makes most values of the colors those of the test, within rounding.
+FoundFactor factor_of_most(const std::vector<Point>& points, const Colors& colors) {
+  constexpr double same = 1.02;      // ratios in this range may have one factor
+  constexpr double rounded = 1.1;    // of 255
+  constexpr double min_spread = 30;  // of 255: a plain color fits any factor
+  Pairs pairs;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (int channel = 0; points[i].differs && channel < 3; ++channel) {
+      const double c = colors[i][channel];
+      const double t = points[i].test[channel];
+      if (c > 12 && t > 5 && t < 252) {
+        pairs.emplace_back(c, t);
+      }
+    }
+  }
+  if (pairs.size() < 3 * few_pixels) {
+    return {};
+  }
+  const auto ratio = [](const auto& pair) { return pair.second / pair.first; };
+  std::sort(pairs.begin(), pairs.end(),
+            [&](const auto& a, const auto& b) { return ratio(a) < ratio(b); });
+  std::size_t most = 0;
+  std::size_t middle = 0;
+  for (std::size_t first = 0, last = 0; first < pairs.size(); ++first) {
+    while (last < pairs.size() && ratio(pairs[last]) <= same * ratio(pairs[first])) {
+      ++last;
+    }
+    if (last - first > most) {
+      most = last - first;
+      middle = (first + last) / 2;
+    }
+  }
+  FoundFactor found{ratio(pairs[middle]), 0};
+  double offset = 0;  // values may be truncated
+  for (int round = 0; round < 3; ++round) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0, least = 255, greatest = 0;
+    for (const auto& [c, t] : pairs) {
+      if (std::abs(t - found.value * c - offset) <= rounded) {
+        n += 1;
+        x += c;
+        y += t;
+        xx += c * c;
+        xy += c * t;
+        least = std::min(least, t);
+        greatest = std::max(greatest, t);
+      }
+    }
+    if (n < 2 * few_pixels || greatest - least < min_spread) {
+      return {};
+    }
+    found = {(n * xy - x * y) / (n * xx - x * x), n / static_cast<double>(pairs.size())};
+    offset = std::clamp((y - found.value * x) / n, -1.0, 0.5);
+  }
+  // Programs use plain numbers. Values may be truncated twice.
+  const double plain = std::round(20 * found.value) / 20;
+  const auto holds = [&](double value) {
+    return std::count_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      const double off = pair.second - value * pair.first;
+      return off >= -1 - value && off <= rounded;
+    });
+  };
+  if (std::abs(plain - found.value) <= 0.02 * found.value &&
+      20 * holds(plain) >= 19 * holds(found.value)) {
+    found.value = plain;
+  }
+  return found;
+}
+
+}  // namespace
+
+void add_factors_of_picture(Simulation& sim) {
+  constexpr std::size_t max_factors = 3;
+  constexpr double min_share = 0.2;
+  constexpr double equal = 0.04;
+  std::vector<FoundFactor> all;
+  for (const Simulation::Clean& c : sim.clean_pictures) {
+    all.push_back(factor_of_most(sim.points, c.drawn));
+  }
+  for (const Colors& colors : sim.cache) {
+    all.push_back(factor_of_most(sim.points, colors));
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const FoundFactor& a, const FoundFactor& b) { return a.share > b.share; });
+  std::vector<double> values;
+  for (const FoundFactor& f : all) {
+    if (f.share < min_share || values.size() == max_factors) {
+      break;
+    }
+    const auto near = [&](double k) { return std::abs(f.value - k) <= equal * k; };
+    if (near(1) || std::any_of(values.begin(), values.end(), near)) {
+      continue;
+    }
+    values.push_back(f.value);
+    add_to_picture(sim.list, Cause::brightness,
+                   fmt::format("the picture is {:.2f} times as bright as it should be", f.value),
+                   [k = f.value](const dvec3& c) { return k * clamped(c); });
+    if (f.value < 1) {
+      add_to_picture(
+          sim.list, Cause::brightness,
+          fmt::format("the picture is {:.2f} times as bright as it should be, before values over "
+                      "1 are cut off",
+                      f.value),
+          [k = f.value](const dvec3& c) { return k * c; });
+    }
+  }
 }
 
 bool curve_holds(const Texture& reference, const std::vector<Point>& points, const Colors& without,

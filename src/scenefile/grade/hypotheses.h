@@ -10,12 +10,21 @@
 
 namespace scenefile {
 
+/// The color of a pixel is a mean of those around it.
+struct PixelFilter {
+  std::vector<double> weights;  ///< of columns and of rows; empty: no filter
+  int before = 0;               ///< the columns to the left, and rows above
+};
+
 /// A scene with mistakes. Its groups are empty if no mistake changes the shapes.
 struct Trial {
   RenderScene scene;
   RenderOptions options;
   ModelMistakes mistakes;
   glm::dvec2 shift{0};  ///< of rays, from pixel centers, in pixels: right and down
+  PixelFilter filter{};
+  /// Pixels have four samples, and are black if one of them hits nothing.
+  bool black_if_missed = false;
 };
 
 /// The earliest stage of drawing that a mistake changes; the first ones are the cheapest to test.
@@ -44,6 +53,9 @@ struct Hypothesis {
   /// For colors before clamping; empty: unchanged.
   std::function<glm::dvec3(const glm::dvec3&)> color;
   bool mistake = true;  ///< false: another way of sampling, which programs may choose
+  /// Whether the searches combine it with others. Curves that are fitted to the reference are not:
+  /// they can imitate any other mistake.
+  bool combines = true;
 };
 
 /// Mistakes that change the finished picture.

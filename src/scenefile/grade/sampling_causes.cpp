@@ -16,16 +16,16 @@ using glm::dvec3;
 
 constexpr double enough_shift = 0.6;  // share of edges that a subpixel shift must explain
 
-// The mean of the pixels around, by weights of columns and rows.
-dvec3 mean_around(const Simulation& sim, int x, int y, const std::vector<double>& weights,
-                  int before) {
+dvec3 mean_around(const Simulation& sim, int x, int y, const PixelFilter& filter) {
   dvec3 sum(0);
   double all = 0;
-  for (int v = 0; v < static_cast<int>(weights.size()); ++v) {
-    for (int u = 0; u < static_cast<int>(weights.size()); ++u) {
-      const int column = std::clamp(x + u - before, 0, sim.test.width - 1);
-      const int row = std::clamp(y + v - before, 0, sim.test.height - 1);
-      const double w = weights[static_cast<std::size_t>(u)] * weights[static_cast<std::size_t>(v)];
+  const int size = static_cast<int>(filter.weights.size());
+  for (int v = 0; v < size; ++v) {
+    for (int u = 0; u < size; ++u) {
+      const int column = std::clamp(x + u - filter.before, 0, sim.test.width - 1);
+      const int row = std::clamp(y + v - filter.before, 0, sim.test.height - 1);
+      const double w =
+          filter.weights[static_cast<std::size_t>(u)] * filter.weights[static_cast<std::size_t>(v)];
       sum += w * at(sim.reference, column, row);
       all += w;
     }
@@ -33,7 +33,7 @@ dvec3 mean_around(const Simulation& sim, int x, int y, const std::vector<double>
   return sum / all;
 }
 
-std::optional<std::uint16_t> shift_at_edges(Simulation& sim, const Combination& mistakes) {
+std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination& mistakes) {
   sim.points.clear();
   sim.cache.clear();
   std::vector<std::uint32_t> edges;
@@ -50,8 +50,8 @@ std::optional<std::uint16_t> shift_at_edges(Simulation& sim, const Combination& 
   const std::size_t count = sim.points.size();
   const Colors before = sim.predicted(mistakes, count);
   std::optional<std::uint16_t> best;
-  double most = 0.5;
-  for (const std::uint16_t i : subpixel_shifts(sim)) {
+  double most = 0;
+  for (const std::uint16_t i : edge_mistakes(sim)) {
     const Colors after = sim.predicted(joined(mistakes, {i}), count);
     double changed = 0;
     double gained = 0;
@@ -65,7 +65,9 @@ std::optional<std::uint16_t> shift_at_edges(Simulation& sim, const Combination& 
         gained -= off(before[k]) <= exact_within ? 1 : 0;
       }
     }
-    if (changed >= 2 * few_pixels && gained > most * changed) {
+    // Other filters are exact, where shifts also move what edges show.
+    const double least = sim.list[i].cause == Cause::samples ? 0.9 : 0.5;
+    if (changed >= 2 * few_pixels && gained > std::max(most, least) * changed) {
       most = gained / changed;
       best = i;
     }
@@ -74,6 +76,21 @@ std::optional<std::uint16_t> shift_at_edges(Simulation& sim, const Combination& 
 }
 
 }  // namespace
+
+std::span<const std::pair<const char*, PixelFilter>> pixel_filters() {
+  static const std::array<std::pair<const char*, PixelFilter>, 6> filters{
+      {{"3 by 3 pixels", {{1, 1, 1}, 1}},
+       {"5 by 5 pixels", {{1, 1, 1, 1, 1}, 2}},
+       {"2 by 2 pixels", {{1, 1}, 0}},
+       {"2 by 2 pixels", {{1, 1}, 1}},
+       {"3 by 3 pixels, weighted", {{1, 2, 1}, 1}},
+       {"5 by 5 pixels, weighted", {{1, 4, 6, 4, 1}, 2}}}};
+  return filters;
+}
+
+bool shows_at_edges(const Hypothesis& h) {
+  return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
+}
 
 std::optional<Claim> claim_of_missed_samples(Simulation& sim) {
   const Trial trial = sim.right_trial(false);
@@ -121,22 +138,11 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels) {
   std::mt19937 random(6);
   add_points(sim.reference, sim.test, pixels.off, 800, true, true, random, points);
   add_points(sim.reference, sim.test, pixels.same, 300, false, true, random, points);
-  struct Filter {
-    const char* what;
-    std::vector<double> weights;
-    int before;
-  };
-  static const std::array<Filter, 6> filters{{{"3 by 3 pixels", {1, 1, 1}, 1},
-                                              {"5 by 5 pixels", {1, 1, 1, 1, 1}, 2},
-                                              {"2 by 2 pixels", {1, 1}, 0},
-                                              {"2 by 2 pixels", {1, 1}, 1},
-                                              {"3 by 3 pixels, weighted", {1, 2, 1}, 1},
-                                              {"5 by 5 pixels, weighted", {1, 4, 6, 4, 1}, 2}}};
-  for (const Filter& filter : filters) {
+  for (const auto& [size, filter] : pixel_filters()) {
     Colors predicted;
     Colors before;
     for (const Point& p : points) {
-      predicted.push_back(mean_around(sim, p.x, p.y, filter.weights, filter.before));
+      predicted.push_back(mean_around(sim, p.x, p.y, filter));
       before.push_back(at(sim.reference, p.x, p.y));
     }
     const Score s = score(points, points.size(), predicted);
@@ -149,36 +155,36 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels) {
     if (differs > 0 && s.left < (1 - enough) * b.left && s.exact >= enough_exact * differs &&
         s.broken <= max_broken * same) {
       return Claim{Cause::samples,
-                   fmt::format("the picture is blurred: each pixel is the mean of {}", filter.what),
+                   fmt::format("the picture is blurred: each pixel is the mean of {}", size),
                    evidence_of_share(1 - s.left / b.left), 1 - s.left / b.left};
     }
   }
   return std::nullopt;
 }
 
-std::vector<std::uint16_t> subpixel_shifts(const Simulation& sim) {
-  std::vector<std::uint16_t> shifts;
+std::vector<std::uint16_t> edge_mistakes(const Simulation& sim) {
+  std::vector<std::uint16_t> found;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    if (sim.list[i].cause == Cause::half_pixel_shift) {
-      shifts.push_back(i);
+    if (shows_at_edges(sim.list[i])) {
+      found.push_back(i);
     }
   }
-  return shifts;
+  return found;
 }
 
-Tried with_shift(Simulation& sim, const Tried& found) {
+Tried with_edges(Simulation& sim, const Tried& found) {
   if (!sim.usable || sim.stage_of(found.mistakes) >= Stage::camera || found.mistakes.size() > 2) {
     return found;
   }
-  std::optional<std::uint16_t> shift;
+  std::optional<std::uint16_t> more;
   {
     const PointsRestored restored(sim);
-    shift = shift_at_edges(sim, found.mistakes);
+    more = mistake_at_edges(sim, found.mistakes);
   }
-  if (!shift) {
+  if (!more) {
     return found;
   }
-  const Combination mistakes = joined(found.mistakes, {*shift});
+  const Combination mistakes = joined(found.mistakes, {*more});
   return sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()),
                    sim.base(sim.points.size()));
 }

@@ -4,17 +4,23 @@
 
 #include "scenefile/grade/candidates.h"
 
+#include <span>
+
 namespace scenefile {
 
+/// Filters of pixels, and their sizes in words.
+std::span<const std::pair<const char*, PixelFilter>> pixel_filters();
+/// Whether the mistake only shows at edges: other samples of pixels.
+bool shows_at_edges(const Hypothesis& h);
 /// Pixels are black if any of their samples hits nothing, which gives black outlines, one pixel
 /// wide.
 std::optional<Claim> claim_of_missed_samples(Simulation& sim);
 /// Each pixel is a mean of several of the reference.
 std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels);
-/// The subpixel shifts among the mistakes to try.
-std::vector<std::uint16_t> subpixel_shifts(const Simulation& sim);
-/// Adds a claim of a subpixel shift if the edges of the picture show one.
-Tried with_shift(Simulation& sim, const Tried& found);
+/// The mistakes to try that show at edges.
+std::vector<std::uint16_t> edge_mistakes(const Simulation& sim);
+/// Adds a mistake in sampling if the edges of the picture show one.
+Tried with_edges(Simulation& sim, const Tried& found);
 /// Subpixel shifts are only visible at edges.
 std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels);
 

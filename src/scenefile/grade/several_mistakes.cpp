@@ -132,8 +132,7 @@ std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<
       }
       continue;
     }
-    if (h.stage == Stage::picture || sim.cache[i].size() < count ||
-        h.cause == Cause::half_pixel_shift) {
+    if (h.stage == Stage::picture || sim.cache[i].size() < count || shows_at_edges(h)) {
       continue;
     }
     if (t.merit() > 0.1) {
@@ -296,18 +295,13 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
   return best;
 }
 
-// Whether mistakes of that kind make lights brighter or darker. With a fitted factor, they imitate
-// each other.
-bool changes_strength_of_light(Cause cause) {
-  return cause == Cause::attenuation || cause == Cause::lights || cause == Cause::spot_falloff;
-}
-
 // Whether the curve multiplies all values.
 bool is_factor(const Hypothesis& curve) {
   return largest_of(glm::abs(curve.color(dvec3(0.4)) - 2.0 * curve.color(dvec3(0.2)))) < 1e-6;
 }
 
 // Combines a mistake in drawing with a curve that is fitted to the picture with that mistake.
+// Factors are in the list already.
 std::optional<Tried> with_fitted_curve(Simulation& sim) {
   const std::size_t count = std::min(screen, sim.points.size());
   const std::vector<Point> points(sim.points.begin(), sim.points.begin() + std::ptrdiff_t(count));
@@ -328,12 +322,12 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
     const Hypothesis& h = sim.list[i];
     order[i] = {0, static_cast<std::uint16_t>(i)};
     const Colors& drawn = h.turn != Turn() ? sim.clean(h.turn).drawn : sim.cache[i];
-    if (drawn.size() < count || h.cause == Cause::half_pixel_shift) {
+    if (drawn.size() < count || shows_at_edges(h)) {
       return;
     }
     const Colors colors = clamped(first_of(drawn, count));
     for (const Hypothesis& curve : fitted_curves(points, colors)) {
-      if (changes_strength_of_light(h.cause) && is_factor(curve)) {
+      if (is_factor(curve)) {
         continue;
       }
       const Score s = score(points, count, curved(curve, colors));
@@ -351,15 +345,14 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
     const Colors colors =
         clamped(sim.drawn({i}, sim.points.size(), turn).value_or(sim.clean(turn).drawn));
     for (Hypothesis& curve : fitted_curves(sim.points, colors)) {
-      if (changes_strength_of_light(sim.list[i].cause) && is_factor(curve)) {
+      if (is_factor(curve)) {
         continue;
       }
       const auto added = static_cast<std::uint16_t>(sim.list.size());
       sim.list.push_back(std::move(curve));
       const Combination mistakes{i, added};
       const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
-      if (sure(t) && t.broken <= max_broken && leaves_only_rounding(sim, mistakes) &&
-          each_needed(sim, mistakes)) {
+      if (good_enough(sim, t) && each_needed(sim, mistakes)) {
         return t;
       }
       sim.list.pop_back();
@@ -368,21 +361,39 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
   return std::nullopt;
 }
 
-// Combines the best single mistakes with each subpixel shift, which changes edges and steep shading
-// a little, whatever else is wrong.
-std::vector<Tried> with_subpixel_shifts(Simulation& sim, const std::vector<Tried>& alone) {
-  constexpr std::size_t max_mistakes = 6;
+// Combines the best single mistakes with each mistake in sampling, which changes edges and steep
+// shading a little, whatever else is wrong.
+std::vector<Tried> with_edge_mistakes(Simulation& sim, const std::vector<Tried>& alone) {
+  constexpr std::size_t max_mistakes = 10;
+  constexpr double min_merit = 0.15;
   std::vector<Combination> sets;
   for (std::size_t k = 0; k < std::min(max_mistakes, alone.size()); ++k) {
-    const Tried& t = alone[k];
-    if (t.merit() < 0.3 || sim.list[t.mistakes.front()].cause == Cause::half_pixel_shift) {
-      continue;
-    }
-    for (const std::uint16_t shift : subpixel_shifts(sim)) {
-      sets.push_back(joined(t.mistakes, {shift}));
+    for (const std::uint16_t i : edge_mistakes(sim)) {
+      if (alone[k].merit() >= min_merit && fits(sim, alone[k].mistakes, i)) {
+        sets.push_back(joined(alone[k].mistakes, {i}));
+      }
     }
   }
   return sim.try_all(sets, few_points, 0.45, 0.45);
+}
+
+// Mistakes that are right between the specks of acne.
+std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
+                                            const std::vector<Tried>& pairs) {
+  constexpr double min_exact = 0.15;
+  sort_by(ranked, [](const Tried& t) { return -t.exact; });
+  std::vector<Combination> likely;
+  const auto add = [&](const std::vector<Tried>& list, std::size_t max_count) {
+    for (const Tried& t : list) {
+      if (max_count > 0 && t.exact >= min_exact && t.mistakes.size() < 3) {
+        --max_count;
+        likely.push_back(t.mistakes);
+      }
+    }
+  };
+  add(ranked, 16);
+  add(pairs, 4);
+  return likely;
 }
 
 std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<Tried>& b) {
@@ -392,12 +403,12 @@ std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<T
 }  // namespace
 
 std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ranked,
-                                  const std::vector<Tried>& alone, std::vector<Claim>& claims) {
+                                  const std::vector<Tried>& alone, std::vector<Claim>& claims,
+                                  std::vector<Tried>& pairs) {
   const Additions plain = additions_to(sim, {}, screen);
-  std::vector<Tried> pairs = approximate_pairs(sim, plain, 120);
-  pairs = tried_again(sim, pairs, 120, 0.4, 0.45);
+  pairs = tried_again(sim, approximate_pairs(sim, plain, 120), 120, 0.4, 0.45);
   append(pairs, with_picture(sim, plain));
-  append(pairs, with_subpixel_shifts(sim, alone));
+  append(pairs, with_edge_mistakes(sim, alone));
   sort_by_merit(pairs);
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
   std::optional<Tried> found = first_good(sim, best);
@@ -413,17 +424,9 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   if (found && sure(*found)) {
     return found;
   }
-  for (const std::vector<Tried>* list : {&alone, &std::as_const(best)}) {
-    std::size_t left = 4;
-    for (const Tried& t : *list) {
-      if (left > 0 && t.merit() > 0.15 && t.mistakes.size() < 3) {
-        --left;
-        claims = claims_of_acne(sim, t.mistakes, 0);
-        if (!claims.empty()) {
-          return std::nullopt;
-        }
-      }
-    }
+  claims = find_acne_beside(sim, likely_beside_acne(ranked, best)).claims;
+  if (!claims.empty()) {
+    return std::nullopt;
   }
   sort_by_merit(pairs);
   Starts starts(sim);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace scenefile {
 
@@ -45,21 +46,41 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
                         const std::vector<Point>& places, std::size_t count, const Turn& turn,
                         const std::vector<ModelHit>* hits) const {
   const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
-  Colors colors(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const ModelHit* const known = hits != nullptr ? &(*hits)[i] : nullptr;
-    const glm::dvec2 place = middle(places[i], turn) + trial.shift + view->corner;
-    const int n = view->samples;
+  const int n = std::max(view->samples, trial.black_if_missed ? 2 : 1);
+  const auto color_at = [&](const glm::dvec2& place, const ModelHit* known) {
     if (n == 1) {
-      colors[i] = 255.0 * model.pixel(place, whole().x, whole().y, known);
-      continue;
+      return model.pixel(place, whole().x, whole().y, known);
     }
     glm::dvec3 sum(0);
     for (int k = 0; k < n * n; ++k) {
       const glm::dvec2 sample = place + (glm::dvec2(k % n, k / n) + 0.5) / double(n) - 0.5;
+      if (trial.black_if_missed &&
+          model.first_hit(model.camera_ray(sample, whole().x, whole().y)).part == nullptr) {
+        return glm::dvec3(0);
+      }
       sum += clamped(model.pixel(sample, whole().x, whole().y, nullptr));
     }
-    colors[i] = 255.0 * sum / double(n * n);
+    return sum / double(n * n);
+  };
+  Colors colors(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec2 place = middle(places[i], turn) + trial.shift + view->corner;
+    const std::vector<double>& weights = trial.filter.weights;
+    if (weights.empty()) {
+      colors[i] = 255.0 * color_at(place, hits != nullptr ? &(*hits)[i] : nullptr);
+      continue;
+    }
+    glm::dvec3 sum(0);
+    double all = 0;
+    for (std::size_t v = 0; v < weights.size(); ++v) {
+      for (std::size_t u = 0; u < weights.size(); ++u) {
+        const glm::dvec2 step(double(u) - trial.filter.before, double(v) - trial.filter.before);
+        const double weight = weights[u] * weights[v];
+        sum += weight * clamped(color_at(place + step, nullptr));
+        all += weight;
+      }
+    }
+    colors[i] = 255.0 * sum / all;
   }
   rays += model.rays();
   return colors;
@@ -254,14 +275,14 @@ std::uint16_t Simulation::drawing_member(const Combination& mistakes) const {
 }
 
 void Simulation::fill_cache(std::size_t count) {
-  cache.clear();
   count = std::min(count, points.size());
-  std::vector<Colors> drawn_alone(list.size());
-  for_each_task(list.size(), [&](std::size_t i) {
-    const std::optional<Colors> colors = drawn({static_cast<std::uint16_t>(i)}, count, Turn());
-    drawn_alone[i] = colors ? *colors : Colors();
+  const std::size_t first = cache.size();
+  std::vector<Colors> drawn_alone(list.size() - first);
+  for_each_task(drawn_alone.size(), [&](std::size_t i) {
+    const Combination one{static_cast<std::uint16_t>(first + i)};
+    drawn_alone[i] = drawn(one, count, Turn()).value_or(Colors());
   });
-  cache = std::move(drawn_alone);
+  std::move(drawn_alone.begin(), drawn_alone.end(), std::back_inserter(cache));
 }
 
 Colors Simulation::predicted(const Combination& mistakes, std::size_t count) const {

@@ -100,7 +100,8 @@ struct Simulation {
   Colors finished(const Combination& mistakes, Colors colors) const;
   /// The mistake that affects drawing, if it is the only one.
   std::uint16_t drawing_member(const Combination& mistakes) const;
-  /// Draws single mistakes once, to combine each with those that change the finished picture.
+  /// Draws single mistakes once, to combine each with those that change the finished picture. Adds
+  /// those that were listed since the last call.
   void fill_cache(std::size_t count);
   /// The picture with the mistakes at the first points: the changed drawing, or the
   /// reference plus the change, whichever is closer to the test.

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "app/outputs.h"
 #include "app/progress.h"
+#include "app/wrap.h"
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/format/recognize.h"
@@ -13,8 +14,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 
 namespace scenefile::app {
 
@@ -53,8 +56,41 @@ std::string measures_text(const PictureMeasures& m, int threshold) {
       threshold, m.ssim, m.flip_mean, m.flip_max);
 }
 
-std::string verdict_text(const PictureComparison& found, const std::string& scene,
-                         const std::string& test) {
+// The options of diff that explain needs to draw the same picture.
+std::string reading_options(const Options& options) {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  if (was_given(options, "--compat")) {
+    add("--compat course");
+  }
+  for (const std::string& root : options.access.roots) {
+    add("--asset-root " + escaped(shell_word(root), 4096));
+  }
+  if (options.access.allow_outside) {
+    add("--allow-outside");
+  }
+  return text;
+}
+
+// Wraps long lines for terminals, except commands, which are copied. Elsewhere, a line stays one.
+std::string for_terminal(const std::string& text) {
+  const std::size_t width = terminal_width(Stream::answer);
+  if (width == 0) {
+    return text;
+  }
+  std::string result;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    const bool command = line.find("try: ") != std::string_view::npos;
+    result += command ? std::string(line) : wrapped(line, 0, 7, std::max<std::size_t>(width, 40));
+    result += '\n';
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return result;
+}
+
+std::string verdict_text(const PictureComparison& found, const Options& options) {
   if (found.measures.difference.max == 0 && found.measures.same_size && !found.other_size()) {
     return "equal\n";
   }
@@ -62,8 +98,10 @@ std::string verdict_text(const PictureComparison& found, const std::string& scen
   for (const std::string& clause : found.broken) {
     text += fmt::format("different: {}\n", clause);
   }
-  return text.empty() ? "the same within the thresholds\n"
-                      : text + causes_text(found) + where_text(found, scene, test);
+  return text.empty()
+             ? "the same within the thresholds\n"
+             : text + causes_text(found) +
+                   where_text(found, options.scene, options.arguments[1], reading_options(options));
 }
 
 // `scene`: that of --scene, or null. `found`: null if an input cannot be used.
@@ -177,7 +215,7 @@ ExitCode diff_images(const Options& options, Context& context) {
                                ? std::string()
                                : heading(a, b) + "\n" + jpeg_text(a, b) +
                                      measures_text(found.measures, options.pixel_threshold) +
-                                     verdict_text(found, options.scene, options.arguments[1]);
+                                     for_terminal(verdict_text(found, options));
   ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
   status = worse(status, write_maps(options, found.reference_of(a.picture),
                                     found.test_of(b.picture), found, context));

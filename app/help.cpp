@@ -123,8 +123,12 @@ std::string no_such_topic(const std::string& topic) {
     known.push_back(name_of(static_cast<Cause>(i)));
   }
   known.push_back("limits");
-  return fmt::format("unknown command or code {}{}", scenefile::quoted(topic),
-                     did_you_mean(topic, known));
+  const auto longer = std::find_if(known.begin(), known.end(), [&](std::string_view name) {
+    return topic.size() >= 3 && name.starts_with(topic);
+  });
+  return fmt::format("unknown command, code or cause {}{}", scenefile::quoted(topic),
+                     longer == known.end() ? did_you_mean(topic, known)
+                                           : fmt::format("; did you mean {}?", *longer));
 }
 
 }  // namespace

@@ -35,8 +35,10 @@ LoadedScene load_scene_of_pictures(const std::string& path, const Options& optio
     // Without its textures, the scene would not match the reference, and causes would be wrong.
     for (const Diagnostic* const finding : by_place(scene.diagnostics)) {
       if (finding->code->name.starts_with("texture.")) {
-        say(fmt::format("{}: warning: {} [{}]\n", escaped(path, 4096),
-                        escaped(finding->message, 4096), finding->code->name));
+        const bool missing = finding->code->name == "texture.missing";
+        say(fmt::format("{}: warning: {}{} [{}]\n", escaped(path, 4096),
+                        escaped(finding->message, 4096),
+                        missing ? "; --asset-root DIR adds its folder" : "", finding->code->name));
       }
     }
   }

@@ -6,6 +6,7 @@
 #include "app/realtime.h"
 #include "scenefile/asset/image_file.h"
 #include "scenefile/base/text.h"
+#include "scenefile/format/recognize.h"
 #include "scenefile/io/file.h"
 
 #include <CLI/CLI.hpp>
@@ -126,11 +127,19 @@ std::string check_count(const Command& command, const std::vector<std::string>& 
                        command.name, command.arguments);
   }
   if (arguments.size() > most) {
-    const bool output = command.bit == for_render && image_format_of(arguments[most]);
+    const std::string& extra = arguments[most];
+    const bool picture = image_format_of(extra).has_value();
+    std::string_view hint;
+    if (picture && command.bit == for_render) {
+      hint = "; the picture to write goes after -o";
+    } else if (picture && command.bit == for_explain) {
+      hint = "; your picture goes after --mine";
+    } else if (command.bit == for_diff && is_scene_name(extra)) {
+      hint = "; the scene of two pictures goes after --scene";
+    }
     return fmt::format("{} takes {}; unexpected {}{}", command.name,
                        most == 1 ? "one argument" : fmt::format("{} arguments", most),
-                       quoted(arguments[most], 400),
-                       output ? "; the picture to write goes after -o" : "");
+                       quoted(extra, 400), hint);
   }
   if (std::count(arguments.begin(), arguments.end(), "-") > (command.bit == for_convert ? 2 : 1)) {
     return "standard input can be read only once";

@@ -1,16 +1,10 @@
 #include "app/view_answers.h"
 
-#include "scenefile/trace/features.h"
 #include "scenefile/verbs/compare_pictures.h"
 #include "scenefile/verbs/explain.h"
 #include "scenefile/verbs/render_error.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <new>
-#include <string_view>
-#include <vector>
 
 namespace scenefile::app {
 
@@ -32,22 +26,7 @@ DrawnWay way_of(const viewer::CauseQuestion& question) {
         *question.realtime,
         {.parameters = false, .near = false, .far = false, .filter = false, .milestone = false});
   }
-  RenderOptions options = question.options;
-  DrawnWay way{options, fmt::format("--profile {}", profile_word(options.profile))};
-  if (options.features != default_options(options.profile).features) {
-    std::vector<std::string_view> words;
-    for (const std::string_view word : feature_words()) {
-      if (*find_feature(options.features, word)) {
-        words.push_back(word);
-      }
-    }
-    way.words +=
-        words.empty() ? " --features none" : fmt::format(" --features {}", fmt::join(words, ","));
-  }
-  if (options.mode != Mode::ray) {
-    way.words += fmt::format(" --mode {}", mode_word(options.mode));
-  }
-  return way;
+  return {question.options, options_text(question.options)};
 }
 
 std::string cause_text(const viewer::CauseQuestion& question, const std::function<bool()>& go_on) {

@@ -130,6 +130,10 @@ TEST(BadInput, MisorderedArguments) {
   EXPECT_THAT(told({"--json", "check", "b.xml"}),
               HasSubstr("the command comes first, then options"));
   EXPECT_THAT(told({"render", "a.xml", "b.png"}), HasSubstr("the picture to write goes after -o"));
+  EXPECT_THAT(told({"diff", "a.png", "b.png", "a.xml"}),
+              HasSubstr("the scene of two pictures goes after --scene"));
+  EXPECT_THAT(told({"explain", "a.xml", "b.png", "--pixel", "1,1"}),
+              HasSubstr("your picture goes after --mine"));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 
 using namespace testing_support;
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -161,6 +162,34 @@ TEST_F(DiffImages, ExchangedPicturesAreSaid) {
   const rapidjson::Document answer = parse_json(run.out);
   EXPECT_TRUE(answer["exchanged"].GetBool());
   EXPECT_TRUE(answer["causes"].Empty());
+  EXPECT_FALSE(answer.HasMember("worst"));
+  EXPECT_THAT(
+      in_folder({"diff", "bright.png", "near.png", "--scene", "near.xml"}).out,
+      AllOf(EndsWith("\nthe second picture shows the scene, and the first does not: give the "
+                     "reference first\n")));
+}
+
+TEST_F(DiffImages, NoObjectIsNamedInAnotherScene) {
+  std::string text = ball("0.2");
+  text.replace(text.find("v=\"40\""), 6, "v=\"12\"");
+  folder.write("near.xml", text);
+  EXPECT_THAT(
+      in_folder({"diff", "right.png", "wrong.png", "--scene", "near.xml"}).out,
+      AllOf(HasSubstr("the scene does not match the reference"), HasSubstr("worst: "),
+            HasSubstr("look at pixel "), Not(HasSubstr("it shows")), Not(HasSubstr("try:"))));
+}
+
+TEST_F(DiffImages, TheCommandToTryDrawsTheSamePicture) {
+  EXPECT_THAT(
+      in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile", "course",
+                 "--features", "texture,shadows", "--max-depth", "2", "--asset-root", "."})
+          .out,
+      HasSubstr(" --size 64x48 --profile course --max-depth 2 --features shadows,texture "
+                "--asset-root . --mine wrong.png\n"));
+  EXPECT_THAT(in_folder({"diff", "right.png", "wrong.png", "--scene", "ball.xml", "--profile",
+                         "fine", "--features", "intersect"})
+                  .out,
+              HasSubstr("as drawn with --profile fine --features intersect\n"));
 }
 
 TEST_F(DiffImages, OtherSizesAndFiles) {
@@ -588,7 +617,12 @@ TEST_F(Grade, NoMatchIsAnErrorNotAGradeOfZero) {
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.out, "");
   EXPECT_THAT(run.err,
-              HasSubstr("none of the 1 pictures in \"class\" matches one of the 1 references"));
+              AllOf(HasSubstr("no picture in \"class\" has the name of a reference in \"right\": "
+                              "looked for ball.png, "),
+                    HasSubstr("found \"cube.png\", for example")));
+  make_folders({"class2/anna"});
+  EXPECT_THAT(in_folder({"grade", "class2", "--references", "right"}).err,
+              HasSubstr("\"class2\" contains no pictures\n"));
 }
 
 TEST_F(Grade, MissingArguments) {

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace scenefile {
 
 namespace {
@@ -49,6 +52,40 @@ TEST(Terminal, ProgressIsOnlyShownOnATerminal) {
     words.push_back(option);
     EXPECT_THAT(at_terminal(words).out, Not(HasSubstr("%"))) << option;
   }
+}
+
+TEST(Terminal, LinesOfDiffWrapThere) {
+  const TempFolder folder;
+  const std::string scene = folder.write("s.xml", good_scene);
+  const std::string reference = folder.path("a.png");
+  const std::string mine = folder.path("b.png");
+  const std::vector<std::string> draw{"render",    scene,    "--size", "64x48",
+                                      "--profile", "course", "-o",     reference};
+  ASSERT_EQ(run_program(draw).status, 0);
+  std::vector<std::string> normals = draw;
+  normals.back() = mine;
+  normals.insert(normals.end(), {"--mode", "normals"});
+  ASSERT_EQ(run_program(normals).status, 0);
+  RunSettings settings;
+  settings.environment = plain_environment;
+  settings.environment.emplace_back("CI=true");  // no progress bar
+  settings.folder = folder.path(".");
+  const std::vector<std::string> diff{"diff", "a.png", "b.png", "--scene", "s.xml"};
+  const auto longest = [](const std::string& text) {
+    std::size_t most = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      most = std::max(most, line.find("try: ") == std::string::npos ? line.size() : 0);
+    }
+    return most;
+  };
+  EXPECT_GT(longest(run_program(diff, settings).out), 100U);
+  settings.terminal = true;
+  settings.columns = 70;
+  const std::string wrapped = run_program(diff, settings).out;
+  EXPECT_LE(longest(wrapped), 71U) << "with the carriage return";
+  EXPECT_THAT(wrapped, HasSubstr("cause: "));
+  EXPECT_THAT(wrapped, HasSubstr(" --mine b.png"));
 }
 
 }  // namespace

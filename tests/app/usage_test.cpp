@@ -34,6 +34,13 @@ TEST(Usage, SuggestsASimilarCommand) {
   is_misuse({}, "scenefile render SCENE");
 }
 
+TEST(Usage, SuggestsTopicsOfHelp) {
+  is_misuse({"help", "spot"},
+            R"(unknown command, code or cause "spot"; did you mean spot-falloff?)");
+  is_misuse({"help", "gama"}, "did you mean gamma?");
+  is_misuse({"help", "qqqqqq"}, R"(unknown command, code or cause "qqqqqq")");
+}
+
 TEST(Usage, AcceptsTheOldSpellingOfCodes) {
   const ProgramRun today = run_program({"help", "xml.misspelled-element"});
   EXPECT_THAT(today.out, HasSubstr("xml.misspelled-element: "));

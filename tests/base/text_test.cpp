@@ -33,5 +33,12 @@ TEST(Text, CountsCharacters) {
   EXPECT_EQ(first_code_point("").bytes, 0u);
 }
 
+TEST(Text, WordsOfShellsAreQuotedIfNeeded) {
+  EXPECT_EQ(shell_word("a/b-c_1.png"), "a/b-c_1.png");
+  EXPECT_EQ(shell_word(""), "''");
+  EXPECT_EQ(shell_word("two words"), "'two words'");
+  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+}
+
 }  // namespace
 }  // namespace scenefile

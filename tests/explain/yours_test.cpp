@@ -75,6 +75,21 @@ TEST(Yours, WithoutAttenuation) {
   EXPECT_THAT(compared(value_of(b)).fits, names("without attenuation"));
 }
 
+TEST(Yours, BlendedReflectionsOfTheBackgroundDarken) {
+  SceneBuilder b = ball();
+  for (RenderMaterial& m : b.scene.materials) {
+    m.reflective = glm::vec3(0.8f, 0.4f, 0.2f);
+  }
+  const PixelRecord pixel = Explainer(b.scene, b.assets, course()).explain(4, 4);
+  std::array<std::uint8_t, 3> blended{};
+  for (int c = 0; c < 3; ++c) {
+    blended[c] = static_cast<std::uint8_t>(
+        255 * pixel.color[c] * (1 - b.scene.global.specular * b.scene.materials[0].reflective[c]));
+  }
+  EXPECT_THAT(compare_with_yours(b.scene, pixel, blended).fits,
+              names("with the reflection blended with the lighting, not added"));
+}
+
 TEST(Yours, SubsetsAreTheLastResort) {
   SceneBuilder b = ball();
   b.scene.global.ambient = 0;

@@ -27,6 +27,9 @@ CodePoint first_code_point(std::string_view text);
 /// The text with U+FFFD for each byte that is not UTF-8.
 std::string valid_utf8(std::string_view text);
 
+/// A word of a POSIX shell's command line: in single quotes if it has special characters.
+std::string shell_word(std::string_view word);
+
 /// ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 

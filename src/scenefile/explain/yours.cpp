@@ -216,9 +216,10 @@ class Variants {
             textured((1 - t.blend) * plain + t.blend * plain * dvec3(t.color)));
     }
     const dvec3 reflective(material.reflective);
-    if (terms_.mirror != dvec3(0)) {
+    const auto& mirror = pixel_.rays.front().mirror;
+    if (mirror.fate == Fate::followed) {
       const dvec3 local = all - terms_.mirror;
-      const dvec3 factor(pixel_.rays.front().mirror.factor);
+      const dvec3 factor(mirror.factor);
       offer("with the reflection blended with the lighting, not added",
             (1.0 - factor) * local + terms_.mirror);
       offer("with the reflective color ignored",

@@ -84,9 +84,10 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "The u and v of each shape and face, how they become a pixel of the image, and how its color "
      "goes into the diffuse term."},
     {Cause::recursion_depth, "Recursion depth of reflections",
-     "Mirrors in mirrors turn black too early, or show too many reflections.",
+     "Mirrors reflect nothing, turn black where they show other mirrors, or show too many "
+     "reflections.",
      "The references follow four reflections in a row.",
-     "Where the recursion ends, and whether the count starts at 0 or 1."},
+     "Where the recursion starts and ends, and whether the count starts at 0 or 1."},
     {Cause::spot_falloff, "Spotlights",
      "The cone of light is too wide or too narrow, or its edge is too hard or too soft.",
      "angle is measured from the axis to the edge of the cone; the penumbra is inside of it; "
@@ -113,10 +114,9 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "ray.",
      "What is compared between objects, and in which space it is measured."},
     {Cause::lights, "Lights",
-     "Light comes from the wrong side, is missing, or has the wrong color.",
+     "Light comes from the wrong side, is missing, too bright or too dark, or has the wrong color.",
      "Directional lights have a direction of travel; point lights and spotlights a position. "
-     "Vectors in "
-     "the lighting equation point to the light and have unit length.",
+     "Vectors in the lighting equation point to the light and have unit length.",
      "How each type of light is read, the sign and length of its vector, and the loop over all."},
     {Cause::reflection, "Combining reflections",
      "Mirrors are too bright, too dark, have the wrong color, or show the wrong objects.",
@@ -136,8 +136,9 @@ constexpr std::array<CauseHelp, cause_count> pages{{
     {Cause::background, "The background", "Pixels where the ray hits nothing are not black.",
      "The references are black there, with full opacity.", "What a ray that hits nothing returns."},
     {Cause::brightness, "The whole picture is too dark, too bright, or gray",
-     "Every value is off by the same factor.",
-     "Something scales all colors: samples that are counted but not taken, 256 instead of 255, a "
+     "Every value is off by the same factor or amount, or the picture is gray, tinted or a "
+     "negative.",
+     "Something changes all colors: samples that are counted but not taken, 256 instead of 255, a "
      "factor on the lights.",
      "Where colors are averaged and become bytes."},
     {Cause::black, "Nothing is drawn, or only a part of the picture",
@@ -149,10 +150,10 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "then what is stored. 'scenefile explain' shows all of it for a pixel."},
     {Cause::features, "Different features than the reference",
      "Lights, shadows, reflections or textures are drawn that the reference does not show, or the "
-     "reverse.",
-     "References of the first assignment have only directional lights and no shadows. This is not "
-     "a mistake of the tracer.",
-     "The configuration, and which folder of references belongs to it."},
+     "reverse; or normals are drawn as colors.",
+     "Each project has its own references: those of Intersect have only directional lights, and no "
+     "shadows, reflections or textures. The ray tracer may be right.",
+     "The settings of your program, and which folder of references belongs to them."},
     {Cause::samples, "Combining the samples of a pixel",
      "A black line around objects, everything too bright, or the whole picture blurred.",
      "A pixel is the mean of its samples; a sample that hits nothing is black, and counts like the "
@@ -190,7 +191,7 @@ constexpr std::array<CauseHelp, cause_count> pages{{
     {Cause::viewport, "Viewport and frame",
      "The scene is smaller, larger, stretched or shifted, only a quarter of it is shown, or its "
      "pixels are in another order: transposed, turned or skewed. Its content is right.",
-     "What is drawn must fill the picture, one pixel for one. In Realtime, the viewport must be as "
+     "What is drawn must fill the picture, pixel for pixel. In Realtime, the viewport must be as "
      "large as the framebuffer; its references were drawn in a window of 1092 x 818 pixels, which "
      "determines their aspect ratio, so other windows give other pictures.",
      "In a ray tracer, the width and height of picture and buffer, and the index of a pixel; in "

@@ -120,7 +120,7 @@ std::string gradebook_text(const Gradebook& book) {
       }
     }
     if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
-      text += fmt::format("    {}; --map can assign them\n", escaped(unmatched));
+      text += fmt::format("    {}; --map assigns other names\n", escaped(unmatched));
     }
   }
   const std::size_t passed = book.count(Verdict::passed);

@@ -48,7 +48,7 @@ img { max-width: 100%; height: auto; border-radius: 4px; } figure { margin: .5re
 .cause small { display: block; color: var(--dim); overflow-wrap: anywhere; }
 li, p, h3 { overflow-wrap: anywhere; }
 @media (max-width: 30rem) { main { padding: .5rem; } th, td { padding: .3rem .4rem; }
-  tbody th { max-width: 8.5rem; white-space: normal; overflow-wrap: anywhere; }
+  tbody th { min-width: 6.5rem; max-width: 8.5rem; white-space: normal; overflow-wrap: anywhere; }
   thead th:nth-child(3), td:nth-child(3) { min-width: 12rem; max-width: 12rem; } .tag { white-space: normal; } }
 )";
 

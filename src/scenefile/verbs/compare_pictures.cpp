@@ -3,9 +3,11 @@
 #include "scenefile/base/text.h"
 #include "scenefile/compare/sheet.h"
 #include "scenefile/explain/object_names.h"
+#include "scenefile/trace/features.h"
 #include "scenefile/trace/render.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,21 +19,15 @@ namespace scenefile {
 
 namespace {
 
-// Share of pixels. If more differ, the scene or its settings are not those of the reference.
-constexpr double max_share_unlike = 0.1;
 // If at most this share differs, a picture shows the scene.
 constexpr double max_share_right = 0.02;
 
-std::string_view profile_option(Profile profile) {
-  return profile == Profile::course ? "--profile course" : "--profile fine";
-}
-
 // The sets of features that existing references were rendered with.
 void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
-  const std::string_view profile = profile_option(render.profile);
+  const std::string others = options_text(render);
   const auto add = [&](const char* words, const Features& features) {
     render.features = features;
-    ways.push_back({render, fmt::format("{} --features {}", profile, words)});
+    ways.push_back({render, fmt::format("{} --features {}", others, words)});
   };
   Features f = render.features;
   f.super_sample = false;
@@ -61,8 +57,8 @@ void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
     for (const Mode mode : {Mode::intersect, Mode::normals}) {
       render.mode = mode;
       ways.push_back({render, mode == Mode::intersect
-                                  ? fmt::format("{} --features intersect", profile)
-                                  : fmt::format("{} --mode {}", profile, mode_word(mode))});
+                                  ? fmt::format("{} --features intersect", others)
+                                  : fmt::format("{} --mode {}", others, mode_word(mode))});
     }
   }
 }
@@ -106,22 +102,6 @@ std::optional<PlaceToLook> place_to_look(const Texture& reference, const Texture
     }
   }
   return place;
-}
-
-// A word of a command line, quoted for shells.
-std::string shell_word(const std::string& word) {
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("._-/+,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  if (plain) {
-    return word;
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  }
-  return quoted + "'";
 }
 
 bool explained_by_one(const CauseReport& report) {
@@ -246,6 +226,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
       found.causes.rivals.clear();
       found.causes.partial.clear();
       found.causes.notes.clear();
+      found.where.reset();
     }
   }
 }
@@ -400,10 +381,36 @@ WorstRegion in_picture(WorstRegion region, const glm::ivec2& corner, double scal
 
 }  // namespace
 
+std::string options_text(const RenderOptions& options) {
+  const RenderOptions usual = default_options(options.profile);
+  Features features = options.features;
+  std::vector<std::string_view> words;
+  for (const std::string_view word : feature_words()) {
+    if (*find_feature(features, word)) {
+      words.push_back(word);
+    }
+  }
+  const bool ray_caster = options.mode == Mode::intersect && words.empty();
+  std::string text = fmt::format("--profile {}", profile_word(options.profile));
+  if (options.max_depth != usual.max_depth) {
+    text += fmt::format(" --max-depth {}", options.max_depth);
+  }
+  if (options.mode != Mode::ray && !ray_caster) {
+    text += fmt::format(" --mode {}", mode_word(options.mode));
+  }
+  if (ray_caster) {
+    text += " --features intersect";
+  } else if (options.features != usual.features) {
+    text +=
+        words.empty() ? " --features none" : fmt::format(" --features {}", fmt::join(words, ","));
+  }
+  return text;
+}
+
 std::vector<DrawnWay> possible_ways(std::span<const RenderOptions> profiles, bool features_known) {
   std::vector<DrawnWay> ways;
   for (const RenderOptions& render : profiles) {
-    ways.push_back({render, std::string(profile_option(render.profile))});
+    ways.push_back({render, options_text(render)});
     if (!features_known) {
       add_feature_sets(render, ways);
     }
@@ -512,6 +519,9 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
     const Part part{found.whole, found.corner};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
     look_for_causes(reference, shown, drawable, ways, part, noisy, go_on, found);
+    if (found.where && !found.scene_fits()) {  // the pictures show other objects there
+      found.where->hit = false;
+    }
     if (found.place && found.where) {
       const PixelRegion seen = visible(*found.place, test);
       found.where->region =
@@ -527,6 +537,9 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
 }
 
 std::string causes_text(const PictureComparison& found) {
+  if (found.exchanged) {
+    return "the second picture shows the scene, and the first does not: give the reference first\n";
+  }
   const CauseReport& report = found.causes;
   std::string text;
   for (const Claim& claim : report.claims) {
@@ -540,50 +553,47 @@ std::string causes_text(const PictureComparison& found) {
     text += fmt::format("   or: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
                         claim.evidence);
   }
-  for (const Claim& claim : report.partial) {
-    text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
-                        claim.evidence);
-  }
-  for (const Claim& note : report.notes) {
-    text += fmt::format(" note: {} (not a mistake by itself)\n", note.what);
-  }
-  if (found.scene_used && report.share_scene_unlike <= max_share_unlike &&
-      !found.drawn_with.empty()) {
-    text += fmt::format("reference: as drawn with {}\n", found.drawn_with);
-  }
-  if (found.exchanged) {
-    return text +
-           "the second picture shows the scene, and the first does not: give the reference "
-           "first\n";
-  }
   if (found.right_at_other_size) {
-    return found.place ? text + "cause: none; the part that was compared is right\n"
-                       : text + "cause: none; the picture is right, at another size\n";
-  }
-  if (found.scene_used && report.share_scene_unlike > max_share_unlike) {
-    text += fmt::format(
-        "the scene does not match the reference: our picture of it differs in {:.0f} % of the "
-        "pixels; give the {} that the reference was made with\n",
-        100 * report.share_scene_unlike,
-        found.realtime ? "--parameters, --near, --far, --filter and --milestone"
-                       : "--profile and --features");
-  } else if (report.claims.empty() && found.measures.same_size) {
+    text += found.place ? "cause: none; the part that was compared is right\n"
+                        : "cause: none; the picture is right, at another size\n";
+  } else if (report.claims.empty() && found.measures.same_size && found.scene_fits()) {
     text += !report.notes.empty()
                 ? "cause: none; the pictures only differ in that, at edges and by rounding\n"
             : report.share_different < 0.001
                 ? "cause: none; the pictures only differ at edges and by rounding\n"
             : found.other_outlines
-                ? "cause: no known mistake explains the difference; the outlines are others: the "
-                  "picture shows another scene, or from elsewhere\n"
+                ? "cause: no known mistake explains the difference, and few edges match: is this a "
+                  "picture of the same scene, from the same camera?\n"
             : found.scene_used ? "cause: no known mistake explains the difference\n"
                                : "cause: none found from the pictures alone; most causes need "
                                  "--scene SCENE, the scene of the pictures\n";
   }
-  return text;
+  for (const Claim& claim : report.partial) {
+    text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
+                        claim.evidence);
+  }
+  for (const Claim& note : report.notes) {
+    text += fmt::format(" note: {}; this is not a mistake by itself\n", note.what);
+  }
+  if (!found.scene_used) {
+    return text;
+  }
+  if (!found.scene_fits()) {
+    return text + fmt::format(
+                      "the scene does not match the reference: our picture of it differs in "
+                      "{:.0f} % of the pixels; is it the right scene, with its textures? If so, "
+                      "give the {} that the reference was made with\n",
+                      100 * report.share_scene_unlike,
+                      found.realtime ? "--parameters, --near, --far, --filter and --milestone"
+                                     : "--profile and --features");
+  }
+  return found.drawn_with.empty()
+             ? text
+             : text + fmt::format("reference: as drawn with {}\n", found.drawn_with);
 }
 
 std::string where_text(const PictureComparison& found, const std::string& scene,
-                       const std::string& test) {
+                       const std::string& test, const std::string& options) {
   if (!found.where) {
     return {};
   }
@@ -595,18 +605,19 @@ std::string where_text(const PictureComparison& found, const std::string& scene,
     text +=
         fmt::format("; it shows {}{}", escaped(place.object, 80),
                     place.location.known() ? fmt::format(" (line {})", place.location.line) : "");
-  } else if (found.scene_used) {
+  } else if (found.scene_used && found.scene_fits()) {
     text += "; it shows nothing of the scene";
   }
   // explain traces rays, and compares with a picture of the same size.
-  if (scene.empty() || found.realtime || found.resampled || found.place) {
+  if (scene.empty() || found.realtime || found.resampled || found.place || !found.scene_fits()) {
     return text + fmt::format("\n       look at pixel {},{}\n", r.x, r.y);
   }
-  return text + fmt::format(
-                    "\n       try: scenefile explain {} --pixel {},{} --size {}x{}{}{} --mine {}\n",
-                    escaped(shell_word(scene), 4096), r.x, r.y, found.measures.size.x,
-                    found.measures.size.y, found.drawn_with.empty() ? "" : " ", found.drawn_with,
-                    escaped(shell_word(test), 4096));
+  return text +
+         fmt::format(
+             "\n       try: scenefile explain {} --pixel {},{} --size {}x{}{}{}{}{} --mine {}\n",
+             escaped(shell_word(scene), 4096), r.x, r.y, found.measures.size.x,
+             found.measures.size.y, found.drawn_with.empty() ? "" : " ", found.drawn_with,
+             options.empty() ? "" : " ", options, escaped(shell_word(test), 4096));
 }
 
 void add_claims(Json& json, std::string_view name, const std::vector<Claim>& claims) {

@@ -29,6 +29,9 @@ struct DrawnWay {
   RealtimeUnknowns unknowns = {};  ///< of `realtime`: settings to find in the reference
 };
 
+/// Share of pixels. If more differ, the scene or its settings are not those of the reference.
+inline constexpr double max_share_unlike = 0.1;
+
 enum class LookForCauses : std::uint8_t { where_broken, always };
 
 struct CompareSettings {
@@ -39,6 +42,10 @@ struct CompareSettings {
   LookForCauses look = LookForCauses::where_broken;  ///< for pictures that are not equal
   bool lossy = false;  ///< JPEGs: causes are looked for in smaller pictures, with less noise
 };
+
+/// Options that draw a picture this way, without its size and quality: "--profile course", and what
+/// differs from the defaults of the profile.
+std::string options_text(const RenderOptions& options);
 
 /// Only `profiles` if the features are known; otherwise also with the sets of features that
 /// references usually use.
@@ -96,6 +103,8 @@ struct PictureComparison {
   std::optional<PlaceToLook> where;  ///< nullopt if no pixel differs visibly
 
   bool other_size() const { return other_reference || other_test; }
+  /// Whether our picture of the scene looks like the reference; true without a scene.
+  bool scene_fits() const { return !scene_used || causes.share_scene_unlike <= max_share_unlike; }
   /// The two pictures that were compared.
   const Texture& reference_of(const Texture& given) const {
     return other_reference ? *other_reference : given;
@@ -117,9 +126,9 @@ std::string causes_text(const PictureComparison& found);
 
 /// Where the pictures differ most, as human-readable text: the region, the object there, and a
 /// command that explains one of its pixels. `scene` and `test`: paths as given; if `scene` is
-/// empty, there is no command.
+/// empty, there is no command. `options`: others that the command needs, such as --asset-root.
 std::string where_text(const PictureComparison& found, const std::string& scene,
-                       const std::string& test);
+                       const std::string& test, const std::string& options = {});
 
 /// Adds members to the open object.
 void add_measures(Json& json, const PictureMeasures& measures);

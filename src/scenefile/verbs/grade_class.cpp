@@ -299,12 +299,18 @@ struct ClassGrader::State {
 
   // The error if no picture of the class has a matching name: what was expected and what exists.
   std::string nothing_matches(std::size_t seen) const {
+    if (seen == 0) {
+      return fmt::format("{} contains no pictures", quoted(request_.handed_in, 400));
+    }
+    const auto with_one =
+        std::find_if(folders_.begin(), folders_.end(),
+                     [](const StudentFolder& folder) { return !folder.unmatched.empty(); });
+    const std::string name = escaped(references_.front().name);
     return fmt::format(
-        "none of the {} pictures in {} matches one of the {} references in {}: looked for {}.png, "
-        "{}_gen.png and FOLDER_{}.png, and so on, in all folders",
-        seen, quoted(request_.handed_in, 400), references_.size(), quoted(request_.references, 400),
-        escaped(references_.front().name), escaped(references_.front().name),
-        escaped(references_.front().name));
+        "no picture in {} has the name of a reference in {}: looked for {}.png, {}_gen.png, "
+        "FOLDER_{}.png and so on, in all folders; found {}, for example. --map assigns other names",
+        quoted(request_.handed_in, 400), quoted(request_.references, 400), name, name, name,
+        quoted(with_one->unmatched.front(), 400));
   }
 
   // The settings of references of the assignment Realtime, if a table gives them.

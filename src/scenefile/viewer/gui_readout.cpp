@@ -41,7 +41,11 @@ void build_answers(const Session& session) {
   ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[1]);
   if (!session.reference->empty()) {
     ImGui::TextDisabled("%s", "why the other picture differs, with ours as the reference:");
+    // Sentences wrap; the terms below are a tree, which scrolls sideways.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - style.ScrollbarSize - style.WindowPadding.x);
     build_lines(cause_text(session));
+    ImGui::PopTextWrapPos();
     ImGui::Spacing();
   }
   build_lines(readout.terms.empty() ? "computing ..." : readout.terms);

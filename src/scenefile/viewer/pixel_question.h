@@ -36,7 +36,6 @@ struct CauseQuestion {
   std::optional<RealtimeOptions> realtime;
   std::shared_ptr<const Texture> ours;   ///< as drawn for the assignment; otherwise null
   std::shared_ptr<const Texture> other;  ///< the picture next to ours
-  std::string other_path;
 };
 
 /// Both return text of several lines, even if there is no answer.

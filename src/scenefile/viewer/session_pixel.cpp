@@ -58,8 +58,7 @@ void ask_for_cause(Session& session) {
   CauseSearch& cause = session.cause;
   cause.asked = true;
   cause.stopped = std::make_shared<std::atomic<bool>>(false);
-  CauseQuestion question{opened_of(session), trace_options(session), {}, {},
-                         session.reference,  session.reference_path};
+  CauseQuestion question{opened_of(session), trace_options(session), {}, {}, session.reference};
   if (session.realtime) {
     question.realtime = session.realtime_panel;
     question.ours = session.compared;

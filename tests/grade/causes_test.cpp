@@ -6,6 +6,7 @@
 
 #include "grade/generated_scene.h"
 #include "scenefile/grade/hypotheses.h"
+#include "scenefile/scene/prepare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -650,6 +651,79 @@ TEST(Causes, AcneBesideAnotherMistake) {
                {1, 3}, unchanged, [](const CauseReport& report) {
                  return report.claims.size() == 2 && all_named(report).contains(Cause::acne);
                });
+}
+
+// Each edit changes one value of the file. The claim names it, and no claim names another.
+TEST(Causes, OneEditedValueOfTheScene) {
+  struct Edit {
+    const char* name;
+    std::function<void(Scene&)> change;
+    const char* old_name = "";  ///< another name for the same picture
+  };
+  const auto object = [](Scene& s, std::size_t i) -> Node& {
+    return s.nodes[s.nodes[s.root].children[i]];
+  };
+  const auto move = [&](Scene& s, std::size_t i, const glm::vec3& by) {
+    Transform& t = object(s, i).transforms.front();
+    std::get<Translate>(t.map).by += by;
+  };
+  const std::vector<Edit> edits{
+      {"color of light 2 (spot)", [](Scene& s) { s.nodes[s.root].lights[1].color.x *= 0.3f; },
+       "color of light 2"},
+      {"position of light 1 (point)",
+       [](Scene& s) { s.nodes[s.root].lights[0].position += glm::vec3(0.9f, -0.5f, 0.3f); }},
+      {"direction of light 3 (directional)",
+       [](Scene& s) { s.nodes[s.root].lights[2].direction += glm::vec3(0.6f, 0, 0.3f); }},
+      {"the diffuse of the sphere",
+       [&](Scene& s) {
+         object(s, 2).primitives[0].material.diffuse = {0.1f, 0.9f, 0.2f};
+       }},
+      {"the blend of the cylinder",
+       [&](Scene& s) { object(s, 3).primitives[0].material.blend = 1; }},
+      {"the translation of an object",
+       [&](Scene& s) {
+         move(s, 4, {0.15f, 0.1f, 0.1f});
+       }},
+      {"the pos of the camera", [](Scene& s) { s.camera->position += glm::vec3(0.2f, 0.15f, 0); }},
+      {"the look of the camera", [](Scene& s) { s.camera->look += glm::vec3(0.05f, 0.03f, 0); }}};
+  constexpr std::uint32_t edited_scenes = 2;
+  for (const Edit& edit : edits) {
+    std::uint32_t named = 0;
+    std::string others;
+    for (std::uint32_t seed = 1; seed <= edited_scenes; ++seed) {
+      const GeneratedScene scene(seed);
+      Scene written = scene.written();
+      for (Node& node : written.nodes) {
+        // As people write it.
+        if (!node.transforms.empty()) {
+          node.transforms.insert(node.transforms.begin(), {Translate(), {}});
+        }
+      }
+      written.camera->location = {7, 1};
+      const RenderScene ready = prepare(written, Limits()).scene;
+      RenderOptions options = view_of(scene).options;
+      const SceneView view{&ready, &scene.builder.assets, options, &written, {}};
+      const auto drawn = [&](const Scene& by_student) {
+        student::Job job;
+        job.width = width;
+        job.height = height;
+        const std::string name = "ramp.png";
+        return student::draw(by_student, scene.builder.assets, {&name, 1}, job);
+      };
+      Scene changed = written;
+      edit.change(changed);
+      const CauseReport report = find_causes(drawn(written), drawn(changed), &view);
+      for (const Claim& claim : report.claims) {
+        const bool right =
+            claim.what.find(edit.name) != std::string::npos ||
+            (*edit.old_name != 0 && claim.what.find(edit.old_name) != std::string::npos);
+        EXPECT_TRUE(right) << edit.name << ", " << seed << ": " << said(report);
+        named += right ? 1 : 0;
+      }
+      others += std::to_string(seed) + ": " + said(report) + "\n";
+    }
+    EXPECT_EQ(named, edited_scenes) << edit.name << "\n" << others;
+  }
 }
 
 TEST(Causes, FindsTheViewOfTheReference) {

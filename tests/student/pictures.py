@@ -36,6 +36,7 @@ PICTURES = {
     "black": ("still-life", "output-black"),
     "features": ("still-life", "output-normals"),
     "samples": ("heap", "output-misses-black"),
+    "scene-edited": ("still-life", "scene-moved-object"),
 }
 
 build, out = sys.argv[1:]

@@ -261,7 +261,7 @@ constexpr KnownMistake table[] = {
     {"strange-stripes", "strange", ""},
     {"output-contrast", "output", "brightness"},
     {"strange-saturation", "strange", ""},
-    {"strange-moved-object", "strange", ""},
+    {"scene-moved-object", "scene", "scene-edited"},
     {"strange-headlight", "strange", ""},
     {"strange-bumps", "strange", ""},
     {"strange-posterized", "strange", ""},
@@ -272,9 +272,9 @@ constexpr KnownMistake table[] = {
     {"strange-depth-dark", "strange", ""},
     {"strange-oren", "strange", ""},
     {"strange-fresnel", "strange", ""},
-    {"strange-rolled-camera", "strange", ""},
-    {"strange-moved-camera", "strange", ""},
-    {"strange-moved-light", "strange", ""},
+    {"scene-rolled-camera", "scene", "scene-edited|camera"},
+    {"scene-moved-camera", "scene", "scene-edited|camera"},
+    {"scene-moved-light", "scene", "scene-edited|lights"},
     {"strange-other-colors", "strange", ""},
 };
 
@@ -306,14 +306,17 @@ class Tracer {
       : scene_(scene), assets_(assets), names_(names), job_(job) {
     mat4 start(1);
     visit(scene.root, start);
-    if (has("strange-moved-object") && !objects_.empty()) {
+    if (has("scene-moved-object") && !objects_.empty()) {
       Object& moved = objects_[objects_.size() / 2];
       moved.matrix[3] += vec4(0.3f, 0.2f, -0.2f, 0);
       moved.inverse = glm::inverse(moved.matrix);
     }
-    if (has("strange-moved-light") && !lamps_.empty()) {
-      lamps_[0].position += vec3(1.3f, -0.4f, 0.7f);
-      lamps_[0].direction = glm::normalize(lamps_[0].direction) + vec3(0.3f, 0.1f, -0.2f);
+    if (has("scene-moved-light") && !lamps_.empty()) {
+      if (lamps_[0].light.type == LightType::directional) {
+        lamps_[0].direction = glm::normalize(lamps_[0].direction) + vec3(0.3f, 0.1f, -0.2f);
+      } else {
+        lamps_[0].position += vec3(1.3f, -0.4f, 0.7f);
+      }
     }
     if (has("light-only-first") && lamps_.size() > 1) {
       lamps_.resize(1);
@@ -338,12 +341,12 @@ class Tracer {
       w_ = -w_;
       u_ = has("camera-backward-turned") ? -u_ : u_;
     }
-    if (has("strange-rolled-camera")) {
+    if (has("scene-rolled-camera")) {
       const vec3 u = u_;
       u_ = 0.97f * u_ + 0.243f * v_;
       v_ = 0.97f * v_ - 0.243f * u;
     }
-    if (has("strange-moved-camera")) {
+    if (has("scene-moved-camera")) {
       eye_ += 0.3f * u_ + 0.2f * v_;
     }
     const float degrees = camera.height_angle_deg;

@@ -159,6 +159,14 @@ constexpr std::array<CauseHelp, cause_count> pages{{
      "A pixel is the mean of its samples; a sample that hits nothing is black, and counts like the "
      "others.",
      "Where the samples of a pixel are added, and what is done when a ray hits nothing."},
+    {Cause::scene_edited, "Another scene file",
+     "An object, a light or the camera is elsewhere, or has another color, size or angle; all else "
+     "follows from that: shadows, highlights, reflections.",
+     "The picture was drawn from a copy of the scene file in which a value was changed, or the "
+     "program reads that value wrongly.",
+     "The named line of the scene file, and the same line in the file that the picture was drawn "
+     "from. If they are equal: where the program reads that value, and what it does with it "
+     "before the first ray."},
     {Cause::tessellation, "Tessellation (Realtime)",
      "Outlines have other corners than in the reference, shading bends at other edges, or parts of "
      "shapes are missing.",

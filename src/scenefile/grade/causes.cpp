@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/acne.h"
 #include "scenefile/grade/claims.h"
+#include "scenefile/grade/edited_scene.h"
 #include "scenefile/grade/fitted_functions.h"
 #include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/placed_copy.h"
@@ -363,7 +364,31 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
 }
 
+// Whether the picture was drawn from an edited scene.
+bool claim_edited_scene(Simulation& sim, CauseReport& report) {
+  if (!sim.usable || !sim.significant() || sim.stopped) {
+    return false;
+  }
+  const std::optional<Tried> found = find_edited_scene(sim);
+  if (found) {
+    claim(sim, *found, {}, {}, report);
+    report.partial.clear();
+  }
+  return found.has_value();
+}
+
+// The share of the differing points where the test has the copy's colors.
+double exact_share(const Simulation& sim, const PlacedCopy& copy) {
+  Colors colors;
+  for (const Point& p : sim.points) {
+    colors.push_back(copy.color(p.x, p.y));
+  }
+  return score(sim.points, sim.points.size(), colors).exact /
+         std::max(1.0, sim.weight_that_differs(sim.points.size()));
+}
+
 CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
+  const bool edited = look_for == LookFor::several_at_once;
   CauseReport report;
   const Pixels pixels = sorted_pixels(sim.reference, sim.test);
   const double all = static_cast<double>(sim.test.width) * sim.test.height;
@@ -383,11 +408,11 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     look_for = LookFor::single_mistakes;
   }
-  std::optional<Claim> copy;
+  std::optional<PlacedCopy> copy;
   if (!undrawn) {
-    copy = claim_of_placed_copy(sim.reference, sim.test, pixels.different);
+    copy = find_placed_copy(sim.reference, sim.test, pixels.different);
     if (copy && !sim.usable) {
-      report.claims.push_back(*std::move(copy));
+      report.claims.push_back(std::move(copy->claim));
       return report;
     }
     // A mistake in the camera may look like a shift.
@@ -437,9 +462,13 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   }
   if (copy) {
     if (report.claims.empty() || report.claims.front().explained < 0.98) {
-      report.claims = {*std::move(copy)};
+      report.claims.clear();
       report.rivals.clear();
       report.partial.clear();
+      // A camera that is turned a little shifts the picture, but not by whole pixels everywhere.
+      if (!edited || exact_share(sim, *copy) >= nearly_all || !claim_edited_scene(sim, report)) {
+        report.claims = {std::move(copy->claim)};
+      }
     }
     return report;
   }
@@ -450,7 +479,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     if (found) {
       report.claims.push_back(*std::move(found));
-    } else if (sim.usable) {
+    } else if (sim.usable && !(edited && claim_edited_scene(sim, report))) {
       if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
         claim(sim, *shift, {}, {}, report);
       }
@@ -505,8 +534,8 @@ std::string_view name_of(Cause cause) {
       "recursion-depth",  "spot-falloff",    "camera",     "transforms", "shapes",
       "nearest-hit",      "lights",          "reflection", "refraction", "overflow",
       "background",       "brightness",      "black",      "features",   "samples",
-      "tessellation",     "facets",          "culling",    "clipping",   "filter",
-      "viewport"};
+      "scene-edited",     "tessellation",    "facets",     "culling",    "clipping",
+      "filter",           "viewport"};
   return names[static_cast<std::size_t>(cause)];
 }
 

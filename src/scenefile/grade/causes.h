@@ -44,10 +44,11 @@ enum class Cause : std::uint8_t {
   refraction,        ///< missing, wrong direction, wrong weights
   overflow,          ///< values above 1 wrap around, or are scaled
   background,
-  brightness,  ///< the whole picture times a factor, inverted, or gray
-  black,       ///< nothing was drawn
-  features,    ///< drawn with other features or in another mode than the reference
-  samples,     ///< samples of a pixel combined wrongly
+  brightness,    ///< the whole picture times a factor, inverted, or gray
+  black,         ///< nothing was drawn
+  features,      ///< drawn with other features or in another mode than the reference
+  samples,       ///< samples of a pixel combined wrongly
+  scene_edited,  ///< a value of the scene file is another
   // Of the assignment Realtime (realtime_causes.h).
   tessellation,  ///< other parameters, wedges or quads
   facets,        ///< flat normals, or lighting per vertex

@@ -1,6 +1,7 @@
 #include "scenefile/grade/fitted_functions.h"
 
 #include "scenefile/base/shape_traits.h"
+#include "scenefile/grade/least_squares.h"
 #include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
@@ -69,40 +70,6 @@ Curve hat(const std::vector<double>& knots, std::size_t k) {
   Curve curve{knots, std::vector<double>(knots.size(), 0)};
   curve.values[k] = 1;
   return curve;
-}
-
-// Solves a symmetric system of equations by Cholesky's method; empty if it is singular.
-std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = a[i][j];
-      for (std::size_t k = 0; k < j; ++k) {
-        sum -= a[i][k] * a[j][k];
-      }
-      if (i == j) {
-        if (!(sum > 0)) {
-          return {};
-        }
-        a[i][i] = std::sqrt(sum);
-      } else {
-        a[i][j] = sum / a[j][j];
-      }
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      b[i] -= a[i][k] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) {
-      b[i] -= a[k][i] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  return b;
 }
 
 // The functions of the groups that make the scene look most like the test; nullopt if none comes

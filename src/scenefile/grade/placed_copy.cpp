@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 namespace scenefile {
 
@@ -55,9 +55,6 @@ dvec3 color_of_copy(const Texture& reference, const CopyPlace& place, int x, int
   return at(reference, static_cast<int>(p.x), static_cast<int>(p.y));
 }
 
-// The color of a copy of the reference, by pixel of the test.
-using Copy = std::function<dvec3(int x, int y)>;
-
 // Whether the test is the copy: nearly all pixels that are not black in both, and all of a sample.
 bool is_copy(const Texture& reference, const Texture& test, const Copy& color_at, bool exactly) {
   std::size_t shown = 0;
@@ -92,11 +89,54 @@ bool is_copy(const Texture& reference, const Texture& test, const CopyPlace& pla
       exactly);
 }
 
-Claim copy_claim(std::string what) {
-  return {Cause::viewport, std::move(what),
-          fmt::format("at least {} of the pixels that show something equal the reference there",
-                      percent(nearly_all_of_copy)),
-          nearly_all_of_copy};
+PlacedCopy placed_copy(std::string what, Copy color) {
+  return {{Cause::viewport, std::move(what),
+           fmt::format("at least {} of the pixels that show something equal the reference there",
+                       percent(nearly_all_of_copy)),
+           nearly_all_of_copy},
+          std::move(color)};
+}
+
+PlacedCopy placed_copy(std::string what, const Texture& reference, const CopyPlace& place) {
+  return placed_copy(std::move(what), [&reference, place](int x, int y) {
+    return color_of_copy(reference, place, x, y);
+  });
+}
+
+// Whether the shift is the same in all parts of the picture. If the camera moved, near objects
+// move farther than distant ones, and the edges of the picture otherwise than its middle.
+bool same_everywhere(const Texture& reference, const Texture& test, const glm::ivec2& shift) {
+  constexpr int tiles = 4;  // across and down
+  constexpr int min_pixels = 24;
+  constexpr double clearly_less = 0.8;
+  for (int tile = 0; tile < tiles * tiles; ++tile) {
+    const glm::ivec2 from(tile % tiles * test.width / tiles, tile / tiles * test.height / tiles);
+    const glm::ivec2 to = from + glm::ivec2(test.width, test.height) / tiles;
+    std::array<double, 9> off{};
+    int pixels = 0;
+    for (int y = from.y; y < to.y; ++y) {
+      for (int x = from.x; x < to.x; ++x) {
+        const glm::ivec2 at_reference = glm::ivec2(x, y) - shift;
+        if (at_reference.x < 1 || at_reference.y < 1 || at_reference.x + 1 >= test.width ||
+            at_reference.y + 1 >= test.height ||
+            around(reference, at_reference.x, at_reference.y).calm()) {
+          continue;
+        }
+        ++pixels;
+        for (int k = 0; k < 9; ++k) {
+          const dvec3 d =
+              glm::abs(at(reference, at_reference.x + k % 3 - 1, at_reference.y + k / 3 - 1) -
+                       at(test, x, y));
+          off[std::size_t(k)] += std::min(largest_of(d), 64.0);
+        }
+      }
+    }
+    const double least = *std::min_element(off.begin(), off.end());
+    if (pixels >= min_pixels && least < clearly_less * off[4]) {
+      return false;
+    }
+  }
+  return true;
 }
 
 const char* corner_word(bool right, bool low) {
@@ -104,7 +144,7 @@ const char* corner_word(bool right, bool low) {
 }
 
 // Pixels that are stored in another order.
-std::optional<Claim> claim_of_order(const Texture& reference, const Texture& test) {
+std::optional<PlacedCopy> find_order(const Texture& reference, const Texture& test) {
   const int width = test.width;
   const int height = test.height;
   const auto at_or_black = [&](int x, int y) {
@@ -139,14 +179,14 @@ std::optional<Claim> claim_of_order(const Texture& reference, const Texture& tes
         rows_of(width - 1)}}};
   for (const auto& [what, copy] : orders) {
     if (width > 1 && is_copy(reference, test, copy, true)) {
-      return copy_claim(what);
+      return placed_copy(what, copy);
     }
   }
   return std::nullopt;
 }
 
-std::optional<Claim> claim_of_shift(const Texture& reference, const Texture& test,
-                                    const std::vector<std::uint32_t>& different) {
+std::optional<PlacedCopy> find_shift_of_copy(const Texture& reference, const Texture& test,
+                                             const std::vector<std::uint32_t>& different) {
   // The shift with which most of some differing pixels are right.
   const std::size_t step = std::max<std::size_t>(1, different.size() / 300);
   std::size_t most = 0;
@@ -168,7 +208,8 @@ std::optional<Claim> claim_of_shift(const Texture& reference, const Texture& tes
   }
   // A shift of a few pixels is certain even if the edges are drawn with other samples.
   const bool exactly = std::max(std::abs(best.x), std::abs(best.y)) < 3;
-  if (best == glm::ivec2(0) || !is_copy(reference, test, {dvec2(1), dvec2(best)}, exactly)) {
+  if (best == glm::ivec2(0) || !is_copy(reference, test, {dvec2(1), dvec2(best)}, exactly) ||
+      !same_everywhere(reference, test, best)) {
     return std::nullopt;
   }
   const auto by = [](int pixels, const char* less, const char* more) {
@@ -179,26 +220,29 @@ std::optional<Claim> claim_of_shift(const Texture& reference, const Texture& tes
   what += best.x != 0 ? by(best.x, "to the left", "to the right") : std::string();
   what += best.x != 0 && best.y != 0 ? " and " : "";
   what += best.y != 0 ? by(best.y, "up", "down") : std::string();
-  return copy_claim(std::move(what));
+  return placed_copy(std::move(what), reference, {dvec2(1), dvec2(best)});
 }
 
 }  // namespace
 
-std::optional<Claim> claim_of_placed_copy(const Texture& reference, const Texture& test,
-                                          const std::vector<std::uint32_t>& different) {
+std::optional<PlacedCopy> find_placed_copy(const Texture& reference, const Texture& test,
+                                           const std::vector<std::uint32_t>& different) {
   const dvec2 size(test.width, test.height);
   if (static_cast<double>(different.size()) < min_share_moved * size.x * size.y) {
     return std::nullopt;
   }
-  if (std::optional<Claim> order = claim_of_order(reference, test)) {
+  if (std::optional<PlacedCopy> order = find_order(reference, test)) {
     return order;
   }
   for (const bool right : {false, true}) {
     for (const bool low : {false, true}) {
       const dvec2 corner(right ? size.x : 0, low ? size.y : 0);
-      if (is_copy(reference, test, {dvec2(2), -corner}, false)) {
-        return copy_claim(fmt::format("only the {} quarter of the picture is shown, twice as large",
-                                      corner_word(right, low)));
+      const CopyPlace place{dvec2(2), -corner};
+      if (is_copy(reference, test, place, false)) {
+        return placed_copy(
+            fmt::format("only the {} quarter of the picture is shown, twice as large",
+                        corner_word(right, low)),
+            reference, place);
       }
     }
   }
@@ -224,14 +268,15 @@ std::optional<Claim> claim_of_placed_copy(const Texture& reference, const Textur
     if (std::max(place.scale.x, place.scale.y) < 0.97 && off_center > 2 &&
         (cornered || touching >= 2) && is_copy(reference, test, place, false)) {
       const std::string pixels = fmt::format("{:.0f}x{:.0f}", drawn.x, drawn.y);
-      return copy_claim(cornered
-                            ? fmt::format("the picture fills only {} pixels in the {} corner",
-                                          pixels, corner_word(!left, !up))
-                            : fmt::format("the picture fills only {} pixels, from {:.0f},{:.0f}",
-                                          pixels, place.offset.x, place.offset.y));
+      return placed_copy(cornered
+                             ? fmt::format("the picture fills only {} pixels in the {} corner",
+                                           pixels, corner_word(!left, !up))
+                             : fmt::format("the picture fills only {} pixels, from {:.0f},{:.0f}",
+                                           pixels, place.offset.x, place.offset.y),
+                         reference, place);
     }
   }
-  return claim_of_shift(reference, test, different);
+  return find_shift_of_copy(reference, test, different);
 }
 
 }  // namespace scenefile

@@ -4,15 +4,27 @@
 
 #include "scenefile/grade/causes.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace scenefile {
 
-/// A claim that the test picture is a copy of the reference, scaled or shifted; not for pictures
-/// that are scaled about their center, which a camera can do. `different`: Pixels::different.
-std::optional<Claim> claim_of_placed_copy(const Texture& reference, const Texture& test,
-                                          const std::vector<std::uint32_t>& different);
+/// The color of a copy of the reference, by pixel of the test.
+using Copy = std::function<glm::dvec3(int x, int y)>;
+
+struct PlacedCopy {
+  Claim claim;
+  Copy color;
+};
+
+/// Whether the test picture is a copy of the reference, scaled or shifted; not for pictures that
+/// are scaled about their center, which a camera can do. `different`: Pixels::different. The result
+/// must not outlive the reference.
+std::optional<PlacedCopy> find_placed_copy(const Texture& reference, const Texture& test,
+                                           const std::vector<std::uint32_t>& different);
 
 }  // namespace scenefile

@@ -636,6 +636,7 @@ class Maker {
       case Cause::brightness:
       case Cause::black:
       case Cause::samples:
+      case Cause::scene_edited:
       case Cause::tessellation:
       case Cause::facets:
       case Cause::culling:

@@ -1,7 +1,6 @@
-#include "scenefile/base/limits.h"
+#include "scenefile/grade/edited_scene.h"
 #include "scenefile/grade/hypothesis_list.h"
 #include "scenefile/grade/node_matrices.h"
-#include "scenefile/scene/prepare.h"
 
 #include <fmt/format.h>
 
@@ -62,50 +61,19 @@ bool place_all(Scene& scene, const MatrixMistakes& mistakes) {
   return true;
 }
 
-// Gives the files of `changed` the same indices as in the scene.
-bool number_files_alike(const RenderScene& scene, RenderScene& changed) {
-  const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
-    const auto found = std::find_if(files.begin(), files.end(),
-                                    [&](const FileReference& f) { return f.name == name; });
-    return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
-  };
-  for (RenderMaterial& m : changed.materials) {
-    for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
-      if (texture->used()) {
-        texture->file = number(scene.texture_files, changed.texture_files[texture->file].name);
-        if (!texture->used()) {
-          return false;
-        }
-      }
-    }
-  }
-  for (RenderGroup& group : changed.groups) {
-    for (RenderPrimitive& p : group.primitives) {
-      if (p.mesh != no_index) {
-        p.mesh = number(scene.mesh_files, changed.mesh_files[p.mesh].name);
-        if (p.mesh == no_index) {
-          return false;
-        }
-      }
-    }
-  }
-  return true;
-}
-
 // Draws a modified scene file. It must use the same assets.
 void rewrite(HypothesisList& list, const char* what, const std::function<bool(Scene&)>& change) {
   Scene scene = *list.view.written;
   if (!change(scene)) {
     return;
   }
-  RenderScene changed = prepare(scene, Limits()).scene;
-  if (!number_files_alike(list.scene, changed)) {
+  const std::optional<RenderScene> ready = ready_with_same_files(list.scene, scene);
+  if (!ready) {
     return;
   }
-  changed.camera = list.scene.camera;
   list.add(
       Cause::transforms, what,
-      [changed = std::move(changed)](Trial& t) {
+      [changed = *ready](Trial& t) {
         t.scene.groups = changed.groups;
         t.scene.root = changed.root;
         t.scene.materials = changed.materials;

@@ -1,5 +1,5 @@
 #pragma once
-// Looks up the places of values in the file. Internal to scene.
+// Looks up the places of values in the file. Internal to scene and grade.
 
 #include "scenefile/scene/scene.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The values of a scene file, one row each: its names in both dialects, its kind, the member that
 // holds it, and which lights use it. Readers, writers, check and diff use these tables. Internal to
-// the rooms scene and format.
+// the rooms scene, format and grade.
 
 #include "scenefile/base/rare.h"
 #include "scenefile/base/shape.h"

@@ -1,0 +1,564 @@
+#include "scenefile/grade/edited_scene.h"
+
+#include "scenefile/base/limits.h"
+#include "scenefile/grade/candidates.h"
+#include "scenefile/grade/least_squares.h"
+#include "scenefile/grade/scene_values.h"
+#include "scenefile/trace/tasks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+
+constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
+constexpr std::uint64_t max_rays = 8000000;  // of the whole search
+
+// Squares of the picture, or single pixels, with the mean color of some of their pixels.
+struct Cells {
+  double size = 1;          // in pixels
+  double max_left = 1;      // of the difference, for a value to be tried further
+  std::size_t samples = 1;  // pixels of each square that are drawn
+  std::vector<Point> pixels;
+  Colors test;  // by square
+};
+
+// A scene to draw.
+struct Edited {
+  Trial trial;
+  std::shared_ptr<const ModelShapes> shapes;
+};
+
+class Search {
+ public:
+  explicit Search(Simulation& sim) : sim_(sim), first_ray_(sim.rays) {}
+
+  std::optional<Tried> run();
+
+ private:
+  // Numbers of a value, and what they leave of the difference.
+  struct Fit {
+    std::vector<double> numbers;
+    double left = 0;
+  };
+
+  std::optional<Edited> edited(const SceneValue& value, const std::vector<double>& numbers) const;
+  Colors drawn(const Edited& scene, const Cells& cells) const;
+  double left_with(const SceneValue& value, const std::vector<double>& numbers,
+                   const Cells& cells) const;
+  Cells squares(int size, int across, std::size_t max_count) const;
+  Cells pixels(std::size_t max_count) const;
+  double step_of(const SceneValue& value, double number, const Cells& cells) const;
+  bool improve(const SceneValue& value, Fit& fit, const Cells& cells, int rounds) const;
+  void round(const SceneValue& value, Fit& fit) const;
+  void measure_bias();
+  std::vector<SceneValue> values() const;
+  std::optional<Tried> tried(const SceneValue& value);
+  bool spent() const { return sim_.rays - first_ray_ > max_rays; }
+
+  Simulation& sim_;
+  std::uint64_t first_ray_;
+  Prepared prepared_;
+  std::vector<Cells> levels_;  // the coarsest first
+  double distance_ = 1;        // from the camera to what it shows
+  dvec3 bias_{0};              // of the test's values, which may be truncated
+};
+
+// Errors beyond this count less, because they are probably not of the value that is varied.
+double robust(double off, double limit) {
+  return off <= limit ? off * off : limit * (2 * off - limit);
+}
+
+constexpr double far_off = 40;  // of 255
+constexpr double near = 4;      // squared error of a channel that is right
+
+Scene changed(Scene scene, const SceneValue& value, const std::vector<double>& numbers) {
+  value.set(scene, numbers);
+  return scene;
+}
+
+// Which stage a change of the value affects.
+Stage stage_of(const SceneValue& value) {
+  switch (value.effect) {
+    case ValueEffect::colors:
+    case ValueEffect::light:
+      return Stage::shading;
+    case ValueEffect::camera:
+      return Stage::camera;
+    case ValueEffect::surface:
+    case ValueEffect::shapes:
+      return Stage::shapes;
+  }
+  return Stage::shapes;
+}
+
+// Replaces what the value affects.
+void replace(Trial& trial, const RenderScene& scene, Stage stage) {
+  trial.scene.global = scene.global;
+  trial.scene.camera = scene.camera;
+  trial.scene.lights = scene.lights;
+  if (stage == Stage::shapes) {
+    trial.scene.materials = scene.materials;
+    trial.scene.groups = scene.groups;
+    trial.scene.root = scene.root;
+  }
+}
+
+std::optional<Edited> Search::edited(const SceneValue& value,
+                                     const std::vector<double>& numbers) const {
+  constexpr double too_large = 1e5;
+  if (!std::all_of(numbers.begin(), numbers.end(),
+                   [](double x) { return std::abs(x) < too_large; })) {
+    return std::nullopt;
+  }
+  const std::optional<RenderScene> scene =
+      ready_with_same_files(*sim_.view->scene, changed(*sim_.view->written, value, numbers));
+  if (!scene) {
+    return std::nullopt;
+  }
+  Edited result{sim_.right_trial(false), sim_.shapes};
+  replace(result.trial, *scene, stage_of(value));
+  if (stage_of(value) == Stage::shapes) {
+    result.shapes = flatten(result.trial.scene, *sim_.view->assets);
+  }
+  return result.shapes == nullptr ? std::nullopt : std::optional(std::move(result));
+}
+
+Colors Search::drawn(const Edited& scene, const Cells& cells) const {
+  const Colors colors =
+      sim_.draw(scene.trial, *scene.shapes, cells.pixels, cells.pixels.size(), Turn(), nullptr);
+  Colors means(cells.test.size(), dvec3(0));
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    means[i / cells.samples] +=
+        (glm::clamp(colors[i], dvec3(0), dvec3(255)) + bias_) / double(cells.samples);
+  }
+  return means;
+}
+
+double left_of(const Colors& colors, const Cells& cells) {
+  double left = 0;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      left += robust(std::abs(colors[i][channel] - cells.test[i][channel]), far_off);
+    }
+  }
+  return left;
+}
+
+double Search::left_with(const SceneValue& value, const std::vector<double>& numbers,
+                         const Cells& cells) const {
+  const std::optional<Edited> scene = edited(value, numbers);
+  return scene ? left_of(drawn(*scene, cells), cells) : infinity;
+}
+
+// Squares with `across` times `across` of their pixels: those that differ most, and others.
+Cells Search::squares(int size, int across, std::size_t max_count) const {
+  across = std::min(across, size);
+  struct Square {
+    int x, y;
+    double off;
+  };
+  const auto place = [&](int k) { return (2 * k + 1) * size / (2 * across); };
+  const auto mean = [&](const Texture& t, const Square& square) {
+    dvec3 sum(0);
+    for (int k = 0; k < across * across; ++k) {
+      sum += at(t, square.x + place(k % across), square.y + place(k / across));
+    }
+    return sum / double(across * across);
+  };
+  std::vector<Square> all;
+  for (int y = 0; y + size <= sim_.test.height; y += size) {
+    for (int x = 0; x + size <= sim_.test.width; x += size) {
+      Square square{x, y, 0};
+      square.off = largest_of(glm::abs(mean(sim_.test, square) - mean(sim_.reference, square)));
+      all.push_back(square);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Square& a, const Square& b) { return a.off > b.off; });
+  Cells cells{double(size), 1, std::size_t(across) * std::size_t(across), {}, {}};
+  const std::size_t first = std::min(all.size(), max_count * 3 / 4);
+  const std::size_t step = std::max<std::size_t>(1, (all.size() - first) / (max_count / 4));
+  for (std::size_t i = 0; i < all.size(); i += i < first ? 1 : step) {
+    cells.test.push_back(mean(sim_.test, all[i]));
+    for (int k = 0; k < across * across; ++k) {
+      Point p;
+      p.x = all[i].x + place(k % across);
+      p.y = all[i].y + place(k / across);
+      cells.pixels.push_back(p);
+    }
+  }
+  return cells;
+}
+
+Cells Search::pixels(std::size_t max_count) const {
+  Cells cells;
+  for (std::size_t i = 0; i < std::min(max_count, sim_.points.size()); ++i) {
+    cells.pixels.push_back(sim_.points[i]);
+    cells.test.push_back(sim_.points[i].test);
+  }
+  return cells;
+}
+
+// How far to vary a number to see its effect. What moves, moves by about the size of a square.
+double Search::step_of(const SceneValue& value, double number, const Cells& cells) const {
+  switch (value.effect) {
+    case ValueEffect::colors:
+    case ValueEffect::surface:
+      return 0.02 + 0.05 * std::abs(number);
+    case ValueEffect::light:
+      return 0.02 + 0.02 * std::abs(number);
+    case ValueEffect::camera:
+    case ValueEffect::shapes:
+      return 2 * distance_ * std::tan(sim_.view->scene->camera.fov_y / 2) * cells.size /
+             sim_.whole().y;
+  }
+  return 1;
+}
+
+// Levenberg-Marquardt. Returns whether the value explains much of the difference.
+bool Search::improve(const SceneValue& value, Fit& fit, const Cells& cells, int rounds) const {
+  constexpr double enough_at_once = 0.9;  // in two rounds
+  constexpr double min_reach = 0.03;
+  const std::size_t n = fit.numbers.size();
+  double damping = 0.01;
+  double reach = 1;  // of the steps; small ones are exact, and large ones see beyond edges
+  fit.left = left_with(value, fit.numbers, cells);
+  const double start = left_with(value, value.numbers, cells);
+  for (int k = 0; k < rounds && !spent(); ++k) {
+    const std::optional<Edited> now = edited(value, fit.numbers);
+    if (!now) {
+      return false;
+    }
+    const Colors colors = drawn(*now, cells);
+    std::vector<double> steps(n);
+    std::vector<Colors> change(n);
+    for_each_task(n, [&](std::size_t i) {
+      steps[i] = reach * step_of(value, fit.numbers[i], cells);
+      std::vector<double> numbers = fit.numbers;
+      numbers[i] += steps[i];
+      const std::optional<Edited> scene = edited(value, numbers);
+      change[i] = scene ? drawn(*scene, cells) : colors;
+      for (std::size_t c = 0; c < colors.size(); ++c) {
+        change[i][c] -= colors[c];
+      }
+    });
+    // In units of the steps.
+    std::vector<std::vector<double>> normal(n, std::vector<double>(n));
+    std::vector<double> right(n);
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+      const dvec3 off = cells.test[c] - colors[c];
+      const dvec3 weight = 1.0 / glm::max(dvec3(1), glm::abs(off) / far_off);
+      for (std::size_t i = 0; i < n; ++i) {
+        right[i] += glm::dot(weight * change[i][c], off);
+        for (std::size_t j = 0; j < n; ++j) {
+          normal[i][j] += glm::dot(weight * change[i][c], change[j][c]);
+        }
+      }
+    }
+    const double before = fit.left;
+    for (int attempt = 0; attempt < 4 && fit.left == before; ++attempt) {
+      std::vector<std::vector<double>> damped = normal;
+      for (std::size_t i = 0; i < n; ++i) {
+        damped[i][i] += damping * normal[i][i] + 1e-3;
+      }
+      Fit next;
+      next.numbers = solved(std::move(damped), right);
+      if (next.numbers.empty()) {
+        break;
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        next.numbers[i] = fit.numbers[i] + next.numbers[i] * steps[i];
+      }
+      next.left = left_with(value, next.numbers, cells);
+      damping = next.left < fit.left ? std::max(1e-4, damping / 5) : damping * 8;
+      if (next.left < fit.left) {
+        fit = std::move(next);
+      }
+    }
+    if (k == 1 && fit.left > enough_at_once * start) {
+      break;
+    }
+    if (fit.left > 0.98 * before) {
+      if (reach < min_reach) {
+        break;
+      }
+      reach /= 3;
+      damping = 0.01;
+    }
+  }
+  return fit.left <= cells.max_left * start ||
+         fit.left <= 3 * near * static_cast<double>(cells.test.size());
+}
+
+// With as few decimals as the picture allows, because people write such numbers.
+void Search::round(const SceneValue& value, Fit& fit) const {
+  constexpr double rounding = 0.02;  // squared error
+  const double limit = 1.02 * fit.left + rounding * static_cast<double>(levels_.back().test.size());
+  for (const double unit : {1.0, 0.1, 0.01, 0.001}) {
+    std::vector<double> numbers = fit.numbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double old = value.numbers[i];
+      numbers[i] =
+          std::abs(numbers[i] - old) <= unit / 2 ? old : unit * std::round(numbers[i] / unit);
+    }
+    if (left_with(value, numbers, levels_.back()) <= limit) {
+      fit.numbers = std::move(numbers);
+      return;
+    }
+  }
+}
+
+std::string text_of(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double x : numbers) {
+    text += fmt::format("{}{:.3g}", text.empty() ? "" : " ", x == 0 ? 0.0 : x);
+  }
+  return text;
+}
+
+// What moves is found in large squares first.
+std::size_t first_level(ValueEffect effect) {
+  switch (effect) {
+    case ValueEffect::camera:
+      return 0;
+    case ValueEffect::light:
+    case ValueEffect::shapes:
+      return 1;
+    case ValueEffect::colors:
+    case ValueEffect::surface:
+      return 3;
+  }
+  return 0;
+}
+
+// The weight of the points on an object, or on all objects of a node.
+struct Seen {
+  double all = 0;
+  double differs = 0;
+  // If all of it differs, it is likelier to be the cause.
+  double merit() const { return all > 0 ? differs * differs / all : 0; }
+};
+
+// The keys with the most merit first, and last those that are seen in mirrors at most.
+template <typename Key>
+std::vector<Key> by_merit(const std::map<Key, Seen>& seen, std::size_t max_count) {
+  std::vector<std::pair<double, Key>> ranked;
+  for (const auto& [key, s] : seen) {
+    if (s.differs > 0 || s.all == 0) {
+      ranked.emplace_back(-s.merit(), key);
+    }
+  }
+  std::sort(ranked.begin(), ranked.end());
+  ranked.resize(std::min(ranked.size(), max_count));
+  std::vector<Key> keys;
+  for (const auto& [merit, key] : ranked) {
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+std::vector<SceneValue> Search::values() const {
+  constexpr std::size_t max_materials = 3;
+  constexpr std::size_t max_nodes = 12;
+  const Scene& scene = *sim_.view->written;
+  std::vector<SceneValue> found = values_of_view(scene, prepared_);
+  if (sim_.shapes->parts.size() > max_parts) {
+    return found;
+  }
+  std::vector<NodeId> parent(scene.nodes.size(), scene.root);
+  std::map<NodeId, Seen> nodes;
+  for (NodeId node = 0; node < scene.nodes.size(); ++node) {
+    for (const NodeId child : scene.nodes[node].children) {
+      parent[child] = node;
+    }
+    nodes[node];
+  }
+  std::map<std::uint32_t, Seen> objects;
+  std::map<std::uint32_t, Seen> plain;  // objects that show no others
+  Seen all_plain;
+  double differs = 0;
+  for (std::size_t i = 0; i < sim_.points.size(); ++i) {
+    const ModelHit& hit = sim_.clean({}).hits[i];
+    const Point& p = sim_.points[i];
+    const auto add = [&](Seen& seen) {
+      seen.all += p.weight;
+      seen.differs += p.differs ? p.weight : 0;
+    };
+    differs += p.differs ? p.weight : 0;
+    if (hit.part == nullptr) {
+      add(all_plain);
+      continue;
+    }
+    add(objects[hit.part->source]);
+    const RenderMaterial& m = sim_.view->scene->materials[hit.part->material];
+    if (m.reflective == glm::vec3(0) && m.transparent == glm::vec3(0)) {
+      add(plain[hit.part->source]);
+      add(all_plain);
+    }
+    for (NodeId node = prepared_.sources[hit.part->source].node;; node = parent[node]) {
+      add(nodes[node]);
+      if (node == scene.root || parent[node] == scene.root) {
+        break;
+      }
+    }
+  }
+  const auto append = [&](std::vector<SceneValue> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(found));
+  };
+  for (const std::uint32_t source : by_merit(objects, max_materials)) {
+    // A material only changes its object, and what shows it.
+    if (all_plain.differs < 0.1 * differs || plain[source].differs > 0.5 * all_plain.differs) {
+      append(values_of_material(scene, prepared_.sources[source]));
+    }
+  }
+  for (const NodeId node : by_merit(nodes, max_nodes)) {
+    append(values_of_transforms(scene, node));
+  }
+  return found;
+}
+
+std::optional<Tried> Search::tried(const SceneValue& value) {
+  Fit fit{value.numbers, 0};
+  const std::string before = text_of(fit.numbers);
+  for (std::size_t i = first_level(value.effect); i < levels_.size(); ++i) {
+    if (!improve(value, fit, levels_[i], 12)) {
+      return std::nullopt;
+    }
+  }
+  round(value, fit);
+  const bool shade = value.effect == ValueEffect::colors || value.effect == ValueEffect::surface;
+  if (shade && *std::min_element(fit.numbers.begin(), fit.numbers.end()) < 0) {
+    return std::nullopt;
+  }
+  const std::optional<RenderScene> ready =
+      ready_with_same_files(*sim_.view->scene, changed(*sim_.view->written, value, fit.numbers));
+  if (!ready) {
+    return std::nullopt;
+  }
+  const std::string where =
+      value.location.known() ? fmt::format(" (line {})", value.location.line) : std::string();
+  sim_.list.push_back(
+      {Cause::scene_edited,
+       {},
+       stage_of(value),
+       [ready = *ready, stage = stage_of(value)](Trial& t) { replace(t, ready, stage); },
+       {},
+       {}});
+  const Combination one{static_cast<std::uint16_t>(sim_.list.size() - 1)};
+  const Tried t =
+      sim_.rated(one, sim_.score_of(one, sim_.points.size()), sim_.base(sim_.points.size()));
+  // Other values may look nearly alike, such as a light that is farther away.
+  constexpr double certain = 0.9995;
+  sim_.list.back().what = fmt::format(
+      "drawn from an edited scene, or the scene was read wrongly: {} is {}{} instead of {}{}",
+      value.name, t.explained < certain ? "about " : "", text_of(fit.numbers), before, where);
+  return t;
+}
+
+void Search::measure_bias() {
+  Colors off;
+  for (std::size_t i = 0; i < sim_.points.size(); ++i) {
+    const dvec3 d = sim_.points[i].test - sim_.clean({}).drawn[i];
+    const dvec3& t = sim_.points[i].test;
+    if (!sim_.points[i].differs && largest_of(glm::abs(d)) < 1 && std::min({t.x, t.y, t.z}) > 0) {
+      off.push_back(d);
+    }
+  }
+  for (const dvec3& d : off) {
+    bias_ += d / double(off.size());
+  }
+}
+
+std::optional<Tried> Search::run() {
+  const SceneView& view = *sim_.view;
+  constexpr std::size_t max_nodes = 3000;
+  if (view.written == nullptr || view.written->nodes.size() > max_nodes) {
+    return std::nullopt;
+  }
+  prepared_ = prepare(*view.written, Limits());
+  std::vector<double> distances;
+  for (const ModelHit& hit : sim_.clean({}).hits) {
+    if (hit.part != nullptr) {
+      distances.push_back(hit.t);
+    }
+  }
+  if (distances.empty() || !(prepared_.scene == *view.scene)) {
+    return std::nullopt;
+  }
+  std::nth_element(distances.begin(), distances.begin() + std::ptrdiff_t(distances.size() / 2),
+                   distances.end());
+  distance_ = distances[distances.size() / 2];
+  measure_bias();
+  levels_ = {squares(std::max(3, sim_.test.width / 16), 4, 400),
+             squares(std::max(3, sim_.test.width / 40), 3, 300), squares(3, 3, 250), pixels(320),
+             pixels(sim_.points.size())};
+  constexpr std::array max_left{0.6, 0.5, 0.35, 0.35, 0.3};
+  for (std::size_t i = 0; i < levels_.size(); ++i) {
+    levels_[i].max_left = max_left[i];
+  }
+  std::optional<Tried> best;
+  for (const SceneValue& value : values()) {
+    if (spent() || !sim_.step(0.98)) {
+      break;
+    }
+    const std::optional<Tried> t = tried(value);
+    if (t && sure(*t) && t->broken <= max_broken &&
+        (!best || t->score.raw < 0.9 * best->score.raw)) {
+      best = t;
+    }
+    if (best && best->explained > 0.995) {
+      break;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed) {
+  const auto number = [](const std::vector<FileReference>& files, const std::string& name) {
+    const auto found = std::find_if(files.begin(), files.end(),
+                                    [&](const FileReference& f) { return f.name == name; });
+    return found == files.end() ? no_index : static_cast<std::uint32_t>(found - files.begin());
+  };
+  RenderScene ready = prepare(changed, Limits()).scene;
+  for (RenderMaterial& m : ready.materials) {
+    for (RenderTexture* texture : {&m.texture, &m.bump_map}) {
+      if (texture->used()) {
+        texture->file = number(scene.texture_files, ready.texture_files[texture->file].name);
+        if (!texture->used()) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  for (RenderGroup& group : ready.groups) {
+    for (RenderPrimitive& p : group.primitives) {
+      if (p.mesh != no_index) {
+        p.mesh = number(scene.mesh_files, ready.mesh_files[p.mesh].name);
+        if (p.mesh == no_index) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  return ready;
+}
+
+std::optional<Tried> find_edited_scene(Simulation& sim) {
+  return Search(sim).run();
+}
+
+}  // namespace scenefile

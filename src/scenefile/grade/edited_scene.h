@@ -1,0 +1,17 @@
+#pragma once
+// Finds the one value of the scene file whose change reproduces the picture: the picture was drawn
+// from an edited scene, or a program reads that value wrongly. Internal to grade.
+
+#include "scenefile/grade/simulation.h"
+
+#include <optional>
+
+namespace scenefile {
+
+/// The changed scene, ready to be drawn with the assets of the view; nullopt if it needs others.
+std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const Scene& changed);
+
+/// Adds the edited scene to the list and returns its score, if drawing it reproduces the picture.
+std::optional<Tried> find_edited_scene(Simulation& sim);
+
+}  // namespace scenefile

@@ -4,7 +4,6 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
-#include "app/outputs.h"
 #include "scenefile/base/report.h"
 #include "scenefile/base/text.h"
 #include "scenefile/export/write_gltf.h"

@@ -1,10 +1,254 @@
-#include "app/diff.h"
+// The command diff: compares two scenes or two pictures.
 
+#include "app/load.h"
 #include "app/load_picture.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/wrap.h"
+#include "scenefile/base/text.h"
+#include "scenefile/compare/sheet.h"
+#include "scenefile/format/recognize.h"
+#include "scenefile/io/file.h"
+#include "scenefile/verbs/compare_pictures.h"
+#include "scenefile/verbs/compare_scenes.h"
+#include "scenefile/verbs/scene_json.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
 
 namespace scenefile::app {
+
+namespace {
+
+LoadedScene load(const std::string& path, const Options& options, Context& context) {
+  LoadedScene scene = load_scene(path, options, LoadDepth::prepared, true, context);
+  if (!options.json) {
+    say(findings_text(scene, options.quiet ? Verbosity::errors : Verbosity::warnings,
+                      wants_color(Stream::chatter)));
+  }
+  return scene;
+}
+
+// Compares them by meaning.
+ExitCode diff_scenes(const Options& options, Context& context) {
+  const LoadedScene a = load(options.arguments[0], options, context);
+  const LoadedScene b = load(options.arguments[1], options, context);
+  const ExitCode status = worse(status_of(a), status_of(b));
+  if (status != ExitCode::fine) {
+    return options.json ? worse(status, answer(compare_scenes_json(a, b, nullptr))) : status;
+  }
+  context.phase = "comparing the scenes";
+  const SceneDiff diff = compare_scenes(a, b);
+  const ExitCode found = diff.same_meaning ? ExitCode::fine : ExitCode::findings;
+  if (options.json) {
+    return worse(found, answer(compare_scenes_json(a, b, &diff)));
+  }
+  return options.quiet ? found : worse(found, answer(compare_scenes_text(a, b, diff)));
+}
+
+std::string heading(const LoadedPicture& a, const LoadedPicture& b) {
+  const std::string names = fmt::format("{} and {}", escaped(shown_name(a.path), 4096),
+                                        escaped(shown_name(b.path), 4096));
+  const Texture& p = a.picture;
+  const Texture& q = b.picture;
+  return p.width == q.width && p.height == q.height
+             ? fmt::format("{}: {}x{}", names, p.width, p.height)
+             : fmt::format("{}: {}x{} and {}x{}", names, p.width, p.height, q.width, q.height);
+}
+
+std::string jpeg_text(const LoadedPicture& a, const LoadedPicture& b) {
+  std::string text;
+  for (const LoadedPicture* loaded : {&a, &b}) {
+    if (loaded->jpeg) {
+      text += fmt::format("  {} is a JPEG, which changes colors: compare PNGs\n",
+                          escaped(shown_name(loaded->path), 4096));
+    }
+  }
+  return text;
+}
+
+std::string measures_text(const PictureMeasures& m, int threshold) {
+  if (!m.same_size) {
+    return {};
+  }
+  return fmt::format(
+      "  PSNR {:.2f} dB, mean difference {:.3f}/255, maximum {}/255\n"
+      "  {:.3f} % of the pixels are off by more than {}/255\n"
+      "  SSIM {:.4f}, FLIP {:.4f} (maximum {:.4f})\n",
+      m.difference.psnr_db, m.difference.mean, m.difference.max, 100 * m.difference.share_over,
+      threshold, m.ssim, m.flip_mean, m.flip_max);
+}
+
+// The options of diff that explain needs to draw the same picture.
+std::string reading_options(const Options& options) {
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
+  if (was_given(options, "--compat")) {
+    add("--compat course");
+  }
+  for (const std::string& root : options.access.roots) {
+    add("--asset-root " + escaped(shell_word(root), 4096));
+  }
+  if (options.access.allow_outside) {
+    add("--allow-outside");
+  }
+  return text;
+}
+
+// Wraps long lines for terminals, except commands, which are copied. Elsewhere, a line stays one.
+std::string for_terminal(const std::string& text) {
+  const std::size_t width = terminal_width(Stream::answer);
+  if (width == 0) {
+    return text;
+  }
+  std::string result;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    const bool command = line.find("try: ") != std::string_view::npos;
+    result += command ? std::string(line) : wrapped(line, 0, 7, std::max<std::size_t>(width, 40));
+    result += '\n';
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return result;
+}
+
+std::string verdict_text(const PictureComparison& found, const Options& options) {
+  if (found.measures.difference.max == 0 && found.measures.same_size && !found.other_size()) {
+    return "equal\n";
+  }
+  std::string text;
+  for (const std::string& clause : found.broken) {
+    text += fmt::format("different: {}\n", clause);
+  }
+  return text.empty()
+             ? "the same within the thresholds\n"
+             : text + causes_text(found) +
+                   where_text(found, options.scene, options.arguments[1], reading_options(options));
+}
+
+// `scene`: that of --scene, or null. `found`: null if an input cannot be used.
+std::string json_text(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
+                      const PictureComparison* found) {
+  Json json;
+  begin_document(json, "diff");
+  for (const auto& [key, loaded] : {std::pair("a", &a), std::pair("b", &b)}) {
+    json.begin_object(key);
+    json.add("file", loaded->path);
+    if (loaded->error.empty()) {
+      json.add("width", loaded->picture.width);
+      json.add("height", loaded->picture.height);
+      json.add("jpeg", loaded->jpeg);
+    } else {
+      json.add("error", loaded->error);
+    }
+    json.end_object();
+  }
+  if (scene != nullptr) {
+    json.key("scene");
+    json.raw(scene_json(*scene));
+  }
+  if (found != nullptr) {
+    add_comparison(json, *found);
+  }
+  json.end_object();
+  return json.text();
+}
+
+ExitCode write_maps(const Options& options, const Texture& a, const Texture& b,
+                    const PictureComparison& found, Context& context) {
+  ExitCode status = ExitCode::fine;
+  const Texture heat = heat_map(a, b);
+  if (!options.heatmap.empty()) {
+    status = save_picture(options.heatmap, heat, context);
+  }
+  if (!options.sheet.empty()) {
+    const Texture flip = flip_picture(found.flip_errors, a.width, a.height);
+    std::vector<const Texture*> pictures{&a, &b, &heat};
+    if (!flip.empty()) {
+      pictures.push_back(&flip);
+    }
+    status = worse(status, save_picture(options.sheet, side_by_side(pictures), context));
+  }
+  return status;
+}
+
+// If one input is a scene, reports that instead of a decoding error.
+void report_scene_input(LoadedPicture& loaded, const LoadedPicture& other) {
+  if (loaded.status == ExitCode::findings && other.error.empty() && is_scene_name(loaded.path)) {
+    loaded.error = fmt::format(
+        "{} is a scene and {} a picture; compare two scenes, or two pictures and name their scene "
+        "with --scene",
+        escaped(shown_name(loaded.path), 4096), escaped(shown_name(other.path), 4096));
+  }
+}
+
+// Detects errors in the arguments before the work starts.
+ExitCode check_diff_outputs(const Options& options) {
+  const std::array<NamedFile, 3> inputs{{{"picture A", options.arguments[0]},
+                                         {"picture B", options.arguments[1]},
+                                         {"scene", options.scene}}};
+  const std::array<NamedFile, 2> outputs{{{"heat map", options.heatmap}, {"sheet", options.sheet}}};
+  return check_outputs(inputs, outputs);
+}
+
+PictureComparison compare(const LoadedPicture& a, const LoadedPicture& b, const LoadedScene* scene,
+                          const Options& options, Context& context) {
+  context.phase = "comparing the pictures";
+  ProgressBar bar(!options.quiet && !options.json && wants_progress());
+  CompareSettings settings = compare_settings(options);
+  settings.lossy = a.jpeg || b.jpeg;
+  settings.ways = folder_first(a.path, std::move(settings.ways));
+  return compare_pictures(a.picture, b.picture, scene, settings, [&](double done) {
+    bar.update(done);
+    return true;
+  });
+}
+
+// The first one is the reference.
+ExitCode diff_images(const Options& options, Context& context) {
+  if (const ExitCode status = check_diff_outputs(options); status != ExitCode::fine) {
+    return status;
+  }
+  LoadedPicture a = load_picture(options.arguments[0], context);
+  LoadedPicture b = load_picture(options.arguments[1], context);
+  report_scene_input(a, b);
+  report_scene_input(b, a);
+  if (const ExitCode status = worse(a.status, b.status); status != ExitCode::fine) {
+    for (const LoadedPicture* loaded : {&a, &b}) {
+      if (!loaded->error.empty() && !options.json) {
+        say_error(loaded->error);
+      }
+    }
+    return options.json ? worse(status, answer(json_text(a, b, nullptr, nullptr))) : status;
+  }
+  std::optional<LoadedScene> scene;
+  if (!options.scene.empty()) {
+    scene = load_scene_of_pictures(options.scene, options, context);
+    if (const ExitCode status = status_of(*scene); status != ExitCode::fine) {
+      return options.json ? worse(status, answer(json_text(a, b, &*scene, nullptr))) : status;
+    }
+  }
+  const LoadedScene* const shown = scene ? &*scene : nullptr;
+  const PictureComparison found = compare(a, b, shown, options, context);
+  // Prepares the output before writing files, so that nothing can fail afterwards.
+  const std::string text = options.json ? json_text(a, b, shown, &found)
+                           : options.quiet
+                               ? std::string()
+                               : heading(a, b) + "\n" + jpeg_text(a, b) +
+                                     measures_text(found.measures, options.pixel_threshold) +
+                                     for_terminal(verdict_text(found, options));
+  ExitCode status = found.broken.empty() ? ExitCode::fine : ExitCode::findings;
+  status = worse(status, write_maps(options, found.reference_of(a.picture),
+                                    found.test_of(b.picture), found, context));
+  return text.empty() ? status : worse(status, answer(text));
+}
+
+}  // namespace
 
 ExitCode run_diff(const Options& options, Context& context) {
   const bool pictures =

@@ -2,7 +2,7 @@
 // The output of grade, and of merge for parts of a class.
 
 #include "app/command.h"
-#include "app/outputs.h"
+#include "app/output.h"
 #include "scenefile/grade/gradebook.h"
 
 #include <span>

@@ -1,10 +1,10 @@
 // The command merge: combines the parts of a picture or of a class.
 
+#include "app/merge.h"
+
 #include "app/command.h"
 #include "app/json.h"
 #include "app/load.h"
-#include "app/merge_class.h"
-#include "app/merge_picture.h"
 #include "app/output.h"
 #include "app/part_files.h"
 #include "scenefile/base/text.h"

@@ -1,7 +1,6 @@
-#include "app/merge_class.h"
-
 #include "app/grade_results.h"
 #include "app/load.h"
+#include "app/merge.h"
 #include "app/output.h"
 #include "app/part_files.h"
 

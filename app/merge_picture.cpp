@@ -1,5 +1,4 @@
-#include "app/merge_picture.h"
-
+#include "app/merge.h"
 #include "app/output.h"
 #include "app/part_files.h"
 #include "app/pictures.h"

@@ -5,7 +5,6 @@
 #include "app/json.h"
 #include "app/load.h"
 #include "app/output.h"
-#include "app/outputs.h"
 #include "app/pictures.h"
 #include "app/progress.h"
 #include "app/realtime.h"

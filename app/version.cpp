@@ -2,7 +2,7 @@
 #include "app/output.h"
 #include "app/program_folder.h"
 #include "scenefile/base/text.h"
-#include "scenefile/trace/backend.h"
+#include "scenefile/trace/trace_scene.h"
 #include "scenefile/verbs/json_writer.h"
 
 #include <fmt/format.h>

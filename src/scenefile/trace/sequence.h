@@ -3,7 +3,9 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace scenefile {
 
@@ -84,6 +86,16 @@ inline glm::dvec2 stratified_2d(std::uint32_t index, std::uint32_t pattern) {
 
 /// Maps the unit square to the unit disk, preserving relative areas and neighborhoods (Shirley and
 /// Chiu, 1997).
-glm::dvec2 disk_of_square(const glm::dvec2& p);
+inline glm::dvec2 disk_of_square(const glm::dvec2& p) {
+  constexpr double pi = std::numbers::pi;
+  const glm::dvec2 s = 2.0 * p - 1.0;
+  if (s.x == 0 && s.y == 0) {
+    return {0, 0};
+  }
+  const bool wide = std::abs(s.x) > std::abs(s.y);
+  const double radius = wide ? s.x : s.y;
+  const double angle = wide ? pi / 4 * (s.y / s.x) : pi / 2 - pi / 4 * (s.x / s.y);
+  return radius * glm::dvec2(std::cos(angle), std::sin(angle));
+}
 
 }  // namespace scenefile

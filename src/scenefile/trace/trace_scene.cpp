@@ -2,8 +2,10 @@
 
 #include "scenefile/trace/accelerator.h"
 #include "scenefile/trace/once.h"
+#include "scenefile/trace/ray_scenes.h"
 #include "scenefile/trace/texture_lookup.h"
 #include "scenefile/trace/tiles.h"
+#include "scenefile/trace/wave.h"
 
 #include <chrono>
 #include <utility>
@@ -73,6 +75,10 @@ const std::vector<Pyramid>& TraceScene::pyramids() const {
     shared_->pyramids = std::move(made);
   });
   return shared_->pyramids;
+}
+
+TraceBackend trace_backend() {
+  return {embree_version(), wave_kernels().front()->name};
 }
 
 }  // namespace scenefile

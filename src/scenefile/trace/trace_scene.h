@@ -6,6 +6,8 @@
 #include "scenefile/trace/render.h"
 
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenefile {
@@ -42,5 +44,13 @@ class TraceScene {
   struct Shared;
   std::shared_ptr<const Shared> shared_;
 };
+
+/// The libraries and instruction set used for tracing, for bug reports and benchmarks.
+struct TraceBackend {
+  std::string embree;      ///< version such as "4.3.3"; empty: unknown; "none": built without
+  std::string_view lanes;  ///< instruction set in use, such as "AVX2"
+};
+
+TraceBackend trace_backend();
 
 }  // namespace scenefile

@@ -44,8 +44,8 @@ TEST(Gradebook, Text) {
   EXPECT_EQ(gradebook_text(two_students()),
             "anna      2 of 2 passed\n"
             "ben & co  0 of 2 passed\n"
-            "    ball: missing: there is no such picture\n"
             "    a<b: differs: PSNR is 31.20 dB, less than 40; cause: there are no shadows\n"
+            "    missing: ball\n"
             "2 students: 2 pictures passed, 1 differs, 1 missing, 0 unreadable\n");
 }
 

@@ -3,10 +3,13 @@
 #include "scenefile/base/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string>
+#include <vector>
 
 namespace scenefile {
 
@@ -113,11 +116,17 @@ std::string gradebook_text(const Gradebook& book) {
   for (const StudentResult& student : book.students) {
     text += fmt::format("{:<{}}  {} of {} passed\n", escaped(student.name), width, student.passed(),
                         student.pictures.size());
+    std::vector<std::string> missing;
     for (const PictureResult& picture : student.pictures) {
-      if (picture.verdict != Verdict::passed) {
+      if (picture.verdict == Verdict::missing) {
+        missing.push_back(escaped(picture.name));
+      } else if (picture.verdict != Verdict::passed) {
         text += fmt::format("    {}: {}: {}\n", escaped(picture.name), name_of(picture.verdict),
                             reasons_text(picture));
       }
+    }
+    if (!missing.empty()) {
+      text += fmt::format("    missing: {}\n", fmt::join(missing, ", "));
     }
     if (const std::string unmatched = unmatched_text(student); !unmatched.empty()) {
       text += fmt::format("    {}; --map assigns other names\n", escaped(unmatched));

@@ -40,6 +40,7 @@ class Expected {
   Expected(const Simulation& sim, const Combination& made)
       : sim_(sim),
         made_(made),
+        turn_(sim.turn_of(made)),
         trial_(sim.trial_of(made)),
         shapes_(sim.shapes_of(trial_, sim.stage_of(made))),
         model_(trial_.scene, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes) {
@@ -51,7 +52,8 @@ class Expected {
   const Trial& trial() const { return trial_; }
   const ModelShapes& shapes() const { return *shapes_; }
   ModelRay ray(int x, int y) const {
-    return sim_.ray(model_, dvec2(x + 0.5, y + 0.5) + trial_.shift);
+    const Point pixel{x, y};
+    return sim_.ray(model_, sim_.middle(pixel, turn_) + trial_.shift);
   }
   // A color of the model as in the picture, in 1/255.
   dvec3 shown(const dvec3& color) const {
@@ -68,6 +70,7 @@ class Expected {
  private:
   const Simulation& sim_;
   const Combination& made_;
+  Turn turn_;
   Trial trial_;
   std::shared_ptr<const ModelShapes> shapes_;
   Model model_;
@@ -187,8 +190,7 @@ bool each_makes_right(const Simulation& sim, const Combination& made) {
 }  // namespace
 
 Acne find_acne(const Simulation& sim, const Combination& made, double least) {
-  if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray ||
-      sim.turn_of(made) != Turn()) {
+  if (!sim.usable || !sim.view->options.features.shadows || sim.view->options.mode != Mode::ray) {
     return {};
   }
   const Expected picture(sim, made);

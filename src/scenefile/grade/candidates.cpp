@@ -91,8 +91,9 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   }
   const double differs = sim.weight_that_differs(count);
   const auto reproduces = [&](double share) {
+    const double least = e.differing_right >= 0.995 * differs ? necessary : 2 * necessary;
     return e.differing_right >= share * differs && !any_fitted(sim, mistakes) &&
-           e.gained_all >= 2 * necessary * differs;
+           e.gained_all >= least * differs;
   };
   // A mistake that moves all objects out of view explains dark pixels, whatever their cause is.
   const bool moves = sim.list[mistakes[member]].stage >= Stage::camera;

@@ -335,6 +335,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     if (!report.claims.empty()) {
       return;
     }
+    if (more && more->mistakes.size() == 1 && shows_at_edges(sim.list[more->mistakes.front()])) {
+      more.reset();  // sampling_causes.cpp knows better
+    }
     if (more && (!found || clearly_better(*more, *found))) {
       found = simplified(sim, *more);
     }

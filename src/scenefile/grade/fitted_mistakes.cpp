@@ -330,6 +330,12 @@ struct FoundFactor {
   double share = 0;  // of the values that show the factor
 };
 
+// Programs use plain numbers, which are estimated too low if values are truncated.
+double plain_number(double value) {
+  const double plain = std::round(20 * value) / 20;
+  return std::abs(plain - value) <= 0.02 * value ? plain : value;
+}
+
 // The factor that makes most values of the colors those of the test, within rounding.
 FoundFactor factor_of_most(const std::vector<Point>& points, const Colors& colors) {
   constexpr double same = 1.02;      // ratios in this range may have one factor
@@ -383,18 +389,7 @@ FoundFactor factor_of_most(const std::vector<Point>& points, const Colors& color
     found = {(n * xy - x * y) / (n * xx - x * x), n / static_cast<double>(pairs.size())};
     offset = std::clamp((y - found.value * x) / n, -1.0, 0.5);
   }
-  // Programs use plain numbers. Values may be truncated twice.
-  const double plain = std::round(20 * found.value) / 20;
-  const auto holds = [&](double value) {
-    return std::count_if(pairs.begin(), pairs.end(), [&](const auto& pair) {
-      const double off = pair.second - value * pair.first;
-      return off >= -1 - value && off <= rounded;
-    });
-  };
-  if (std::abs(plain - found.value) <= 0.02 * found.value &&
-      20 * holds(plain) >= 19 * holds(found.value)) {
-    found.value = plain;
-  }
+  found.value = plain_number(found.value);
   return found;
 }
 
@@ -528,7 +523,10 @@ void add_factors(Simulation& sim) {
          factors_of_term(sim, [&](Trial& t) { change(t, 0); })) {
       found.insert(found.end(), of_channel.begin(), of_channel.end());
     }
-    const std::optional<double> k = common_value(found);
+    std::optional<double> k = common_value(found);
+    if (k) {
+      k = plain_number(*k);
+    }
     if (k && *k > 0.03 && *k < 12 && std::abs(*k - 1) > 0.05 && std::abs(*k - 0.5) > 0.01 &&
         std::abs(*k - 2) > 0.03) {
       sim.list.push_back({cause,

@@ -49,6 +49,17 @@ std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination
   sim.prepare_clean();
   const std::size_t count = sim.points.size();
   const Colors before = sim.predicted(mistakes, count);
+  const auto is_right = [&](std::size_t k, const dvec3& color) {
+    const dvec3 c = glm::clamp(color, dvec3(0), dvec3(255));
+    return largest_of(glm::abs(c - sim.points[k].test)) <= exact_within;
+  };
+  std::size_t right = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    right += is_right(k, before[k]) ? 1 : 0;
+  }
+  if (count < right + 2 * few_pixels) {
+    return std::nullopt;
+  }
   std::optional<std::uint16_t> best;
   double most = 0;
   for (const std::uint16_t i : edge_mistakes(sim)) {
@@ -56,13 +67,9 @@ std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination
     double changed = 0;
     double gained = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const auto off = [&](const dvec3& c) {
-        return largest_of(glm::abs(glm::clamp(c, dvec3(0), dvec3(255)) - sim.points[k].test));
-      };
       if (largest_of(glm::abs(after[k] - before[k])) > right_within) {
         changed += 1;
-        gained += off(after[k]) <= exact_within ? 1 : 0;
-        gained -= off(before[k]) <= exact_within ? 1 : 0;
+        gained += (is_right(k, after[k]) ? 1 : 0) - (is_right(k, before[k]) ? 1 : 0);
       }
     }
     // Other filters are exact, where shifts also move what edges show.
@@ -185,8 +192,9 @@ Tried with_edges(Simulation& sim, const Tried& found) {
     return found;
   }
   const Combination mistakes = joined(found.mistakes, {*more});
-  return sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()),
-                   sim.base(sim.points.size()));
+  Tried whole =
+      sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), sim.base(sim.points.size()));
+  return good(whole) && whole.broken <= found.broken + 0.01 ? whole : found;
 }
 
 std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {

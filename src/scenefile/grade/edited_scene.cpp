@@ -23,7 +23,7 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
-constexpr std::uint64_t max_rays = 8000000;  // of the whole search
+constexpr std::uint64_t max_rays = 6000000;  // of the whole search
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
 struct Cells {
@@ -514,6 +514,11 @@ std::optional<Tried> Search::run() {
       break;
     }
     const std::optional<Tried> t = tried(value);
+    // An edited color is exact; other reflectances come near to one.
+    const bool shade = value.effect == ValueEffect::colors || value.effect == ValueEffect::surface;
+    if (t && shade && t->explained < 0.999) {
+      continue;
+    }
     if (t && sure(*t) && t->broken <= max_broken &&
         (!best || t->score.raw < 0.9 * best->score.raw)) {
       best = t;

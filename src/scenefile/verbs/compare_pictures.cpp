@@ -204,7 +204,9 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   const Looked as_it_is{reference, test, part};
   found.causes = causes_of(noisy ? without_noise(as_it_is) : as_it_is, *scene, ways, go_on,
                            LookFor::several_at_once, way);
-  if (!noisy && explains_nothing(found.causes)) {
+  found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
+                         have_other_outlines(reference, test);
+  if (!noisy && explains_nothing(found.causes) && !found.other_outlines) {
     // With several samples per pixel, textures and edges differ, but less so in the means.
     const DrawnWay* other_way = way;
     CauseReport causes = causes_of(without_noise(as_it_is), *scene, ways, go_on,
@@ -217,8 +219,6 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.drawn_with = way->words;
   found.where = place_to_look(reference, test, scene, way, part);
-  found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
-                         have_other_outlines(reference, test);
   if (found.causes.share_scene_unlike > max_share_unlike) {
     found.exchanged = !found.other_size() && share_unlike(test, *scene, *way) <= max_share_right;
     if (found.exchanged) {  // so the causes are those of the reference, the wrong way around

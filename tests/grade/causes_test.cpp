@@ -475,6 +475,24 @@ TEST(Causes, FunctionsOnNoList) {
   EXPECT_EQ(others, "");
 }
 
+TEST(Causes, SaysWhatPixelsWithoutAKnownMistakeHaveInCommon) {
+  GeneratedScene scene(2);
+  const SceneView view = view_of(scene);
+  const Texture reference = reference_of(scene, false);
+  scene.builder.scene.global.specular = 0;
+  const Texture without = reference_of(scene, false);
+  scene.builder.scene.global.specular = GeneratedScene(2).builder.scene.global.specular;
+  Texture test = reference;
+  for (std::size_t i = 0; i < test.rgb.size(); i += 3) {
+    if (test.rgb[i] > without.rgb[i] + 4) {
+      test.rgb[i] = static_cast<std::uint8_t>(i * 7 % 256);
+    }
+  }
+  const CauseReport report = find_causes(reference, test, &view);
+  EXPECT_TRUE(report.claims.empty()) << said(report);
+  EXPECT_NE(report.confined.find("show highlights"), std::string::npos) << report.confined;
+}
+
 TEST(Causes, Shadows) {
   expect_named(Cause::shadows, {"shadow-none"});
 }

@@ -191,9 +191,9 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
     return false;
   }
   constexpr double min_share = 0.8;
-  constexpr double min_share_of_group = 0.5;  // of an object, or of what one of several changes
+  constexpr double min_share_of_object = 0.5;
+  constexpr double min_share_of_member = 0.75;  // of what one of several mistakes changes
   constexpr double min_share_at_edges = 0.6;
-  constexpr double small = 16;  // difference
   constexpr std::size_t enough_of_group = 2 * few_pixels;
   // Programs may change the finished picture after they have truncated its values.
   const bool twice = std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
@@ -213,16 +213,18 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   };
   Share changed;
   Share unchanged;
-  Share at_edges;  // of the points that differ a little and are right
+  Share anywhere;  // of the points that differ
   std::map<std::uint32_t, Share> of_object;
   std::vector<Share> of_member(without_one.size());
   for (std::size_t i = 0; i < count; ++i) {
     const Point& p = sim.points[i];
     const dvec3 c = glm::clamp(with[i], dvec3(0), dvec3(255));
     const bool exactly = largest_of(glm::abs(c - p.test)) <= (twice ? rounding + 1 : rounding);
-    if (p.differs && largest_of(glm::abs(clean[i] - p.test)) < small &&
-        largest_of(outside(c, p.low, p.high)) <= exact_within - tolerance) {
-      at_edges.add(exactly);
+    if (mistakes.size() > 1 && exactly && !is_telling(p.test)) {
+      continue;
+    }
+    if (p.differs) {
+      anywhere.add(exactly);
     }
     // At edges, the neighbors' colors count as equal.
     if (largest_of(p.high - p.low) > 2 * tolerance) {
@@ -237,24 +239,28 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
       changed.add(exactly);
       const ModelPart* part = sim.usable ? sim.clean({}).hits[i].part : nullptr;
       of_object[part != nullptr ? part->source : no_index].add(exactly);
-    } else if (largest_of(p.test) > 2 * tolerance) {
+    } else {
       unchanged.add(exactly);
     }
   }
   // Other samples of pixels show more in a curve of the finished picture, and elsewhere in a flip.
   if (changed.all < enough_of_group || sim.stage_of(mistakes) == Stage::picture ||
       !(sim.turn_of(mistakes) == Turn())) {
-    return at_edges.value() >= min_share_at_edges;
+    return anywhere.value() >= min_share_at_edges &&
+           (mistakes.size() == 1 || anywhere.all >= enough_of_group);
   }
   const bool noisy = sim.view != nullptr && sim.view->samples > 1;
   const double at_best = noisy && unchanged.all >= enough_of_group ? unchanged.value() : 1;
-  const auto enough_are_exact = [&](const Share& group) {
-    return group.all < enough_of_group || group.value() >= min_share_of_group * at_best;
+  const auto enough_are_exact = [&](const Share& group, double min) {
+    return group.all < enough_of_group || group.value() >= min * at_best;
   };
   return changed.value() >= min_share * at_best &&
-         std::all_of(of_member.begin(), of_member.end(), enough_are_exact) &&
-         std::all_of(of_object.begin(), of_object.end(),
-                     [&](const auto& one) { return enough_are_exact(one.second); });
+         std::all_of(
+             of_member.begin(), of_member.end(),
+             [&](const Share& one) { return enough_are_exact(one, min_share_of_member); }) &&
+         std::all_of(of_object.begin(), of_object.end(), [&](const auto& one) {
+           return enough_are_exact(one.second, min_share_of_object);
+         });
 }
 
 bool reproduces_all(const Tried& t) {

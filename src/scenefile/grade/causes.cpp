@@ -2,6 +2,7 @@
 
 #include "scenefile/grade/acne.h"
 #include "scenefile/grade/claims.h"
+#include "scenefile/grade/confined.h"
 #include "scenefile/grade/edited_scene.h"
 #include "scenefile/grade/fitted_functions.h"
 #include "scenefile/grade/fitted_mistakes.h"
@@ -355,6 +356,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     separate_notes(sim, all, report);
     return;
   }
+  if (look_for == LookFor::several_at_once && !sim.stopped) {
+    report.confined = confined_to(sim);
+  }
   for (const Tried& t : alone) {
     if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&
         shows_much(sim, t) && reproduces_its_part(sim, t)) {
@@ -606,6 +610,9 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));
     }
+  }
+  if (!report.claims.empty()) {
+    report.confined.clear();
   }
   return report;
 }

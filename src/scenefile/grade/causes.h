@@ -98,6 +98,10 @@ struct CauseReport {
   std::vector<Claim> partial;
   /// Part of the explanation, beside `claims`, but no mistakes: other ways of sampling.
   std::vector<Claim> notes;
+  /// Without claims: what nearly all pixels that differ have in common, and few others, in words,
+  /// such as "99 % of the pixels that differ show highlights; so do 2 % of the others". May be
+  /// empty.
+  std::string confined;
   /// Fraction of pixels that differ by more than edges and rounding explain.
   double share_different = 0;
   /// Fraction of pixels where our picture of the scene differs from the reference. If it is large,

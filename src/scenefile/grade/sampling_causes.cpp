@@ -229,10 +229,11 @@ std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {
   if (tried.empty()) {
     return std::nullopt;
   }
-  // Only a subpixel shift leaves this much of the edges unexplained.
+  // Only a subpixel shift leaves much of the edges unexplained.
   const Tried& best = tried.front();
   const bool by_less = sim.list[best.mistakes.front()].cause == Cause::half_pixel_shift;
-  return (by_less ? best.explained >= enough_shift && best.exact >= 0.5 : good(best))
+  return (by_less ? best.explained >= enough_shift && best.exact >= 0.5
+                  : sure(best) && leaves_only_rounding(sim, best.mistakes))
              ? std::optional(best)
              : std::nullopt;
 }

@@ -564,9 +564,11 @@ std::string causes_text(const PictureComparison& found) {
             : found.other_outlines
                 ? "cause: no known mistake explains the difference, and few edges match: is this a "
                   "picture of the same scene, from the same camera?\n"
-            : found.scene_used ? "cause: no known mistake explains the difference\n"
-                               : "cause: none found from the pictures alone; most causes need "
-                                 "--scene SCENE, the scene of the pictures\n";
+            : found.scene_used
+                ? "cause: no known mistake explains the difference\n" +
+                      (report.confined.empty() ? std::string() : "       " + report.confined + "\n")
+                : "cause: none found from the pictures alone; most causes need --scene SCENE, the "
+                  "scene of the pictures\n";
   }
   for (const Claim& claim : report.partial) {
     text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),
@@ -667,6 +669,7 @@ void add_comparison(Json& json, const PictureComparison& found) {
   json.add("right_at_other_size", found.right_at_other_size);
   json.add("exchanged", found.exchanged);
   json.add("other_outlines", found.other_outlines);
+  json.add("confined", found.causes.confined);
   add_measures(json, found.measures);
   add_clauses(json, "broken", found.broken);
   add_claims(json, "causes", found.causes.claims);

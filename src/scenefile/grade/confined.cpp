@@ -1,0 +1,124 @@
+#include "scenefile/grade/confined.h"
+
+#include "scenefile/grade/claims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+
+constexpr double visible = 2;              // in 1/255
+constexpr double nearly_all_of_it = 0.98;  // share of the pixels that differ
+constexpr double min_differing = 0.5;      // share of the pixels in the place
+constexpr double min_outside = 0.1;  // share of the objects' pixels that must be right outside
+
+// Weights of points.
+struct Place {
+  std::string words;  // after "the pixels that differ"
+  double differing = 0;
+  double all = 0;
+};
+
+// `in_place`: by point.
+Place measured(const Simulation& sim, std::string words, const std::vector<bool>& in_place) {
+  Place place{std::move(words)};
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    place.all += in_place[i] ? p.weight : 0;
+    place.differing += in_place[i] && p.differs ? p.weight : 0;
+  }
+  return place;
+}
+
+// The points that change without a term. `drop` removes it from the scene.
+std::vector<bool> shows(const Simulation& sim, const std::function<void(Trial&)>& drop) {
+  Trial without = sim.right_trial(false);
+  drop(without);
+  const Simulation::Clean& right = sim.clean({});
+  const std::size_t count = sim.points.size();
+  const Colors dark = sim.draw(without, *sim.shapes, sim.points, count, Turn(), &right.hits);
+  std::vector<bool> result(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    result[i] = largest_of(glm::abs(glm::clamp(right.drawn[i], dvec3(0), dvec3(255)) -
+                                    glm::clamp(dark[i], dvec3(0), dvec3(255)))) > visible;
+  }
+  return result;
+}
+
+std::vector<Place> places_in(const Simulation& sim) {
+  const RenderScene& scene = *sim.view->scene;
+  const RenderOptions& options = sim.view->options;
+  std::vector<Place> places;
+  const auto add = [&](std::string words, const std::function<void(Trial&)>& drop) {
+    places.push_back(measured(sim, std::move(words), shows(sim, drop)));
+  };
+  if (options.mode != Mode::normals) {
+    add("show highlights", [](Trial& t) { t.scene.global.specular = 0; });
+    add("show diffuse light", [](Trial& t) { t.scene.global.diffuse = 0; });
+  }
+  if (options.mode == Mode::ray) {
+    add("show reflections", [](Trial& t) { t.options.features.reflect = false; });
+    add("show something through glass", [](Trial& t) { t.options.features.refract = false; });
+    add("show a texture", [](Trial& t) { t.options.features.texture = false; });
+    add("are in shadow of a light, or show such a point",
+        [](Trial& t) { t.options.features.shadows = false; });
+  }
+  constexpr std::size_t max_lights = 8;
+  for (std::size_t i = 0; i < std::min(max_lights, scene.lights.size()); ++i) {
+    add(fmt::format("are lit by light {} ({})", i + 1, word_of(scene.lights[i].type)),
+        [i](Trial& t) { t.scene.lights[i].color = glm::vec3(0); });
+  }
+  const std::vector<ModelHit>& hits = sim.clean({}).hits;
+  std::set<Shape> shapes;
+  for (const ModelHit& hit : hits) {
+    if (hit.part != nullptr) {
+      shapes.insert(hit.part->shape);
+    }
+  }
+  for (const Shape shape : shapes) {
+    std::vector<bool> in_place;
+    for (const ModelHit& hit : hits) {
+      in_place.push_back(hit.part != nullptr && hit.part->shape == shape);
+    }
+    places.push_back(measured(sim, fmt::format("show a {}", word_of(shape)), in_place));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string confined_to(const Simulation& sim) {
+  if (!sim.usable) {
+    return {};
+  }
+  const double differing = sim.weight_that_differs(sim.points.size());
+  double objects = 0;
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    objects += sim.clean({}).hits[i].part != nullptr ? sim.points[i].weight : 0;
+  }
+  const Place* best = nullptr;
+  const std::vector<Place> places = places_in(sim);
+  for (const Place& place : places) {
+    if (place.differing >= nearly_all_of_it * differing &&
+        place.differing >= min_differing * place.all &&
+        objects - place.all >= min_outside * objects &&
+        (best == nullptr || place.all < best->all)) {
+      best = &place;
+    }
+  }
+  return best == nullptr
+             ? std::string()
+             : fmt::format(
+                   "{} of the pixels that differ {}; so do {} of the others",
+                   percent(best->differing / differing), best->words,
+                   percent((best->all - best->differing) / std::max(1.0, objects - differing)));
+}
+
+}  // namespace scenefile

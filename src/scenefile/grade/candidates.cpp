@@ -40,10 +40,11 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
                      [&](std::size_t i) { return is_fitted(sim, i); });
 }
 
-// Three mistakes, or a fitted number and another mistake, can imitate many pictures. Right programs
+// Three mistakes, a fitted number, or another brightness can imitate many pictures. Right programs
 // take several samples of a pixel, too.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
   return mistakes.size() > 2 || any_fitted(sim, mistakes) ||
+         (mistakes.size() == 1 && is_about_brightness(sim.list[mistakes.front()].cause)) ||
          std::any_of(mistakes.begin(), mistakes.end(),
                      [&](std::uint16_t i) { return sim.list[i].cause == Cause::samples; });
 }

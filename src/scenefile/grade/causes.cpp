@@ -310,9 +310,13 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
     return;
   }
   std::optional<Tried> found;
-  // A fitted number must explain more than other mistakes, because it can imitate them.
+  // A fitted number or another brightness must explain more than other mistakes, because it can
+  // imitate them.
+  const auto imitates = [&](std::uint16_t i) {
+    return i >= sim.first_fitted || is_about_brightness(sim.list[i].cause);
+  };
   const auto first = std::find_if(alone.begin(), alone.end(), [&](const Tried& t) {
-    return good(t) && (t.mistakes.front() < sim.first_fitted || sure(t)) &&
+    return good(t) && (!imitates(t.mistakes.front()) || sure(t)) &&
            leaves_only_rounding(sim, t.mistakes);
   });
   const bool single = first != alone.end();

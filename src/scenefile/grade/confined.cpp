@@ -14,10 +14,15 @@ namespace {
 
 using glm::dvec3;
 
+constexpr std::size_t max_points_shown = 500;
 constexpr double visible = 2;              // in 1/255
 constexpr double nearly_all_of_it = 0.98;  // share of the pixels that differ
 constexpr double min_differing = 0.5;      // share of the pixels in the place
 constexpr double min_outside = 0.1;  // share of the objects' pixels that must be right outside
+
+std::size_t points_of(const Simulation& sim) {
+  return std::min(max_points_shown, sim.points.size());
+}
 
 // Weights of points.
 struct Place {
@@ -29,7 +34,7 @@ struct Place {
 // `in_place`: by point.
 Place measured(const Simulation& sim, std::string words, const std::vector<bool>& in_place) {
   Place place{std::move(words)};
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+  for (std::size_t i = 0; i < in_place.size(); ++i) {
     const Point& p = sim.points[i];
     place.all += in_place[i] ? p.weight : 0;
     place.differing += in_place[i] && p.differs ? p.weight : 0;
@@ -42,7 +47,7 @@ std::vector<bool> shows(const Simulation& sim, const std::function<void(Trial&)>
   Trial without = sim.right_trial(false);
   drop(without);
   const Simulation::Clean& right = sim.clean({});
-  const std::size_t count = sim.points.size();
+  const std::size_t count = points_of(sim);
   const Colors dark = sim.draw(without, *sim.shapes, sim.points, count, Turn(), &right.hits);
   std::vector<bool> result(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -77,15 +82,15 @@ std::vector<Place> places_in(const Simulation& sim) {
   }
   const std::vector<ModelHit>& hits = sim.clean({}).hits;
   std::set<Shape> shapes;
-  for (const ModelHit& hit : hits) {
-    if (hit.part != nullptr) {
-      shapes.insert(hit.part->shape);
+  for (std::size_t i = 0; i < points_of(sim); ++i) {
+    if (hits[i].part != nullptr) {
+      shapes.insert(hits[i].part->shape);
     }
   }
   for (const Shape shape : shapes) {
     std::vector<bool> in_place;
-    for (const ModelHit& hit : hits) {
-      in_place.push_back(hit.part != nullptr && hit.part->shape == shape);
+    for (std::size_t i = 0; i < points_of(sim); ++i) {
+      in_place.push_back(hits[i].part != nullptr && hits[i].part->shape == shape);
     }
     places.push_back(measured(sim, fmt::format("show a {}", word_of(shape)), in_place));
   }
@@ -98,9 +103,9 @@ std::string confined_to(const Simulation& sim) {
   if (!sim.usable) {
     return {};
   }
-  const double differing = sim.weight_that_differs(sim.points.size());
+  const double differing = sim.weight_that_differs(points_of(sim));
   double objects = 0;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+  for (std::size_t i = 0; i < points_of(sim); ++i) {
     objects += sim.clean({}).hits[i].part != nullptr ? sim.points[i].weight : 0;
   }
   const Place* best = nullptr;

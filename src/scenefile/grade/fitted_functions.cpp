@@ -20,7 +20,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t max_points = 400;
+constexpr std::size_t max_points_to_fit = 320;
 constexpr std::size_t max_groups = 4;  // of lights or materials with the same function
 constexpr double right_angle = std::numbers::pi / 2;
 
@@ -75,7 +75,7 @@ Curve hat(const std::vector<double>& knots, std::size_t k) {
 // The functions of the groups that make the scene look most like the test; nullopt if none comes
 // near to it.
 std::optional<std::vector<Curve>> fitted(const Simulation& sim, const std::vector<Group>& groups) {
-  const std::size_t count = std::min(max_points, sim.points.size());
+  const std::size_t count = std::min(max_points_to_fit, sim.points.size());
   const auto drawn = [&](std::size_t group, const Curve& curve) {
     Trial trial = sim.right_trial(false);
     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -370,7 +370,7 @@ std::vector<Hypothesis> fitted_functions(const Simulation& sim) {
   if (!sim.usable || sim.view->options.mode == Mode::normals || sim.view->scene->lights.empty()) {
     return list;
   }
-  const std::vector<dvec3> points = places_of(sim, std::min(max_points, sim.points.size()));
+  const std::vector<dvec3> points = places_of(sim, std::min(max_points_to_fit, sim.points.size()));
   if (points.size() < few_pixels) {
     return list;
   }

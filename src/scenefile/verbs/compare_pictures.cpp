@@ -564,11 +564,12 @@ std::string causes_text(const PictureComparison& found) {
             : found.other_outlines
                 ? "cause: no known mistake explains the difference, and few edges match: is this a "
                   "picture of the same scene, from the same camera?\n"
-            : found.scene_used
-                ? "cause: no known mistake explains the difference\n" +
-                      (report.confined.empty() ? std::string() : "       " + report.confined + "\n")
-                : "cause: none found from the pictures alone; most causes need --scene SCENE, the "
-                  "scene of the pictures\n";
+            : found.scene_used ? "cause: no known mistake explains the difference\n"
+                               : "cause: none found from the pictures alone; most causes need "
+                                 "--scene SCENE, the scene of the pictures\n";
+    if (!report.confined.empty()) {
+      text += fmt::format("       {}\n", report.confined);
+    }
   }
   for (const Claim& claim : report.partial) {
     text += fmt::format("in part: {} [{}]\n       {}\n", claim.what, name_of(claim.cause),

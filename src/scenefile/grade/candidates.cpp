@@ -3,6 +3,7 @@
 #include "scenefile/trace/tasks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -191,7 +192,9 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   if (!explains_telling_pixels(sim, mistakes)) {
     return false;
   }
-  constexpr double min_share = 0.8;
+  constexpr double min_share_of_one = 0.65;  // of a mistake that changes much
+  constexpr double much = 12;                // mean difference
+  constexpr double min_share_of_several = 0.8;
   constexpr double min_share_of_object = 0.5;
   constexpr double min_share_of_member = 0.75;  // of what one of several mistakes changes
   constexpr double min_share_at_edges = 0.6;
@@ -215,6 +218,8 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   Share changed;
   Share unchanged;
   Share anywhere;  // of the points that differ
+  double difference = 0;
+  double differs = 0;
   std::map<std::uint32_t, Share> of_object;
   std::vector<Share> of_member(without_one.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -226,6 +231,8 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
     }
     if (p.differs) {
       anywhere.add(exactly);
+      difference += p.weight * largest_of(glm::abs(sim.clean({}).reference[i] - p.test));
+      differs += p.weight;
     }
     // At edges, the neighbors' colors count as equal.
     if (largest_of(p.high - p.low) > 2 * tolerance) {
@@ -255,6 +262,11 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
   const auto enough_are_exact = [&](const Share& group, double min) {
     return group.all < enough_of_group || group.value() >= min * at_best;
   };
+  // One mistake cannot imitate many pictures. Few points may have less by chance.
+  const bool one =
+      mistakes.size() == 1 && !any_fitted(sim, mistakes) && difference >= much * differs;
+  const double chance = 0.5 / std::sqrt(static_cast<double>(changed.all));
+  const double min_share = one ? min_share_of_one - chance : min_share_of_several;
   return changed.value() >= min_share * at_best &&
          std::all_of(
              of_member.begin(), of_member.end(),

@@ -420,7 +420,11 @@ std::vector<SceneValue> Search::values() const {
   for (const std::uint32_t source : by_merit(objects, max_materials)) {
     // A material only changes its object, and what shows it.
     if (all_plain.differs < 0.1 * differs || plain[source].differs > 0.5 * all_plain.differs) {
-      append(values_of_material(scene, prepared_.sources[source]));
+      std::vector<SceneValue> more = values_of_material(scene, prepared_.sources[source]);
+      // The number of rays is limited, so likelier values come first.
+      const bool likely = objects[source].differs > 0.9 * differs;
+      found.insert(likely ? found.begin() : found.end(), std::make_move_iterator(more.begin()),
+                   std::make_move_iterator(more.end()));
     }
   }
   for (const NodeId node : by_merit(nodes, max_nodes)) {

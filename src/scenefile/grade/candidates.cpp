@@ -245,8 +245,8 @@ bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {
     }
     if (p.differs || changes(c, clean[i])) {
       changed.add(exactly);
-      const ModelPart* part = sim.usable ? sim.clean({}).hits[i].part : nullptr;
-      of_object[part != nullptr ? part->source : no_index].add(exactly);
+      const ModelPart* seen = sim.usable ? sim.clean({}).hits[i].part : nullptr;
+      of_object[seen != nullptr ? seen->source : no_index].add(exactly);
     } else {
       unchanged.add(exactly);
     }

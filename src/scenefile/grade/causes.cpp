@@ -388,6 +388,17 @@ bool claim_edited_scene(Simulation& sim, CauseReport& report) {
   return found.has_value();
 }
 
+// A subpixel shift is likelier than a camera that was moved a little.
+bool claim_subpixel_shift(Simulation& sim, const Pixels& pixels, CauseReport& report) {
+  const PointsRestored restored(sim);
+  const std::optional<Tried> shift = find_shift(sim, pixels);
+  const bool likely = shift && sim.list[shift->mistakes.front()].cause == Cause::half_pixel_shift;
+  if (likely) {
+    claim(sim, *shift, {}, {}, report);
+  }
+  return likely;
+}
+
 // The share of the differing points where the test has the copy's colors.
 double exact_share(const Simulation& sim, const PlacedCopy& copy) {
   Colors colors;
@@ -490,7 +501,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     if (found) {
       report.claims.push_back(*std::move(found));
-    } else if (sim.usable && !(edited && claim_edited_scene(sim, report))) {
+    } else if (sim.usable && !(edited && (claim_subpixel_shift(sim, pixels, report) ||
+                                          claim_edited_scene(sim, report)))) {
       if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
         claim(sim, *shift, {}, {}, report);
       }

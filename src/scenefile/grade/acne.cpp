@@ -327,16 +327,14 @@ Acne with_camera(const Simulation& sim, Acne acne) {
   if (acne.claims.empty() || acne.unexplained < much) {
     return acne;
   }
-  Acne best;
+  std::vector<Combination> cameras;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
     const Hypothesis& h = sim.list[i];
     if (h.stage == Stage::camera || h.cause == Cause::samples) {
-      Acne found = find_acne(sim, {i}, 0);
-      if (!found.claims.empty() && found.unexplained < best.unexplained) {
-        best = std::move(found);
-      }
+      cameras.push_back({i});
     }
   }
+  Acne best = find_acne_beside(sim, cameras);
   return best.unexplained <= most_of * acne.unexplained ? best : acne;
 }
 

@@ -201,12 +201,11 @@ void add_shifts(HypothesisList& list) {
   }
   for (const auto& [size, filter] : pixel_filters()) {
     list.add(
-        Cause::samples, fmt::format("the picture is blurred: each pixel is the mean of {}", size),
-        [filter = filter](Trial& t) { t.filter = filter; }, Stage::hits);
+        Cause::samples, blurred_by(size), [filter = filter](Trial& t) { t.filter = filter; },
+        Stage::hits);
   }
   list.add(
-      Cause::samples, "pixels stay black where one of several samples misses everything",
-      [](Trial& t) { t.black_if_missed = true; }, Stage::hits);
+      Cause::samples, missed_samples, [](Trial& t) { t.black_if_missed = true; }, Stage::hits);
 }
 
 }  // namespace scenefile

@@ -388,15 +388,24 @@ bool claim_edited_scene(Simulation& sim, CauseReport& report) {
   return found.has_value();
 }
 
-// A subpixel shift is likelier than a camera that was moved a little.
-bool claim_subpixel_shift(Simulation& sim, const Pixels& pixels, CauseReport& report) {
+// The report with the claim of other samples of pixels, if these explain the edges.
+CauseReport with_shift_at_edges(Simulation& sim, const Pixels& pixels, CauseReport report) {
   const PointsRestored restored(sim);
-  const std::optional<Tried> shift = find_shift(sim, pixels);
-  const bool likely = shift && sim.list[shift->mistakes.front()].cause == Cause::half_pixel_shift;
-  if (likely) {
+  if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
     claim(sim, *shift, {}, {}, report);
   }
-  return likely;
+  return report;
+}
+
+// Claims an edited scene, or other samples. A subpixel shift is likelier than a camera that was
+// moved a little.
+void claim_small_changes(Simulation& sim, const Pixels& pixels, bool edited, CauseReport& report) {
+  CauseReport shifted = with_shift_at_edges(sim, pixels, report);
+  const bool subpixel =
+      !shifted.claims.empty() && shifted.claims.front().cause == Cause::half_pixel_shift;
+  if (!edited || subpixel || !claim_edited_scene(sim, report)) {
+    report = std::move(shifted);
+  }
 }
 
 // The share of the differing points where the test has the copy's colors.
@@ -501,11 +510,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     }
     if (found) {
       report.claims.push_back(*std::move(found));
-    } else if (sim.usable && !(edited && (claim_subpixel_shift(sim, pixels, report) ||
-                                          claim_edited_scene(sim, report)))) {
-      if (const std::optional<Tried> shift = find_shift(sim, pixels)) {
-        claim(sim, *shift, {}, {}, report);
-      }
+    } else if (sim.usable) {
+      claim_small_changes(sim, pixels, edited, report);
     }
   }
   return report;

@@ -53,6 +53,8 @@ class Search {
     double left = 0;
   };
 
+  std::optional<RenderScene> ready_with(const SceneValue& value,
+                                        const std::vector<double>& numbers) const;
   std::optional<Edited> edited(const SceneValue& value, const std::vector<double>& numbers) const;
   Colors drawn(const Edited& scene, const Cells& cells) const;
   double left_with(const SceneValue& value, const std::vector<double>& numbers,
@@ -83,11 +85,6 @@ double robust(double off, double limit) {
 constexpr double far_off = 40;  // of 255
 constexpr double near = 4;      // squared error of a channel that is right
 
-Scene changed(Scene scene, const SceneValue& value, const std::vector<double>& numbers) {
-  value.set(scene, numbers);
-  return scene;
-}
-
 // Which stage a change of the value affects.
 Stage stage_of(const SceneValue& value) {
   switch (value.effect) {
@@ -115,6 +112,13 @@ void replace(Trial& trial, const RenderScene& scene, Stage stage) {
   }
 }
 
+std::optional<RenderScene> Search::ready_with(const SceneValue& value,
+                                              const std::vector<double>& numbers) const {
+  Scene scene = *sim_.view->written;
+  value.set(scene, numbers);
+  return ready_with_same_files(*sim_.view->scene, scene);
+}
+
 std::optional<Edited> Search::edited(const SceneValue& value,
                                      const std::vector<double>& numbers) const {
   constexpr double too_large = 1e5;
@@ -122,8 +126,7 @@ std::optional<Edited> Search::edited(const SceneValue& value,
                    [](double x) { return std::abs(x) < too_large; })) {
     return std::nullopt;
   }
-  const std::optional<RenderScene> scene =
-      ready_with_same_files(*sim_.view->scene, changed(*sim_.view->written, value, numbers));
+  const std::optional<RenderScene> scene = ready_with(value, numbers);
   if (!scene) {
     return std::nullopt;
   }
@@ -414,21 +417,20 @@ std::vector<SceneValue> Search::values() const {
       }
     }
   }
-  const auto append = [&](std::vector<SceneValue> more) {
-    std::move(more.begin(), more.end(), std::back_inserter(found));
+  const auto insert = [&](std::vector<SceneValue>::iterator where, std::vector<SceneValue> more) {
+    found.insert(where, std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   for (const std::uint32_t source : by_merit(objects, max_materials)) {
     // A material only changes its object, and what shows it.
     if (all_plain.differs < 0.1 * differs || plain[source].differs > 0.5 * all_plain.differs) {
-      std::vector<SceneValue> more = values_of_material(scene, prepared_.sources[source]);
       // The number of rays is limited, so likelier values come first.
       const bool likely = objects[source].differs > 0.9 * differs;
-      found.insert(likely ? found.begin() : found.end(), std::make_move_iterator(more.begin()),
-                   std::make_move_iterator(more.end()));
+      insert(likely ? found.begin() : found.end(),
+             values_of_material(scene, prepared_.sources[source]));
     }
   }
   for (const NodeId node : by_merit(nodes, max_nodes)) {
-    append(values_of_transforms(scene, node));
+    insert(found.end(), values_of_transforms(scene, node));
   }
   return found;
 }
@@ -446,8 +448,7 @@ std::optional<Tried> Search::tried(const SceneValue& value) {
   if (shade && *std::min_element(fit.numbers.begin(), fit.numbers.end()) < 0) {
     return std::nullopt;
   }
-  const std::optional<RenderScene> ready =
-      ready_with_same_files(*sim_.view->scene, changed(*sim_.view->written, value, fit.numbers));
+  const std::optional<RenderScene> ready = ready_with(value, fit.numbers);
   if (!ready) {
     return std::nullopt;
   }
@@ -463,6 +464,10 @@ std::optional<Tried> Search::tried(const SceneValue& value) {
   const Combination one{static_cast<std::uint16_t>(sim_.list.size() - 1)};
   const Tried t =
       sim_.rated(one, sim_.score_of(one, sim_.points.size()), sim_.base(sim_.points.size()));
+  // An edited color is exact; other reflectances come near to one.
+  if (shade && t.explained < 0.999) {
+    return std::nullopt;
+  }
   // Other values may look nearly alike, such as a light that is farther away.
   constexpr double certain = 0.9995;
   sim_.list.back().what = fmt::format(
@@ -518,11 +523,6 @@ std::optional<Tried> Search::run() {
       break;
     }
     const std::optional<Tried> t = tried(value);
-    // An edited color is exact; other reflectances come near to one.
-    const bool shade = value.effect == ValueEffect::colors || value.effect == ValueEffect::surface;
-    if (t && shade && t->explained < 0.999) {
-      continue;
-    }
     if (t && sure(*t) && t->broken <= max_broken &&
         (!best || t->score.raw < 0.9 * best->score.raw)) {
       best = t;

@@ -311,7 +311,7 @@ void add_diffuse_response(const Simulation& sim, std::vector<Hypothesis>& list) 
 // The exponent that is most like the shape of a highlight.
 double exponent_like(const Curve& curve) {
   double best = 1;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (double exponent = 0.25; exponent < 2000; exponent *= 1.02) {
     double ab = 0, bb = 0, aa = 0;
     for (std::size_t k = 0; k < curve.knots.size(); ++k) {

@@ -97,6 +97,10 @@ std::span<const std::pair<const char*, PixelFilter>> pixel_filters() {
   return filters;
 }
 
+std::string blurred_by(std::string_view size) {
+  return fmt::format("the picture is blurred: each pixel is the mean of {}", size);
+}
+
 bool shows_at_edges(const Hypothesis& h) {
   return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
 }
@@ -136,7 +140,7 @@ std::optional<Claim> claim_of_missed_samples(Simulation& sim) {
       whole < few_pixels || static_cast<double>(bright) < 0.9 * static_cast<double>(whole)) {
     return std::nullopt;
   }
-  return Claim{Cause::samples, "pixels stay black where one of several samples misses everything",
+  return Claim{Cause::samples, missed_samples,
                fmt::format("{} of the pixels that objects cover partly are black",
                            percent(static_cast<double>(black) / static_cast<double>(partly))),
                static_cast<double>(black) / static_cast<double>(partly)};
@@ -163,9 +167,8 @@ std::optional<Claim> claim_of_blur(Simulation& sim, const Pixels& pixels) {
     }
     if (differs > 0 && s.left < (1 - enough) * b.left && s.exact >= enough_exact * differs &&
         s.broken <= max_broken * same) {
-      return Claim{Cause::samples,
-                   fmt::format("the picture is blurred: each pixel is the mean of {}", size),
-                   evidence_of_share(1 - s.left / b.left), 1 - s.left / b.left};
+      return Claim{Cause::samples, blurred_by(size), evidence_of_share(1 - s.left / b.left),
+                   1 - s.left / b.left};
     }
   }
   return std::nullopt;

@@ -10,6 +10,9 @@ namespace scenefile {
 
 /// Filters of pixels, and their sizes in words.
 std::span<const std::pair<const char*, PixelFilter>> pixel_filters();
+std::string blurred_by(std::string_view size);
+inline constexpr const char* missed_samples =
+    "pixels stay black where one of several samples misses everything";
 /// Whether the mistake only shows at edges: other samples of pixels.
 bool shows_at_edges(const Hypothesis& h);
 /// Pixels are black if any of their samples hits nothing, which gives black outlines, one pixel

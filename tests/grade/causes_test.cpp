@@ -765,6 +765,20 @@ TEST(Causes, NamesNoSceneMistakesForAnotherScene) {
   EXPECT_TRUE(report.claims.empty()) << said(report);
 }
 
+TEST(Causes, FineTexturesInAReferenceWithSeveralSamples) {
+  GeneratedScene scene(1);
+  for (RenderMaterial& m : scene.builder.scene.materials) {
+    m.texture.repeat_u *= 30;
+    m.texture.repeat_v *= 30;
+  }
+  const SceneView view = view_of(scene);
+  const CauseReport report =
+      find_causes(reference_of(scene, true), scene.drawn_by_student({"shadow-none"}), &view);
+  EXPECT_LT(report.share_scene_unlike, 0.05);
+  ASSERT_FALSE(report.claims.empty());
+  EXPECT_EQ(report.claims.front().cause, Cause::shadows) << said(report);
+}
+
 TEST(Causes, StopsOnRequest) {
   const GeneratedScene scene(1);
   const SceneView view = view_of(scene);

@@ -140,6 +140,24 @@ TEST(Causes, Rounding) {
   expect_named(Cause::rounding, {"habit-rounds"});
 }
 
+// Values that differ by one at some levels of brightness only are not rounded.
+TEST(Causes, StepsAtSomeLevelsAreNotRounding) {
+  for (const int highest : {60, 254}) {
+    Texture reference;
+    reference.width = reference.height = 128;
+    for (int i = 0; i < 3 * 128 * 128; ++i) {
+      reference.rgb.push_back(static_cast<std::uint8_t>(i / 3 / 64));
+    }
+    Texture test = reference;
+    for (std::size_t i = 0; i < test.rgb.size(); i += 2) {
+      const int value = reference.rgb[i];
+      test.rgb[i] = static_cast<std::uint8_t>(value + (value < highest ? 1 : 0));
+    }
+    const CauseReport report = find_causes(reference, test);
+    EXPECT_EQ(report.claims.size(), highest > 200 ? 1u : 0u) << said(report);
+  }
+}
+
 Change turned(bool across, bool down) {
   return [=](const Texture& t) {
     Texture result = t;
@@ -422,6 +440,18 @@ TEST(Causes, Shapes) {
 TEST(Causes, FormsOfTheSameMistakes) {
   static const std::map<std::string, std::set<Cause>> mistakes{
       {"camera-zero-to-one", {Cause::camera}},
+      {"camera-up-not-normalized", {Cause::camera}},
+      {"normal-absolute", {Cause::normals}},
+      {"shape-roots-doubled", {Cause::shapes}},
+      {"shape-cap-normals-side", {Cause::shapes}},
+      {"shape-cube-face-missing", {Cause::shapes}},
+      {"light-replaces", {Cause::lights}},
+      {"shadow-of-first-object", {Cause::shadows}},
+      {"specular-diffuse-coefficient", {Cause::specular}},
+      {"mirror-no-textures", {Cause::reflection}},
+      {"mirror-coefficient-once", {Cause::reflection}},
+      {"texture-integer-division", {Cause::texture}},
+      {"texture-sides-as-sphere", {Cause::texture}},
       {"shape-wide-caps", {Cause::shapes}},
       {"shape-cone-normal-constant", {Cause::shapes}},
       {"light-vector-sum", {Cause::lights}},

@@ -276,6 +276,107 @@ constexpr KnownMistake table[] = {
     {"scene-moved-camera", "scene", "scene-edited|camera"},
     {"scene-moved-light", "scene", "scene-edited|lights"},
     {"strange-other-colors", "strange", ""},
+    // Other single lines that go wrong.
+    {"camera-direction-as-point", "camera", "camera"},
+    {"camera-view-matrix", "camera", "camera"},
+    {"camera-at-origin", "camera", "camera"},
+    {"camera-no-tangent", "camera", "camera"},
+    {"camera-half-film", "camera", "camera"},
+    {"camera-aspect-twice", "camera", "camera"},
+    {"camera-look-long", "camera", "camera"},
+    {"camera-up-not-normalized", "camera", "camera"},
+    {"camera-cross-swapped", "camera", "horizontal-flip|camera"},
+    {"transform-order-tsr", "transforms", "transforms"},
+    {"transform-order-srt", "transforms", "transforms"},
+    {"transform-order-str", "transforms", "transforms"},
+    {"transform-order-rts", "transforms", "transforms"},
+    {"transform-order-rst", "transforms", "transforms"},
+    {"transform-scale-x", "transforms", "transforms"},
+    {"transform-axis-not-normalized", "transforms", "transforms"},
+    {"transform-move-negated", "transforms", "transforms"},
+    {"transform-direction-not", "transforms", "transforms"},
+    {"transform-direction-as-point", "transforms", "transforms"},
+    {"transform-origin-as-direction", "transforms", "transforms"},
+    {"transform-instances-not", "transforms", "transforms"},
+    {"normal-absolute", "normals", "normals"},
+    {"normal-by-transpose", "normals", "normals"},
+    {"normal-sphere-for-all", "normals", "normals|shapes"},
+    {"normal-from-center", "normals", "normals|shapes"},
+    {"shape-cap-normals-up", "shapes", "shapes|normals"},
+    {"shape-cap-normals-side", "shapes", "shapes|normals"},
+    {"shape-cap-normals-inverted", "shapes", "shapes|normals"},
+    {"shape-sphere-normals-inward", "shapes", "shapes|normals"},
+    {"shape-sphere-radius-one", "shapes", "shapes"},
+    {"shape-sphere-square-half", "shapes", "shapes"},
+    {"shape-cylinder-square-half", "shapes", "shapes"},
+    {"shape-caps-square-half", "shapes", "shapes"},
+    {"shape-quadratic-precedence", "shapes", "shapes"},
+    {"shape-roots-doubled", "shapes", "shapes"},
+    {"shape-sphere-b-not-doubled", "shapes", "shapes"},
+    {"shape-sphere-four-a", "shapes", "shapes"},
+    {"shape-wide-cones", "shapes", "shapes"},
+    {"shape-cube-face-missing", "shapes", "shapes"},
+    {"hit-far-root", "nearest-hit", "nearest-hit"},
+    {"hit-near-root-only", "nearest-hit", "nearest-hit"},
+    {"light-replaces", "lights", "lights"},
+    {"light-point-of-object", "lights", "lights|transforms"},
+    {"light-attenuates-sum", "attenuation", "attenuation|lights"},
+    {"ambient-times-light", "ambient", "ambient"},
+    {"diffuse-no-light-color", "diffuse", "diffuse"},
+    {"diffuse-specular-coefficient", "diffuse", "diffuse"},
+    {"specular-no-light-color", "specular", "specular"},
+    {"specular-diffuse-coefficient", "specular", "specular"},
+    {"specular-reversed-mirror", "specular", "specular"},
+    {"specular-eye-as-direction", "specular", "specular"},
+    {"specular-normal-view", "specular", "specular"},
+    {"specular-fixed-exponent", "specular", "specular"},
+    {"attenuation-squared-distance", "attenuation", "attenuation"},
+    {"attenuation-multiplied", "attenuation", "attenuation"},
+    {"attenuation-reversed", "attenuation", "attenuation"},
+    {"attenuation-no-constant", "attenuation", "attenuation"},
+    {"spot-reversed", "spots", "spot-falloff|lights"},
+    {"spot-penumbra-inverted", "spots", "spot-falloff"},
+    {"shadow-greater", "shadows", "shadows"},
+    {"shadow-bias-negative", "shadows", "shadows|acne|lights"},
+    {"shadow-object-distance", "shadows", "shadows"},
+    {"shadow-not-own", "shadows", "shadows"},
+    {"shadow-of-last-object", "shadows", "shadows"},
+    {"shadow-of-first-object", "shadows", "shadows"},
+    {"shadow-half", "shadows", "shadows"},
+    {"shadow-directional-none", "shadows", "shadows"},
+    {"shadow-directional-ends", "shadows", "shadows"},
+    {"shadow-points-none", "shadows", "shadows"},
+    {"mirror-replaces", "mirrors", "reflection"},
+    {"mirror-diffuse-coefficient", "mirrors", "reflection"},
+    {"mirror-no-shadows", "mirrors", "reflection|shadows"},
+    {"mirror-no-textures", "mirrors", "reflection|texture"},
+    {"mirror-coefficient-once", "mirrors", "reflection"},
+    {"mirror-last-weight", "mirrors", "reflection"},
+    {"mirror-depth-three", "mirrors", "recursion-depth"},
+    {"mirror-depth-five", "mirrors", "recursion-depth"},
+    {"texture-caps-as-side", "textures", "texture"},
+    {"texture-clamped", "textures", "texture"},
+    {"texture-divided", "textures", "texture"},
+    {"texture-quarter-turn", "textures", "texture"},
+    {"texture-wrong-way-around", "textures", "texture"},
+    {"texture-sphere-linear", "textures", "texture"},
+    {"texture-sides-as-sphere", "textures", "texture"},
+    {"texture-cube-front", "textures", "texture"},
+    {"texture-cube-same-faces", "textures", "texture"},
+    {"texture-unlit", "textures", "texture"},
+    {"texture-blend-reversed", "textures", "texture"},
+    {"texture-added", "textures", "texture"},
+    {"texture-integer-division", "textures", "texture"},
+    {"texture-bytes", "textures", "texture"},
+    {"texture-missing-on-cubes", "textures", "texture"},
+    {"glass-ior-fixed", "refraction", "refraction"},
+    {"glass-one-side", "refraction", "refraction"},
+    {"glass-no-local", "refraction", "refraction"},
+    {"output-256", "output", "overflow"},
+    {"output-average-side", "output", "brightness|samples"},
+    {"output-tonemapped", "output", "gamma"},
+    {"output-negative", "output", "brightness"},
+    {"output-channels-turned", "output", "swapped-channels"},
 };
 
 struct Object {
@@ -322,16 +423,22 @@ class Tracer {
       lamps_.resize(1);
     }
     const Camera camera = scene.camera.value_or(Camera());
-    eye_ = camera.position;
-    vec3 look = glm::normalize(camera.look);
+    eye_ = has("camera-at-origin") ? vec3(0) : camera.position;
+    vec3 look = has("camera-look-long") ? camera.look : glm::normalize(camera.look);
     if (has("camera-look-as-point")) {
       look = glm::normalize(camera.look - camera.position);
     }
     w_ = -look;
     const vec3 up = glm::normalize(camera.up);
-    v_ = has("camera-up-not-perpendicular") ? up : glm::normalize(up - glm::dot(up, w_) * w_);
-    u_ = glm::normalize(glm::cross(up, w_));
-    if (has("camera-transposed")) {
+    v_ = up - glm::dot(up, w_) * w_;
+    v_ = has("camera-up-not-perpendicular") ? up
+         : has("camera-up-not-normalized")  ? v_
+                                            : glm::normalize(v_);
+    u_ = glm::normalize(has("camera-cross-swapped") ? glm::cross(w_, up) : glm::cross(up, w_));
+    if (has("camera-view-matrix")) {
+      eye_ = -(glm::transpose(mat3(u_, v_, w_)) * eye_);
+    }
+    if (has("camera-transposed") || has("camera-view-matrix")) {
       const mat3 axes = glm::transpose(mat3(u_, v_, w_));
       u_ = axes[0];
       v_ = axes[1];
@@ -355,7 +462,8 @@ class Tracer {
     top_ = std::tan(has("camera-full-angle")      ? angle
                     : has("camera-quarter-angle") ? angle / 4
                                                   : angle / 2);
-    right_ = top_ * aspect;
+    top_ = has("camera-no-tangent") ? angle / 2 : top_;
+    right_ = top_ * aspect * (has("camera-aspect-twice") ? aspect : 1);
     if (has("camera-aspect-ignored")) {
       right_ = top_;
     } else if (has("camera-aspect-swapped")) {
@@ -416,8 +524,8 @@ class Tracer {
     const int y = has("output-upside-down") ? job_.height - 1 - row : row;
     int x = has("output-mirrored") ? job_.width - 1 - column : column;
     x = has("output-one-pixel-off") ? std::min(x + 1, job_.width - 1) : x;
-    const bool four =
-        has("habit-four-samples") || has("output-misses-black") || has("output-sum-of-samples");
+    const bool four = has("habit-four-samples") || has("output-misses-black") ||
+                      has("output-sum-of-samples") || has("output-average-side");
     const int side = four ? 2 : has("habit-nine-samples") ? 3 : 1;
     vec3 sum(0);
     bool missed = false;
@@ -441,7 +549,9 @@ class Tracer {
     if (missed && has("output-misses-black")) {
       return vec3(0);
     }
-    vec3 color = has("output-sum-of-samples") ? sum : sum / float(side * side);
+    vec3 color = sum / float(has("output-sum-of-samples") ? 1
+                             : has("output-average-side") ? side
+                                                          : side * side);
     const vec2 middle(2 * float(x) / float(job_.width) - 1, 2 * float(y) / float(job_.height) - 1);
     if (has("strange-vignette")) {
       color *= 1 - 0.4f * glm::dot(middle, middle);
@@ -475,10 +585,15 @@ class Tracer {
       a *= bend;
       b *= bend;
     }
+    if (has("camera-half-film")) {
+      a /= 2;
+      b /= 2;
+    }
     if (has("camera-orthographic")) {
       return traced(eye_ + 3.0f * (a * right_ * u_ + b * top_ * v_), -w_, missed);
     }
-    return traced(eye_, glm::normalize(a * right_ * u_ + b * top_ * v_ - w_), missed);
+    const vec3 added = has("camera-direction-as-point") ? eye_ : vec3(0);
+    return traced(eye_, glm::normalize(a * right_ * u_ + b * top_ * v_ - w_ + added), missed);
   }
 
   vec3 traced(const vec3& from, const vec3& direction, bool& missed) const {
@@ -503,6 +618,12 @@ class Tracer {
   void store(std::uint8_t* to, vec3 color) const {
     if (has("output-bgr")) {
       std::swap(color.x, color.z);
+    }
+    if (has("output-channels-turned")) {
+      color = {color.y, color.z, color.x};
+    }
+    if (has("output-tonemapped")) {
+      color = color / (color + 1.0f);
     }
     if (has("output-scaled")) {
       color /= std::max({1.0f, color.x, color.y, color.z});
@@ -534,6 +655,11 @@ class Tracer {
         continue;
       }
       c = std::min(std::max(c, 0.0f), 1.0f);
+      if (has("output-256")) {
+        to[i] = static_cast<std::uint8_t>(static_cast<int>(c * 256) & 255);
+        continue;
+      }
+      c = has("output-negative") ? 1 - c : c;
       if (has("output-gamma")) {
         c = std::pow(c, 1 / 2.2f);
       }
@@ -559,10 +685,11 @@ class Tracer {
   mat4 matrix_of(const Transform& transform) const {
     mat4 m(1);
     if (const auto* move = std::get_if<Translate>(&transform.map)) {
-      m[3] = vec4(move->by, 1);
+      m[3] = vec4(has("transform-move-negated") ? -move->by : move->by, 1);
     } else if (const auto* scale = std::get_if<Scale>(&transform.map)) {
       const vec3 by = has("transform-no-scale")        ? vec3(1)
                       : has("transform-scale-divided") ? 1.0f / scale->by
+                      : has("transform-scale-x")       ? vec3(scale->by.x)
                                                        : scale->by;
       m[0][0] = by.x;
       m[1][1] = by.y;
@@ -572,7 +699,8 @@ class Tracer {
       angle = has("transform-radians") ? angle : angle * pi / 180;
       angle = has("transform-rotation-sign") ? -angle : angle;
       angle = has("transform-half-turned") ? angle / 2 : angle;
-      const vec3 a = glm::normalize(rotate->axis);
+      const vec3 a =
+          has("transform-axis-not-normalized") ? rotate->axis : glm::normalize(rotate->axis);
       const float c = std::cos(angle);
       const float s = std::sin(angle);
       for (int column = 0; column < 3; ++column) {
@@ -586,11 +714,29 @@ class Tracer {
     return m;
   }
 
+  // The transforms in an order of their kinds, whatever the order of the file is.
+  std::vector<Transform> in_order(std::vector<Transform> transforms) const {
+    for (const std::string_view order : {"tsr", "srt", "str", "rts", "rst"}) {
+      if (has("transform-order-" + std::string(order))) {
+        const auto place = [&](const Transform& t) {
+          return std::holds_alternative<Translate>(t.map) ? order.find('t')
+                 : std::holds_alternative<Scale>(t.map)   ? order.find('s')
+                 : std::holds_alternative<Rotate>(t.map)  ? order.find('r')
+                                                          : order.size();
+        };
+        std::stable_sort(
+            transforms.begin(), transforms.end(),
+            [&](const Transform& a, const Transform& b) { return place(a) < place(b); });
+      }
+    }
+    return transforms;
+  }
+
   // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
   void visit(NodeId id, mat4& parent) {
     const Node& node = scene_.nodes[id];
     mat4 here(1);
-    for (const Transform& t : node.transforms) {
+    for (const Transform& t : in_order(node.transforms)) {
       here = has("transform-reversed") ? matrix_of(t) * here : here * matrix_of(t);
     }
     const bool lost = has("transform-outer-lost") && !node.children.empty();
@@ -616,7 +762,7 @@ class Tracer {
     if (!wanted.empty()) {
       for (const NodeId master : scene_.templates) {
         if (std::string(scene_.nodes[master].name) == wanted) {
-          visit(master, matrix);
+          visit(master, has("transform-instances-not") ? parent : matrix);
         }
       }
     }
@@ -637,21 +783,29 @@ class Tracer {
     list.push_back(f);
   }
 
+  float solved(float above, float a) const {
+    return has("shape-quadratic-precedence") ? above / 2 * a
+           : has("shape-roots-doubled")      ? above / a
+                                             : above / (2 * a);
+  }
+
   void crossings(Shape shape, const vec3& o, const vec3& d, std::vector<Found>& list) const {
     switch (shape) {
       case Shape::sphere: {
         if (has("shape-no-spheres")) {
           return;
         }
-        const float a = glm::dot(d, d);
-        const float b = 2 * glm::dot(o, d);
-        const float c = glm::dot(o, o) - 0.25f;
+        const float a = (has("shape-sphere-four-a") ? 4.0f : 1.0f) * glm::dot(d, d);
+        const float b = (has("shape-sphere-b-not-doubled") ? 1.0f : 2.0f) * glm::dot(o, d);
+        const float c = glm::dot(o, o) - (has("shape-sphere-radius-one")    ? 1.0f
+                                          : has("shape-sphere-square-half") ? 0.5f
+                                                                            : 0.25f);
         const float root = b * b - 4 * a * c;
         if (root < 0) {
           return;
         }
         for (const float sign : {-1.0f, 1.0f}) {
-          const float t = (-b + sign * std::sqrt(root)) / (2 * a);
+          const float t = solved(-b + sign * std::sqrt(root), a);
           offer(list, t, o, d, 2.0f * (o + t * d), false);
         }
         return;
@@ -662,6 +816,9 @@ class Tracer {
         }
         for (int axis = 0; axis < 3; ++axis) {
           for (const float side : {-0.5f, 0.5f}) {
+            if (has("shape-cube-face-missing") && axis == 2 && side > 0) {
+              continue;
+            }
             const float t = (side - o[axis]) / d[axis];
             const vec3 p = o + t * d;
             if (std::abs(p[(axis + 1) % 3]) <= 0.5f && std::abs(p[(axis + 2) % 3]) <= 0.5f) {
@@ -678,10 +835,13 @@ class Tracer {
         }
         const float a = d.x * d.x + d.z * d.z;
         const float b = 2 * (o.x * d.x + o.z * d.z);
-        const float c = o.x * o.x + o.z * o.z - (has("shape-wide-cylinders") ? 1.0f : 0.25f);
+        const float c = o.x * o.x + o.z * o.z -
+                        (has("shape-wide-cylinders")         ? 1.0f
+                         : has("shape-cylinder-square-half") ? 0.5f
+                                                             : 0.25f);
         const float root = b * b - 4 * a * c;
         for (const float sign : {-1.0f, 1.0f}) {
-          const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
+          const float t = solved(-b + sign * std::sqrt(std::max(root, 0.0f)), a);
           const vec3 p = o + t * d;
           if (root >= 0 && (std::abs(p.y) <= 0.5f || has("shape-endless-cylinders"))) {
             const float up = has("shape-cylinder-normal-sphere") ? 2 * p.y : 0;
@@ -698,12 +858,13 @@ class Tracer {
         }
         // x^2 + z^2 = ((0.5 - y) / 2)^2
         const float k = 0.5f - o.y;
-        const float a = d.x * d.x + d.z * d.z - d.y * d.y / 4;
-        const float b = 2 * (o.x * d.x + o.z * d.z) + k * d.y / 2;
-        const float c = o.x * o.x + o.z * o.z - k * k / 4;
+        const float steep = has("shape-wide-cones") ? 1 : 4;
+        const float a = d.x * d.x + d.z * d.z - d.y * d.y / steep;
+        const float b = 2 * (o.x * d.x + o.z * d.z) + 2 * k * d.y / steep;
+        const float c = o.x * o.x + o.z * o.z - k * k / steep;
         const float root = b * b - 4 * a * c;
         for (const float sign : {-1.0f, 1.0f}) {
-          const float t = (-b + sign * std::sqrt(std::max(root, 0.0f))) / (2 * a);
+          const float t = solved(-b + sign * std::sqrt(std::max(root, 0.0f)), a);
           const vec3 p = o + t * d;
           if (root >= 0 && p.y >= -0.5f && (p.y <= 0.5f || has("shape-double-cones"))) {
             const float slope = has("shape-cone-normal-level")   ? 0
@@ -724,31 +885,50 @@ class Tracer {
   void cap(const vec3& o, const vec3& d, float y, bool missing, std::vector<Found>& list) const {
     const float t = (y - o.y) / d.y;
     const vec3 p = o + t * d;
-    const float limit = has("shape-wide-caps") ? 1.0f : 0.25f;
+    const float limit = has("shape-wide-caps")          ? 1.0f
+                        : has("shape-caps-square-half") ? 0.5f
+                                                        : 0.25f;
     const bool inside = has("shape-square-caps") ? std::max(std::abs(p.x), std::abs(p.z)) <= 0.5f
                                                  : p.x * p.x + p.z * p.z <= limit;
     if (!missing && inside) {
-      offer(list, t, o, d, {0, y < 0 ? -1.0f : 1.0f, 0}, true);
+      const bool down =
+          (y < 0 && !has("shape-cap-normals-up")) != has("shape-cap-normals-inverted");
+      offer(list, t, o, d, {0, down ? -1.0f : 1.0f, 0}, true);
     }
   }
 
-  Found closest(const vec3& from, const vec3& direction, float least, bool shadow) const {
+  // `shadow_of`: the object that a shadow ray starts at.
+  Found closest(const vec3& from, const vec3& direction, float least, bool shadow,
+                const Object* shadow_of = nullptr) const {
     Found best;
     std::vector<Found> list;
     for (const Object& object : objects_) {
+      if (shadow && ((has("shadow-of-last-object") && &object != &objects_.back()) ||
+                     (has("shadow-of-first-object") && &object != &objects_.front()) ||
+                     (has("shadow-not-own") && &object == shadow_of))) {
+        continue;
+      }
       if (has("shape-some-missing") && (&object - objects_.data()) % 3 == 1) {
         continue;
       }
       if (has("shadow-not-of-spheres") && shadow && object.primitive->shape == Shape::sphere) {
         continue;
       }
-      const vec3 o = vec3(object.inverse * vec4(from, 1));
-      const vec3 d = vec3(object.inverse * vec4(direction, 0));
+      const float o_w = has("transform-origin-as-direction") ? 0.0f : 1.0f;
+      const float d_w = has("transform-direction-as-point") ? 1.0f : 0.0f;
+      const vec3 o = vec3(object.inverse * vec4(from, o_w));
+      const vec3 d =
+          has("transform-direction-not") ? direction : vec3(object.inverse * vec4(direction, d_w));
       list.clear();
       crossings(object.primitive->shape, o, d, list);
       Found nearest;
+      if (has("hit-near-root-only") && !list.empty()) {
+        list = {*std::min_element(list.begin(), list.end(),
+                                  [](const Found& a, const Found& b) { return a.t < b.t; })};
+      }
       for (const Found& f : list) {
-        const bool farther = has("hit-farthest") && !shadow && nearest.object != nullptr;
+        const bool farther =
+            (has("hit-farthest") || has("hit-far-root")) && !shadow && nearest.object != nullptr;
         if (f.t > least && (farther ? f.t > nearest.t : f.t < nearest.t)) {
           nearest = f;
           nearest.object = &object;
@@ -758,6 +938,9 @@ class Tracer {
         continue;
       }
       nearest.key = nearest.t;
+      if (shadow && has("shadow-object-distance")) {
+        nearest.key = nearest.t = nearest.t * glm::length(d);
+      }
       if (!shadow) {
         const bool of_object = has("hit-object-distance") || has("hit-object-compared");
         const bool farthest = has("hit-farthest") || has("hit-farthest-object");
@@ -786,6 +969,12 @@ class Tracer {
     const vec3& n = f.normal;
     const Shape shape = f.object->primitive->shape;
     if (shape == Shape::cube) {
+      if (has("texture-cube-front")) {
+        return {p.x + 0.5f, p.y + 0.5f};
+      }
+      if (has("texture-cube-same-faces")) {
+        return {n.x != 0 ? 0.5f + p.z : p.x + 0.5f, n.y != 0 ? 0.5f - p.z : p.y + 0.5f};
+      }
       if (n.x != 0) {
         return {n.x > 0 ? 0.5f - p.z : p.z + 0.5f, p.y + 0.5f};
       }
@@ -794,16 +983,19 @@ class Tracer {
       }
       return {p.x + 0.5f, n.y > 0 ? 0.5f - p.z : p.z + 0.5f};
     }
-    if (f.cap) {
+    if (f.cap && !has("texture-caps-as-side")) {
       return {p.x + 0.5f, n.y > 0 ? 0.5f - p.z : p.z + 0.5f};
     }
     const float theta = std::atan2(p.z, p.x);
-    const float u = has("texture-half-turned-mirrored") ? (theta + pi) / (2 * pi)
-                    : theta < 0                         ? -theta / (2 * pi)
-                                                        : 1 - theta / (2 * pi);
-    return {u, shape == Shape::sphere
-                   ? std::asin(std::min(std::max(2 * p.y, -1.0f), 1.0f)) / pi + 0.5f
-                   : p.y + 0.5f};
+    float u = has("texture-half-turned-mirrored") ? (theta + pi) / (2 * pi)
+              : theta < 0                         ? -theta / (2 * pi)
+                                                  : 1 - theta / (2 * pi);
+    u = has("texture-quarter-turn") ? u + 0.25f - std::floor(u + 0.25f) : u;
+    u = has("texture-wrong-way-around") ? 1 - u : u;
+    const bool angle =
+        shape == Shape::sphere ? !has("texture-sphere-linear") : has("texture-sides-as-sphere");
+    return {u,
+            angle ? std::asin(std::min(std::max(2 * p.y, -1.0f), 1.0f)) / pi + 0.5f : p.y + 0.5f};
   }
 
   const Texture* texture_of(const Material& m) const {
@@ -853,14 +1045,18 @@ class Tracer {
     return m.blend;
   }
 
-  vec3 diffuse_of(const Found& f) const {
+  vec3 diffuse_of(const Found& f, int depth) const {
     const Material& m = f.object->primitive->material;
-    const float kd = has("diffuse-no-coefficient") ? 1 : scene_.global.diffuse;
+    const float kd = has("diffuse-no-coefficient")         ? 1
+                     : has("diffuse-specular-coefficient") ? scene_.global.specular
+                                                           : scene_.global.diffuse;
     const vec3 plain = kd * m.diffuse;
     const Texture* const texture = texture_of(m);
     const bool cone = f.object->primitive->shape == Shape::cone;
-    if (texture == nullptr || has("texture-missing") || has("texture-over-lighting") ||
-        has("texture-over-all") || (cone && has("texture-missing-on-cones")) ||
+    if (texture == nullptr || has("texture-missing") || (has("mirror-no-textures") && depth > 0) ||
+        has("texture-over-lighting") || has("texture-over-all") ||
+        (cone && has("texture-missing-on-cones")) ||
+        (f.object->primitive->shape == Shape::cube && has("texture-missing-on-cubes")) ||
         (f.cap && has("texture-missing-on-caps"))) {
       return plain;
     }
@@ -876,11 +1072,18 @@ class Tracer {
         x = std::fmod(std::abs(x), 2.0f);
         x = x > 1 ? 2 - x : x;
       }
-      const int i = static_cast<int>(std::floor(x * float(size))) % size;
+      const int whole = static_cast<int>(std::floor(x * float(size)));
+      if (has("texture-clamped")) {
+        return std::min(std::max(whole, 0), size - 1);
+      }
+      const int i = whole % size;
       return i < 0 ? i + size : i;
     };
-    const int column = place(uv.x * (repeats ? m.texture->repeat_u : 1), texture->width);
-    const int row = place(uv.y * (repeats ? m.texture->repeat_v : 1), texture->height);
+    const auto repeated = [&](float x, float count) {
+      return has("texture-divided") ? x / count : x * (repeats ? count : 1);
+    };
+    const int column = place(repeated(uv.x, m.texture->repeat_u), texture->width);
+    const int row = place(repeated(uv.y, m.texture->repeat_v), texture->height);
     const std::uint8_t* texel = texture->texel(column, row);
     vec3 t = vec3(texel[0], texel[1], texel[2]) / 255.0f;
     if (has("texture-filtered")) {
@@ -889,6 +1092,18 @@ class Tracer {
     }
     if (has("texture-blue-red")) {
       std::swap(t.x, t.z);
+    }
+    if (has("texture-integer-division")) {
+      t = glm::floor(t);
+    }
+    if (has("texture-bytes")) {
+      t *= 255.0f;
+    }
+    if (has("texture-blend-reversed")) {
+      return m.blend * plain + (1 - m.blend) * t;
+    }
+    if (has("texture-added")) {
+      return plain + m.blend * t;
     }
     if (has("texture-blend-ignored")) {
       return t;
@@ -944,7 +1159,9 @@ class Tracer {
     if (has("spot-inner-only")) {
       outer = inner;
     }
-    const float angle = std::acos(std::min(std::max(glm::dot(-to_light, axis), -1.0f), 1.0f));
+    const float side = has("spot-reversed") ? -1.0f : 1.0f;
+    const float angle =
+        std::acos(std::min(std::max(side * glm::dot(-to_light, axis), -1.0f), 1.0f));
     if (has("spot-cosine-cubed")) {
       return std::pow(std::max(std::cos(angle), 0.0f), 3.0f);
     }
@@ -957,7 +1174,8 @@ class Tracer {
     if (has("spot-linear-cosine")) {
       return (std::cos(angle) - std::cos(outer)) / (std::cos(inner) - std::cos(outer));
     }
-    const float x = (angle - inner) / (outer - inner);
+    float x = (angle - inner) / (outer - inner);
+    x = has("spot-penumbra-inverted") ? 1 - x : x;
     return has("spot-linear") ? 1 - x : 1 - (3 * x * x - 2 * x * x * x);
   }
 
@@ -969,9 +1187,10 @@ class Tracer {
            (has("light-no-spot") && type == LightType::spot) || type == LightType::area;
   }
 
-  vec3 lighting(const Found& f, const vec3& point, const vec3& normal, const vec3& eye) const {
+  vec3 lighting(const Found& f, const vec3& point, const vec3& normal, const vec3& eye,
+                int depth) const {
     const Material& m = f.object->primitive->material;
-    const vec3 base = diffuse_of(f);
+    const vec3 base = diffuse_of(f, depth);
     const vec3 ambient = (has("ambient-no-coefficient") ? 1 : scene_.global.ambient) * m.ambient;
     vec3 color = has("ambient-missing") ? vec3(0) : ambient;
     if (has("ambient-per-light")) {
@@ -993,8 +1212,13 @@ class Tracer {
     if (has("strange-headlight")) {
       color += 0.4f * base * std::max(glm::dot(normal, eye), 0.0f);
     }
+    if (has("ambient-times-light")) {
+      color = vec3(0);
+    }
     bool first_shadowed = false;
-    const float ks = has("specular-no-coefficient") ? 1 : scene_.global.specular;
+    const float ks = has("specular-no-coefficient")        ? 1
+                     : has("specular-diffuse-coefficient") ? scene_.global.diffuse
+                                                           : scene_.global.specular;
     for (const Lamp& lamp : lamps_) {
       const Light& light = lamp.light;
       if (skipped(light.type)) {
@@ -1016,6 +1240,19 @@ class Tracer {
         const float far = has("attenuation-of-eye-distance") ? glm::length(point - eye_) : distance;
         const float c = a.x + a.y * far + (has("attenuation-no-quadratic") ? 0 : a.z * far * far);
         strength = has("attenuation-not-clamped") ? 1 / c : std::min(1.0f, 1 / c);
+        if (has("attenuation-squared-distance")) {
+          const float square = distance * distance;
+          strength = std::min(1.0f, 1 / (a.x + a.y * square + a.z * square * square));
+        }
+        if (has("attenuation-multiplied")) {
+          strength = c;
+        }
+        if (has("attenuation-reversed")) {
+          strength = std::min(1.0f, 1 / (a.z + a.y * distance + a.x * distance * distance));
+        }
+        if (has("attenuation-no-constant")) {
+          strength = std::min(1.0f, 1 / (a.y * distance + a.z * distance * distance));
+        }
         if (has("attenuation-none")) {
           strength = 1;
         }
@@ -1048,7 +1285,10 @@ class Tracer {
         to_light = -to_light;
       }
       bool shadowed = false;
-      if (job_.shadows && !has("shadow-none")) {
+      const bool casts = !(directional && has("shadow-directional-none")) &&
+                         !(light.type == LightType::point && has("shadow-points-none")) &&
+                         !(depth > 0 && has("mirror-no-shadows"));
+      if (job_.shadows && !has("shadow-none") && casts) {
         const float bias = has("shadow-acne")             ? 0.0f
                            : has("shadow-large-bias")     ? 0.25f
                            : has("shadow-bias-one-third") ? 0.33f
@@ -1064,15 +1304,22 @@ class Tracer {
         if (has("shadow-before-surface")) {
           start += 0.2f * glm::normalize(eye_ - point);
         }
+        if (has("shadow-bias-negative")) {
+          start -= 4e-3f * to_light;
+        }
         vec3 toward = has("shadow-reversed") ? -to_light : to_light;
         if (has("shadow-spot-axis") && light.type == LightType::spot) {
           toward = -axis;
         }
+        const bool ends = directional && has("shadow-directional-ends");
         const float end = has("shadow-beyond-light")      ? far_away
                           : has("shadow-unit-distance")   ? 1.0f
+                          : ends                          ? glm::length(lamp.position - point)
                           : has("shadow-distance-of-eye") ? glm::length(point - eye_)
                                                           : distance;
-        shadowed = (closest(start, toward, bias, true).t < end) != has("shadow-inverted");
+        const float met = closest(start, toward, bias, true, f.object).t;
+        shadowed = (has("shadow-greater") ? met < far_away && met > end : met < end) !=
+                   has("shadow-inverted");
         if (has("strange-soft-shadows")) {
           const vec3 side(
               0.15f * chance(static_cast<int>(1e4f * point.x), static_cast<int>(1e4f * point.z)),
@@ -1118,10 +1365,17 @@ class Tracer {
       weight *= has("diffuse-missing") ? 0.0f : has("diffuse-twice") ? 2.0f : 1.0f;
       const vec3 v = has("specular-eye-reversed")         ? -eye
                      : has("specular-eye-not-normalized") ? eye_ - point
+                     : has("specular-eye-as-direction")   ? glm::normalize(eye_)
                                                           : eye;
       float shine = glm::dot(2 * cosine * normal - l, v);
       if (has("specular-blinn")) {
         shine = glm::dot(normal, glm::normalize(l + v));
+      }
+      if (has("specular-reversed-mirror")) {
+        shine = -shine;
+      }
+      if (has("specular-normal-view")) {
+        shine = glm::dot(normal, v);
       }
       if (has("specular-light-view")) {
         shine = glm::dot(l, v);
@@ -1132,6 +1386,7 @@ class Tracer {
       vec3 highlight(0);
       const float exponent = has("specular-half-exponent")      ? m.shininess / 2
                              : has("specular-root-of-exponent") ? std::sqrt(m.shininess) + 2
+                             : has("specular-fixed-exponent")   ? 32
                                                                 : m.shininess;
       const bool any_sign = has("specular-negative-power") && exponent == std::floor(exponent);
       if ((shine > 0 || any_sign) && m.shininess > 0) {
@@ -1149,20 +1404,42 @@ class Tracer {
                          : has("light-unit-colors") ? glm::normalize(light.color)
                                                     : light.color;
       light_color /= has("light-no-color-share") ? float(lamps_.size()) : 1.0f;
+      if (has("ambient-times-light")) {
+        color += light_color * ambient;
+      }
+      if (shadowed && has("shadow-half")) {
+        color += 0.5f * strength * light_color * (weight * base + highlight);
+      }
       if (shadowed) {
         if (has("shadow-keeps-specular")) {
           color += strength * light_color * highlight;
         }
         continue;
       }
-      const vec3 added = strength * light_color * (weight * base + highlight);
+      if (has("texture-unlit") && texture_of(m) != nullptr) {
+        weight = 1;
+      }
+      const vec3 diffuse = weight * base * (has("diffuse-no-light-color") ? vec3(1) : light_color);
+      highlight *= has("specular-no-light-color") ? vec3(1) : light_color;
+      const vec3 added = strength * (diffuse + highlight);
+      if (has("light-replaces")) {
+        color = added;
+        continue;
+      }
+      if (has("light-attenuates-sum")) {
+        color = strength * (color + diffuse + highlight);
+        continue;
+      }
       color += has("habit-clamped-lights") ? glm::min(added, vec3(4)) : added;
     }
     return color;
   }
 
   vec3 world_normal(const Found& f) const {
-    const vec3 n = glm::normalize(f.normal);
+    const bool side = f.cap && has("shape-cap-normals-side");
+    const vec3 n = has("normal-sphere-for-all") ? glm::normalize(f.point)
+                   : side                       ? glm::normalize(vec3(f.point.x, 0, f.point.z))
+                                                : glm::normalize(f.normal);
     const mat3 m(f.object->matrix);
     const mat3 inverse(f.object->inverse);
     if (has("normal-gradient")) {
@@ -1172,11 +1449,18 @@ class Tracer {
     if (has("normal-not-normalized-by-matrix")) {
       return m * n;
     }
-    if (has("normal-by-matrix")) {
+    const bool sphere = f.object->primitive->shape == Shape::sphere;
+    if (has("normal-by-matrix") || (sphere && has("normal-from-center"))) {
       return glm::normalize(m * n);
     }
     if (has("normal-by-inverse")) {
       return glm::normalize(inverse * n);
+    }
+    if (has("normal-by-transpose")) {
+      return glm::normalize(glm::transpose(m) * n);
+    }
+    if (sphere && has("shape-sphere-normals-inward")) {
+      return -glm::normalize(glm::transpose(inverse) * n);
     }
     if (has("normal-of-object")) {
       return n;
@@ -1195,7 +1479,8 @@ class Tracer {
   }
 
   // NOLINTNEXTLINE(misc-no-recursion): limited by the depth of reflections
-  vec3 trace(const vec3& from, const vec3& direction, int depth) const {
+  vec3 trace(const vec3& from, const vec3& direction, int depth,
+             const vec3& last_weight = vec3(1)) const {
     const float least = depth == 0                 ? (has("hit-behind") ? -far_away : 0)
                         : has("mirror-acne")       ? 0
                         : has("mirror-large-bias") ? 0.5f
@@ -1204,15 +1489,19 @@ class Tracer {
     if (f.object == nullptr) {
       return has("output-background") && depth == 0 ? vec3(0.5f, 0.7f, 0.9f) : vec3(0);
     }
-    return hit(f, from, direction, depth);
+    return hit(f, from, direction, depth, last_weight);
   }
 
   // NOLINTNEXTLINE(misc-no-recursion)
-  vec3 hit(const Found& f, const vec3& from, const vec3& direction, int depth) const {
+  vec3 hit(const Found& f, const vec3& from, const vec3& direction, int depth,
+           const vec3& last_weight = vec3(1)) const {
     const Material& m = f.object->primitive->material;
     vec3 normal = world_normal(f);
     if (has("normal-toward-eye") && glm::dot(normal, direction) > 0) {
       normal = -normal;
+    }
+    if (has("normal-absolute")) {
+      normal = glm::abs(normal);
     }
     if (has("output-normals")) {
       return (normal + 1.0f) / 2.0f;
@@ -1220,9 +1509,12 @@ class Tracer {
     if (has("strange-bumps")) {
       normal = glm::normalize(normal + 0.25f * glm::sin(25.0f * f.point));
     }
-    const vec3 point = from + f.t * direction;
+    const vec3 point = has("light-point-of-object") ? f.point : from + f.t * direction;
     const vec3 eye = has("mirror-eye-at-camera") ? glm::normalize(eye_ - point) : -direction;
-    vec3 color = lighting(f, point, normal, eye);
+    vec3 color = last_weight * lighting(f, point, normal, eye, depth);
+    if (has("glass-no-local") && job_.refract && m.transparent != vec3(0)) {
+      color = vec3(0);
+    }
     if (has("strange-other-colors") && m.diffuse.x > m.diffuse.y) {
       color = vec3(color.y, color.x, color.z);
     }
@@ -1233,18 +1525,29 @@ class Tracer {
     if (has("texture-over-lighting")) {
       color = (1 - over) * color + over * texture;
     }
-    const int depths = has("mirror-depth-one")   ? 1
-                       : has("mirror-depth-two") ? 2
-                       : has("mirror-deep")      ? 9
-                                                 : 4;
+    const int depths = has("mirror-depth-one")     ? 1
+                       : has("mirror-depth-two")   ? 2
+                       : has("mirror-depth-three") ? 3
+                       : has("mirror-depth-five")  ? 5
+                       : has("mirror-deep")        ? 9
+                                                   : 4;
     if (job_.reflect && !has("mirror-missing") && m.reflective != vec3(0) && depth < depths) {
       vec3 mirrored = direction - 2 * glm::dot(direction, normal) * normal;
       mirrored = has("mirror-reversed") ? -mirrored : mirrored;
       mirrored = has("mirror-wrong-sign") ? direction + 2 * glm::dot(direction, normal) * normal
                                           : mirrored;
-      const vec3 seen = trace(point, glm::normalize(mirrored), depth + 1);
       const float ks = scene_.global.specular;
       vec3 weight = ks * m.reflective;
+      const bool chained = !has("mirror-last-weight");
+      const vec3 seen =
+          trace(point, glm::normalize(mirrored), depth + 1, chained ? vec3(1) : weight);
+      weight = chained ? weight : vec3(1);
+      if (has("mirror-diffuse-coefficient")) {
+        weight = scene_.global.diffuse * m.reflective;
+      }
+      if (has("mirror-coefficient-once") && depth > 0) {
+        weight = m.reflective;
+      }
       weight = has("mirror-no-coefficient") ? m.reflective : weight;
       weight = has("mirror-color-ignored") ? vec3(ks) : weight;
       weight = has("mirror-specular-color") ? ks * m.specular : weight;
@@ -1257,6 +1560,7 @@ class Tracer {
       color = has("mirror-blended")         ? (1.0f - weight) * color + weight * seen
               : has("mirror-blended-plain") ? (1.0f - ks) * color + ks * seen
               : has("mirror-blended-color") ? (1.0f - m.reflective) * color + m.reflective * seen
+              : has("mirror-replaces")      ? weight * seen
               : has("mirror-maximum")       ? glm::max(color, weight * seen)
               : has("mirror-product")       ? (1.0f - weight) * color + weight * seen * color
                                             : color + weight * seen;
@@ -1280,7 +1584,7 @@ class Tracer {
   // NOLINTNEXTLINE(misc-no-recursion)
   vec3 through(const Found& f, const vec3& point, const vec3& direction, int depth) const {
     const Material& m = f.object->primitive->material;
-    const float ior = m.ior > 0 ? m.ior : 1;
+    const float ior = has("glass-ior-fixed") ? 1.5f : m.ior > 0 ? m.ior : 1;
     const vec3 outward = glm::normalize(glm::transpose(mat3(f.object->inverse)) * f.normal);
     const bool entering = glm::dot(direction, outward) < 0;
     vec3 inside;
@@ -1319,7 +1623,7 @@ class Tracer {
     if (has("glass-eta-inverted") || has("glass-eta-inverted-black")) {
       eta = 1 / eta;
     }
-    if (has("glass-straight")) {
+    if (has("glass-straight") || (!entering && has("glass-one-side"))) {
       out = d;
       return true;
     }

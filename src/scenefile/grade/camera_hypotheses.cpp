@@ -104,6 +104,15 @@ void add_camera(HypothesisList& list) {
                 c.v = axes[1];
                 c.w = axes[2];
               });
+  edit_camera(list, "the view matrix is used instead of its inverse", [](RenderCamera& c) {
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(c.u, c.v, c.w));
+    c.position = -(axes * c.position);
+    c.u = axes[0];
+    c.v = axes[1];
+    c.w = axes[2];
+  });
+  edit_camera(list, "directions of camera rays are translated, like points (w = 1)",
+              [](RenderCamera& c) { c.w -= c.position; });
   edit_camera(list, "the camera ignores the up vector: up is the world's y", [](RenderCamera& c) {
     const dvec3 u = glm::cross(dvec3(0, 1, 0), c.w);
     if (glm::length(u) > 1e-6) {
@@ -139,6 +148,10 @@ void add_camera(HypothesisList& list) {
     if (glm::length(up) > 0 && glm::length(look) > 0) {
       edit_camera(list, "the up vector is not made perpendicular to the view",
                   [up](RenderCamera& c) { c.v = glm::normalize(up); });
+      edit_camera(list, "up of the camera is not normalized after it is made perpendicular",
+                  [up](RenderCamera& c) {
+                    c.v = glm::normalize(up) - glm::dot(glm::normalize(up), c.w) * c.w;
+                  });
       edit_camera(list, "neither right nor up of the camera is normalized",
                   [up](RenderCamera& c) { c.u = glm::cross(-c.w, glm::normalize(up)); });
       edit_camera(list, "up is not made perpendicular to the view, and right is not normalized",
@@ -170,6 +183,12 @@ void add_camera(HypothesisList& list) {
                   [=](RenderCamera& c) { aim(c, look + c.position, up); });
       edit_camera(list, "the look direction is not normalized",
                   [=](RenderCamera& c) { c.w = -look; });
+      edit_camera(
+          list, "the look direction is not normalized, and up is computed from it",
+          [=](RenderCamera& c) {
+            c.w = -look;
+            c.v = glm::normalize(glm::normalize(up) + glm::dot(glm::normalize(up), look) * -look);
+          });
     }
   }
 }

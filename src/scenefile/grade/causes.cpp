@@ -533,6 +533,31 @@ Steps count_steps(const Texture& reference, const Texture& test) {
   return steps;
 }
 
+// Whether about half of the values of most levels of brightness are one step off, as by rounding.
+// A light that is a little too bright changes some levels alone.
+bool steps_at_all_levels(const Texture& reference, const Texture& test) {
+  constexpr std::size_t enough_values = 12;
+  constexpr double min_share = 0.2;  // of a level's values
+  constexpr double max_share = 0.8;
+  constexpr double most_levels = 0.6;
+  std::array<std::size_t, 256> all{};
+  std::array<std::size_t, 256> off{};
+  for (std::size_t i = 0; i < test.rgb.size(); ++i) {
+    ++all[reference.rgb[i]];
+    off[reference.rgb[i]] += std::abs(int{test.rgb[i]} - reference.rgb[i]) == 1 ? 1 : 0;
+  }
+  std::size_t levels = 0;
+  std::size_t stepping = 0;
+  for (std::size_t level = 1; level < 255; ++level) {
+    if (all[level] >= enough_values) {
+      const double share = static_cast<double>(off[level]) / static_cast<double>(all[level]);
+      ++levels;
+      stepping += share >= min_share && share <= max_share ? 1 : 0;
+    }
+  }
+  return static_cast<double>(stepping) >= most_levels * static_cast<double>(levels);
+}
+
 // The sign is the evidence: rounded values are never below truncated ones.
 std::optional<Claim> find_rounding(const Texture& reference, const Texture& test,
                                    double share_different) {
@@ -541,7 +566,7 @@ std::optional<Claim> find_rounding(const Texture& reference, const Texture& test
   const auto near = static_cast<double>(steps.up + steps.down);
   const auto larger = static_cast<double>(std::max(steps.up, steps.down));
   if (near < 0.05 * values || larger < 0.9 * near || static_cast<double>(steps.far) > near ||
-      share_different > max_share_for_rounding) {
+      share_different > max_share_for_rounding || !steps_at_all_levels(reference, test)) {
     return std::nullopt;
   }
   const bool up = steps.up > steps.down;

@@ -214,6 +214,12 @@ Cells Search::pixels(std::size_t max_count) const {
   return cells;
 }
 
+// Nobody writes a coefficient or color that is so far from the right one.
+bool is_absurd(double number, double old) {
+  constexpr double most = 10;
+  return std::abs(number) > most * std::max(1.0, std::abs(old));
+}
+
 // How far to vary a number to see its effect. What moves, moves by about the size of a square.
 double Search::step_of(const SceneValue& value, double number, const Cells& cells) const {
   switch (value.effect) {
@@ -445,8 +451,10 @@ std::optional<Tried> Search::tried(const SceneValue& value) {
   }
   round(value, fit);
   const bool shade = value.effect == ValueEffect::colors || value.effect == ValueEffect::surface;
-  if (shade && *std::min_element(fit.numbers.begin(), fit.numbers.end()) < 0) {
-    return std::nullopt;
+  for (std::size_t k = 0; shade && k < fit.numbers.size(); ++k) {
+    if (fit.numbers[k] < 0 || is_absurd(fit.numbers[k], value.numbers[k])) {
+      return std::nullopt;
+    }
   }
   const std::optional<RenderScene> ready = ready_with(value, fit.numbers);
   if (!ready) {

@@ -155,8 +155,13 @@ void add_lights(HypothesisList& list) {
           "differences"}});
   }
   if (list.scene.lights.size() > 1) {
-    list.set(Cause::lights, &ModelMistakes::brightest_light, true,
-             "only the brightest light counts: the maximum of the lights, not their sum");
+    list.set_each<LightSum>(
+        Cause::lights, &ModelMistakes::light_sum,
+        {{LightSum::brightest,
+          "only the brightest light counts: the maximum of the lights, not their sum"},
+         {LightSum::last, "each light replaces those before it, where it is not shadowed"},
+         {LightSum::last_of_all,
+          "each light replaces those before it and the ambient term, where it is not shadowed"}});
     change_lights(list, Cause::lights, "the light is divided by the number of lights",
                   [n = float(list.scene.lights.size())](RenderLight& l) { l.color /= n; });
   }
@@ -331,6 +336,8 @@ void add_attenuation(HypothesisList& list) {
        {A::one_plus, "1 is added to the attenuation polynomial"},
        {A::squared_distance, "the attenuation uses the squared distance as the distance"},
        {A::clamped_below, "the attenuation is clamped to at least 1 instead of at most 1"}});
+  list.set(Cause::attenuation, &ModelMistakes::light_sum, LightSum::attenuated_again,
+           "the attenuation of each light is also applied to what was added before it");
   if (list.any_type(has_cone) && list.any_type(is_plain_point)) {
     put({{A::spots_only, "point lights do not fade with distance; spotlights do"},
          {A::points_only, "spotlights do not fade with distance; point lights do"}});
@@ -496,6 +503,15 @@ void add_shadows(HypothesisList& list) {
   if (list.any_type(is_infinitely_far)) {
     put({{S::directional_ends_at_position,
           "shadow rays of directional lights end at the light's position"}});
+  }
+  if (positional) {
+    put({{S::beyond_light_only,
+          "only objects behind the light cast shadows: the comparison of distances is reversed"}});
+  }
+  if (count_virtual_primitives(list.scene) > 1) {
+    put({{S::last_object_only,
+          "only the last object casts shadows: its result replaces those before it"},
+         {S::first_object_only, "only the first object casts shadows"}});
   }
   put({{S::light_from_origin, "the light's distance is measured from the world's origin"},
        {S::light_to_eye,

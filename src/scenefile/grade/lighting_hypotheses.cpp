@@ -128,6 +128,15 @@ void add_specular(HypothesisList& list) {
                }
              });
   }
+  const RenderGlobal& global = list.scene.global;
+  if (global.specular > 0 && global.diffuse != global.specular) {
+    list.add(Cause::specular, "the specular term has the diffuse coefficient",
+             [factor = global.diffuse / global.specular](Trial& t) {
+               for (RenderMaterial& m : t.scene.materials) {
+                 m.specular *= factor;
+               }
+             });
+  }
   using S = SpecularMistake;
   const auto put = [&](std::initializer_list<Row<S>> rows) {
     list.set_each(Cause::specular, &ModelMistakes::specular, rows);
@@ -186,6 +195,7 @@ void add_normals(HypothesisList& list) {
        {N::by_inverse, "normals are transformed by the inverse, not transposed"},
        {N::by_transpose, "normals are transformed by the transpose, not inverted"},
        {N::inverted, "normals point inward"},
+       {N::absolute, "the components of normals are made positive: |n|"},
        {N::toward_eye, "normals are flipped toward the viewer"},
        {N::not_normalized, "normals are not normalized after the transform"},
        {N::raw_not_normalized, "normals are never normalized"},

@@ -18,6 +18,7 @@ enum class NormalMistake : std::uint8_t {
   by_inverse,               ///< by the inverse, not transposed
   by_transpose,             ///< by the transpose, not inverted
   of_object,                ///< not transformed at all
+  absolute,                 ///< |n|, by component
   inverted,                 ///< pointing inward
   toward_eye,               ///< flipped toward the eye
   not_normalized,           ///< normalized in object space only
@@ -156,7 +157,10 @@ enum class ShadowMistake : std::uint8_t {
   from_origin,           ///< the ray starts at the world's origin
   point_as_directional,  ///< t ends at 1, but the direction is a unit vector
   inverted,              ///< lit where the light is shadowed
-  first_light_only,      ///< other lights cast no shadows
+  beyond_light_only,     ///< only objects behind the light cast shadows: > instead of <
+  first_object_only,     ///< other objects cast no shadows
+  last_object_only,
+  first_light_only,  ///< other lights cast no shadows
   last_light_only,
   no_spheres,  ///< spheres cast no shadows
   no_cubes,
@@ -240,7 +244,9 @@ enum class TextureMistake : std::uint8_t {
   unlit,  ///< not multiplied by N.L
   blue_red,
   gray,
-  lookup_clamped,  ///< no wrap mode: lookups are clamped to the edge
+  integer_division,  ///< bytes / 255 as integers: 0 or 1
+  bytes,             ///< from 0 to 255, not to 1
+  lookup_clamped,    ///< no wrap mode: lookups are clamped to the edge
   divided_repeat,
   white_rest,  ///< the diffuse color's share of the blend is white
   swapped_uv,
@@ -281,9 +287,10 @@ enum class UvMistake : std::uint8_t {
   sphere_linear_v,
   sphere_planar,  ///< x and y, not angles
   sphere_flip_v,
-  cube_ends_flip_v,  ///< only on the faces at the top and bottom
-  cube_front,        ///< x and y on all faces
-  cube_same_faces,   ///< opposite faces have the same u and v
+  sides_like_sphere,  ///< v of cylinders and cones is that of spheres
+  cube_ends_flip_v,   ///< only on the faces at the top and bottom
+  cube_front,         ///< x and y on all faces
+  cube_same_faces,    ///< opposite faces have the same u and v
   caps_flip_v,
   caps_as_side,
   caps_polar,  ///< u around the axis, v from the center
@@ -312,6 +319,7 @@ enum class MirrorMistake : std::uint8_t {
   averaged,             ///< half lighting, half reflection
   not_chained,          ///< no weights after the first mirror
   last_weight_only,     ///< only the weight of the last mirror counts
+  coefficient_once,     ///< ks only counts at the first mirror
   replaces,             ///< the lighting is dropped
   maximum,              ///< the larger of lighting and reflection
   screened,             ///< 1 - (1 - lighting) (1 - reflection)
@@ -323,6 +331,7 @@ enum class MirrorMistake : std::uint8_t {
   straight,       ///< the ray is not deflected
   eye_at_camera,  ///< highlights in reflections are those for the camera
   no_shadows,
+  no_textures,
   no_ambient,
   doubled,
   diffuse_coefficient,
@@ -377,8 +386,16 @@ enum class ShapeMistake : std::uint8_t {
   cylinder_normal_like_sphere,
   cube_normals_positive,  ///< faces at -0.5 have the normals of those at 0.5
   cap_normals_up,
-  wide_caps,  ///< the radius is 1
-  wide_cone,  ///< the radius at the base is 1
+  cap_normals_like_side,
+  caps_square_half,          ///< the square of the radius is 0.5
+  cylinder_square_half,      ///< ... of the sides of cylinders
+  cylinder_sides_wide,       ///< sides of cylinders have the radius 1
+  sphere_normals_by_matrix,  ///< from the center of the sphere, in world space
+  roots_doubled,             ///< roots of quadratic equations are divided by a, not by 2 a
+  precedence,                ///< roots are divided by 2, and multiplied by a
+  like_sphere,               ///< all normals are those of spheres
+  wide_caps,                 ///< the radius is 1
+  wide_cone,                 ///< the radius at the base is 1
   cube_normals_like_sphere,
   sphere_normals_inward,
   cube_normals_inward,
@@ -404,6 +421,22 @@ struct Curve {
   std::vector<double> knots;  ///< rising; empty: no function
   std::vector<double> values;
   double at(double x) const;
+};
+
+/// How the colors of several lights become one.
+enum class LightSum : std::uint8_t {
+  none,
+  brightest,         ///< the maximum of the lights
+  last,              ///< each light replaces those before it
+  last_of_all,       ///< ... and the ambient term
+  attenuated_again,  ///< what was added before is attenuated, too
+};
+
+/// What the directions of rays are in object space.
+enum class DirectionMistake : std::uint8_t {
+  none,
+  translated,  ///< like points (w = 1)
+  of_world,    ///< not transformed
 };
 
 struct ModelMistakes {
@@ -446,11 +479,13 @@ struct ModelMistakes {
   ShownInstead shown = ShownInstead::none;
   glm::dvec3 background{0};
   bool background_in_reflections = false;
-  bool directions_translated = false;  ///< of rays, into object space (w = 1)
-  bool behind_in_reflections = true;   ///< reflected rays also hit objects behind their start
-  double orthographic = 0;       ///< parallel rays from a film at this distance; 0: perspective
-  bool brightest_light = false;  ///< the maximum of the lights, not their sum
-  bool all_lights = false;       ///< in a mode that only uses directional lights
+  DirectionMistake directions = DirectionMistake::none;
+  bool object_points = false;         ///< lighting and reflections use points in object space
+  bool behind_in_reflections = true;  ///< reflected rays also hit objects behind their start
+  double orthographic = 0;  ///< parallel rays from a film at this distance; 0: perspective
+  LightSum light_sum = LightSum::none;
+  int missing_face = 0;     ///< of cubes, see ModelHit::face
+  bool all_lights = false;  ///< in a mode that only uses directional lights
 };
 
 }  // namespace scenefile

@@ -67,6 +67,8 @@ dvec3 transformed_normal(const ModelPart& part, const dvec3& normal, NormalMista
     }
     case NormalMistake::inverted:
       return -right;
+    case NormalMistake::absolute:
+      return glm::abs(right);
     case NormalMistake::none:
     case NormalMistake::toward_eye:
     case NormalMistake::not_normalized:
@@ -207,6 +209,9 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
       break;
     case Shape::cylinder:
     case Shape::cone:
+      if (face == 0 && mistake == UvMistake::sides_like_sphere) {
+        return {around(p), std::asin(std::clamp(2 * p.y, -1.0, 1.0)) / pi + 0.5};
+      }
       cap = face != 0;
       flat = cap && mistake != UvMistake::caps_as_side && mistake != UvMistake::caps_polar;
       // Beyond the ends, where only shapes without ends continue, textures repeat.
@@ -274,6 +279,7 @@ dvec2 shape_uv(Shape shape, int face, const dvec3& p, UvMistake mistake) {
       uv.y = flat ? 1 - uv.y : uv.y;
       break;
     case UvMistake::none:
+    case UvMistake::sides_like_sphere:
     case UvMistake::sphere_linear_v:
     case UvMistake::sphere_planar:
     case UvMistake::cube_same_faces:
@@ -301,6 +307,9 @@ bool texture_missing_on(Shape shape, int face, UvMistake mistake) {
 // A normal as long as the gradient of the shape's equation.
 dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone, bool caps_down,
                    ShapeMistake mistake) {
+  if (mistake == ShapeMistake::like_sphere && shape != Shape::mesh) {
+    return 2.0 * p;
+  }
   switch (shape) {
     case Shape::cube: {
       dvec3 n(0);
@@ -318,7 +327,7 @@ dvec3 shape_normal(Shape shape, int face, const dvec3& p, ConeNormalMistake cone
     case Shape::mesh:
       return {0, 1, 0};
   }
-  if (face != 0) {
+  if (face != 0 && mistake != ShapeMistake::cap_normals_like_side) {
     const bool up = face == 1 || mistake == ShapeMistake::cap_normals_up;
     return {0, up == !caps_down ? 1 : -1, 0};
   }
@@ -378,8 +387,10 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
   s.direction = ray.direction;
   s.eye = scene_.camera.position;
   s.object_point = part.object_from_world.point(met);
-  if (m_.directions_translated) {
+  if (m_.directions == DirectionMistake::translated) {
     s.object_point += hit.t * part.object_from_world.offset;
+  } else if (m_.directions == DirectionMistake::of_world) {
+    s.object_point = part.object_from_world.point(ray.origin) + hit.t * ray.direction;
   }
   if (part.shape == Shape::mesh) {
     const bool smooth = options_.profile != Profile::course;
@@ -393,7 +404,10 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
                                    m_.cap_normals_down, m_.shape);
     s.uv = shape_uv(part.shape, hit.face, s.object_point, m_.uv);
     const bool flat = hit.face != 0;
-    s.normal = to_world(part, s.object_normal, flat, m_.normals);
+    const bool by_matrix =
+        part.shape == Shape::sphere && m_.shape == ShapeMistake::sphere_normals_by_matrix;
+    s.normal =
+        to_world(part, s.object_normal, flat, by_matrix ? NormalMistake::by_matrix : m_.normals);
     s.geometric = to_world(part,
                            shape_normal(part.shape, hit.face, s.object_point,
                                         ConeNormalMistake::none, false, ShapeMistake::none),
@@ -401,6 +415,9 @@ Model::Surface Model::surface(const ModelRay& ray, const ModelHit& hit) const {
   }
   if (m_.normals == NormalMistake::toward_eye && glm::dot(s.normal, ray.direction) > 0) {
     s.normal = -s.normal;
+  }
+  if (m_.object_points) {
+    s.position = s.object_point;
   }
   return s;
 }
@@ -437,7 +454,7 @@ dvec3 lookup(const Texture& texture, double x, double y, bool filtered, bool wra
 
 }  // namespace
 
-dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
+dvec3 Model::texture_or_plain(const Surface& s, int depth, TextureUse& use) const {
   const RenderMaterial& material = *s.material;
   dvec3 color(material.diffuse);
   switch (m_.diffuse) {
@@ -457,7 +474,8 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
   const dvec3 plain = kd * color;
   if (options_.mode != Mode::ray || !options_.features.texture || !material.texture.used() ||
       material.blend == 0 || assets_.textures[material.texture.file].empty() ||
-      texture_missing_on(s.hit.part->shape, s.hit.face, m_.uv)) {
+      texture_missing_on(s.hit.part->shape, s.hit.face, m_.uv) ||
+      (depth > 0 && m_.mirror == MirrorMistake::no_textures)) {
     return plain;
   }
   const Texture& texture = assets_.textures[material.texture.file];
@@ -525,6 +543,12 @@ dvec3 Model::texture_or_plain(const Surface& s, TextureUse& use) const {
       break;
     case TextureMistake::blue_red:
       std::swap(t.x, t.z);
+      break;
+    case TextureMistake::integer_division:
+      t = glm::floor(t);
+      break;
+    case TextureMistake::bytes:
+      t *= 255.0;
       break;
     case TextureMistake::gray:
       t = dvec3((t.x + t.y + t.z) / 3);
@@ -820,6 +844,7 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
   }
   double end = arriving.distance;
   const ModelPart* without = nullptr;
+  ModelHit hit;
   switch (m_.shadow) {
     case ShadowMistake::reversed:
       ray.direction = -ray.direction;
@@ -827,6 +852,13 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
     case ShadowMistake::beyond_light:
       end = infinity;
       break;
+    case ShadowMistake::beyond_light_only:
+      return search(ray, m_.shadow_bias, infinity, false, without, hit) && hit.t > end;
+    case ShadowMistake::first_object_only:
+    case ShadowMistake::last_object_only:
+      return meet(m_.shadow == ShadowMistake::first_object_only ? shapes_.parts.front()
+                                                                : shapes_.parts.back(),
+                  ray, m_.shadow_bias, end, true, hit);
     case ShadowMistake::spot_along_axis:
       if (has_cone(light.type)) {
         ray.direction = -dvec3(light.direction);
@@ -883,7 +915,6 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
       break;
   }
   ray.origin += m_.shadow_lift * s.normal - m_.shadow_back * s.direction;
-  ModelHit hit;
   const std::optional<Shape> passed = shape_without_shadow(m_.shadow);
   if (m_.shadow != ShadowMistake::glass_lets_through && !passed) {
     return search(ray, m_.shadow_bias, end, true, without, hit) !=
@@ -914,7 +945,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
   const RenderGlobal& global = scene_.global;
   const RenderMaterial& material = *s.material;
   TextureUse use;
-  dvec3 base = texture_or_plain(s, use);
+  dvec3 base = texture_or_plain(s, depth, use);
   const double ka = global.ambient;
   dvec3 ambient = ka * dvec3(material.ambient);
   if (m_.ambient == AmbientMistake::times_diffuse) {
@@ -1121,6 +1152,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
     }
     const std::uint32_t side = has_rectangle(light.type) ? area_side : 1;
     dvec3 of_light(0);
+    double factor = 0;
     bool lit = false;
     for (std::uint32_t i = 0; i < side * side; ++i) {
       Arrival arriving;
@@ -1130,6 +1162,7 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
         const bool open = lit_by(light, arriving, color);
         lit = lit || open;
         of_light += color;
+        factor += arriving.factor / double(side * side);
       } else {
         lit = true;
       }
@@ -1139,7 +1172,23 @@ dvec3 Model::lighting(const Surface& s, const dvec3& to_eye, int depth,
       shares->push_back(of_light);
       continue;
     }
-    sum = m_.brightest_light ? ambient + glm::max(sum - ambient, of_light) : sum + of_light;
+    switch (m_.light_sum) {
+      case LightSum::brightest:
+        sum = ambient + glm::max(sum - ambient, of_light);
+        break;
+      case LightSum::last:
+        sum = lit ? ambient + of_light : sum;
+        break;
+      case LightSum::last_of_all:
+        sum = lit ? of_light : sum;
+        break;
+      case LightSum::attenuated_again:
+        sum = lit ? factor * sum + of_light : sum;
+        break;
+      case LightSum::none:
+        sum += of_light;
+        break;
+    }
     any_lit = any_lit || lit;
     any_shadow = any_shadow || !lit;
     if (!lit && m_.shadow == ShadowMistake::ambient_only) {
@@ -1253,7 +1302,7 @@ dvec3 Model::trace(const ModelRay& ray, int depth, const ModelHit* known, double
     color = kept + reflected + through;
     if (m_.texture == TextureMistake::over_all || m_.texture == TextureMistake::over_all_too) {
       TextureUse use;
-      texture_or_plain(s, use);
+      texture_or_plain(s, depth, use);
       color = glm::mix(color, use.over, use.share_over);
     }
     if (m_.mirror == MirrorMistake::last_weight_only) {
@@ -1279,6 +1328,9 @@ dvec3 Model::mirrored(const Surface& s, const ModelRay& ray, int depth, dvec3& l
     return dvec3(0);
   }
   switch (m_.mirror) {
+    case MirrorMistake::coefficient_once:
+      factor = depth > 0 ? dvec3(material.reflective) : factor;
+      break;
     case MirrorMistake::no_coefficient:
     case MirrorMistake::multiplied_by_color:
       factor = dvec3(material.reflective);

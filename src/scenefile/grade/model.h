@@ -123,7 +123,7 @@ class Model {
   bool search(const ModelRay& ray, double t_min, double t_max, bool shadow,
               const ModelPart* without, ModelHit& hit) const;
   Surface surface(const ModelRay& ray, const ModelHit& hit) const;
-  glm::dvec3 texture_or_plain(const Surface& s, TextureUse& use) const;
+  glm::dvec3 texture_or_plain(const Surface& s, int depth, TextureUse& use) const;
   bool arrival(const RenderLight& light, const Surface& s, const glm::dvec2& on_light,
                Arrival& arriving) const;
   bool shadowed(const RenderLight& light, const Surface& s, const Arrival& arriving,

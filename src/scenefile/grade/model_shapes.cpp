@@ -181,7 +181,13 @@ void solve(double a, double h, double c, double roots[2], int& count) {
   }
 }
 
-void sphere(const dvec3& o, const dvec3& d, Crossings& found) {
+double scale_of_roots(ShapeMistake mistake, double a) {
+  return mistake == ShapeMistake::precedence      ? a * a
+         : mistake == ShapeMistake::roots_doubled ? 2
+                                                  : 1;
+}
+
+void sphere(const dvec3& o, const dvec3& d, ShapeMistake mistake, Crossings& found) {
   // Computed from the point on the line closest to the center, to avoid cancellation.
   const double a = glm::dot(d, d);
   const double middle = -glm::dot(o, d) / a;
@@ -189,12 +195,13 @@ void sphere(const dvec3& o, const dvec3& d, Crossings& found) {
   const double square = (0.25 - glm::dot(p, p)) / a;
   if (square >= 0) {
     const double half = std::sqrt(square);
-    found.add(middle - half, 0);
-    found.add(middle + half, 0);
+    const double scale = scale_of_roots(mistake, a);
+    found.add(scale * (middle - half), 0);
+    found.add(scale * (middle + half), 0);
   }
 }
 
-void cube(const dvec3& o, const dvec3& d, Crossings& found) {
+void cube(const dvec3& o, const dvec3& d, int missing_face, Crossings& found) {
   double enter = -infinity;
   double exit = infinity;
   int enter_face = 0;
@@ -220,8 +227,12 @@ void cube(const dvec3& o, const dvec3& d, Crossings& found) {
     }
   }
   if (enter <= exit) {
-    found.add(enter, enter_face);
-    found.add(exit, exit_face);
+    if (enter_face != missing_face) {
+      found.add(enter, enter_face);
+    }
+    if (exit_face != missing_face) {
+      found.add(exit, exit_face);
+    }
   }
 }
 
@@ -232,21 +243,25 @@ void cap(const dvec3& o, const dvec3& d, double y, int face, ShapeMistake mistak
   const double z = o.z + t * d.z;
   if (mistake == ShapeMistake::square_caps
           ? std::max(std::abs(x), std::abs(z)) <= 0.5
-          : x * x + z * z <= (mistake == ShapeMistake::wide_caps ? 1 : 0.25)) {
+          : x * x + z * z <= (mistake == ShapeMistake::wide_caps          ? 1
+                              : mistake == ShapeMistake::caps_square_half ? 0.5
+                                                                          : 0.25)) {
     found.add(t, face);
   }
 }
 
 // Roots of a t^2 + 2 h t + c where y is at least `low` and at most `high`.
 void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, double low,
-                double high, Crossings& found) {
+                double high, ShapeMistake mistake, Crossings& found) {
   double roots[2];
   int count = 0;
   solve(a, h, c, roots, count);
+  const double scale = scale_of_roots(mistake, a);
   for (int i = 0; i < count; ++i) {
-    const double y = o.y + roots[i] * d.y;
+    const double t = scale * roots[i];
+    const double y = o.y + t * d.y;
     if (y >= low && y <= high) {
-      found.add(roots[i], 0);
+      found.add(t, 0);
     }
   }
 }
@@ -254,8 +269,11 @@ void side_roots(const dvec3& o, const dvec3& d, double a, double h, double c, do
 void cylinder(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Crossings& found) {
   const bool ends = mistake != ShapeMistake::endless && mistake != ShapeMistake::endless_cylinder;
   const double high = ends ? 0.5 : infinity;
-  side_roots(o, d, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z, o.x * o.x + o.z * o.z - 0.25,
-             -high, high, found);
+  const double square = mistake == ShapeMistake::cylinder_square_half  ? 0.5
+                        : mistake == ShapeMistake::cylinder_sides_wide ? 1
+                                                                       : 0.25;
+  side_roots(o, d, d.x * d.x + d.z * d.z, o.x * d.x + o.z * d.z, o.x * o.x + o.z * o.z - square,
+             -high, high, mistake, found);
   if (caps && d.y != 0) {
     if (mistake != ShapeMistake::no_top_cap) {
       cap(o, d, 0.5, 1, mistake, found);
@@ -273,7 +291,7 @@ void cone(const dvec3& o, const dvec3& d, bool caps, ShapeMistake mistake, Cross
   side_roots(o, d, d.x * d.x + d.z * d.z - k * d.y * d.y, o.x * d.x + o.z * d.z - k * y * d.y,
              o.x * o.x + o.z * o.z - k * y * y,
              endless || mistake == ShapeMistake::deep_cone ? -infinity : -0.5,
-             endless || mistake == ShapeMistake::double_cone ? infinity : 0.5, found);
+             endless || mistake == ShapeMistake::double_cone ? infinity : 0.5, mistake, found);
   if (caps && d.y != 0 && mistake != ShapeMistake::no_bottom_cap) {
     cap(o, d, -0.5, 2, mistake, found);
   }
@@ -284,7 +302,10 @@ bool is_unbounded(ShapeMistake mistake) {
   return mistake == ShapeMistake::endless_cylinder || mistake == ShapeMistake::endless_cone ||
          mistake == ShapeMistake::double_cone || mistake == ShapeMistake::deep_cone ||
          mistake == ShapeMistake::endless || mistake == ShapeMistake::wide_caps ||
-         mistake == ShapeMistake::wide_cone;
+         mistake == ShapeMistake::caps_square_half ||
+         mistake == ShapeMistake::cylinder_square_half ||
+         mistake == ShapeMistake::cylinder_sides_wide || mistake == ShapeMistake::wide_cone ||
+         mistake == ShapeMistake::precedence || mistake == ShapeMistake::roots_doubled;
 }
 
 bool meets_box(const BoxTree::Box& box, const dvec3& origin, const dvec3& inverse, double t_min,
@@ -362,8 +383,9 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
                  bool shadow, ModelHit& hit) const {
   const DAffine& to_object = part.object_from_world;
   const dvec3 o = to_object.point(ray.origin);
-  const dvec3 d =
-      m_.directions_translated ? to_object.point(ray.direction) : to_object.vector(ray.direction);
+  const dvec3 d = m_.directions == DirectionMistake::translated ? to_object.point(ray.direction)
+                  : m_.directions == DirectionMistake::of_world ? ray.direction
+                                                                : to_object.vector(ray.direction);
   bool found = false;
   const bool far = m_.nearest == NearestMistake::farthest || m_.nearest == NearestMistake::far_root;
   const auto offer = [&](double t, int face, std::uint32_t index, double b1, double b2) {
@@ -376,10 +398,10 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
   Crossings crossings;
   switch (part.shape) {
     case Shape::cube:
-      cube(o, d, crossings);
+      cube(o, d, m_.missing_face, crossings);
       break;
     case Shape::sphere:
-      sphere(o, d, crossings);
+      sphere(o, d, m_.shape, crossings);
       break;
     case Shape::cylinder:
       cylinder(o, d, !m_.no_cylinder_caps, m_.shape, crossings);
@@ -489,7 +511,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
     }
     return shadow;
   };
-  if (is_unbounded(m_.shape) || m_.directions_translated) {
+  if (is_unbounded(m_.shape) || m_.directions != DirectionMistake::none) {
     for (std::uint32_t i = 0; i < shapes_.parts.size() && !(shadow && found); ++i) {
       visit(i);
     }

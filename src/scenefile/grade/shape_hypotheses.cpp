@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 
 namespace scenefile {
 
@@ -59,10 +61,13 @@ void add_shapes(HypothesisList& list) {
   if (cone || cylinder) {
     put_shape({{S::square_caps, "caps are squares: they are not cut to a disk"}}, Stage::hits);
     list.set(Cause::shapes, &ModelMistakes::cap_normals_down, true, "normals of caps are inverted");
-    put_shape({{S::cap_normals_up, "normals of all caps point up"}}, Stage::shading);
+    put_shape({{S::cap_normals_up, "normals of all caps point up"},
+               {S::cap_normals_like_side, "normals of caps are those of the side"}},
+              Stage::shading);
   }
   if ((cone || cylinder) && few) {
-    put_shape({{S::wide_caps, "caps are twice as wide as they should be: their radius is 1"}},
+    put_shape({{S::wide_caps, "caps are twice as wide as they should be: their radius is 1"},
+               {S::caps_square_half, "caps are too wide: the square of their radius is 0.5"}},
               Stage::hits);
   }
   if (cone && few) {
@@ -70,7 +75,13 @@ void add_shapes(HypothesisList& list) {
               Stage::hits);
   }
   if (cylinder && few) {
-    put_shape({{S::endless_cylinder, "cylinders have no ends: y is not limited"}}, Stage::hits);
+    put_shape(
+        {{S::endless_cylinder, "cylinders have no ends: y is not limited"},
+         {S::cylinder_square_half,
+          "the sides of cylinders are too wide: the square of their radius is 0.5"},
+         {S::cylinder_sides_wide,
+          "the sides of cylinders are too wide: their radius is 1, that of the caps is right"}},
+        Stage::hits);
   }
   if (cone && few) {
     put_shape({{S::double_cone, "cones continue above their apex: y is not limited there"},
@@ -88,8 +99,35 @@ void add_shapes(HypothesisList& list) {
                {S::cube_normals_inward, "normals of cubes point inward"}},
               Stage::shading);
   }
+  if (list.shapes.contains(Shape::cube)) {
+    static constexpr std::array<const char*, 6> faces{"x = 0.5",  "x = -0.5", "y = 0.5",
+                                                      "y = -0.5", "z = 0.5",  "z = -0.5"};
+    for (int face = 1; face <= 6; ++face) {
+      list.set(Cause::shapes, &ModelMistakes::missing_face, face,
+               fmt::format("cubes have no face at {}", faces[std::size_t(face) - 1]), Stage::hits);
+    }
+  }
+  if ((cone || cylinder || list.shapes.contains(Shape::sphere)) && few) {
+    put_shape({{S::precedence,
+                "roots of quadratic equations are divided by 2, but multiplied by a: / 2 * a"},
+               {S::roots_doubled, "roots of quadratic equations are divided by a, not by 2 a"}},
+              Stage::hits);
+  }
+  if (list.shapes.size() > 1) {
+    put_shape({{S::like_sphere, "normals of all shapes are those of spheres"}}, Stage::shading);
+  }
   if (list.shapes.contains(Shape::sphere)) {
-    put_shape({{S::sphere_normals_inward, "normals of spheres point inward"}}, Stage::shading);
+    edit_shapes(list, "spheres are too large: the square of their radius is 0.5",
+                [](RenderGroup& g) {
+                  for (RenderPrimitive& p : g.primitives) {
+                    p.group_from_object.linear *=
+                        p.shape == Shape::sphere ? std::numbers::sqrt2_v<float> : 1.0f;
+                  }
+                });
+    put_shape({{S::sphere_normals_inward, "normals of spheres point inward"},
+               {S::sphere_normals_by_matrix,
+                "normals of spheres are vectors from their center in world space"}},
+              Stage::shading);
   }
   if (cylinder) {
     put_shape({{S::cylinder_normals_inward, "normals of the sides of cylinders point inward"}},

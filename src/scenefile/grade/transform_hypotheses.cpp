@@ -109,6 +109,41 @@ bool drop(Transform& t) {
   return any;
 }
 
+// Programs that keep one translation, rotation and scaling for each block multiply them in an order
+// of their own.
+void add_orders(HypothesisList& list) {
+  using Map = decltype(Transform::map);
+  const auto place = [](std::string_view order, const Map& map) {
+    return std::holds_alternative<Translate>(map) ? order.find('T')
+           : std::holds_alternative<Rotate>(map)  ? order.find('R')
+           : std::holds_alternative<Scale>(map)   ? order.find('S')
+                                                  : order.size();
+  };
+  Scene reversed = *list.view.written;
+  for (Node& node : reversed.nodes) {
+    std::reverse(node.transforms.begin(), node.transforms.end());
+  }
+  std::vector<Scene> seen{*list.view.written, std::move(reversed)};
+  for (const std::string_view order : {"T R S", "T S R", "S R T", "S T R", "R T S", "R S T"}) {
+    rewrite(
+        list,
+        fmt::format("the transforms of each block are multiplied in the order {}", order).c_str(),
+        [&](Scene& scene) {
+          for (Node& node : scene.nodes) {
+            std::stable_sort(node.transforms.begin(), node.transforms.end(),
+                             [&](const Transform& a, const Transform& b) {
+                               return place(order, a.map) < place(order, b.map);
+                             });
+          }
+          const bool fresh = std::find(seen.begin(), seen.end(), scene) == seen.end();
+          if (fresh) {
+            seen.push_back(scene);
+          }
+          return fresh;
+        });
+  }
+}
+
 }  // namespace
 
 void add_transforms(HypothesisList& list) {
@@ -124,6 +159,7 @@ void add_transforms(HypothesisList& list) {
     }
     return any;
   });
+  add_orders(list);
   const auto turned = [](Transform& t, float factor) {
     Rotate* const rotate = std::get_if<Rotate>(&t.map);
     if (rotate != nullptr) {
@@ -213,6 +249,16 @@ void add_transforms(HypothesisList& list) {
     }
     return any;
   });
+  rewrite(list, "transforms of blocks that show a template are ignored", [](Scene& scene) {
+    bool any = false;
+    for (Node& node : scene.nodes) {
+      if (!node.instance_of.empty() && !node.transforms.empty()) {
+        node.transforms.clear();
+        any = true;
+      }
+    }
+    return any;
+  });
   rewrite(list, "transforms of inner blocks replace those of outer ones", [](Scene& scene) {
     bool any = false;
     for (Node& node : scene.nodes) {
@@ -258,8 +304,14 @@ void add_transforms(HypothesisList& list) {
     list.add(
         Cause::transforms,
         "the directions of rays are translated into object space, like points (w = 1)",
-        [](Trial& t) { t.mistakes.directions_translated = true; }, Stage::hits);
+        [](Trial& t) { t.mistakes.directions = DirectionMistake::translated; }, Stage::hits);
+    list.add(
+        Cause::transforms, "the directions of rays are not transformed into object space",
+        [](Trial& t) { t.mistakes.directions = DirectionMistake::of_world; }, Stage::hits);
   }
+  list.add(Cause::transforms,
+           "points are left in object space: light, shadow rays and reflections start there",
+           [](Trial& t) { t.mistakes.object_points = true; });
   place_each(list, "lights are not moved by the transforms of their blocks", {.lights_stay = true});
   rewrite(list, "the last transform of each block is missing", [](Scene& scene) {
     bool any = false;

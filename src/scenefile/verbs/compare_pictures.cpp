@@ -182,10 +182,50 @@ bool explains_nothing(const CauseReport& report) {
          report.claims.empty() && report.notes.empty();
 }
 
+// Whether the pictures differ only as by the compression of a JPEG, which hardly changes the means
+// of its squares.
+bool differ_by_compression(const Texture& a, const Texture& b) {
+  constexpr int side = 16;  // of the squares; also of those of colors, which are scaled down
+  constexpr double max_mean = 6;
+  constexpr double max_usual_mean = 4;  // in nearly all squares
+  constexpr double max_rms = 26;
+  std::vector<double> means;
+  for (int y = 0; y + side <= a.height; y += side) {
+    for (int x = 0; x + side <= a.width; x += side) {
+      for (int channel = 0; channel < 3; ++channel) {
+        double sum = 0;
+        double squares = 0;
+        for (int k = 0; k < side * side; ++k) {
+          const int column = x + k % side;
+          const int row = y + k / side;
+          const double d = a.texel(column, row)[channel] - b.texel(column, row)[channel];
+          sum += d;
+          squares += d * d;
+        }
+        means.push_back(std::abs(sum) / (side * side));
+        if (squares > max_rms * max_rms * side * side) {
+          return false;
+        }
+      }
+    }
+  }
+  if (means.empty()) {
+    return false;
+  }
+  std::sort(means.begin(), means.end());
+  return means.back() <= max_mean && means[means.size() * 99 / 100] <= max_usual_mean;
+}
+
 // Looks for causes; uses the scene if there are ways to draw it.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const std::vector<DrawnWay>& ways, const Part& part, bool noisy,
+                     const std::vector<DrawnWay>& ways, const Part& part, bool noisy, bool lossy,
                      const std::function<bool(double)>& go_on, PictureComparison& found) {
+  if (lossy && differ_by_compression(reference, test)) {
+    found.causes.notes.push_back(
+        {Cause::rounding, "the picture was compressed as a JPEG, which changes colors a little",
+         "the means of squares of 16x16 pixels hardly differ", 1});
+    return;
+  }
   if (ways.empty()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
     found.where = place_to_look(reference, test, nullptr, nullptr);
@@ -518,7 +558,7 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
     }
     const Part part{found.whole, found.corner};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
-    look_for_causes(reference, shown, drawable, ways, part, noisy, go_on, found);
+    look_for_causes(reference, shown, drawable, ways, part, noisy, settings.lossy, go_on, found);
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there
       found.where->hit = false;
     }

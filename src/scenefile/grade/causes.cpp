@@ -630,8 +630,8 @@ std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const
     const Model model(*views[i].scene, *shapes, *views[i].assets, views[i].options, right);
     Colors colors;
     for (const Point& p : points) {
-      colors.push_back(
-          255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width, reference.height, nullptr));
+      colors.push_back(255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width,
+                                           reference.height, nullptr, {}));
     }
     const double left = score(points, points.size(), colors).left;
     if (left < least) {

@@ -120,11 +120,16 @@ struct Model::Arrival {
 
 Model::Model(const RenderScene& scene, const ModelShapes& shapes, const Assets& assets,
              const RenderOptions& options, const ModelMistakes& mistakes)
-    : scene_(scene), shapes_(shapes), assets_(assets), options_(options), m_(mistakes) {}
+    : scene_(scene),
+      shapes_(shapes),
+      assets_(assets),
+      options_(options),
+      m_(mistakes),
+      film_(2 * std::tan(scene.camera.fov_y / 2)) {}
 
 ModelRay Model::camera_ray(const dvec2& place, double width, double height) const {
   const RenderCamera& c = scene_.camera;
-  const double spread = 2 * std::tan(c.fov_y / 2) / height;
+  const double spread = film_ / height;
   const dvec3 on_film =
       spread * (place.x - width / 2) * c.u - spread * (place.y - height / 2) * c.v;
   if (m_.orthographic > 0) {
@@ -149,7 +154,8 @@ dvec3 Model::color(const ModelRay& ray, const ModelHit* known) const {
   return color;
 }
 
-dvec3 Model::pixel(const dvec2& place, double width, double height, const ModelHit* known) const {
+dvec3 Model::pixel(const dvec2& place, double width, double height, const ModelHit* known,
+                   const Sample& sample) const {
   const ModelRay ray = camera_ray(place, width, height);
   const RenderCamera& c = scene_.camera;
   if (!options_.features.depthoffield || !(c.aperture > 0) || !(c.focal_length > 0)) {
@@ -158,12 +164,15 @@ dvec3 Model::pixel(const dvec2& place, double width, double height, const ModelH
   static constexpr std::array<std::array<double, 2>, 8> lens{
       {{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {-0.5, 0}, {0.5, 0}, {0, -0.5}, {0, 0.5}}};
   const dvec3 focus = c.position + ray.direction * (c.focal_length / -glm::dot(ray.direction, c.w));
+  const std::size_t step = std::min<std::size_t>(lens.size(), sample.count);
   dvec3 sum(0);
-  for (const auto& at : lens) {
-    const dvec3 from = c.position + c.aperture * (at[0] * c.u + at[1] * c.v);
+  double count = 0;
+  for (std::size_t i = sample.index % step; i < lens.size(); i += step) {
+    const dvec3 from = c.position + c.aperture * (lens[i][0] * c.u + lens[i][1] * c.v);
     sum += clamped(color({from, unit(focus - from)}));
+    ++count;
   }
-  return sum / 8.0;
+  return sum / count;
 }
 
 namespace {

@@ -34,22 +34,28 @@ struct ModelPart {
   std::uint32_t source = 0;
 };
 
-/// A bounding volume hierarchy; leaves are ranges of `order`.
-struct BoxTree {
-  struct Box {
-    glm::vec3 low{0}, high{0};
-    std::uint32_t first = 0;  ///< child, or start in `order`
-    std::uint32_t count = 0;  ///< 0: an inner node with children first and first + 1
+/// A bounding volume hierarchy with four children per node, which are tested at once.
+struct ModelTree {
+  using Four = float __attribute__((vector_size(16)));
+  /// A range of `count` indices in `order`; if count is 0, the node `first`.
+  struct Child {
+    std::uint32_t first;
+    std::uint32_t count;
   };
-  std::vector<Box> boxes;
+  struct Node {
+    Four low[3];  ///< by axis and child; more than `high`: no child
+    Four high[3];
+    Child children[4];
+  };
+  std::vector<Node> nodes;  ///< the first is the root
   std::vector<std::uint32_t> order;
 };
 
 /// The shapes of a scene without groups, with a hierarchy to find them.
 struct ModelShapes {
   std::vector<ModelPart> parts;
-  BoxTree tree;
-  std::vector<BoxTree> mesh_trees;
+  ModelTree tree;
+  std::vector<ModelTree> mesh_trees;
 };
 
 /// Scenes with more shapes are not analyzed.
@@ -105,14 +111,19 @@ class Model {
   std::vector<glm::dvec3> self_mirrored(const ModelRay& ray, std::uint32_t patterns) const;
   /// The diffuse and specular light that arrives from each light at the ray's hit.
   std::vector<glm::dvec3> light_shares(const ModelRay& ray) const;
+  /// One of several samples of a pixel, which share the samples of the camera's lens.
+  struct Sample {
+    int index = 0;
+    int count = 1;
+  };
   /// The color at the center of a pixel, with the camera's lens samples; not clamped.
-  glm::dvec3 pixel(const glm::dvec2& place, double width, double height,
-                   const ModelHit* known) const;
+  glm::dvec3 pixel(const glm::dvec2& place, double width, double height, const ModelHit* known,
+                   const Sample& sample) const;
   /// The color of a point that is visible from the camera, computed without tracing rays: no
   /// shadows, textures, reflections or refraction. Not clamped.
   glm::dvec3 lit(const ShownPoint& point) const;
-  /// The number of rays traced so far, as a measure of work.
-  std::uint64_t rays() const { return rays_; }
+  /// The work done so far, in rays of scenes with few shapes.
+  std::uint64_t rays() const { return rays_ + far_nodes_ / 8; }
 
  private:
   struct Surface;
@@ -147,7 +158,9 @@ class Model {
   const Assets& assets_;
   const RenderOptions& options_;
   const ModelMistakes& m_;
+  double film_;  // height of the film at distance 1
   mutable std::uint64_t rays_ = 0;
+  mutable std::uint64_t far_nodes_ = 0;  // of hierarchies, beyond the first few of each ray
   mutable std::uint32_t self_hits_ = 0;  // the argument of self_mirrored()
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace scenefile {
 
@@ -12,67 +13,133 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr std::uint32_t leaf_size = 4;
+constexpr std::uint32_t parts_in_leaf = 1;  // a box is cheaper to test than a part
+constexpr std::uint32_t triangles_in_leaf = 4;
+
+using ModelBox = std::array<vec3, 2>;
+
+ModelBox nothing() {
+  constexpr float far = std::numeric_limits<float>::infinity();
+  return {vec3(far), vec3(-far)};
+}
+void grow(ModelBox& box, const ModelBox& other) {
+  box = {glm::min(box[0], other[0]), glm::max(box[1], other[1])};
+}
+float half_area(const ModelBox& box) {
+  const vec3 d = box[1] - box[0];
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
 
 struct TreeBuilder {
-  const std::vector<std::array<vec3, 2>>& bounds;
-  BoxTree& tree;
+  const std::vector<ModelBox>& bounds;
+  ModelTree& tree;
+  std::uint32_t leaf_size;
 
-  void fill(std::uint32_t box, std::uint32_t first, std::uint32_t count) {
-    vec3 low(std::numeric_limits<float>::infinity());
-    vec3 high = -low;
-    vec3 center_low = low;
-    vec3 center_high = high;
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      const auto& b = bounds[tree.order[i]];
-      low = glm::min(low, b[0]);
-      high = glm::max(high, b[1]);
-      center_low = glm::min(center_low, b[0] + b[1]);
-      center_high = glm::max(center_high, b[0] + b[1]);
+  // Where to split a range in two; its end if it is a leaf. Splits where the halves have the least
+  // area, weighted by their numbers of boxes, along the axis on which they spread most; deep in the
+  // tree, in the middle.
+  std::uint32_t half(std::uint32_t first, std::uint32_t last, int level) const {
+    constexpr int max_level = 24;
+    constexpr std::size_t bins = 12;
+    ModelBox centers = nothing();  // times 2
+    const auto center = [&](std::uint32_t item) { return bounds[item][0] + bounds[item][1]; };
+    for (std::uint32_t i = first; i < last; ++i) {
+      const vec3 c = center(tree.order[i]);
+      grow(centers, {c, c});
     }
-    tree.boxes[box].low = low;
-    tree.boxes[box].high = high;
-    const vec3 size = center_high - center_low;
+    const vec3 size = centers[1] - centers[0];
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
-    if (count <= leaf_size || !(size[axis] > 0)) {
-      tree.boxes[box].first = first;
-      tree.boxes[box].count = count;
-      return;
+    if (last - first <= leaf_size || !(size[axis] > 0 && std::isfinite(size[axis]))) {
+      return last;
     }
     const auto begin = tree.order.begin() + first;
-    std::nth_element(begin, begin + count / 2, begin + count,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       const float x = bounds[a][0][axis] + bounds[a][1][axis];
-                       const float y = bounds[b][0][axis] + bounds[b][1][axis];
-                       return x < y || (x == y && a < b);
-                     });
-    const auto child = static_cast<std::uint32_t>(tree.boxes.size());
-    tree.boxes[box].first = child;
-    tree.boxes.resize(tree.boxes.size() + 2);
-    fill(child, first, count / 2);
-    fill(child + 1, first + count / 2, count - count / 2);
+    const auto end = tree.order.begin() + last;
+    if (level > max_level) {
+      const auto middle = begin + (last - first) / 2;
+      std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
+        return std::pair(center(a)[axis], a) < std::pair(center(b)[axis], b);
+      });
+      return first + (last - first) / 2;
+    }
+    const auto bin_of = [&](std::uint32_t item) {
+      const float share = (center(item)[axis] - centers[0][axis]) / size[axis];
+      return share > 0 ? std::min(bins - 1, static_cast<std::size_t>(share * bins)) : 0;
+    };
+    std::array<ModelBox, bins> boxes;
+    boxes.fill(nothing());
+    std::array<std::uint32_t, bins> counts{};
+    for (auto i = begin; i != end; ++i) {
+      grow(boxes[bin_of(*i)], bounds[*i]);
+      ++counts[bin_of(*i)];
+    }
+    std::array<float, bins> after{};  // cost of this bin and those after it
+    ModelBox box = nothing();
+    std::uint32_t count = 0;
+    for (std::size_t k = bins; k-- > 1;) {
+      grow(box, boxes[k]);
+      count += counts[k];
+      after[k] = count > 0 ? half_area(box) * static_cast<float>(count) : 0;
+    }
+    box = nothing();
+    count = 0;
+    float least = std::numeric_limits<float>::infinity();
+    std::size_t split = 1;
+    for (std::size_t k = 1; k < bins; ++k) {
+      grow(box, boxes[k - 1]);
+      count += counts[k - 1];
+      const float cost = half_area(box) * static_cast<float>(count) + after[k];
+      if (cost < least) {
+        least = cost;
+        split = k;
+      }
+    }
+    return static_cast<std::uint32_t>(
+        std::partition(begin, end, [&](std::uint32_t item) { return bin_of(item) < split; }) -
+        tree.order.begin());
+  }
+
+  std::uint32_t node(std::uint32_t first, std::uint32_t last, int level) {
+    const auto index = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.emplace_back();
+    const std::uint32_t middle = half(first, last, level);
+    const std::array<std::uint32_t, 5> ends{first, half(first, middle, level), middle,
+                                            half(middle, last, level), last};
+    for (std::size_t k = 0; k < 4; ++k) {
+      ModelBox box = nothing();
+      for (std::uint32_t i = ends[k]; i < ends[k + 1]; ++i) {
+        grow(box, bounds[tree.order[i]]);
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        tree.nodes[index].low[axis][k] = box[0][axis];
+        tree.nodes[index].high[axis][k] = box[1][axis];
+      }
+      const std::uint32_t count = ends[k + 1] - ends[k];
+      const bool leaf = count <= leaf_size || count == last - first;
+      const ModelTree::Child child =
+          leaf ? ModelTree::Child{ends[k], count}
+               : ModelTree::Child{node(ends[k], ends[k + 1], level + 1), 0};
+      tree.nodes[index].children[k] = child;
+    }
+    return index;
   }
 };
 
-BoxTree tree_of(const std::vector<std::array<vec3, 2>>& bounds) {
-  BoxTree tree;
+ModelTree tree_of(const std::vector<ModelBox>& bounds, std::uint32_t leaf_size) {
+  ModelTree tree;
   tree.order.resize(bounds.size());
   for (std::uint32_t i = 0; i < bounds.size(); ++i) {
     tree.order[i] = i;
   }
-  tree.boxes.resize(1);
-  if (!bounds.empty()) {
-    TreeBuilder{bounds, tree}.fill(0, 0, static_cast<std::uint32_t>(bounds.size()));
-  }
+  TreeBuilder{bounds, tree, leaf_size}.node(0, static_cast<std::uint32_t>(bounds.size()), 0);
   return tree;
 }
 
-std::array<vec3, 2> wider(vec3 low, vec3 high) {
+ModelBox wider(vec3 low, vec3 high) {
   const vec3 room = 1e-5f * glm::max(glm::abs(low), glm::abs(high)) + vec3(1e-6f);
   return {low - room, high + room};
 }
 
-std::array<vec3, 2> bounds_of(const ModelPart& part, const Assets& assets) {
+ModelBox bounds_of(const ModelPart& part, const Assets& assets) {
   vec3 low(std::numeric_limits<float>::infinity());
   vec3 high = -low;
   dvec3 object_low(-0.5);
@@ -124,12 +191,12 @@ std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Asset
   }
   auto shapes = std::make_shared<ModelShapes>();
   add_parts(scene, assets, scene.root, DAffine(), shapes->parts);
-  std::vector<std::array<vec3, 2>> bounds;
+  std::vector<ModelBox> bounds;
   bounds.reserve(shapes->parts.size());
   for (const ModelPart& part : shapes->parts) {
     bounds.push_back(bounds_of(part, assets));
   }
-  shapes->tree = tree_of(bounds);
+  shapes->tree = tree_of(bounds, parts_in_leaf);
   shapes->mesh_trees.resize(assets.meshes.size());
   for (std::size_t i = 0; i < assets.meshes.size(); ++i) {
     const Mesh& mesh = assets.meshes[i];
@@ -140,7 +207,7 @@ std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Asset
       const vec3& c = mesh.positions[corners[2]];
       bounds.push_back(wider(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))));
     }
-    shapes->mesh_trees[i] = tree_of(bounds);
+    shapes->mesh_trees[i] = tree_of(bounds, triangles_in_leaf);
   }
   return shapes;
 }
@@ -308,51 +375,92 @@ bool is_unbounded(ShapeMistake mistake) {
          mistake == ShapeMistake::precedence || mistake == ShapeMistake::roots_doubled;
 }
 
-bool meets_box(const BoxTree::Box& box, const dvec3& origin, const dvec3& inverse, double t_min,
-               double t_max) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (double(box.low[axis]) - origin[axis]) * inverse[axis];
-    const double b = (double(box.high[axis]) - origin[axis]) * inverse[axis];
-    t_min = std::max(t_min, std::min(a, b));
-    t_max = std::min(t_max, std::max(a, b));
-  }
-  return t_min <= t_max;
+using Four = ModelTree::Four;
+
+Four smaller(Four a, Four b) {
+  return a < b ? a : b;
+}
+Four larger(Four a, Four b) {
+  return a > b ? a : b;
 }
 
-dvec3 inverse_of(const dvec3& d) {
-  dvec3 result;
-  for (int axis = 0; axis < 3; ++axis) {
-    result[axis] = std::abs(d[axis]) < 1e-300 ? 1e300 : 1 / d[axis];
-  }
-  return result;
-}
+// A ray prepared for tests in single precision that miss no box that it hits.
+struct BoxRay {
+  static constexpr float error = 1e-6f;  // of a t, relative
+  float inverse[3];
+  float before[3];  // the origin, moved back and forth by rounding errors
+  float beyond[3];
 
-// Calls leaf(index) for candidates between t_min and the current result of `t_max`; stops when it
-// returns true.
+  BoxRay(const dvec3& origin, const dvec3& direction) {
+    for (int axis = 0; axis < 3; ++axis) {
+      constexpr double large = 1e30;  // of a zero component
+      inverse[axis] = static_cast<float>(std::clamp(1 / direction[axis], -large, large));
+      const double off = 3e-7 * std::abs(origin[axis]) * (inverse[axis] < 0 ? -1 : 1);
+      before[axis] = static_cast<float>(origin[axis] + off);
+      beyond[axis] = static_cast<float>(origin[axis] - off);
+    }
+  }
+  // The t where the ray enters each box; infinity if it misses it between t_min and t_max.
+  Four enter(const ModelTree::Node& node, float t_min, float t_max) const {
+    Four enter = Four{} + t_min;
+    Four leave = Four{} + t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool back = inverse[axis] < 0;
+      const Four near = (back ? node.high : node.low)[axis];
+      const Four far = (back ? node.low : node.high)[axis];
+      enter = larger(enter, (near - before[axis]) * inverse[axis]);
+      leave = smaller(leave, (far - beyond[axis]) * inverse[axis]);
+    }
+    const Four none = Four{} + std::numeric_limits<float>::infinity();
+    return enter <= leave + error * larger(leave, -leave) ? enter : none;
+  }
+};
+
+// Calls leaf(index) for candidates between t_min and the current result of `t_max`, the nearer
+// boxes first; stops when it returns true. `far_nodes`: counts nodes beyond the first few.
 template <typename End, typename Leaf>
-bool walk(const BoxTree& tree, const dvec3& origin, const dvec3& direction, double t_min,
-          const End& t_max, const Leaf& leaf) {
-  if (tree.order.empty()) {
-    return false;
-  }
-  const dvec3 inverse = inverse_of(direction);
-  std::array<std::uint32_t, 128> stack;
+bool walk(const ModelTree& tree, const dvec3& origin, const dvec3& direction, double t_min,
+          const End& t_max, std::uint64_t& far_nodes, const Leaf& leaf) {
+  constexpr int few_nodes = 4;
+  struct Entered {
+    float at;
+    ModelTree::Child child;
+  };
+  const BoxRay ray(origin, direction);
+  const auto end = [&] {
+    const double t = t_max();
+    return static_cast<float>(t + double(BoxRay::error) * std::abs(t));
+  };
+  int nodes = 0;
+  std::array<Entered, 256> stack;
   std::size_t size = 0;
-  stack[size++] = 0;
+  stack[size++] = {static_cast<float>(t_min), {0, 0}};
   while (size > 0) {
-    const BoxTree::Box& box = tree.boxes[stack[--size]];
-    if (!meets_box(box, origin, inverse, t_min, t_max())) {
+    const Entered now = stack[--size];
+    const float last = end();
+    if (now.at > last) {
       continue;
     }
-    if (box.count > 0) {
-      for (std::uint32_t i = box.first; i < box.first + box.count; ++i) {
-        if (leaf(tree.order[i])) {
-          return true;
-        }
+    for (std::uint32_t i = now.child.first; i < now.child.first + now.child.count; ++i) {
+      if (leaf(tree.order[i])) {
+        return true;
       }
-    } else if (size + 2 <= stack.size()) {
-      stack[size++] = box.first;
-      stack[size++] = box.first + 1;
+    }
+    if (now.child.count > 0 || size + 4 > stack.size()) {
+      continue;
+    }
+    far_nodes += ++nodes > few_nodes ? 1 : 0;
+    const ModelTree::Node& node = tree.nodes[now.child.first];
+    const Four enter = ray.enter(node, static_cast<float>(t_min), last);
+    const std::size_t first = size;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (enter[k] < std::numeric_limits<float>::infinity()) {
+        std::size_t i = size++;
+        for (; i > first && stack[i - 1].at < enter[k]; --i) {
+          stack[i] = stack[i - 1];
+        }
+        stack[i] = {enter[k], node.children[k]};
+      }
     }
   }
   return false;
@@ -414,7 +522,7 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
       const double scale = options_.profile == Profile::course ? glm::length(d) : 1;
       walk(
           shapes_.mesh_trees[part.mesh], o, d, t_min / scale,
-          [&] { return (found && !far ? hit.t : t_max) / scale; },
+          [&] { return (found && !far ? hit.t : t_max) / scale; }, far_nodes_,
           [&](std::uint32_t index) {
             double t = 0;
             double b1 = 0;
@@ -512,6 +620,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
     return shadow;
   };
   if (is_unbounded(m_.shape) || m_.directions != DirectionMistake::none) {
+    far_nodes_ += shapes_.parts.size();
     for (std::uint32_t i = 0; i < shapes_.parts.size() && !(shadow && found); ++i) {
       visit(i);
     }
@@ -519,7 +628,8 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   }
   walk(
       shapes_.tree, ray.origin, ray.direction, t_min,
-      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; }, visit);
+      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; }, far_nodes_,
+      visit);
   return found;
 }
 

@@ -44,12 +44,12 @@ Trial Simulation::right_trial(bool with_groups) const {
 
 Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
                         const std::vector<Point>& places, std::size_t count, const Turn& turn,
-                        const std::vector<ModelHit>* hits) const {
+                        const std::vector<ModelHit>* hits, std::uint64_t* work) const {
   const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
   const int n = std::max(view->samples, trial.black_if_missed ? 2 : 1);
   const auto color_at = [&](const glm::dvec2& place, const ModelHit* known) {
     if (n == 1) {
-      return model.pixel(place, whole().x, whole().y, known);
+      return model.pixel(place, whole().x, whole().y, known, {});
     }
     glm::dvec3 sum(0);
     for (int k = 0; k < n * n; ++k) {
@@ -58,7 +58,7 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
           model.first_hit(model.camera_ray(sample, whole().x, whole().y)).part == nullptr) {
         return glm::dvec3(0);
       }
-      sum += clamped(model.pixel(sample, whole().x, whole().y, nullptr));
+      sum += clamped(model.pixel(sample, whole().x, whole().y, nullptr, {k, n * n}));
     }
     return sum / double(n * n);
   };
@@ -83,6 +83,9 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
     colors[i] = 255.0 * sum / all;
   }
   rays += model.rays();
+  if (work != nullptr) {
+    *work = model.rays();
+  }
   return colors;
 }
 
@@ -167,6 +170,7 @@ const Simulation::Clean& Simulation::clean(const Turn& turn) const {
 }
 
 void Simulation::prepare_clean() {
+  drawn_before.clear();
   for (const bool down : {false, true}) {
     for (const bool across : {false, true}) {
       const Turn turn{across, down};
@@ -228,9 +232,33 @@ std::optional<Colors> Simulation::drawn(const Combination& mistakes, std::size_t
   if (one != no_member && turn == Turn() && one < cache.size() && cache[one].size() >= count) {
     return Colors(cache[one].begin(), cache[one].begin() + std::ptrdiff_t(count));
   }
+  // The judgment of a combination needs it at all points again and again.
+  constexpr std::size_t max_drawn_before = 200;
+  const bool at_all_points = count == points.size();
+  Drawn now{{}, turn, {}, 0};
+  std::copy_if(mistakes.begin(), mistakes.end(), std::back_inserter(now.mistakes),
+               [&](std::uint16_t i) { return list[i].stage != Stage::picture; });
+  if (at_all_points) {
+    const std::lock_guard lock(drawn_before_mutex);
+    for (const Drawn& d : drawn_before) {
+      if (d.mistakes == now.mistakes && d.turn == turn) {
+        rays += d.work;  // what is counted must not depend on which thread is first
+        return d.colors;
+      }
+    }
+  }
   const Trial trial = trial_of(mistakes);
   const std::shared_ptr<const ModelShapes> drawn_shapes = shapes_of(trial, stage);
-  return draw(trial, *drawn_shapes, points, count, turn, hits ? nullptr : &clean(turn).hits);
+  now.colors = draw(trial, *drawn_shapes, points, count, turn, hits ? nullptr : &clean(turn).hits,
+                    &now.work);
+  if (at_all_points) {
+    const std::lock_guard lock(drawn_before_mutex);
+    drawn_before.push_back(now);
+    if (drawn_before.size() > max_drawn_before) {
+      drawn_before.pop_front();
+    }
+  }
+  return std::move(now.colors);
 }
 
 Stage Simulation::stage_of(const Combination& mistakes) const {

@@ -9,8 +9,10 @@
 
 #include <array>
 #include <atomic>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -56,6 +58,15 @@ struct Simulation {
   std::vector<Point> points{};
   std::array<Clean, 4> clean_pictures{};  ///< by Turn
   std::vector<Colors> cache{};            ///< drawn with one mistake, at the first points
+  /// What was drawn at all points with some mistakes in drawing.
+  struct Drawn {
+    Combination mistakes;
+    Turn turn;
+    Colors colors;
+    std::uint64_t work = 0;  ///< in rays
+  };
+  mutable std::deque<Drawn> drawn_before{};
+  mutable std::mutex drawn_before_mutex{};
   mutable std::atomic<std::uint64_t> rays{0};
   bool usable = false;  ///< whether the scene is that of the reference
   bool stopped = false;
@@ -71,7 +82,8 @@ struct Simulation {
   /// The scene without mistakes. Without groups, it cannot be given other shapes.
   Trial right_trial(bool with_groups) const;
   Colors draw(const Trial& trial, const ModelShapes& drawn_shapes, const std::vector<Point>& places,
-              std::size_t count, const Turn& turn, const std::vector<ModelHit>* hits) const;
+              std::size_t count, const Turn& turn, const std::vector<ModelHit>* hits,
+              std::uint64_t* work = nullptr) const;
   /// Compares our picture of the scene with the reference: the share of pixels that differ, 1
   /// without a scene. Sets `usable`.
   double look_at_scene();
@@ -122,13 +134,16 @@ class PointsRestored {
       : sim_(sim),
         points_(sim.points),
         clean_pictures_(sim.clean_pictures),
-        cache_(std::move(sim.cache)) {
+        cache_(std::move(sim.cache)),
+        drawn_before_(std::move(sim.drawn_before)) {
     sim.cache.clear();
+    sim.drawn_before.clear();
   }
   ~PointsRestored() {
     sim_.points = std::move(points_);
     sim_.clean_pictures = std::move(clean_pictures_);
     sim_.cache = std::move(cache_);
+    sim_.drawn_before = std::move(drawn_before_);
   }
   PointsRestored(const PointsRestored&) = delete;
   PointsRestored& operator=(const PointsRestored&) = delete;
@@ -138,6 +153,7 @@ class PointsRestored {
   std::vector<Point> points_;
   std::array<Simulation::Clean, 4> clean_pictures_;
   std::vector<Colors> cache_;
+  std::deque<Simulation::Drawn> drawn_before_;
 };
 
 }  // namespace scenefile

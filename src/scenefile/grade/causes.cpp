@@ -381,11 +381,12 @@ bool claim_edited_scene(Simulation& sim, CauseReport& report) {
     return false;
   }
   const std::optional<Tried> found = find_edited_scene(sim);
-  if (found) {
+  if (found && shows_much(sim, *found)) {
     claim(sim, *found, {}, {}, report);
     report.partial.clear();
+    return true;
   }
-  return found.has_value();
+  return false;
 }
 
 // The report with the claim of other samples of pixels, if these explain the edges.

@@ -583,6 +583,10 @@ TEST(Causes, TwoAtOnce) {
   const CauseReport turned_too = find_causes(reference, picture, &view);
   EXPECT_EQ(causes(turned_too), (std::set{Cause::shadows, Cause::vertical_flip}))
       << said(turned_too);
+  picture = turned(false, true)(scene.drawn_by_student({"shadow-none", "ambient-twice"}));
+  const CauseReport three = find_causes(reference, picture, &view);
+  EXPECT_EQ(causes(three), (std::set{Cause::shadows, Cause::ambient, Cause::vertical_flip}))
+      << said(three);
 }
 
 // The causes of all claims, and of the mistakes that give the same picture.

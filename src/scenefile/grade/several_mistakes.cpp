@@ -19,6 +19,8 @@ constexpr std::uint64_t work_for_several = 12'000'000;  // rays
 constexpr std::size_t very_few_points = 40;             // for a first, rough score
 constexpr std::size_t max_starts = 24;
 constexpr std::size_t max_pairs_to_extend = 10;
+constexpr std::size_t max_starts_of_triples = 8;
+constexpr std::size_t max_in_triples = 120;  // single mistakes that are combined with a start
 
 // The picture with some mistakes, and with each single mistake in addition.
 struct Additions {
@@ -113,9 +115,10 @@ class Starts {
   std::vector<Colors> seen_;
 };
 
-// Single mistakes to combine with all others, the most promising first: those that explain most,
-// that are right at most points, that are right wherever they change the picture, and those that
-// move objects closer to where the test shows them.
+// Single mistakes to combine with all others, the most promising first: flips, because nothing else
+// is right without them; those that explain most, that are right at most points, that are right
+// wherever they change the picture, and those that move objects closer to where the test shows
+// them.
 std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<Tried>& ranked) {
   const std::size_t count = std::min(screen, sim.points.size());
   std::array<std::vector<std::pair<double, std::uint16_t>>, 4> orders;
@@ -127,9 +130,7 @@ std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<
     const std::uint16_t i = t.mistakes.front();
     const Hypothesis& h = sim.list[i];
     if (h.turn != Turn()) {
-      if (likeness(sim, first_of(sim.clean(h.turn).drawn, count)) > likeness_now) {
-        starts.add({i});
-      }
+      starts.add({i});
       continue;
     }
     if (h.stage == Stage::picture || sim.cache[i].size() < count || shows_at_edges(h)) {
@@ -193,7 +194,8 @@ std::vector<Tried> with_each_addition(const Simulation& sim, const Additions& f)
   return result;
 }
 
-// Approximates pairs of mistakes by adding or multiplying their changes.
+// Approximates pairs of mistakes, in addition to those made, by adding or multiplying their
+// changes.
 std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
                                      std::size_t max_count) {
   const std::size_t count = std::min(f.count, few_points);
@@ -205,7 +207,7 @@ std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
     Colors product(count);
     for (std::size_t j = i + 1; j < f.members.size(); ++j) {
       const std::uint16_t other = f.members[j];
-      if (!fits(sim, {one}, other)) {
+      if (!fits(sim, joined(f.made, {one}), other)) {
         continue;
       }
       const Colors& x = f.with[one];
@@ -218,9 +220,9 @@ std::vector<Tried> approximate_pairs(const Simulation& sim, const Additions& f,
               c[channel] > 2 ? x[k][channel] * y[k][channel] / c[channel] : sum[k][channel];
         }
       }
-      const Score of_sum = score(sim.points, count, sum);
-      const Score of_product = score(sim.points, count, product);
-      found[i].push_back(sim.rated(joined({one}, {other}),
+      const Score of_sum = score(sim.points, count, sim.finished(f.made, sum));
+      const Score of_product = score(sim.points, count, sim.finished(f.made, product));
+      found[i].push_back(sim.rated(joined(f.made, joined({one}, {other})),
                                    of_sum.left <= of_product.left ? of_sum : of_product, b));
     }
     sort_by_merit(found[i]);
@@ -268,6 +270,10 @@ std::vector<Tried> with_picture(const Simulation& sim, const Additions& f) {
   return result;
 }
 
+std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<Tried>& b) {
+  return b && (!a || clearly_better(*b, *a)) ? b : a;
+}
+
 // Combines each start with each single mistake, until a combination explains nearly everything.
 // Everything that is tried is appended to `tried`.
 std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>& starts,
@@ -285,9 +291,39 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
       continue;
     }
     const std::optional<Tried> now = first_good(sim, verified(sim, found, 6, from, from));
-    if (now && (!best || clearly_better(*now, *best))) {
-      best = now;
+    best = better(best, now);
+    if (best && reproduces_all(*best)) {
+      break;
     }
+  }
+  return best;
+}
+
+// Combines each start with pairs of the mistakes that help it most.
+std::optional<Tried> search_triples_from(Simulation& sim, const std::vector<Combination>& starts,
+                                         double from, double to) {
+  std::optional<Tried> best;
+  double done = 0;
+  for (const Combination& start : starts) {
+    if (sim.rays > work_for_several ||
+        !sim.step(from + (to - from) * done++ / static_cast<double>(starts.size()))) {
+      break;
+    }
+    Additions f = additions_to(sim, start, few_points);
+    const Simulation::Base b = sim.base(f.count);
+    std::vector<std::pair<double, std::uint16_t>> order;
+    for (const std::uint16_t i : f.members) {
+      const Score s = score(sim.points, f.count, sim.finished(start, f.with[i]));
+      order.emplace_back(-sim.rated({}, s, b).merit(), i);
+    }
+    std::stable_sort(order.begin(), order.end());
+    order.resize(std::min(order.size(), max_in_triples));
+    f.members.clear();
+    for (const auto& [merit, i] : order) {
+      f.members.push_back(i);
+    }
+    const std::vector<Tried> found = tried_again(sim, approximate_pairs(sim, f, 60), 60, to, to);
+    best = better(best, first_good(sim, verified(sim, found, 6, to, to)));
     if (best && reproduces_all(*best)) {
       break;
     }
@@ -396,10 +432,6 @@ std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
   return likely;
 }
 
-std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<Tried>& b) {
-  return b && (!a || clearly_better(*b, *a)) ? b : a;
-}
-
 }  // namespace
 
 std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ranked,
@@ -412,8 +444,10 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   sort_by_merit(pairs);
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
   std::optional<Tried> found = first_good(sim, best);
+  std::vector<Combination> singles;
   if (!found || !reproduces_all(*found)) {
-    found = better(found, search_from(sim, likely_starts(sim, ranked), 0.5, 0.7, pairs));
+    singles = likely_starts(sim, ranked);
+    found = better(found, search_from(sim, singles, 0.5, 0.7, pairs));
   }
   if (!found || !sure(*found)) {
     found = better(found, with_fitted_curve(sim));
@@ -437,7 +471,12 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
     starts.add(t.mistakes);
   }
   std::vector<Tried> triples;
-  return better(found, search_from(sim, starts.items, 0.7, 1, triples));
+  found = better(found, search_from(sim, starts.items, 0.7, 0.9, triples));
+  if (!found) {
+    singles.resize(std::min(singles.size(), max_starts_of_triples));
+    found = search_triples_from(sim, singles, 0.9, 1);
+  }
+  return found;
 }
 
 std::optional<Tried> find_several_of_picture(Simulation& sim, const std::vector<Tried>& ranked) {

@@ -169,6 +169,7 @@ void bind_gradebook(py::module_& m) {
                              [](const PictureResult& r) { return r.verdict == Verdict::passed; })
       .def_property_readonly("reasons", [](const PictureResult& r) { return tuple_of(r.reasons); })
       .def_property_readonly("causes", [](const PictureResult& r) { return tuple_of(r.causes); })
+      .def_property_readonly("notes", [](const PictureResult& r) { return tuple_of(r.notes); })
       .def("_repr_png_",
            [](const PictureResult& r) -> py::object {
              return r.png.empty() ? py::object(py::none()) : py::object(py::bytes(r.png));

@@ -121,6 +121,45 @@ TEST(Causes, OtherSamplesHaveNoCauses) {
   }
 }
 
+Texture means_of_four(const Texture& large) {
+  Texture small{large.width / 2, large.height / 2, {}};
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const int sum = large.texel(2 * x, 2 * y)[c] + large.texel(2 * x + 1, 2 * y)[c] +
+                        large.texel(2 * x, 2 * y + 1)[c] + large.texel(2 * x + 1, 2 * y + 1)[c];
+        small.rgb.push_back(static_cast<std::uint8_t>(sum / 4));
+      }
+    }
+  }
+  return small;
+}
+
+TEST(Causes, FourSamplesAreNotedAndNoMistake) {
+  std::size_t noted = 0;
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const GeneratedScene scene(seed);
+    const SceneView view = view_of(scene);
+    const Texture reference = reference_of(scene, false);
+    const auto drawn = [&](const SceneView& drawn_view) {
+      return means_of_four(quantize(
+          scene.builder.picture(2 * width, 2 * height, drawn_view.options), Rounding::truncate));
+    };
+    const CauseReport right = find_causes(reference, drawn(view), &view);
+    EXPECT_TRUE(right.claims.empty()) << seed << ": " << said(right);
+    noted += right.notes.empty() ? 0 : 1;
+    SceneView without = view;
+    without.options.features.shadows = false;
+    without.options.features.texture = false;
+    const CauseReport wrong = find_causes(reference, drawn(without), &view);
+    EXPECT_TRUE(wrong.notes.empty() || !wrong.claims.empty()) << seed;
+    EXPECT_TRUE(std::none_of(wrong.claims.begin(), wrong.claims.end(),
+                             [](const Claim& c) { return c.cause == Cause::samples; }))
+        << seed << ": " << said(wrong);
+  }
+  EXPECT_GE(noted, 2u);
+}
+
 TEST(Causes, NoiseHasNoCauses) {
   std::mt19937 random(7);
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {

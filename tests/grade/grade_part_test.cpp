@@ -29,6 +29,7 @@ std::vector<StudentResult> students() {
   failed.measures.same_size = false;
   failed.reasons = {"", "two"};
   failed.causes = {{Cause::samples, "what", "evidence", 0.7, true}};
+  failed.notes = {"a note"};
   failed.png = "png";
   failed.png_file = "file";
   return {{"anna", {passed, failed}}, {"", {}}};

@@ -130,12 +130,14 @@ TEST(Gradebook, Csv) {
   Gradebook book = two_students();
   book.students[0].name = "=cmd|' /C calc'!A0";
   book.students[0].pictures.resize(1);
-  EXPECT_EQ(gradebook_csv(book),
-            "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons\r\n"
-            "\"'=cmd|' /C calc'!A0\",\"ball\",passed,99.00,1.0000,0.0000,\"\",\"\",\"\"\r\n"
-            "\"ben & co\",\"ball\",missing,,,,\"\",\"\",\"there is no such picture\"\r\n"
-            "\"ben & co\",\"a<b\",differs,99.00,1.0000,0.0000,\"shadows\",\"there are no shadows\","
-            "\"PSNR is 31.20 dB, less than 40\"\r\n");
+  book.students[0].pictures[0].notes = {"fine"};
+  EXPECT_EQ(
+      gradebook_csv(book),
+      "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons,notes\r\n"
+      "\"'=cmd|' /C calc'!A0\",\"ball\",passed,99.00,1.0000,0.0000,\"\",\"\",\"\",\"fine\"\r\n"
+      "\"ben & co\",\"ball\",missing,,,,\"\",\"\",\"there is no such picture\",\"\"\r\n"
+      "\"ben & co\",\"a<b\",differs,99.00,1.0000,0.0000,\"shadows\",\"there are no shadows\","
+      "\"PSNR is 31.20 dB, less than 40\",\"\"\r\n");
 }
 
 TEST(Gradebook, Gradescope) {

@@ -223,8 +223,19 @@ void add_shifts(HypothesisList& list) {
         Cause::samples, blurred_by(size), [filter = filter](Trial& t) { t.filter = filter; },
         Stage::hits);
   }
+  for (const int samples : {2, 3}) {
+    list.add(
+        Cause::samples, words_of_samples(samples), [samples](Trial& t) { t.samples = samples; },
+        Stage::hits);
+    list.items.back().mistake = false;
+  }
   list.add(
-      Cause::samples, missed_samples, [](Trial& t) { t.black_if_missed = true; }, Stage::hits);
+      Cause::samples, missed_samples,
+      [](Trial& t) {
+        t.samples = 2;
+        t.black_if_missed = true;
+      },
+      Stage::hits);
 }
 
 }  // namespace scenefile

@@ -459,6 +459,12 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   }
   std::mt19937 random(1);
   add_points(sim.reference, sim.test, pixels.different, 1200, true, false, random, sim.points);
+  if (!undrawn && !copy) {
+    if (std::optional<Claim> note = drop_other_samples(sim, pixels.different)) {
+      report.notes.push_back(*std::move(note));
+      return report;
+    }
+  }
   sim.drop_what_samples_explain(true);
   const std::size_t different = sim.points.size();
   add_points(sim.reference, sim.test, pixels.same, 400, false, false, random, sim.points);
@@ -609,13 +615,14 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
 }
 
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views) {
-  return views[equally_alike(reference, views).front()];
+  return views[alike(reference, views).front().index];
 }
 
-std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const SceneView> views) {
+std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView> views) {
+  constexpr double nearly = 1.1;
   const auto shapes = flatten(*views.front().scene, *views.front().assets);
   if (shapes == nullptr || views.size() == 1) {
-    return {0};
+    return {{0, true}};
   }
   std::mt19937 random(4);
   std::vector<std::uint32_t> pixels(std::size_t(reference.width) * reference.height);
@@ -624,23 +631,25 @@ std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const
   }
   std::vector<Point> points;
   add_points(reference, reference, std::move(pixels), 1200, false, false, random, points);
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<std::size_t> best;
-  for (std::size_t i = 0; i < views.size(); ++i) {
+  std::vector<double> rest;
+  for (const SceneView& view : views) {
     const ModelMistakes right;
-    const Model model(*views[i].scene, *shapes, *views[i].assets, views[i].options, right);
+    const Model model(*view.scene, *shapes, *view.assets, view.options, right);
     Colors colors;
     for (const Point& p : points) {
       colors.push_back(255.0 * model.pixel({p.x + 0.5, p.y + 0.5}, reference.width,
                                            reference.height, nullptr, {}));
     }
-    const double left = score(points, points.size(), colors).left;
-    if (left < least) {
-      best.clear();
-    }
-    if (left <= least) {
-      least = left;
-      best.push_back(i);
+    const Score s = score(points, points.size(), colors);
+    rest.push_back(s.left + 0.25 * s.raw);  // at edges, any color of the neighbors leaves nothing
+  }
+  const double least = *std::min_element(rest.begin(), rest.end());
+  std::vector<AlikeView> best;
+  for (const bool equal : {true, false}) {
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if ((rest[i] <= least) == equal && rest[i] <= nearly * least) {
+        best.push_back({i, equal});
+      }
     }
   }
   return best;
@@ -654,7 +663,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
   Simulation sim{reference, test, view, go_on};
   CauseReport report = look_for_causes(sim, look_for);
-  if (report.claims.empty() && report.partial.empty() && report.notes.empty()) {
+  if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));
     }

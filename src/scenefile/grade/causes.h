@@ -128,7 +128,15 @@ std::optional<std::uint32_t> source_at(const SceneView& view, const glm::ivec2& 
 /// be empty.
 SceneView most_alike(const Texture& reference, std::span<const SceneView> views);
 
-/// The indices of all views whose pictures are as similar to the reference as the best one.
-std::vector<std::size_t> equally_alike(const Texture& reference, std::span<const SceneView> views);
+/// A view by its index, and whether its picture is as similar to the reference as the best one;
+/// otherwise it is nearly as similar.
+struct AlikeView {
+  std::size_t index = 0;
+  bool equally = true;
+};
+
+/// The views whose pictures are the most similar to the reference; those that are equally similar
+/// come first.
+std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView> views);
 
 }  // namespace scenefile

@@ -50,8 +50,9 @@ void visit(T& claim, Archive& archive) {
 
 template <ConstOrNot<PictureResult> T, typename Archive>
 void visit(T& picture, Archive& archive) {
-  auto& [name, verdict, measures, reasons, causes, png, png_file] = picture;
+  auto& [name, verdict, measures, reasons, causes, notes, png, png_file] = picture;
   archive(name), archive(verdict), archive(measures), archive(reasons), archive(causes);
+  archive(notes);
   archive(png), archive(png_file);
 }
 

@@ -26,6 +26,7 @@ struct PictureResult {
   PictureMeasures measures;
   std::vector<std::string> reasons;  ///< why it did not pass, as clauses
   std::vector<Claim> causes;         ///< mistakes that explain it
+  std::vector<std::string> notes;    ///< what differs without a mistake, as clauses
   std::string png;                   ///< reference, picture and heat map as a PNG; may be empty
   std::string png_file;              ///< path relative to the page, if not embedded
 };

@@ -30,21 +30,25 @@ std::string row(const StudentResult& student, const PictureResult& picture) {
   for (const std::string& reason : picture.reasons) {
     reasons += (reasons.empty() ? "" : "; ") + reason;
   }
+  std::string notes;
+  for (const std::string& note : picture.notes) {
+    notes += (notes.empty() ? "" : "; ") + note;
+  }
   const PictureMeasures& m = picture.measures;
   const bool measured =
       m.same_size && (picture.verdict == Verdict::passed || picture.verdict == Verdict::differs);
   const std::string figures =
       measured ? fmt::format("{:.2f},{:.4f},{:.4f}", m.difference.psnr_db, m.ssim, m.flip_mean)
                : ",,";
-  return fmt::format("{},{},{},{},{},{},{}\r\n", field(student.name), field(picture.name),
-                     name_of(picture.verdict), figures, field(causes), field(words),
-                     field(reasons));
+  return fmt::format("{},{},{},{},{},{},{},{}\r\n", field(student.name), field(picture.name),
+                     name_of(picture.verdict), figures, field(causes), field(words), field(reasons),
+                     field(notes));
 }
 
 }  // namespace
 
 std::string gradebook_csv(const Gradebook& book) {
-  std::string csv = "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons\r\n";
+  std::string csv = "student,picture,verdict,psnr_db,ssim,flip,causes,what,reasons,notes\r\n";
   for (const StudentResult& student : book.students) {
     for (const PictureResult& picture : student.pictures) {
       csv += row(student, picture);

@@ -23,8 +23,8 @@ struct Trial {
   ModelMistakes mistakes;
   glm::dvec2 shift{0};  ///< of rays, from pixel centers, in pixels: right and down
   PixelFilter filter{};
-  /// Pixels have four samples, and are black if one of them hits nothing.
-  bool black_if_missed = false;
+  int samples = 1;               ///< of each pixel, across and down
+  bool black_if_missed = false;  ///< pixels are black if one of their samples hits nothing
 };
 
 /// The earliest stage of drawing that a mistake changes; the first ones are the cheapest to test.

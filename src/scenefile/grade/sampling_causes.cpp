@@ -1,6 +1,7 @@
 #include "scenefile/grade/sampling_causes.h"
 
 #include "scenefile/grade/claims.h"
+#include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,187 @@ std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination
   return best;
 }
 
+// Samples of each pixel across and down, from border to border, for programs whose samples are at
+// random places.
+constexpr int dense = 9;
+
+// The colors of side x side samples of each point's pixel; points beside each other.
+std::vector<Colors> samples_of_points(const Simulation& sim, const Trial& trial,
+                                      const std::vector<Point>& points, int side) {
+  std::vector<Colors> result(points.size());
+  const double first = side == dense ? 0 : 0.5 / side;
+  const double step = side == dense ? 1.0 / (side - 1) : 1.0 / side;
+  constexpr std::size_t chunk = 16;
+  for_each_task((points.size() + chunk - 1) / chunk, [&](std::size_t task) {
+    const Model model(trial.scene, *sim.shapes, *sim.view->assets, trial.options, trial.mistakes);
+    for (std::size_t i = task * chunk; i < std::min(points.size(), (task + 1) * chunk); ++i) {
+      for (int k = 0; k < side * side; ++k) {
+        const dvec2 place = dvec2(points[i].x, points[i].y) + first +
+                            step * dvec2(k % side, k / side) + sim.view->corner;
+        result[i].push_back(255.0 *
+                            clamped(model.pixel(place, sim.whole().x, sim.whole().y, nullptr)));
+      }
+    }
+    sim.rays += model.rays();
+  });
+  return result;
+}
+
+dvec3 mean_of(const Colors& colors) {
+  dvec3 sum(0);
+  for (const dvec3& c : colors) {
+    sum += c;
+  }
+  return sum / static_cast<double>(colors.size());
+}
+
+double share_of(const std::vector<bool>& right) {
+  return static_cast<double>(std::count(right.begin(), right.end(), true)) /
+         static_cast<double>(std::max<std::size_t>(1, right.size()));
+}
+
+// Which points are means of a grid of samples.
+std::vector<bool> means_of_samples(const Simulation& sim, const Trial& trial,
+                                   const std::vector<Point>& points, int side) {
+  const std::vector<Colors> samples = samples_of_points(sim, trial, points, side);
+  std::vector<bool> right;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    right.push_back(largest_of(glm::abs(mean_of(samples[i]) - points[i].test)) <= exact_within);
+  }
+  return right;
+}
+
+// Which points may be means of samples anywhere in the pixel.
+struct WithinSamples {
+  std::vector<bool> right;
+  // Whether the colors are biased, scatter more than single samples, or are those at one place of
+  // all pixels, as with a shift.
+  bool odd = false;
+};
+
+WithinSamples within_samples(const Simulation& sim, const Trial& trial,
+                             const std::vector<Point>& points) {
+  constexpr double max_bias = 0.6;  // pixels that differ are not chosen at random
+  constexpr double max_scatter = 1.5;
+  constexpr double max_at_one_place = 0.7;
+  const std::vector<Colors> samples = samples_of_points(sim, trial, points, dense);
+  WithinSamples result;
+  dvec3 bias(0);
+  dvec3 deviation(0);
+  dvec3 scatter(0);
+  dvec3 variance(0);
+  std::array<std::size_t, std::size_t{dense} * dense> at_place{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3 mean = mean_of(samples[i]);
+    dvec3 low(255);
+    dvec3 high(0);
+    dvec3 squares(0);
+    for (std::size_t k = 0; k < samples[i].size(); ++k) {
+      const dvec3& c = samples[i][k];
+      low = glm::min(low, c);
+      high = glm::max(high, c);
+      squares += (c - mean) * (c - mean);
+      at_place[k] += largest_of(glm::abs(c - points[i].test)) <= exact_within ? 1 : 0;
+    }
+    result.right.push_back(largest_of(outside(points[i].test, low, high)) <= exact_within);
+    if (result.right.back()) {
+      const dvec3 off = points[i].test + 0.5 - mean;  // truncated
+      bias += off;
+      scatter += off * off;
+      squares /= static_cast<double>(samples[i].size());
+      variance += squares;
+      deviation += glm::sqrt(squares);
+    }
+  }
+  const auto most = static_cast<double>(*std::max_element(at_place.begin(), at_place.end()));
+  const auto count = static_cast<double>(points.size());
+  result.odd = largest_of(glm::abs(bias) - max_bias * deviation) > count ||
+               largest_of(scatter - max_scatter * variance) > count ||
+               most > max_at_one_place * count;
+  return result;
+}
+
+// A way of sampling in which right programs differ.
+struct Sampling {
+  TextureMistake texture = TextureMistake::none;
+  int side = 1;  // of the grid of samples in each pixel; dense: anywhere in it
+};
+
+Trial trial_of(const Simulation& sim, const Sampling& way) {
+  Trial trial = sim.right_trial(false);
+  trial.mistakes.texture = way.texture;
+  return trial;
+}
+
+std::string words_of(const Sampling& way) {
+  std::string texture;
+  if (way.texture != TextureMistake::none) {
+    texture = way.texture == TextureMistake::not_filtered
+                  ? "textures are not filtered, but those of the reference are"
+                  : "textures are filtered, but those of the reference are not";
+  }
+  const std::string samples =
+      way.side == dense ? "samples are at other places in the pixels than those of the reference"
+      : way.side > 1    ? words_of_samples(way.side)
+      : texture.empty() ? "pixels have one sample, but those of the reference are means of several"
+                        : "";
+  return texture + (texture.empty() || samples.empty() ? "" : "; ") + samples;
+}
+
+// The points of the reference.
+std::vector<Point> reference_points(const Simulation& sim, std::vector<Point> points) {
+  for (Point& p : points) {
+    p.test = at(sim.reference, p.x, p.y);
+  }
+  return points;
+}
+
+std::vector<Sampling> possible_samplings(const Simulation& sim) {
+  const Features& features = sim.view->options.features;
+  std::vector<TextureMistake> textures{TextureMistake::none};
+  const bool any = std::any_of(sim.view->scene->materials.begin(), sim.view->scene->materials.end(),
+                               [](const RenderMaterial& m) { return m.texture.used(); });
+  if (any && features.texture && features.texture_filter) {
+    textures.push_back(TextureMistake::not_filtered);
+  } else if (any && features.texture) {
+    textures.insert(textures.end(), {TextureMistake::filtered_centered, TextureMistake::filtered});
+  }
+  std::vector<Sampling> ways;
+  for (const TextureMistake texture : textures) {
+    for (const int side : {1, 2, 3, 4, dense}) {
+      ways.push_back({texture, side});
+    }
+  }
+  return ways;
+}
+
+void drop(const std::vector<bool>& dropped, std::vector<Point>& points) {
+  std::size_t i = 0;
+  std::erase_if(points, [&](const Point&) { return dropped[i++]; });
+}
+
+// Whether the points are sampled this way. `rest`: the points that are not exactly that.
+bool is_sampled(const Simulation& sim, const Sampling& way, const std::vector<Point>& points,
+                std::vector<Point>& rest) {
+  constexpr double exact = 0.9;      // share of the points
+  constexpr double possible = 0.95;  // share, without any that is exact
+  const Trial trial = trial_of(sim, way);
+  if (way.side == dense) {
+    const WithinSamples within = within_samples(sim, trial, points);
+    return !within.odd && share_of(within.right) >= possible;
+  }
+  const std::vector<bool> right = means_of_samples(sim, trial, points, way.side);
+  rest = points;
+  drop(right, rest);
+  if (share_of(right) < exact) {
+    return false;
+  }
+  // Rays that hit by a hair may be reflected elsewhere.
+  std::vector<Point> unlike = rest;
+  drop(within_samples(sim, trial, rest).right, unlike);
+  return unlike.size() < few_pixels;
+}
+
 }  // namespace
 
 std::span<const std::pair<const char*, PixelFilter>> pixel_filters() {
@@ -101,8 +283,57 @@ std::string blurred_by(std::string_view size) {
   return fmt::format("the picture is blurred: each pixel is the mean of {}", size);
 }
 
+std::string words_of_samples(int side) {
+  return fmt::format("pixels are means of {} by {} samples, unlike the reference's", side, side);
+}
+
 bool shows_at_edges(const Hypothesis& h) {
   return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
+}
+
+std::optional<Claim> drop_other_samples(Simulation& sim,
+                                        const std::vector<std::uint32_t>& different) {
+  constexpr std::size_t first_points = 60;
+  constexpr std::size_t many_points = 6000;
+  constexpr double plausible = 0.85;
+  if (!sim.usable || sim.view->samples > 1 || sim.points.size() < few_pixels) {
+    return std::nullopt;
+  }
+  const std::vector<Point> first(
+      sim.points.begin(),
+      sim.points.begin() + std::ptrdiff_t(std::min(first_points, sim.points.size())));
+  std::vector<Point> least = sim.points;
+  for (const Sampling& way : possible_samplings(sim)) {
+    const Trial trial = trial_of(sim, way);
+    if (way.side == dense ? share_of(within_samples(sim, trial, first).right) < plausible
+                          : share_of(means_of_samples(sim, trial, first, way.side)) < part) {
+      continue;
+    }
+    // The reference may have other samples than our picture, but it must show the same.
+    if (way.texture == TextureMistake::none && way.side == 1 &&
+        share_of(within_samples(sim, trial, reference_points(sim, first)).right) < plausible) {
+      continue;
+    }
+    std::vector<Point> rest = sim.points;
+    bool sampled = is_sampled(sim, way, sim.points, rest);
+    if (sampled && way.side != dense) {
+      // A mistake may show in few of the pixels.
+      std::vector<Point> many;
+      std::mt19937 random(8);
+      add_points(sim.reference, sim.test, different, many_points, true, false, random, many);
+      sampled = is_sampled(sim, way, many, rest);
+    }
+    if (sampled) {
+      return Claim{Cause::samples, words_of(way), evidence_of_share(1), 1};
+    }
+    if (rest.size() < least.size()) {
+      least = std::move(rest);
+    }
+  }
+  if (2 * least.size() < sim.points.size()) {
+    sim.points = std::move(least);
+  }
+  return std::nullopt;
 }
 
 std::optional<Claim> claim_of_missed_samples(Simulation& sim) {

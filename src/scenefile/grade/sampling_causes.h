@@ -13,8 +13,15 @@ std::span<const std::pair<const char*, PixelFilter>> pixel_filters();
 std::string blurred_by(std::string_view size);
 inline constexpr const char* missed_samples =
     "pixels stay black where one of several samples misses everything";
+/// That pixels are means of samples, in words. `side`: samples across and down.
+std::string words_of_samples(int side);
 /// Whether the mistake only shows at edges: other samples of pixels.
 bool shows_at_edges(const Hypothesis& h);
+/// If the points are those of the right picture with other samples of pixels or filtered textures,
+/// says so, as a note. Otherwise drops the points for which that is true, if they are most.
+/// `points` only has pixels that differ, chosen from `different`.
+std::optional<Claim> drop_other_samples(Simulation& sim,
+                                        const std::vector<std::uint32_t>& different);
 /// Pixels are black if any of their samples hits nothing, which gives black outlines, one pixel
 /// wide.
 std::optional<Claim> claim_of_missed_samples(Simulation& sim);

@@ -46,7 +46,7 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
                         const std::vector<Point>& places, std::size_t count, const Turn& turn,
                         const std::vector<ModelHit>* hits, std::uint64_t* work) const {
   const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
-  const int n = std::max(view->samples, trial.black_if_missed ? 2 : 1);
+  const int n = std::max(view->samples, trial.samples);
   const auto color_at = [&](const glm::dvec2& place, const ModelHit* known) {
     if (n == 1) {
       return model.pixel(place, whole().x, whole().y, known, {});

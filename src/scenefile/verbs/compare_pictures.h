@@ -27,6 +27,7 @@ struct DrawnWay {
   /// Set for the assignment Realtime; `options` is then unused.
   std::optional<RealtimeOptions> realtime = std::nullopt;
   RealtimeUnknowns unknowns = {};  ///< of `realtime`: settings to find in the reference
+  bool nearly = false;  ///< fits the reference nearly as well as the first way, not equally
 };
 
 /// Share of pixels. If more differ, the scene or its settings are not those of the reference.
@@ -60,7 +61,8 @@ std::vector<DrawnWay> folder_first(std::string_view reference, std::vector<Drawn
 DrawnWay realtime_way(const RealtimeOptions& panel, const RealtimeUnknowns& unknowns);
 
 /// The ways in which our picture of the scene, with all assets, is most similar to the reference:
-/// the likeliest first, then those with other features. `ways` must not be empty.
+/// the likeliest first, then those with other features. A single way that contradicts the reference
+/// is replaced by those that fit it. `ways` must not be empty.
 std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& scene,
                                  const std::vector<DrawnWay>& ways);
 
@@ -91,12 +93,13 @@ struct PictureComparison {
   /// Where the whole picture of the scene is in the picture, a screenshot or a part that was cut
   /// out. nullopt if it is the picture itself.
   std::optional<PicturePlace> place;
-  std::vector<float> flip_errors;    ///< of the pixels; empty for pictures of different sizes
-  std::vector<std::string> broken;   ///< thresholds that were exceeded; empty: the same
-  CauseReport causes;                ///< empty if no causes were looked for
-  bool realtime = false;             ///< whether the reference is of the assignment Realtime
-  std::string drawn_with;            ///< DrawnWay::words of the reference; empty: unknown
-  bool scene_used = false;           ///< whether the search for causes had a scene
+  std::vector<float> flip_errors;   ///< of the pixels; empty for pictures of different sizes
+  std::vector<std::string> broken;  ///< thresholds that were exceeded; empty: the same
+  CauseReport causes;               ///< empty if no causes were looked for
+  bool realtime = false;            ///< whether the reference is of the assignment Realtime
+  std::string drawn_with;           ///< DrawnWay::words of the reference; empty: unknown
+  std::string contradicted;  ///< the only way that was given, if it contradicts the reference
+  bool scene_used = false;   ///< whether the search for causes had a scene
   bool right_at_other_size = false;  ///< the picture under test shows the scene, at another size
   bool exchanged = false;  ///< the picture under test shows the scene, and the reference does not
   bool other_outlines = false;  ///< nothing explains the difference, and few edges are the same

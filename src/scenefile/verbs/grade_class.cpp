@@ -457,6 +457,9 @@ struct ClassGrader::State {
       result.reasons.emplace_back("apart from its size, the picture is right");
     }
     result.causes = compared.causes.claims;
+    for (const Claim& note : compared.causes.notes) {
+      result.notes.push_back(note.what);
+    }
     result.verdict = compared.broken.empty() ? Verdict::passed : Verdict::differs;
     if (by_causes_ && compared.measures.same_size) {
       follow_causes(compared, result);
@@ -558,6 +561,7 @@ std::string gradebook_json(const Gradebook& book) {
       }
       add_clauses(json, "reasons", picture.reasons);
       add_claims(json, "causes", picture.causes);
+      add_clauses(json, "notes", picture.notes);
       json.end_object();
     }
     json.end_array();

@@ -128,7 +128,7 @@ Texture means_of_four(const Texture& large) {
       for (int c = 0; c < 3; ++c) {
         const int sum = large.texel(2 * x, 2 * y)[c] + large.texel(2 * x + 1, 2 * y)[c] +
                         large.texel(2 * x, 2 * y + 1)[c] + large.texel(2 * x + 1, 2 * y + 1)[c];
-        small.rgb.push_back(static_cast<std::uint8_t>(sum / 4));
+        small.rgb.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
       }
     }
   }

@@ -102,8 +102,8 @@ std::vector<Colors> samples_of_points(const Simulation& sim, const Trial& trial,
       for (int k = 0; k < side * side; ++k) {
         const dvec2 place = dvec2(points[i].x, points[i].y) + first +
                             step * dvec2(k % side, k / side) + sim.view->corner;
-        result[i].push_back(255.0 *
-                            clamped(model.pixel(place, sim.whole().x, sim.whole().y, nullptr)));
+        result[i].push_back(255.0 * clamped(model.pixel(place, sim.whole().x, sim.whole().y,
+                                                        nullptr, {k, side * side})));
       }
     }
     sim.rays += model.rays();

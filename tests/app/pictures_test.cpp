@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <set>
+
+#include <jpeglib.h>
 
 namespace scenefile {
 
@@ -91,6 +94,43 @@ TEST_F(DiffImages, TheCauseIsNamedWithAScene) {
       HasSubstr("cause: the ambient term is added twice; or the ambient term is missing the "
                 "global coefficient: these give the same picture [ambient]\n"));
   EXPECT_EQ(run.err, "");
+}
+
+void write_jpeg(const Texture& picture, const std::string& path, int quality) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  ASSERT_NE(file, nullptr);
+  jpeg_compress_struct jpeg;
+  jpeg_error_mgr errors;
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  jpeg_stdio_dest(&jpeg, file);
+  jpeg.image_width = static_cast<JDIMENSION>(picture.width);
+  jpeg.image_height = static_cast<JDIMENSION>(picture.height);
+  jpeg.input_components = 3;
+  jpeg.in_color_space = JCS_RGB;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_quality(&jpeg, quality, TRUE);
+  jpeg_start_compress(&jpeg, TRUE);
+  std::vector<std::uint8_t> rgb = picture.rgb;
+  while (jpeg.next_scanline < jpeg.image_height) {
+    JSAMPROW row = rgb.data() + std::size_t{3} * jpeg.next_scanline * jpeg.image_width;
+    jpeg_write_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  jpeg_destroy_compress(&jpeg);
+  std::fclose(file);
+}
+
+TEST_F(DiffImages, JpegsOfRightPicturesAreSaidToBeSo) {
+  const auto said_of_jpeg = [&](const std::string& from) {
+    draw(from, "full.png", "320x240");
+    const auto picture = decode_image(folder.read("full.png"));
+    write_jpeg(*picture, folder.path("mine.jpg"), 75);
+    draw("ball.xml", "full.png", "320x240");
+    return in_folder({"diff", "full.png", "mine.jpg", "--scene", "ball.xml"}).out;
+  };
+  EXPECT_THAT(said_of_jpeg("ball.xml"), AllOf(HasSubstr("cause: none"), HasSubstr("of JPEGs")));
+  EXPECT_THAT(said_of_jpeg("brighter.xml"), Not(HasSubstr("of JPEGs")));
 }
 
 TEST_F(DiffImages, AnUnusableSceneIsAnError) {

@@ -113,15 +113,6 @@ void compares() {
   const PictureComparison flipped = compare_pictures(reference, upside_down, &a);
   expect(!flipped.broken.empty(), "upside down it differs");
   expect(holds(causes_text(flipped), "[vertical-flip]"), "and the cause is named");
-  Texture noisy = reference;
-  for (std::size_t i = 0; i < noisy.rgb.size(); ++i) {
-    noisy.rgb[i] ^= i / 3 % 2 == 0 ? 8 : 0;
-  }
-  CompareSettings settings;
-  settings.lossy = true;
-  const PictureComparison compressed = compare_pictures(reference, noisy, &a, settings);
-  expect(compressed.causes.claims.empty() && !compressed.causes.notes.empty(),
-         "noise of a JPEG is no mistake");
 }
 
 }  // namespace

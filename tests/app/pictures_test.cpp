@@ -7,13 +7,12 @@
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <jpeglib.h>
 
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <set>
-
-#include <jpeglib.h>
 
 namespace scenefile {
 

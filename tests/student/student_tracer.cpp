@@ -173,6 +173,7 @@ constexpr KnownMistake table[] = {
     {"shadow-bias-normal", "shadows", "shadows"},
     {"shadow-bias-one-third", "shadows", "shadows"},
     {"shadow-distance-of-eye", "shadows", "shadows"},
+    {"shadow-distance-of-eye-positional", "shadows", "shadows"},
     {"shadow-unit-distance", "shadows", "shadows"},
     {"shadow-first-for-all", "shadows", "shadows"},
     {"shadow-spots-none", "shadows", "shadows"},
@@ -1312,11 +1313,13 @@ class Tracer {
           toward = -axis;
         }
         const bool ends = directional && has("shadow-directional-ends");
-        const float end = has("shadow-beyond-light")      ? far_away
-                          : has("shadow-unit-distance")   ? 1.0f
-                          : ends                          ? glm::length(lamp.position - point)
-                          : has("shadow-distance-of-eye") ? glm::length(point - eye_)
-                                                          : distance;
+        const bool eye_distance = has("shadow-distance-of-eye") ||
+                                  (!directional && has("shadow-distance-of-eye-positional"));
+        const float end = has("shadow-beyond-light")    ? far_away
+                          : has("shadow-unit-distance") ? 1.0f
+                          : ends                        ? glm::length(lamp.position - point)
+                          : eye_distance                ? glm::length(point - eye_)
+                                                        : distance;
         const float met = closest(start, toward, bias, true, f.object).t;
         shadowed = (has("shadow-greater") ? met < far_away && met > end : met < end) !=
                    has("shadow-inverted");

@@ -233,6 +233,13 @@ void claim(const Simulation& sim, const Tried& found, const std::vector<Tried>& 
   }
 }
 
+// Whether two claims are of one mistake, made twice: then, it imitates another one.
+bool claims_one_twice(const CauseReport& report) {
+  std::set<std::string_view> seen;
+  return std::any_of(report.claims.begin(), report.claims.end(),
+                     [&](const Claim& c) { return !seen.insert(c.what).second; });
+}
+
 // Moves claims that are no mistakes to the notes.
 void separate_notes(const Simulation& sim, const Tried& found, CauseReport& report) {
   for (std::size_t k = found.mistakes.size(); k-- > 0;) {
@@ -357,8 +364,12 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
     const Tried all = with_edges(sim, *found);
     claim(sim, all, alone, several, report);
-    separate_notes(sim, all, report);
-    return;
+    if (!claims_one_twice(report)) {
+      separate_notes(sim, all, report);
+      return;
+    }
+    report.claims.clear();
+    report.rivals.clear();
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     report.confined = confined_to(sim);

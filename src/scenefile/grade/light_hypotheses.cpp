@@ -503,6 +503,11 @@ void add_shadows(HypothesisList& list) {
   if (list.any_type(is_infinitely_far)) {
     put({{S::directional_ends_at_position,
           "shadow rays of directional lights end at the light's position"}});
+    if (positional) {
+      put({{S::positional_nearer_than_eye,
+            "for point lights and spotlights, the distance of occluders is compared with the "
+            "distance to the eye"}});
+    }
   }
   if (positional) {
     put({{S::beyond_light_only,

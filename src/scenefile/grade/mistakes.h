@@ -145,6 +145,7 @@ enum class ShadowMistake : std::uint8_t {
   glass_lets_through,
   not_own_object,              ///< an object does not shadow itself
   any_nearer_than_eye,         ///< compared with the distance to the eye
+  positional_nearer_than_eye,  ///< ... for point lights and spotlights
   unit_length,                 ///< only objects nearer than 1 cast shadows
   direction_unnormalized_far,  ///< shadow rays to directional lights have length 1
   squared_distance,            ///< compared with the square of the light's distance

@@ -893,7 +893,10 @@ bool Model::shadowed(const RenderLight& light, const Surface& s, const Arrival& 
       }
       break;
     case ShadowMistake::any_nearer_than_eye:
-      end = glm::length(s.position - s.eye);
+    case ShadowMistake::positional_nearer_than_eye:
+      if (!directional || m_.shadow == ShadowMistake::any_nearer_than_eye) {
+        end = glm::length(s.position - s.eye);
+      }
       break;
     case ShadowMistake::unit_length:
     case ShadowMistake::point_as_directional:

@@ -296,7 +296,9 @@ std::optional<Claim> drop_other_samples(Simulation& sim,
   constexpr std::size_t first_points = 60;
   constexpr std::size_t many_points = 6000;
   constexpr double plausible = 0.85;
-  if (!sim.usable || sim.view->samples > 1 || sim.points.size() < few_pixels) {
+  // Black is in the range of the samples of pixels that objects cover partly.
+  if (!sim.usable || sim.view->samples > 1 || sim.points.size() < few_pixels ||
+      claim_of_missed_samples(sim)) {
     return std::nullopt;
   }
   const std::vector<Point> first(

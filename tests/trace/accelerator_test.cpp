@@ -316,6 +316,35 @@ TEST(Accelerator, OfEqualTrianglesTheLastInTheFileIsHit) {
   EXPECT_EQ(hit.triangle, 999u);
 }
 
+// The search's distances are in single precision, and less exact the more a ray grazes a triangle.
+TEST(Accelerator, AMeshIsHitAgainByGrazingRaysThatEndThere) {
+  Random random(11);
+  int hits = 0;
+  for (int round = 0; round < 100; ++round) {
+    SceneBuilder b;
+    RenderPrimitive p = b.primitive(Shape::mesh, random_place(random), b.material({}));
+    p.mesh = b.mesh(tetrahedron());
+    b.scene.groups[0].primitives.push_back(p);
+    const Accelerator accelerator(b.scene, b.assets);
+    for (int i = 0; i < 100; ++i) {
+      // Near the middle of the slanted face, nearly along it.
+      const float x = between(random, -0.1, 0.1);
+      const float y = between(random, -0.1, 0.1);
+      const glm::vec3 in_face = 1.0f / 3 + glm::vec3(x, y, -x - y);
+      const glm::vec3 along = glm::vec3(y, -x, x - y) + 0.0002f;
+      const glm::dvec3 target(p.group_from_object.linear * in_face + p.group_from_object.offset);
+      const glm::dvec3 direction(glm::normalize(p.group_from_object.linear * along));
+      const Ray ray{target - 0.01 * direction, direction};
+      Hit hit;
+      if (accelerator.closest(ray, 0, infinity, hit)) {
+        EXPECT_TRUE(accelerator.closest_in(0, ray, 0, std::nextafter(hit.t, infinity), hit));
+        ++hits;
+      }
+    }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
 TEST(Accelerator, DegenerateMeshesAreNotHit) {
   SceneBuilder b;
   Mesh mesh;

@@ -141,8 +141,7 @@ std::vector<const WaveKernel*> all_kernels() {
   return kernels;
 }
 
-void expect_equal(const SceneBuilder& b, const RenderOptions& options,
-                  std::size_t max_different = 0) {
+void expect_equal(const SceneBuilder& b, const RenderOptions& options) {
   SCOPED_TRACE(options.profile == Profile::fine ? "fine" : "course");
   const Tracer tracer(b.scene, b.assets, options);
   ASSERT_EQ(tracer.status(), RenderStatus::complete);
@@ -156,12 +155,10 @@ void expect_equal(const SceneBuilder& b, const RenderOptions& options,
       const bool penumbra = tracer.course() || sights[i].penumbra == expected[i].penumbra;
       different += sights[i].color == expected[i].color && penumbra ? 0 : 1;
     }
-    EXPECT_LE(different, max_different) << kernel->name << ": of " << sights.size();
+    EXPECT_EQ(different, 0u) << kernel->name << ": of " << sights.size();
     EXPECT_EQ(counts.primary, expected_counts.primary) << kernel->name;
-    if (different == 0) {
-      EXPECT_EQ(counts.shadow, expected_counts.shadow) << kernel->name;
-      EXPECT_EQ(counts.secondary, expected_counts.secondary) << kernel->name;
-    }
+    EXPECT_EQ(counts.shadow, expected_counts.shadow) << kernel->name;
+    EXPECT_EQ(counts.secondary, expected_counts.secondary) << kernel->name;
   }
 }
 
@@ -387,11 +384,7 @@ TEST(WaveOptions, MeshesAmongShapes) {
         all.insert(all.begin() + (i % 3 == 0 ? 0 : i), part);
       }
     }
-    // On some AMD processors, the kernel without AVX2 finds another path for one sample of one of
-    // these scenes; the reason is not known.
-    for (const Profile profile : profiles) {
-      expect_equal(b, small(profile), 1);
-    }
+    expect_equal(b);
   }
 }
 

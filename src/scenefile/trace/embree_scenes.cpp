@@ -36,11 +36,11 @@ struct Level {
   const Ray* ray = nullptr;
   double shift = 0;
   double scale = 1;
-  double slack = 0;  // exceeds rounding errors of t in single precision
+  double margin = 0;  // exceeds Embree's errors of t, which grow where a ray grazes a triangle
 
   float embree_t(double t) const { return next_up((t - shift) * scale); }
-  // Slightly beyond t, so that triangles at the same distance are tested too.
-  float beyond(double t) const { return embree_t(t + 1e-6 * std::abs(t - shift) + slack); }
+  // Beyond t, so that triangles at the same distance are tested too, whichever comes first.
+  float beyond(double t) const { return embree_t(t + margin); }
 };
 
 // The search of one group or mesh. Embree passes the context to every callback; the rest follows it
@@ -79,8 +79,8 @@ bool start_in_box(double t_min, double t_max, const Ray& ray, const Extent& exte
   if (!(largest > 1e-30 && largest < 1e30)) {
     return false;
   }
-  const double slack = 1e-6 * extent.diagonal / largest;
-  level = {&ray, enter - slack, extent.scale, slack};
+  const double across = extent.diagonal / largest;
+  level = {&ray, enter - 1e-6 * across, extent.scale, 1e-3 * across};
   const glm::vec3 origin(extent.scale * (ray.origin + level.shift * ray.direction));
   const glm::vec3 direction(ray.direction);
   if (!in_embree_range(origin) || !in_embree_range(direction)) {

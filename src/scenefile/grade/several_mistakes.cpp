@@ -274,10 +274,10 @@ std::optional<Tried> better(const std::optional<Tried>& a, const std::optional<T
   return b && (!a || clearly_better(*b, *a)) ? b : a;
 }
 
-// Combines each start with each single mistake, until a combination explains nearly everything.
-// Everything that is tried is appended to `tried`.
-std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>& starts,
-                                 double from, double to, std::vector<Tried>& tried) {
+// The best of what `search` finds from each start, until it explains nearly everything.
+template <typename Search>
+std::optional<Tried> best_from(Simulation& sim, const std::vector<Combination>& starts, double from,
+                               double to, const Search& search) {
   std::optional<Tried> best;
   double done = 0;
   for (const Combination& start : starts) {
@@ -285,13 +285,7 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
         !sim.step(from + (to - from) * done++ / static_cast<double>(starts.size()))) {
       break;
     }
-    std::vector<Tried> found = with_each_addition(sim, additions_to(sim, start, few_points, 0.3));
-    append(tried, found);
-    if (found.empty() || found.front().merit() < 0.85) {
-      continue;
-    }
-    const std::optional<Tried> now = first_good(sim, verified(sim, found, 6, from, from));
-    best = better(best, now);
+    best = better(best, search(start));
     if (best && reproduces_all(*best)) {
       break;
     }
@@ -299,36 +293,46 @@ std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>
   return best;
 }
 
+// Combines each start with each single mistake. Everything that is tried is appended to `tried`.
+std::optional<Tried> search_from(Simulation& sim, const std::vector<Combination>& starts,
+                                 double from, double to, std::vector<Tried>& tried) {
+  return best_from(sim, starts, from, to, [&](const Combination& start) -> std::optional<Tried> {
+    const std::vector<Tried> found =
+        with_each_addition(sim, additions_to(sim, start, few_points, 0.3));
+    append(tried, found);
+    if (found.empty() || found.front().merit() < 0.85) {
+      return std::nullopt;
+    }
+    return first_good(sim, verified(sim, found, 6, from, from));
+  });
+}
+
+// The mistakes whose addition explains most.
+std::vector<std::uint16_t> most_helpful(const Simulation& sim, const Additions& f) {
+  const Simulation::Base b = sim.base(f.count);
+  std::vector<std::pair<double, std::uint16_t>> order;
+  for (const std::uint16_t i : f.members) {
+    const Score s = score(sim.points, f.count, sim.finished(f.made, f.with[i]));
+    order.emplace_back(-sim.rated({}, s, b).merit(), i);
+  }
+  std::stable_sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), max_in_triples));
+  std::vector<std::uint16_t> result;
+  for (const auto& [merit, i] : order) {
+    result.push_back(i);
+  }
+  return result;
+}
+
 // Combines each start with pairs of the mistakes that help it most.
 std::optional<Tried> search_triples_from(Simulation& sim, const std::vector<Combination>& starts,
                                          double from, double to) {
-  std::optional<Tried> best;
-  double done = 0;
-  for (const Combination& start : starts) {
-    if (sim.rays > work_for_several ||
-        !sim.step(from + (to - from) * done++ / static_cast<double>(starts.size()))) {
-      break;
-    }
+  return best_from(sim, starts, from, to, [&](const Combination& start) {
     Additions f = additions_to(sim, start, few_points);
-    const Simulation::Base b = sim.base(f.count);
-    std::vector<std::pair<double, std::uint16_t>> order;
-    for (const std::uint16_t i : f.members) {
-      const Score s = score(sim.points, f.count, sim.finished(start, f.with[i]));
-      order.emplace_back(-sim.rated({}, s, b).merit(), i);
-    }
-    std::stable_sort(order.begin(), order.end());
-    order.resize(std::min(order.size(), max_in_triples));
-    f.members.clear();
-    for (const auto& [merit, i] : order) {
-      f.members.push_back(i);
-    }
+    f.members = most_helpful(sim, f);
     const std::vector<Tried> found = tried_again(sim, approximate_pairs(sim, f, 60), 60, to, to);
-    best = better(best, first_good(sim, verified(sim, found, 6, to, to)));
-    if (best && reproduces_all(*best)) {
-      break;
-    }
-  }
-  return best;
+    return first_good(sim, verified(sim, found, 6, to, to));
+  });
 }
 
 // Whether the curve multiplies all values.

@@ -86,6 +86,23 @@ void place_each(HypothesisList& list, const char* what, const MatrixMistakes& mi
   rewrite(list, what, [&](Scene& scene) { return place_all(scene, mistakes); });
 }
 
+// Without the transforms of the nodes for which `where` holds.
+void ignore_transforms(HypothesisList& list, const char* what,
+                       const std::function<bool(const Scene&, const Node&)>& where) {
+  rewrite(list, what, [&](Scene& scene) {
+    std::vector<NodeId> nodes;
+    for (NodeId i = 0; i < scene.nodes.size(); ++i) {
+      if (!scene.nodes[i].transforms.empty() && where(scene, scene.nodes[i])) {
+        nodes.push_back(i);
+      }
+    }
+    for (const NodeId i : nodes) {
+      scene.nodes[i].transforms.clear();
+    }
+    return !nodes.empty();
+  });
+}
+
 void rewrite_each(HypothesisList& list, const char* what,
                   const std::function<bool(Transform&)>& change) {
   rewrite(list, what, [&](Scene& scene) {
@@ -239,51 +256,19 @@ void add_transforms(HypothesisList& list) {
     t.map = Matrix(m);
     return true;
   });
-  rewrite(list, "transforms of outer blocks are ignored", [](Scene& scene) {
-    bool any = false;
-    for (Node& node : scene.nodes) {
-      if (!node.children.empty() && !node.transforms.empty()) {
-        node.transforms.clear();
-        any = true;
-      }
-    }
-    return any;
-  });
-  rewrite(list, "transforms of blocks that show a template are ignored", [](Scene& scene) {
-    bool any = false;
-    for (Node& node : scene.nodes) {
-      if (!node.instance_of.empty() && !node.transforms.empty()) {
-        node.transforms.clear();
-        any = true;
-      }
-    }
-    return any;
-  });
-  rewrite(list, "transforms of inner blocks replace those of outer ones", [](Scene& scene) {
-    bool any = false;
-    for (Node& node : scene.nodes) {
-      if (node.children.empty() || node.transforms.empty()) {
-        continue;
-      }
-      bool inner = true;
-      for (const NodeId child : node.children) {
-        inner = inner && !scene.nodes[child].transforms.empty();
-      }
-      if (inner) {
-        node.transforms.clear();
-        any = true;
-      }
-    }
-    return any;
-  });
-  rewrite(list, "all transforms are ignored", [](Scene& scene) {
-    bool any = false;
-    for (Node& node : scene.nodes) {
-      any = any || !node.transforms.empty();
-      node.transforms.clear();
-    }
-    return any;
-  });
+  ignore_transforms(list, "transforms of outer blocks are ignored",
+                    [](const Scene&, const Node& node) { return !node.children.empty(); });
+  ignore_transforms(list, "transforms of blocks that show a template are ignored",
+                    [](const Scene&, const Node& node) { return !node.instance_of.empty(); });
+  ignore_transforms(
+      list, "transforms of inner blocks replace those of outer ones",
+      [](const Scene& scene, const Node& node) {
+        return !node.children.empty() &&
+               std::all_of(node.children.begin(), node.children.end(),
+                           [&](NodeId child) { return !scene.nodes[child].transforms.empty(); });
+      });
+  ignore_transforms(list, "all transforms are ignored",
+                    [](const Scene&, const Node&) { return true; });
   place_each(list, "matrices of nested blocks are multiplied in the wrong order",
              {.nesting_reversed = true});
   place_each(list, "all matrices are multiplied in the wrong order",

@@ -142,24 +142,10 @@ std::size_t look_first_at_rest(Simulation& sim, const Combination& mistakes) {
   return count + count / 3;
 }
 
-// Adds the mistake that explains most of what is left of `all`.
+// Adds the mistake that explains most of what is left.
 std::optional<Tried> with_one_more(Simulation& sim, const Tried& found, const Simulation::Base& b) {
-  const std::size_t count = look_first_at_rest(sim, found.mistakes);
-  if (count < few_pixels) {
-    return std::nullopt;
-  }
-  std::vector<Combination> sets;
-  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
-    if (std::find(found.mistakes.begin(), found.mistakes.end(), i) == found.mistakes.end() &&
-        fits(sim, found.mistakes, i)) {
-      sets.push_back(joined(found.mistakes, {i}));
-    }
-  }
-  std::vector<Tried> more = sim.try_all(sets, count, 0.7, 0.9);
-  sort_by(more, [](const Tried& t) { return t.score.left; });
-  more.resize(std::min<std::size_t>(more.size(), 8));
   std::optional<Tried> best;
-  for (const Tried& t : more) {
+  for (const Tried& t : likely_additions(sim, found.mistakes)) {
     Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
     if ((!best || clearly_better(whole, *best)) && clearly_better(whole, found) &&
         good_enough(sim, whole) && each_needed(sim, whole.mistakes)) {
@@ -328,7 +314,7 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
     const auto shifts = [](const Hypothesis& one, const Hypothesis& two) {
       return one.cause == Cause::half_pixel_shift && two.stage == Stage::camera;
     };
-    return shifts(a, b) || shifts(b, a) ||
+    return shifts(a, b) || shifts(b, a) || hides(a, b) || hides(b, a) ||
            (a.cause == b.cause && a.cause != Cause::specular && a.cause != Cause::texture &&
             a.cause != Cause::shapes) ||
            (a.stage == Stage::shapes && b.stage == Stage::shapes && a.cause == Cause::transforms);
@@ -340,6 +326,13 @@ bool any_differs(const Colors& a, const Colors& b, double limit) {
     return largest_of(glm::abs(glm::clamp(x, dvec3(0), dvec3(255)) -
                                glm::clamp(y, dvec3(0), dvec3(255)))) <= limit;
   });
+}
+
+bool hides(const Hypothesis& mistake, const Hypothesis& edit) {
+  return edit.cause == Cause::scene_edited &&
+         (edit.stage == Stage::camera
+              ? mistake.stage == Stage::camera
+              : mistake.cause == Cause::transforms && mistake.stage == Stage::shapes);
 }
 
 bool is_about_brightness(Cause cause) {
@@ -505,16 +498,32 @@ Tried simplified(Simulation& sim, const Tried& found) {
   return found;
 }
 
+std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes) {
+  constexpr std::size_t max_count = 8;
+  const PointsRestored restored(sim);
+  const std::size_t count = look_first_at_rest(sim, mistakes);
+  if (count < few_pixels) {
+    return {};
+  }
+  std::vector<Combination> sets;
+  for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
+    if (std::find(mistakes.begin(), mistakes.end(), i) == mistakes.end() &&
+        fits(sim, mistakes, i)) {
+      sets.push_back(joined(mistakes, {i}));
+    }
+  }
+  std::vector<Tried> more = sim.try_all(sets, count, 0.7, 0.9);
+  sort_by(more, [](const Tried& t) { return t.score.left; });
+  more.resize(std::min(more.size(), max_count));
+  return more;
+}
+
 Tried completed(Simulation& sim, const Tried& found) {
   const Simulation::Base b = sim.base(sim.points.size());
   if (sim.stopped || found.mistakes.size() > 2) {
     return found;
   }
-  std::optional<Tried> more;
-  {
-    const PointsRestored restored(sim);
-    more = with_one_more(sim, found, b);
-  }
+  const std::optional<Tried> more = with_one_more(sim, found, b);
   return more ? completed(sim, *more) : found;
 }
 

@@ -39,6 +39,9 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
 /// Whether any of the colors in `a` differs from that in `b` by more than `limit`, in 1/255, after
 /// limiting both to what a picture can show. `b` must have as many colors or more.
 bool any_differs(const Colors& a, const Colors& b, double limit);
+/// Whether `edit` is an edited scene that shows little or not at all beside the mistake: mistakes
+/// in transforms replace all objects and lights, and another camera makes a wrong one fit better.
+bool hides(const Hypothesis& mistake, const Hypothesis& edit);
 /// Whether the mistake changes brightness or contrast of the whole picture, which fits many
 /// pictures by chance.
 bool is_about_brightness(Cause cause);
@@ -67,6 +70,9 @@ std::vector<Tried> equal_instead(const Simulation& sim, const Tried& found,
                                  const std::vector<Tried>& tried);
 /// The same picture with one mistake in place of two, where there is one.
 Tried simplified(Simulation& sim, const Tried& found);
+/// The mistakes with one more, for those that explain most of the remaining difference. Scores are
+/// of some of the points.
+std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes);
 /// Adds the mistake that explains most of the remaining difference, if any.
 Tried completed(Simulation& sim, const Tried& found);
 /// The first candidate that satisfies the thresholds after removing mistakes that are not needed,

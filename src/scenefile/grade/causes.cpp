@@ -299,7 +299,28 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
   return fitting;
 }
 
-void search(Simulation& sim, LookFor look_for, CauseReport& report) {
+// The mistakes that explain most, without those that look the same as an earlier one.
+std::vector<Combination> most_likely(std::vector<Tried> tried) {
+  constexpr std::size_t max_count = 3;
+  constexpr double min_merit = 0.15;
+  sort_by_merit(tried);
+  std::vector<Combination> likely;
+  double last = 0;
+  for (const Tried& t : tried) {
+    if (t.merit() < min_merit || likely.size() == max_count) {
+      break;
+    }
+    if (std::abs(t.merit() - last) > 1e-6) {
+      likely.push_back(t.mistakes);
+      last = t.merit();
+    }
+  }
+  return likely;
+}
+
+// `likely`: set to what explains most, without claims.
+void search(Simulation& sim, LookFor look_for, CauseReport& report,
+            std::vector<Combination>& likely) {
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
     // Other samples of pixels show at edges, where sampling_causes.cpp looks.
@@ -373,6 +394,7 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     report.confined = confined_to(sim);
+    likely = most_likely(std::move(ranked));
   }
   for (const Tried& t : alone) {
     if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&
@@ -387,11 +409,13 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report) {
 }
 
 // Whether the picture was drawn from an edited scene.
-bool claim_edited_scene(Simulation& sim, CauseReport& report) {
+// `likely`: what may be wrong, too.
+bool claim_edited_scene(Simulation& sim, const std::vector<Combination>& likely,
+                        CauseReport& report) {
   if (!sim.usable || !sim.significant() || sim.stopped) {
     return false;
   }
-  const std::optional<Tried> found = find_edited_scene(sim);
+  const std::optional<Tried> found = find_edited_scene(sim, likely);
   if (found && shows_much(sim, *found)) {
     claim(sim, *found, {}, {}, report);
     report.partial.clear();
@@ -411,11 +435,12 @@ CauseReport with_shift_at_edges(Simulation& sim, const Pixels& pixels, CauseRepo
 
 // Claims an edited scene, or other samples. A subpixel shift is likelier than a camera that was
 // moved a little.
-void claim_small_changes(Simulation& sim, const Pixels& pixels, bool edited, CauseReport& report) {
+void claim_small_changes(Simulation& sim, const Pixels& pixels, bool edited,
+                         const std::vector<Combination>& likely, CauseReport& report) {
   CauseReport shifted = with_shift_at_edges(sim, pixels, report);
   const bool subpixel =
       !shifted.claims.empty() && shifted.claims.front().cause == Cause::half_pixel_shift;
-  if (!edited || subpixel || !claim_edited_scene(sim, report)) {
+  if (!edited || subpixel || !claim_edited_scene(sim, likely, report)) {
     report = std::move(shifted);
   }
 }
@@ -499,8 +524,9 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     add_factors(sim);
     add_missing_objects(sim);
   }
+  std::vector<Combination> likely;
   if (sim.significant()) {
-    search(sim, look_for, report);
+    search(sim, look_for, report, likely);
   }
   if (undrawn) {
     if (report.claims.empty()) {
@@ -515,7 +541,8 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
       report.rivals.clear();
       report.partial.clear();
       // A camera that is turned a little shifts the picture, but not by whole pixels everywhere.
-      if (!edited || exact_share(sim, *copy) >= nearly_all || !claim_edited_scene(sim, report)) {
+      if (!edited || exact_share(sim, *copy) >= nearly_all ||
+          !claim_edited_scene(sim, {}, report)) {
         report.claims = {std::move(copy->claim)};
       }
     }
@@ -529,7 +556,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
     if (found) {
       report.claims.push_back(*std::move(found));
     } else if (sim.usable) {
-      claim_small_changes(sim, pixels, edited, report);
+      claim_small_changes(sim, pixels, edited, likely, report);
     }
   }
   return report;

@@ -3,6 +3,7 @@
 #include "scenefile/base/limits.h"
 #include "scenefile/grade/candidates.h"
 #include "scenefile/grade/least_squares.h"
+#include "scenefile/grade/sampling_causes.h"
 #include "scenefile/grade/scene_values.h"
 #include "scenefile/trace/tasks.h"
 
@@ -23,7 +24,8 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
-constexpr std::uint64_t max_rays = 6000000;  // of the whole search
+constexpr std::uint64_t max_rays = 6000000;  // of the search for an edited scene alone
+constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each other mistake
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
 struct Cells {
@@ -40,19 +42,30 @@ struct Edited {
   std::shared_ptr<const ModelShapes> shapes;
 };
 
+// Numbers of a value, and what they leave of the difference.
+struct Fit {
+  std::vector<double> numbers;
+  double left = 0;
+};
+
+// A value that explains a part of the difference.
+struct Promising {
+  SceneValue value;
+  Fit fit;
+  double left = 1;  // share of the difference
+};
+
 class Search {
  public:
-  explicit Search(Simulation& sim) : sim_(sim), first_ray_(sim.rays) {}
+  // `beside`: mistakes that were made, too.
+  Search(Simulation& sim, Combination beside)
+      : sim_(sim), beside_(std::move(beside)), first_ray_(sim.rays) {}
 
   std::optional<Tried> run();
+  // Beside one mistake that is not known yet. After run().
+  std::optional<Tried> run_beside_another();
 
  private:
-  // Numbers of a value, and what they leave of the difference.
-  struct Fit {
-    std::vector<double> numbers;
-    double left = 0;
-  };
-
   std::optional<RenderScene> ready_with(const SceneValue& value,
                                         const std::vector<double>& numbers) const;
   std::optional<Edited> edited(const SceneValue& value, const std::vector<double>& numbers) const;
@@ -66,11 +79,25 @@ class Search {
   void round(const SceneValue& value, Fit& fit) const;
   void measure_bias();
   std::vector<SceneValue> values() const;
-  std::optional<Tried> tried(const SceneValue& value);
-  bool spent() const { return sim_.rays - first_ray_ > max_rays; }
+  bool prepare_search();
+  std::optional<Fit> fitted(const SceneValue& value, Fit fit, std::size_t first_level);
+  std::uint16_t add_to_list(const SceneValue& value, RenderScene ready);
+  std::optional<Tried> tried(const SceneValue& value, Fit fit);
+  bool convincing(const Tried& t) const;
+  bool fits_beside(const SceneValue& value) const;
+  Colors drawn_beside(const std::vector<Point>& places) const;
+  bool spent() const {
+    return sim_.rays - first_ray_ > (beside_.empty() ? max_rays : max_rays_beside);
+  }
 
   Simulation& sim_;
+  Combination beside_;
   std::uint64_t first_ray_;
+  Colors before_;                              // of the points, without the edit
+  std::vector<char> differs_;                  // which points the test differs from that
+  std::shared_ptr<const ModelShapes> shapes_;  // without the edit
+  std::vector<ModelHit> hits_;                 // of the points
+  std::vector<Promising> promising_;
   Prepared prepared_;
   std::vector<Cells> levels_;  // the coarsest first
   double distance_ = 1;        // from the camera to what it shows
@@ -82,8 +109,9 @@ double robust(double off, double limit) {
   return off <= limit ? off * off : limit * (2 * off - limit);
 }
 
-constexpr double far_off = 40;  // of 255
-constexpr double near = 4;      // squared error of a channel that is right
+constexpr double far_off = 40;           // of 255
+constexpr double near = 4;               // squared error of a channel that is right
+constexpr double max_left_beside = 0.5;  // of the difference, where another mistake was made, too
 
 // Which stage a change of the value affects.
 Stage stage_of(const SceneValue& value) {
@@ -130,9 +158,11 @@ std::optional<Edited> Search::edited(const SceneValue& value,
   if (!scene) {
     return std::nullopt;
   }
-  Edited result{sim_.right_trial(false), sim_.shapes};
+  const Stage stage = std::max(stage_of(value), sim_.stage_of(beside_));
+  Edited result{sim_.right_trial(stage == Stage::shapes), sim_.shapes};
   replace(result.trial, *scene, stage_of(value));
-  if (stage_of(value) == Stage::shapes) {
+  sim_.make(beside_, result.trial);
+  if (stage == Stage::shapes) {
     result.shapes = flatten(result.trial.scene, *sim_.view->assets);
   }
   return result.shapes == nullptr ? std::nullopt : std::optional(std::move(result));
@@ -140,7 +170,8 @@ std::optional<Edited> Search::edited(const SceneValue& value,
 
 Colors Search::drawn(const Edited& scene, const Cells& cells) const {
   const Colors colors =
-      sim_.draw(scene.trial, *scene.shapes, cells.pixels, cells.pixels.size(), Turn(), nullptr);
+      sim_.finished(beside_, sim_.draw(scene.trial, *scene.shapes, cells.pixels,
+                                       cells.pixels.size(), sim_.turn_of(beside_), nullptr));
   Colors means(cells.test.size(), dvec3(0));
   for (std::size_t i = 0; i < colors.size(); ++i) {
     means[i / cells.samples] +=
@@ -181,11 +212,20 @@ Cells Search::squares(int size, int across, std::size_t max_count) const {
     return sum / double(across * across);
   };
   std::vector<Square> all;
+  std::vector<Point> middles;
   for (int y = 0; y + size <= sim_.test.height; y += size) {
     for (int x = 0; x + size <= sim_.test.width; x += size) {
       Square square{x, y, 0};
       square.off = largest_of(glm::abs(mean(sim_.test, square) - mean(sim_.reference, square)));
       all.push_back(square);
+      middles.push_back({x + size / 2, y + size / 2});
+    }
+  }
+  if (!beside_.empty()) {
+    const Colors colors = drawn_beside(middles);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+      all[i].off = largest_of(glm::abs(c - at(sim_.test, middles[i].x, middles[i].y)));
     }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -398,14 +438,16 @@ std::vector<SceneValue> Search::values() const {
   std::map<std::uint32_t, Seen> plain;  // objects that show no others
   Seen all_plain;
   double differs = 0;
+  double all = 0;
   for (std::size_t i = 0; i < sim_.points.size(); ++i) {
-    const ModelHit& hit = sim_.clean({}).hits[i];
+    const ModelHit& hit = hits_[i];
     const Point& p = sim_.points[i];
     const auto add = [&](Seen& seen) {
       seen.all += p.weight;
-      seen.differs += p.differs ? p.weight : 0;
+      seen.differs += differs_[i] != 0 ? p.weight : 0;
     };
-    differs += p.differs ? p.weight : 0;
+    differs += differs_[i] != 0 ? p.weight : 0;
+    all += p.weight;
     if (hit.part == nullptr) {
       add(all_plain);
       continue;
@@ -436,42 +478,67 @@ std::vector<SceneValue> Search::values() const {
     }
   }
   for (const NodeId node : by_merit(nodes, max_nodes)) {
-    insert(found.end(), values_of_transforms(scene, node));
+    // All pixels of an object that was moved differ, and many others do not.
+    const Seen& seen = nodes[node];
+    const bool likely = seen.differs > 0.9 * seen.all && differs < 0.5 * all;
+    insert(likely ? found.begin() : found.end(), values_of_transforms(scene, node));
   }
   return found;
 }
 
-std::optional<Tried> Search::tried(const SceneValue& value) {
-  Fit fit{value.numbers, 0};
-  const std::string before = text_of(fit.numbers);
-  for (std::size_t i = first_level(value.effect); i < levels_.size(); ++i) {
+// Whether an edit of the value may be found beside the mistakes that were made, too.
+bool Search::fits_beside(const SceneValue& value) const {
+  Hypothesis edit;
+  edit.cause = Cause::scene_edited;
+  edit.stage = stage_of(value);
+  return std::none_of(beside_.begin(), beside_.end(),
+                      [&](std::uint16_t i) { return hides(sim_.list[i], edit); });
+}
+
+// From the numbers in `fit`.
+std::optional<Fit> Search::fitted(const SceneValue& value, Fit fit, std::size_t first_level) {
+  for (std::size_t i = first_level; i < levels_.size(); ++i) {
     if (!improve(value, fit, levels_[i], 12)) {
+      const double left = fit.left / left_with(value, value.numbers, levels_[i]);
+      if (left <= max_left_beside) {
+        promising_.push_back({value, std::move(fit), left});
+      }
       return std::nullopt;
     }
   }
   round(value, fit);
+  return fit;
+}
+
+// Adds the edit to the list of mistakes, without words.
+std::uint16_t Search::add_to_list(const SceneValue& value, RenderScene ready) {
+  sim_.list.push_back(
+      {Cause::scene_edited,
+       {},
+       stage_of(value),
+       [ready = std::move(ready), stage = stage_of(value)](Trial& t) { replace(t, ready, stage); },
+       {},
+       {}});
+  return static_cast<std::uint16_t>(sim_.list.size() - 1);
+}
+
+std::optional<Tried> Search::tried(const SceneValue& value, Fit fit) {
+  const std::string before = text_of(value.numbers);
   const bool shade = value.effect == ValueEffect::colors || value.effect == ValueEffect::surface;
   for (std::size_t k = 0; shade && k < fit.numbers.size(); ++k) {
     if (fit.numbers[k] < 0 || is_absurd(fit.numbers[k], value.numbers[k])) {
       return std::nullopt;
     }
   }
-  const std::optional<RenderScene> ready = ready_with(value, fit.numbers);
+  std::optional<RenderScene> ready = ready_with(value, fit.numbers);
   if (!ready) {
     return std::nullopt;
   }
   const std::string where =
       value.location.known() ? fmt::format(" (line {})", value.location.line) : std::string();
-  sim_.list.push_back(
-      {Cause::scene_edited,
-       {},
-       stage_of(value),
-       [ready = *ready, stage = stage_of(value)](Trial& t) { replace(t, ready, stage); },
-       {},
-       {}});
-  const Combination one{static_cast<std::uint16_t>(sim_.list.size() - 1)};
+  const Combination all = joined(beside_, {add_to_list(value, *std::move(ready))});
   const Tried t =
-      sim_.rated(one, sim_.score_of(one, sim_.points.size()), sim_.base(sim_.points.size()));
+      sim_.rated(all, sim_.score_of(all, sim_.points.size()), sim_.base(sim_.points.size()));
   // An edited color is exact; other reflectances come near to one.
   if (shade && t.explained < 0.999) {
     return std::nullopt;
@@ -487,9 +554,9 @@ std::optional<Tried> Search::tried(const SceneValue& value) {
 void Search::measure_bias() {
   Colors off;
   for (std::size_t i = 0; i < sim_.points.size(); ++i) {
-    const dvec3 d = sim_.points[i].test - sim_.clean({}).drawn[i];
+    const dvec3 d = sim_.points[i].test - before_[i];
     const dvec3& t = sim_.points[i].test;
-    if (!sim_.points[i].differs && largest_of(glm::abs(d)) < 1 && std::min({t.x, t.y, t.z}) > 0) {
+    if (differs_[i] == 0 && largest_of(glm::abs(d)) < 1 && std::min({t.x, t.y, t.z}) > 0) {
       off.push_back(d);
     }
   }
@@ -498,11 +565,19 @@ void Search::measure_bias() {
   }
 }
 
-std::optional<Tried> Search::run() {
+// Colors of pixels without the edit.
+Colors Search::drawn_beside(const std::vector<Point>& places) const {
+  const Trial trial = sim_.trial_of(beside_);
+  return sim_.finished(beside_, sim_.draw(trial, *sim_.shapes_of(trial, sim_.stage_of(beside_)),
+                                          places, places.size(), sim_.turn_of(beside_), nullptr));
+}
+
+// Whether the scene can be searched.
+bool Search::prepare_search() {
   const SceneView& view = *sim_.view;
   constexpr std::size_t max_nodes = 3000;
   if (view.written == nullptr || view.written->nodes.size() > max_nodes) {
-    return std::nullopt;
+    return false;
   }
   prepared_ = prepare(*view.written, Limits());
   std::vector<double> distances;
@@ -512,11 +587,25 @@ std::optional<Tried> Search::run() {
     }
   }
   if (distances.empty() || !(prepared_.scene == *view.scene)) {
-    return std::nullopt;
+    return false;
   }
   std::nth_element(distances.begin(), distances.begin() + std::ptrdiff_t(distances.size() / 2),
                    distances.end());
   distance_ = distances[distances.size() / 2];
+  before_ = beside_.empty() ? sim_.clean({}).drawn : drawn_beside(sim_.points);
+  hits_ = sim_.clean(sim_.turn_of(beside_)).hits;
+  const Trial trial = sim_.trial_of(beside_);
+  shapes_ = sim_.shapes_of(trial, sim_.stage_of(beside_));
+  const Model model(trial.scene, *shapes_, *view.assets, trial.options, trial.mistakes);
+  for (std::size_t i = 0; i < sim_.points.size(); ++i) {
+    const Point& p = sim_.points[i];
+    const dvec3 c = glm::clamp(before_[i], dvec3(0), dvec3(255));
+    differs_.push_back(beside_.empty() ? p.differs
+                                       : largest_of(outside(c, p.low, p.high)) > exact_within);
+    if (sim_.stage_of(beside_) >= Stage::hits) {
+      hits_[i] = model.first_hit(sim_.ray(model, sim_.middle(p, sim_.turn_of(beside_))));
+    }
+  }
   measure_bias();
   levels_ = {squares(std::max(3, sim_.test.width / 16), 4, 400),
              squares(std::max(3, sim_.test.width / 40), 3, 300), squares(3, 3, 250), pixels(320),
@@ -525,21 +614,76 @@ std::optional<Tried> Search::run() {
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     levels_[i].max_left = max_left[i];
   }
+  return true;
+}
+
+bool Search::convincing(const Tried& t) const {
+  return sure(t) && t.broken <= max_broken &&
+         (t.mistakes.size() == 1 ||
+          (leaves_only_rounding(sim_, t.mistakes) && each_needed(sim_, t.mistakes)));
+}
+
+std::optional<Tried> Search::run() {
+  if (!prepare_search()) {
+    return std::nullopt;
+  }
   std::optional<Tried> best;
   for (const SceneValue& value : values()) {
     if (spent() || !sim_.step(0.98)) {
       break;
     }
-    const std::optional<Tried> t = tried(value);
-    if (t && sure(*t) && t->broken <= max_broken &&
-        (!best || t->score.raw < 0.9 * best->score.raw)) {
-      best = t;
+    const std::optional<Fit> fit =
+        fits_beside(value) ? fitted(value, {value.numbers, 0}, first_level(value.effect))
+                           : std::nullopt;
+    const std::optional<Tried> t = fit ? tried(value, *fit) : std::nullopt;
+    if (t && convincing(*t)) {
+      best = !best || t->score.raw < 0.9 * best->score.raw ? t : best;
+    } else if (t) {
+      promising_.push_back({value, *fit, 1 - t->explained});
     }
     if (best && best->explained > 0.995) {
       break;
     }
   }
   return best;
+}
+
+std::optional<Tried> Search::run_beside_another() {
+  constexpr std::size_t max_values = 3;
+  constexpr std::size_t max_others = 4;
+  std::stable_sort(promising_.begin(), promising_.end(),
+                   [](const Promising& a, const Promising& b) { return a.left < b.left; });
+  promising_.resize(std::min(promising_.size(), max_values));
+  for (Cells& level : levels_) {
+    level.max_left = 1;
+  }
+  for (Promising& start : promising_) {
+    first_ray_ = sim_.rays;
+    for (std::size_t i = 2; i < levels_.size(); ++i) {
+      improve(start.value, start.fit, levels_[i], 12);
+    }
+    std::optional<RenderScene> ready = ready_with(start.value, start.fit.numbers);
+    if (!ready || !sim_.step(0.99)) {
+      continue;
+    }
+    const std::uint16_t edit = add_to_list(start.value, *std::move(ready));
+    std::vector<Tried> additions = likely_additions(sim_, {edit});
+    additions.resize(std::min(additions.size(), max_others));
+    for (const Tried& both : additions) {
+      Combination other = both.mistakes;
+      std::erase(other, edit);
+      Search beside(sim_, other);
+      if (!beside.prepare_search()) {
+        continue;
+      }
+      const std::optional<Fit> refined = beside.fitted(start.value, start.fit, 3);
+      std::optional<Tried> t = refined ? beside.tried(start.value, *refined) : std::nullopt;
+      if (t && convincing(*t)) {
+        return t;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -574,8 +718,13 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
   return ready;
 }
 
-std::optional<Tried> find_edited_scene(Simulation& sim) {
-  return Search(sim).run();
+std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside) {
+  Search alone(sim, {});
+  std::optional<Tried> found = alone.run();
+  for (auto it = beside.begin(); !found && it != beside.end(); ++it) {
+    found = Search(sim, *it).run();
+  }
+  return found ? found : alone.run_beside_another();
 }
 
 }  // namespace scenefile

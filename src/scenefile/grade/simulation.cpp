@@ -269,15 +269,22 @@ Stage Simulation::stage_of(const Combination& mistakes) const {
   return stage;
 }
 
-Trial Simulation::trial_of(const Combination& mistakes) const {
-  Trial trial = right_trial(stage_of(mistakes) == Stage::shapes);
-  for (const Stage kind : {Stage::shapes, Stage::shading}) {
+void Simulation::make(const Combination& mistakes, Trial& trial) const {
+  const auto order = [](const Hypothesis& h) {
+    return h.cause == Cause::scene_edited ? 0 : h.stage == Stage::shapes ? 1 : 2;
+  };
+  for (const int turn : {0, 1, 2}) {
     for (const std::uint16_t i : mistakes) {
-      if (list[i].draw && (list[i].stage == Stage::shapes) == (kind == Stage::shapes)) {
+      if (list[i].draw && order(list[i]) == turn) {
         list[i].draw(trial);
       }
     }
   }
+}
+
+Trial Simulation::trial_of(const Combination& mistakes) const {
+  Trial trial = right_trial(stage_of(mistakes) == Stage::shapes);
+  make(mistakes, trial);
   return trial;
 }
 

@@ -103,7 +103,9 @@ struct Simulation {
   std::optional<Colors> drawn(const Combination& mistakes, std::size_t count,
                               const Turn& turn) const;
   Stage stage_of(const Combination& mistakes) const;
-  /// Mistakes that change the shapes come first, because they replace what others change.
+  /// Edited scenes come first, and then mistakes that change the shapes, because they replace what
+  /// others change.
+  void make(const Combination& mistakes, Trial& trial) const;
   Trial trial_of(const Combination& mistakes) const;
   std::shared_ptr<const ModelShapes> shapes_of(const Trial& trial, Stage stage) const;
   /// The flip of all mistakes together.

@@ -276,7 +276,7 @@ constexpr KnownMistake table[] = {
     {"scene-rolled-camera", "scene", "scene-edited|camera"},
     {"scene-moved-camera", "scene", "scene-edited|camera"},
     {"scene-moved-light", "scene", "scene-edited|lights"},
-    {"strange-other-colors", "strange", ""},
+    {"strange-other-colors", "strange", "scene-edited"},
     // Other single lines that go wrong.
     {"camera-direction-as-point", "camera", "camera"},
     {"camera-view-matrix", "camera", "camera"},

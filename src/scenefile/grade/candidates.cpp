@@ -50,6 +50,17 @@ bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
                      [&](std::uint16_t i) { return sim.list[i].cause == Cause::samples; });
 }
 
+// Whether another brightness alone comes so near to the picture that two more mistakes only imitate
+// what is left.
+bool only_refines_brightness(const Simulation& sim, const Combination& mistakes) {
+  constexpr double nearly = 0.95;  // of the difference
+  return mistakes.size() > 2 && std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
+           const std::size_t count = sim.points.size();
+           return is_about_brightness(sim.list[i].cause) &&
+                  sim.rated({i}, sim.score_of({i}, count), sim.base(count)).explained >= nearly;
+         });
+}
+
 // Whether a color says much: black and full brightness have many causes.
 bool is_telling(const dvec3& color) {
   return largest_of(color) > 3 && std::min({color.x, color.y, color.z}) < 252;
@@ -171,7 +182,7 @@ bool good_enough(const Simulation& sim, const Tried& t) {
   return good(t) &&
          (sure(t) ||
           (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
-         leaves_only_rounding(sim, t.mistakes);
+         leaves_only_rounding(sim, t.mistakes) && !only_refines_brightness(sim, t.mistakes);
 }
 
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {

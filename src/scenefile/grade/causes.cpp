@@ -279,26 +279,6 @@ Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tri
   return found;
 }
 
-// Fits functions of the lighting equation; puts those that explain the picture before the others.
-std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alone,
-                                         std::optional<Tried>& found) {
-  const Simulation::Base b = sim.base(sim.points.size());
-  std::vector<Tried> fitting;
-  for (Hypothesis& h : fitted_functions(sim)) {
-    sim.list.push_back(std::move(h));
-    const Combination one{static_cast<std::uint16_t>(sim.list.size() - 1)};
-    Tried t = sim.rated(one, sim.score_of(one, sim.points.size()), b);
-    if (sure(t) && t.broken <= max_broken && leaves_only_rounding(sim, one)) {
-      fitting.push_back(std::move(t));
-    }
-  }
-  if (!fitting.empty()) {
-    found = fitting.front();
-  }
-  append(fitting, alone);
-  return fitting;
-}
-
 // The mistakes that explain most, without those that look the same as an earlier one.
 std::vector<Combination> most_likely(std::vector<Tried> tried) {
   constexpr std::size_t max_count = 3;
@@ -316,6 +296,85 @@ std::vector<Combination> most_likely(std::vector<Tried> tried) {
     }
   }
   return likely;
+}
+
+// Functions of the lighting equation, beside the mistakes that were made, too; those that explain
+// most come first.
+std::vector<Tried> fitting_functions(Simulation& sim, const Combination& made_too) {
+  const Simulation::Base b = sim.base(sim.points.size());
+  std::vector<Tried> fitting;
+  for (Hypothesis& h : fitted_functions(sim, made_too)) {
+    sim.list.push_back(std::move(h));
+    const Combination all = joined(made_too, {static_cast<std::uint16_t>(sim.list.size() - 1)});
+    fitting.push_back(sim.rated(all, sim.score_of(all, sim.points.size()), b));
+  }
+  return fitting;
+}
+
+// Whether a function explains the picture, with the other mistakes.
+bool is_cause(const Simulation& sim, const Tried& t) {
+  return sure(t) && t.broken <= max_broken && leaves_only_rounding(sim, t.mistakes) &&
+         (t.mistakes.size() == 1 || each_needed(sim, t.mistakes));
+}
+
+// A function that explains the picture beside one of these mistakes.
+std::optional<Tried> function_beside(Simulation& sim, const std::vector<Combination>& likely) {
+  for (const Combination& mistakes : likely) {
+    const bool drawn = std::none_of(mistakes.begin(), mistakes.end(),
+                                    [&](std::uint16_t i) { return bool(sim.list[i].color); });
+    if (drawn && !sim.stopped) {
+      for (Tried& t : fitting_functions(sim, mistakes)) {
+        if (is_cause(sim, t)) {
+          return std::move(t);
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Puts functions that explain the picture before the others. Otherwise, looks for them beside
+// `likely` mistakes, and beside those that explain what a function leaves.
+std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alone,
+                                         const std::vector<Combination>& likely,
+                                         std::optional<Tried>& found) {
+  std::vector<Tried> fitting = fitting_functions(sim, {});
+  std::optional<Tried> best;
+  for (const Tried& t : fitting) {
+    best = t.explained >= part && (!best || t.explained > best->explained) ? t : best;
+  }
+  std::erase_if(fitting, [&](const Tried& t) { return !is_cause(sim, t); });
+  // Where several functions fit, the picture tells none of them.
+  if (std::any_of(fitting.begin(), fitting.end(), [&](const Tried& t) {
+        return sim.list[t.mistakes.front()].cause != sim.list[fitting[0].mistakes.front()].cause;
+      })) {
+    return alone;
+  }
+  append(fitting, alone);
+  if (fitting.size() > alone.size()) {
+    const bool better =
+        !found || found->mistakes.size() > 1 || fitting.front().score.raw < 0.6 * found->score.raw;
+    found = better ? fitting.front() : *found;
+    return better ? fitting : alone;
+  }
+  if (found) {
+    return alone;
+  }
+  std::vector<Combination> beside = likely;
+  if (best) {
+    constexpr std::size_t max_others = 3;
+    const std::uint16_t function = best->mistakes.front();
+    std::vector<Tried> additions = likely_additions(sim, best->mistakes);
+    additions.resize(std::min(max_others, additions.size()));
+    for (Tried& t : additions) {
+      std::erase(t.mistakes, function);
+      if (t.mistakes.front() < sim.first_fitted) {
+        beside.push_back(std::move(t.mistakes));
+      }
+    }
+  }
+  found = function_beside(sim, beside);
+  return fitting;
 }
 
 // `likely`: set to what explains most, without claims.
@@ -375,8 +434,15 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report,
       found = simplified(sim, *more);
     }
   }
-  if (!found && !sim.stopped && look_for == LookFor::several_at_once) {
-    alone = with_fitted_functions(sim, std::move(alone), found);
+  if (look_for == LookFor::several_at_once && !sim.stopped) {
+    // A function is likelier than several mistakes with a number that is fitted to the picture.
+    if (!found || std::any_of(found->mistakes.begin(), found->mistakes.end(), imitates)) {
+      alone = with_fitted_functions(
+          sim, std::move(alone), found ? std::vector<Combination>() : most_likely(ranked), found);
+    } else if (found->mistakes.size() == 1 && !reproduces_all(*found)) {
+      const std::optional<Tried> both = function_beside(sim, {found->mistakes});
+      found = both && clearly_better(*both, *found) ? both : found;
+    }
   }
   if (found && found->mistakes.size() == 1) {
     found = likeliest(sim, *found, alone);

@@ -30,20 +30,30 @@ struct Group {
   std::function<void(Trial&, const Curve&)> set;  // replaces the function
 };
 
-// Where the first points are in the world.
-std::vector<dvec3> places_of(const Simulation& sim, std::size_t count) {
-  const Trial trial = sim.right_trial(false);
-  const Model model(trial.scene, *sim.shapes, *sim.view->assets, trial.options, trial.mistakes);
-  std::vector<dvec3> result;
-  for (std::size_t i = 0; i < count; ++i) {
-    const ModelHit& hit = sim.clean({}).hits[i];
-    if (hit.part != nullptr) {
-      const ModelRay ray = sim.ray(model, sim.middle(sim.points[i], {}));
-      result.push_back(ray.origin + hit.t * hit.stretch * ray.direction);
+// The scene with mistakes that were made, too.
+struct Made {
+  const Simulation& sim;
+  Turn turn;
+  Trial trial;
+  std::shared_ptr<const ModelShapes> shapes;
+  std::vector<ModelHit> hits;  // of the first points
+  std::vector<dvec3> places;   // of these hits in the world
+
+  Made(const Simulation& simulation, const Combination& mistakes)
+      : sim(simulation),
+        turn(sim.turn_of(mistakes)),
+        trial(sim.trial_of(mistakes)),
+        shapes(sim.shapes_of(trial, sim.stage_of(mistakes))) {
+    const Model model(trial.scene, *shapes, *sim.view->assets, trial.options, trial.mistakes);
+    for (std::size_t i = 0; i < std::min(max_points_to_fit, sim.points.size()); ++i) {
+      const ModelRay ray = sim.ray(model, sim.middle(sim.points[i], turn) + trial.shift);
+      hits.push_back(model.first_hit(ray));
+      if (hits.back().part != nullptr) {
+        places.push_back(ray.origin + hits.back().t * hits.back().stretch * ray.direction);
+      }
     }
   }
-  return result;
-}
+};
 
 std::vector<double> evenly(double from, double to, std::size_t count) {
   std::vector<double> knots;
@@ -73,16 +83,18 @@ Curve hat(const std::vector<double>& knots, std::size_t k) {
 }
 
 // The functions of the groups that make the scene look most like the test; nullopt if none comes
-// near to it.
-std::optional<std::vector<Curve>> fitted(const Simulation& sim, const std::vector<Group>& groups) {
-  const std::size_t count = std::min(max_points_to_fit, sim.points.size());
+// near to it, or if the points show few of the functions' values.
+std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Group>& groups) {
+  constexpr std::size_t min_knots = 8;
+  const Simulation& sim = made.sim;
+  const std::size_t count = made.hits.size();
   const auto drawn = [&](std::size_t group, const Curve& curve) {
-    Trial trial = sim.right_trial(false);
+    Trial trial = made.trial;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const std::vector<double>& knots = groups[g].knots;
       groups[g].set(trial, g == group ? curve : Curve{knots, std::vector<double>(knots.size(), 0)});
     }
-    return sim.draw(trial, *sim.shapes, sim.points, count, Turn(), &sim.clean({}).hits);
+    return sim.draw(trial, *made.shapes, sim.points, count, made.turn, &made.hits);
   };
   std::vector<std::pair<std::size_t, std::size_t>> unknowns;  // group, knot
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -99,6 +111,14 @@ std::optional<std::vector<Curve>> fitted(const Simulation& sim, const std::vecto
       bases[u][i] -= none[i];
     }
   });
+  // A few values, as of N.L on a cube, fit anything.
+  const auto shown = std::count_if(bases.begin(), bases.end(), [](const Colors& base) {
+    return std::count_if(base.begin(), base.end(),
+                         [](const dvec3& c) { return largest_of(c) > tolerance; }) >= 2;
+  });
+  if (static_cast<std::size_t>(shown) < min_knots) {
+    return std::nullopt;
+  }
   std::vector<double> values(n, 0);
   std::size_t near = 0;
   std::size_t used = 0;
@@ -169,18 +189,23 @@ std::optional<std::vector<Curve>> fitted(const Simulation& sim, const std::vecto
   return curves;
 }
 
-void add_function(const Simulation& sim, Cause cause, const std::vector<Group>& groups,
+// `words`: says what the functions are; empty if they are not plausible.
+void add_function(const Made& made, Cause cause, const std::vector<Group>& groups,
                   const std::function<std::string(const std::vector<Curve>&)>& words,
                   std::vector<Hypothesis>& list) {
   if (groups.empty() || groups.size() > max_groups) {
     return;
   }
-  const std::optional<std::vector<Curve>> curves = fitted(sim, groups);
+  const std::optional<std::vector<Curve>> curves = fitted(made, groups);
   if (!curves) {
     return;
   }
+  std::string what = words(*curves);
+  if (what.empty()) {
+    return;
+  }
   list.push_back({cause,
-                  words(*curves),
+                  std::move(what),
                   Stage::shading,
                   [groups, curves = *curves](Trial& t) {
                     for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -202,12 +227,11 @@ void set_by_light(std::vector<Curve>& curves, const std::vector<std::size_t>& li
 // A function of each group of lights that have the same numbers. `of_point`: its argument.
 template <typename Key>
 std::vector<Group> groups_of_lights(
-    const Simulation& sim, const std::vector<dvec3>& points,
-    std::vector<Curve> ModelMistakes::*member,
+    const Made& made, std::vector<Curve> ModelMistakes::*member,
     const std::function<std::optional<Key>(const RenderLight&)>& key,
     const std::function<double(const RenderLight&, const dvec3&)>& argument,
     const std::function<std::vector<double>(std::vector<double>)>& knots) {
-  const std::vector<RenderLight>& lights = sim.view->scene->lights;
+  const std::vector<RenderLight>& lights = made.trial.scene.lights;
   std::map<Key, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (const std::optional<Key> k = key(lights[i])) {
@@ -219,7 +243,7 @@ std::vector<Group> groups_of_lights(
     const std::vector<std::size_t>& of_group = one.second;
     std::vector<double> arguments;
     for (const std::size_t i : of_group) {
-      for (const dvec3& p : points) {
+      for (const dvec3& p : made.places) {
         arguments.push_back(argument(lights[i], p));
       }
     }
@@ -231,11 +255,10 @@ std::vector<Group> groups_of_lights(
   return groups;
 }
 
-void add_fading(const Simulation& sim, const std::vector<dvec3>& points,
-                std::vector<Hypothesis>& list) {
+void add_fading(const Made& made, std::vector<Hypothesis>& list) {
   using Key = std::tuple<float, float, float>;
   const std::vector<Group> groups = groups_of_lights<Key>(
-      sim, points, &ModelMistakes::fading,
+      made, &ModelMistakes::fading,
       [](const RenderLight& light) {
         const glm::vec3& a = light.attenuation;
         return has_position(light.type) ? std::optional(Key(a.x, a.y, a.z)) : std::nullopt;
@@ -245,11 +268,14 @@ void add_fading(const Simulation& sim, const std::vector<dvec3>& points,
       },
       [](std::vector<double> distances) { return quantiles(std::move(distances), 16); });
   add_function(
-      sim, Cause::attenuation, groups,
+      made, Cause::attenuation, groups,
       [&](const std::vector<Curve>& curves) {
         const Curve& c = curves.front();
         const double near = c.knots[c.knots.size() / 4];
         const double far = c.knots[3 * c.knots.size() / 4];
+        if (c.at(far) > c.at(near)) {
+          return std::string();  // no program makes distant lights brighter
+        }
         return fmt::format(
             "lights fade with distance in another way than the file says: the factor is {:.2g} at "
             "a distance of {:.2g}, and {:.2g} at {:.2g}",
@@ -258,11 +284,10 @@ void add_fading(const Simulation& sim, const std::vector<dvec3>& points,
       list);
 }
 
-void add_cones(const Simulation& sim, const std::vector<dvec3>& points,
-               std::vector<Hypothesis>& list) {
+void add_cones(const Made& made, std::vector<Hypothesis>& list) {
   using Key = std::tuple<float, float>;
   const std::vector<Group> groups = groups_of_lights<Key>(
-      sim, points, &ModelMistakes::cone,
+      made, &ModelMistakes::cone,
       [](const RenderLight& light) {
         return has_cone(light.type) ? std::optional(Key(light.inner_angle, light.outer_angle))
                                     : std::nullopt;
@@ -276,7 +301,7 @@ void add_cones(const Simulation& sim, const std::vector<dvec3>& points,
                       *std::max_element(angles.begin(), angles.end()), 32);
       });
   add_function(
-      sim, Cause::spot_falloff, groups,
+      made, Cause::spot_falloff, groups,
       [&](const std::vector<Curve>& curves) {
         const Curve& c = curves.front();
         const double most = *std::max_element(c.values.begin(), c.values.end());
@@ -292,12 +317,12 @@ void add_cones(const Simulation& sim, const std::vector<dvec3>& points,
       list);
 }
 
-void add_diffuse_response(const Simulation& sim, std::vector<Hypothesis>& list) {
+void add_diffuse_response(const Made& made, std::vector<Hypothesis>& list) {
   const std::vector<Group> groups{{evenly(-1, 1, 24), [](Trial& t, const Curve& curve) {
                                      t.mistakes.diffuse_response = curve;
                                    }}};
   add_function(
-      sim, Cause::diffuse, groups,
+      made, Cause::diffuse, groups,
       [](const std::vector<Curve>& curves) {
         const Curve& c = curves.front();
         return fmt::format(
@@ -328,11 +353,11 @@ double exponent_like(const Curve& curve) {
   return best;
 }
 
-void add_highlights(const Simulation& sim, std::vector<Hypothesis>& list) {
+void add_highlights(const Made& made, std::vector<Hypothesis>& list) {
   std::map<float, std::size_t> exponents;  // with the number of points
-  for (const ModelHit& hit : sim.clean({}).hits) {
+  for (const ModelHit& hit : made.hits) {
     if (hit.part != nullptr) {
-      const RenderMaterial& m = sim.view->scene->materials[hit.part->material];
+      const RenderMaterial& m = made.trial.scene.materials[hit.part->material];
       if (m.shininess > 0 && m.specular != glm::vec3(0)) {
         ++exponents[m.shininess];
       }
@@ -349,7 +374,7 @@ void add_highlights(const Simulation& sim, std::vector<Hypothesis>& list) {
                       }});
   }
   add_function(
-      sim, Cause::specular, groups,
+      made, Cause::specular, groups,
       [&](const std::vector<Curve>& curves) {
         const auto most =
             std::max_element(exponents.begin(), exponents.end(),
@@ -365,19 +390,19 @@ void add_highlights(const Simulation& sim, std::vector<Hypothesis>& list) {
 
 }  // namespace
 
-std::vector<Hypothesis> fitted_functions(const Simulation& sim) {
+std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too) {
   std::vector<Hypothesis> list;
   if (!sim.usable || sim.view->options.mode == Mode::normals || sim.view->scene->lights.empty()) {
     return list;
   }
-  const std::vector<dvec3> points = places_of(sim, std::min(max_points_to_fit, sim.points.size()));
-  if (points.size() < few_pixels) {
+  const Made made(sim, made_too);
+  if (made.places.size() < few_pixels) {
     return list;
   }
-  add_fading(sim, points, list);
-  add_highlights(sim, list);
-  add_cones(sim, points, list);
-  add_diffuse_response(sim, list);
+  add_fading(made, list);
+  add_highlights(made, list);
+  add_cones(made, list);
+  add_diffuse_response(made, list);
   return list;
 }
 

@@ -10,6 +10,7 @@ namespace scenefile {
 
 /// The mistakes whose functions fit the points nearly everywhere, the likeliest first. The pictures
 /// decide whether they are causes: see leaves_only_rounding().
-std::vector<Hypothesis> fitted_functions(const Simulation& sim);
+/// `made_too`: mistakes that were made, too, without changes of the finished picture.
+std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too);
 
 }  // namespace scenefile

@@ -152,7 +152,10 @@ void add_lights(HypothesisList& list) {
           "object-space point"},
          {L::sum,
           "vectors to point lights and spotlights are sums of light and point, not "
-          "differences"}});
+          "differences"},
+         {L::sum_all,
+          "vectors to point lights and spotlights are sums of light and point, not differences, "
+          "also in shadow rays"}});
   }
   if (list.scene.lights.size() > 1) {
     list.set_each<LightSum>(
@@ -388,8 +391,7 @@ void add_spots(HypothesisList& list) {
                               : "the penumbra of spotlights is half as wide as it should be",
                   [factor](RenderLight& l) {
                     if (has_cone(l.type)) {
-                      l.inner_angle =
-                          std::max(0.0f, l.outer_angle - factor * (l.outer_angle - l.inner_angle));
+                      l.inner_angle = l.outer_angle - factor * (l.outer_angle - l.inner_angle);
                     }
                   });
   }

@@ -79,6 +79,7 @@ enum class LightVectorMistake : std::uint8_t {
   from_object_point,      ///< to point and spot lights: from the point in object space
   from_object_point_all,  ///< ... also for the distance and shadow rays
   sum,                    ///< position of the light plus the point, not minus
+  sum_all,                ///< ... also for the falloff of spotlights and shadow rays
 };
 
 enum class AttenuationMistake : std::uint8_t {

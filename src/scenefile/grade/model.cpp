@@ -745,8 +745,9 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
   if (!(arriving.distance > 0)) {
     return false;
   }
-  arriving.toward =
-      mistake == LightVectorMistake::to_origin_all ? unit(from) : way / arriving.distance;
+  arriving.toward = mistake == LightVectorMistake::to_origin_all ? unit(from)
+                    : mistake == LightVectorMistake::sum_all     ? unit(from + s.position)
+                                                                 : way / arriving.distance;
   const double cosine = -glm::dot(arriving.toward, dvec3(light.direction));
   if (has_rectangle(light.type) && cosine <= 0) {
     return false;
@@ -803,6 +804,7 @@ bool Model::arrival(const RenderLight& light, const Surface& s, const dvec2& on_
       break;
     case LightVectorMistake::none:
     case LightVectorMistake::to_origin_all:
+    case LightVectorMistake::sum_all:
     case LightVectorMistake::reversed_directional:
     case LightVectorMistake::reversed_directional_shading:
     case LightVectorMistake::directional_as_long_as_written:

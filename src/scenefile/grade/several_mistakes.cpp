@@ -392,7 +392,7 @@ std::optional<Tried> with_fitted_curve(Simulation& sim) {
       sim.list.push_back(std::move(curve));
       const Combination mistakes{i, added};
       const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
-      if (good_enough(sim, t) && each_needed(sim, mistakes)) {
+      if (reproduces_all(t) && good_enough(sim, t) && each_needed(sim, mistakes)) {
         return t;
       }
       sim.list.pop_back();

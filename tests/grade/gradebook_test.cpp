@@ -117,6 +117,18 @@ TEST(Gradebook, APictureOfAnotherSizeSaysSo) {
   EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("<a href=\"#p1-1\">size</a>"));
 }
 
+TEST(Gradebook, NotesStandBesideResultsButAreNoMistakes) {
+  Gradebook book = two_students();
+  for (PictureResult& picture : book.students[1].pictures) {
+    picture.notes = {"four samples <each>"};
+  }
+  EXPECT_THAT(gradebook_html(book, "t"), HasSubstr("Not a mistake: four samples &lt;each&gt;"));
+  EXPECT_THAT(gradebook_junit(book), HasSubstr("not a mistake: four samples &lt;each&gt;"));
+  book.students[0].pictures[0].notes = {"fine"};
+  EXPECT_THAT(student_html(book.students[0], "t"),
+              AllOf(HasSubstr("passed"), HasSubstr("Not a mistake: fine")));
+}
+
 TEST(Gradebook, AllFilesAreUtf8) {
   Gradebook book = two_students();
   book.students[0].name = "J\xF6rg";

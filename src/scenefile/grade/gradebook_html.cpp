@@ -236,6 +236,14 @@ std::string measures_line(const PictureMeasures& m) {
                      m.difference.psnr_db, m.ssim, m.flip_mean, m.difference.max);
 }
 
+std::string notes_of(const PictureResult& picture) {
+  std::string html;
+  for (const std::string& note : picture.notes) {
+    html += fmt::format("<p class=\"dim\">Not a mistake: {}</p>\n", markup(note));
+  }
+  return html;
+}
+
 std::string details(const PictureResult& picture) {
   std::string html = "<ul>";
   for (const std::string& reason : picture.reasons) {
@@ -246,6 +254,7 @@ std::string details(const PictureResult& picture) {
     html += fmt::format("<div class=\"cause\">{} [{}]<small>{}</small></div>\n", markup(claim.what),
                         name_of(claim.cause), markup(claim.evidence));
   }
+  html += notes_of(picture);
   const std::string source = !picture.png_file.empty() ? markup(picture.png_file)
                              : picture.png.empty()     ? std::string()
                                                    : "data:image/png;base64," + base64(picture.png);
@@ -337,7 +346,8 @@ std::string student_html(const StudentResult& student, std::string_view title) {
   for (const PictureResult& picture : student.pictures) {
     if (picture.verdict == Verdict::passed) {
       html += fmt::format("<h3>{}: <span class=\"passed\">passed</span> ({})</h3>\n",
-                          markup(picture.name), figure_of(picture));
+                          markup(picture.name), figure_of(picture)) +
+              notes_of(picture);
     }
   }
   const std::string sum =

@@ -21,6 +21,9 @@ std::string test_case(const StudentResult& student, const PictureResult& picture
   for (const Claim& claim : picture.causes) {
     body += fmt::format("cause: {} ({})\n", claim.what, claim.evidence);
   }
+  for (const std::string& note : picture.notes) {
+    body += fmt::format("not a mistake: {}\n", note);
+  }
   return xml + fmt::format(
                    ">\n      <failure type=\"{}\" message=\"{}\">{}</failure>\n"
                    "    </testcase>\n",

@@ -109,6 +109,15 @@ class Bench:
                 return None
         return out
 
+    def draws_same(self, scene, mistakes, found, out):
+        """Whether a claimed mistake, in place of the mistakes that are not named, draws the same picture."""
+        kept = tuple(m for m in mistakes if any(f in self.mistakes[m][1] for f in found))
+        strange = {f for f in found if not any(f in self.mistakes[m][1] for m in mistakes)}
+        others = [m for m in self.mistakes if self.mistakes[m][0] not in UNKNOWN and self.mistakes[m][1] & strange]
+        replaces = len(strange) == 1 and len(kept) < len(mistakes)
+        pictures = (self.draw(scene, kept + (m,)) for m in others if replaces)
+        return any(p and self.share_off(out, p) < 0.002 for p in pictures)
+
     def ask(self, scene, mistakes, out):
         start = time.time()
         answer = run([self.program, "diff", scene[2], out, "--scene", scene[1], "--json"])
@@ -135,7 +144,7 @@ class Bench:
         if strange and len(found) <= len(wanted) and all(any(f in w for f in found + rivals) for w in wanted):
             verdict = "tie"  # the pictures are the same, and the claim names both mistakes
         elif strange:
-            verdict = "wrong"
+            verdict = "tie" if self.draws_same(scene, mistakes, found, out) else "wrong"
         elif all(named):
             verdict = "right"
         else:

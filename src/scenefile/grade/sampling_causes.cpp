@@ -37,10 +37,12 @@ dvec3 mean_around(const Simulation& sim, int x, int y, const PixelFilter& filter
 std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination& mistakes) {
   sim.points.clear();
   sim.cache.clear();
+  const bool other_view = sim.stage_of(mistakes) >= Stage::camera;
+  const Texture& picture = other_view ? sim.test : sim.reference;
   std::vector<std::uint32_t> edges;
   for (int y = 1; y + 1 < sim.reference.height; ++y) {
     for (int x = 1; x + 1 < sim.reference.width; ++x) {
-      if (!around(sim.reference, x, y).calm()) {
+      if (!around(picture, x, y).calm()) {
         edges.push_back(static_cast<std::uint32_t>(y * sim.reference.width + x));
       }
     }
@@ -76,7 +78,7 @@ std::optional<std::uint16_t> mistake_at_edges(Simulation& sim, const Combination
       }
     }
     // Other filters are exact, where shifts also move what edges show.
-    const double least = sim.list[i].cause == Cause::samples ? 0.9 : 0.5;
+    const double least = other_view || sim.list[i].cause == Cause::samples ? 0.9 : 0.5;
     if (changed >= 2 * few_pixels && gained > std::max(most, least) * changed) {
       most = gained / changed;
       best = i;
@@ -418,7 +420,11 @@ std::vector<std::uint16_t> edge_mistakes(const Simulation& sim) {
 }
 
 Tried with_edges(Simulation& sim, const Tried& found) {
-  if (!sim.usable || sim.stage_of(found.mistakes) >= Stage::camera || found.mistakes.size() > 2) {
+  // A shift makes a camera with a fitted number, or an edited one, fit better.
+  const bool other_camera = std::any_of(
+      found.mistakes.begin(), found.mistakes.end(),
+      [&](std::uint16_t i) { return sim.list[i].stage >= Stage::camera && i >= sim.first_fitted; });
+  if (!sim.usable || other_camera || found.mistakes.size() > 2) {
     return found;
   }
   std::optional<std::uint16_t> more;

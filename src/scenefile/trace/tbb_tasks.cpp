@@ -23,6 +23,31 @@ void join_tbb() {
   tbb::parallel_for(0, 1, [](int) {});
 }
 
+// An object of this class exists while this thread runs a task.
+struct InTask {
+  InTask() { now = true; }
+  ~InTask() { now = before_; }
+  InTask(const InTask&) = delete;
+  InTask& operator=(const InTask&) = delete;
+
+  static inline thread_local bool now = false;
+
+ private:
+  bool before_ = now;
+};
+
+// Kept from loop to loop: with a new arena for each of many short loops, TBB 2021.8 sends no more
+// workers. Each thread has its own, so that it never waits for another thread's work.
+tbb::task_arena& arena_of_this_thread() {
+  static thread_local std::unique_ptr<tbb::task_arena> arena;
+  const auto threads = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  if (arena == nullptr || arena->max_concurrency() != threads) {
+    arena = std::make_unique<tbb::task_arena>(threads);
+  }
+  return *arena;
+}
+
 }  // namespace
 
 struct ThreadLimit::State {
@@ -40,16 +65,20 @@ ThreadLimit::ThreadLimit(int threads) {
 ThreadLimit::~ThreadLimit() = default;
 
 void for_each_task(std::size_t count, const std::function<void(std::size_t)>& work) {
-  const auto threads =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  tbb::task_arena arena(static_cast<int>(threads));
   const auto piece = [&work](std::size_t i) {
     const HandOver hand_over;
     const NoDenormals no_denormals;
+    const InTask in_task;
     work(i);
   };
+  const auto loop = [&] { tbb::parallel_for(std::size_t(0), count, piece); };
   HandOver::give();
-  arena.execute([&] { tbb::parallel_for(std::size_t(0), count, piece); });
+  if (InTask::now) {
+    // Waits for its own tasks alone, and runs no others meanwhile.
+    tbb::this_task_arena::isolate(loop);
+  } else {
+    arena_of_this_thread().execute(loop);
+  }
   HandOver::collect();
 }
 

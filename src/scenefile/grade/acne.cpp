@@ -1,6 +1,7 @@
 #include "scenefile/grade/acne.h"
 
 #include "scenefile/grade/claims.h"
+#include "scenefile/trace/tasks.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +31,7 @@ constexpr double max_by_chance = 0.5;   // of the share of those that acne expla
 constexpr double min_lacking_on_mirrors = 0.2;
 constexpr std::size_t few_dull = 5;       // pixels on surfaces without reflections
 constexpr std::size_t max_spots = 300;    // pixels to examine
+constexpr std::size_t first_spots = 80;   // pixels that must be promising, to examine more
 constexpr std::size_t max_windows = 60;   // to examine
 constexpr std::size_t max_subsets = 512;  // of lights and reflections
 constexpr int window = 2;                 // pixels on each side of the center
@@ -42,7 +44,7 @@ class Expected {
         made_(made),
         turn_(sim.turn_of(made)),
         trial_(sim.trial_of(made)),
-        shapes_(sim.shapes_of(trial_, sim.stage_of(made))),
+        shapes_(sim.shapes_of(made, trial_)),
         model_(trial_.scene, *shapes_, *sim.view->assets, trial_.options, trial_.mistakes) {
     for (const std::uint16_t i : made) {
       on_picture_ = on_picture_ || sim.list[i].color;
@@ -211,10 +213,20 @@ Acne find_acne(const Simulation& sim, const Combination& made, double least) {
   std::size_t lacking_by_chance = 0;
   std::size_t mirrors = 0;
   std::size_t seeing_themselves = 0;
+  // Whether what was seen so far is far from what each of the claims below needs.
+  const auto hopeless = [&] {
+    return share(seeing_themselves, mirrors) < 0.5 &&
+           (share(between, dull + mirrors) < 0.6 ||
+            (share(lacking, dull) < 0.5 &&
+             share(lacking_on_mirrors, mirrors) < 0.4 * min_lacking_on_mirrors));
+  };
   for (std::size_t i = 0; i < sim.points.size() && spots.size() < max_spots; ++i) {
     const Point& p = sim.points[i];
     if (!p.differs) {
       continue;
+    }
+    if (dull + mirrors == first_spots && hopeless()) {
+      return {};
     }
     ++differing;
     const ModelRay ray = picture.ray(p.x, p.y);
@@ -339,11 +351,16 @@ Acne with_camera(const Simulation& sim, Acne acne) {
 }
 
 Acne find_acne_beside(const Simulation& sim, const std::vector<Combination>& mistakes) {
+  std::vector<Acne> found(mistakes.size());
+  for_each_task(mistakes.size(), [&](std::size_t i) {
+    if (!sim.any_heavy(mistakes[i])) {
+      found[i] = find_acne(sim, mistakes[i], 0);
+    }
+  });
   Acne best;
-  for (const Combination& made : mistakes) {
-    Acne found = find_acne(sim, made, 0);
-    if (!found.claims.empty() && found.unexplained < best.unexplained) {
-      best = std::move(found);
+  for (Acne& one : found) {
+    if (!one.claims.empty() && one.unexplained < best.unexplained) {
+      best = std::move(one);
     }
   }
   return best;

@@ -314,6 +314,9 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
   if (sim.list[other].stage == Stage::shapes && sim.shapes->parts.size() > max_shapes_to_edit) {
     return false;
   }
+  if (!start.empty() && (sim.any_heavy(start) || sim.any_heavy({other}))) {
+    return false;
+  }
   const auto combines = [&](std::uint16_t i) { return sim.list[i].combines; };
   if (!start.empty() && !(combines(other) && std::all_of(start.begin(), start.end(), combines))) {
     return false;

@@ -67,9 +67,8 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   std::vector<Point> points;
   add_points(sim.reference, sim.test, std::move(bright), max_points, true, false, random, points);
   const Trial trial = sim.trial_of(t.mistakes);
-  const Colors colors =
-      sim.finished(t.mistakes, sim.draw(trial, *sim.shapes_of(trial, sim.stage_of(t.mistakes)),
-                                        points, points.size(), turn, nullptr));
+  const Colors colors = sim.finished(t.mistakes, sim.draw(trial, *sim.shapes_of(t.mistakes, trial),
+                                                          points, points.size(), turn, nullptr));
   std::size_t right = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
@@ -280,7 +279,7 @@ Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tri
 }
 
 // The mistakes that explain most, without those that look the same as an earlier one.
-std::vector<Combination> most_likely(std::vector<Tried> tried) {
+std::vector<Combination> most_likely(const Simulation& sim, std::vector<Tried> tried) {
   constexpr std::size_t max_count = 3;
   constexpr double min_merit = 0.15;
   sort_by_merit(tried);
@@ -290,7 +289,7 @@ std::vector<Combination> most_likely(std::vector<Tried> tried) {
     if (t.merit() < min_merit || likely.size() == max_count) {
       break;
     }
-    if (std::abs(t.merit() - last) > 1e-6) {
+    if (std::abs(t.merit() - last) > 1e-6 && !sim.any_heavy(t.mistakes)) {
       likely.push_back(t.mistakes);
       last = t.merit();
     }
@@ -377,18 +376,20 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
   return fitting;
 }
 
-// `likely`: set to what explains most, without claims.
-void search(Simulation& sim, LookFor look_for, CauseReport& report,
+// `asked`: what find_causes() was asked to look for. `likely`: set to what explains most, without
+// claims.
+void search(Simulation& sim, LookFor look_for, LookFor asked, CauseReport& report,
             std::vector<Combination>& likely) {
+  if (sim.usable) {
+    sim.fill_cache(screen, asked);
+  }
   std::vector<Combination> singles;
   for (std::uint16_t i = 0; i < sim.list.size(); ++i) {
     // Other samples of pixels show at edges, where sampling_causes.cpp looks.
-    if (!shows_at_edges(sim.list[i])) {
+    const bool drawn = !sim.usable || sim.list[i].stage == Stage::picture || !sim.cache[i].empty();
+    if (drawn && !shows_at_edges(sim.list[i])) {
       singles.push_back({i});
     }
-  }
-  if (sim.usable) {
-    sim.fill_cache(screen);
   }
   std::vector<Tried> ranked = sim.try_all(singles, screen, 0, 0.3);
   sort_by_merit(ranked);
@@ -437,8 +438,9 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report,
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     // A function is likelier than several mistakes with a number that is fitted to the picture.
     if (!found || std::any_of(found->mistakes.begin(), found->mistakes.end(), imitates)) {
-      alone = with_fitted_functions(
-          sim, std::move(alone), found ? std::vector<Combination>() : most_likely(ranked), found);
+      alone = with_fitted_functions(sim, std::move(alone),
+                                    found ? std::vector<Combination>() : most_likely(sim, ranked),
+                                    found);
     } else if (found->mistakes.size() == 1 && !reproduces_all(*found)) {
       const std::optional<Tried> both = function_beside(sim, {found->mistakes});
       found = both && clearly_better(*both, *found) ? both : found;
@@ -460,7 +462,7 @@ void search(Simulation& sim, LookFor look_for, CauseReport& report,
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     report.confined = confined_to(sim);
-    likely = most_likely(std::move(ranked));
+    likely = most_likely(sim, std::move(ranked));
   }
   for (const Tried& t : alone) {
     if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&
@@ -521,8 +523,9 @@ double exact_share(const Simulation& sim, const PlacedCopy& copy) {
          std::max(1.0, sim.weight_that_differs(sim.points.size()));
 }
 
-CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
-  const bool edited = look_for == LookFor::several_at_once;
+CauseReport look_for_causes(Simulation& sim, LookFor asked) {
+  const bool edited = asked == LookFor::several_at_once;
+  LookFor look_for = asked;
   CauseReport report;
   const Pixels pixels = sorted_pixels(sim.reference, sim.test);
   const double all = static_cast<double>(sim.test.width) * sim.test.height;
@@ -574,7 +577,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   sim.prepare_clean();
   sim.first_fitted = sim.list.size();
   if (sim.usable) {
-    sim.fill_cache(screen);
+    sim.fill_cache(screen, asked);
     add_factors_of_picture(sim);
   }
   for (Hypothesis& curve : fitted_curves(sim.points, sim.clean({}).reference)) {
@@ -592,7 +595,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor look_for) {
   }
   std::vector<Combination> likely;
   if (sim.significant()) {
-    search(sim, look_for, report, likely);
+    search(sim, look_for, asked, report, likely);
   }
   if (undrawn) {
     if (report.claims.empty()) {
@@ -735,8 +738,10 @@ std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView
   }
   std::vector<Point> points;
   add_points(reference, reference, std::move(pixels), 1200, false, false, random, points);
-  std::vector<double> rest;
-  for (const SceneView& view : views) {
+  std::vector<double> rest(views.size());
+  const ThreadLimit limit(views.front().options.threads);
+  for_each_task(views.size(), [&](std::size_t i) {
+    const SceneView& view = views[i];
     const ModelMistakes right;
     const Model model(*view.scene, *shapes, *view.assets, view.options, right);
     Colors colors;
@@ -745,8 +750,8 @@ std::vector<AlikeView> alike(const Texture& reference, std::span<const SceneView
                                            reference.height, nullptr, {}));
     }
     const Score s = score(points, points.size(), colors);
-    rest.push_back(s.left + 0.25 * s.raw);  // at edges, any color of the neighbors leaves nothing
-  }
+    rest[i] = s.left + 0.25 * s.raw;  // at edges, any color of the neighbors leaves nothing
+  });
   const double least = *std::min_element(rest.begin(), rest.end());
   std::vector<AlikeView> best;
   for (const bool equal : {true, false}) {

@@ -568,8 +568,8 @@ void Search::measure_bias() {
 // Colors of pixels without the edit.
 Colors Search::drawn_beside(const std::vector<Point>& places) const {
   const Trial trial = sim_.trial_of(beside_);
-  return sim_.finished(beside_, sim_.draw(trial, *sim_.shapes_of(trial, sim_.stage_of(beside_)),
-                                          places, places.size(), sim_.turn_of(beside_), nullptr));
+  return sim_.finished(beside_, sim_.draw(trial, *sim_.shapes_of(beside_, trial), places,
+                                          places.size(), sim_.turn_of(beside_), nullptr));
 }
 
 // Whether the scene can be searched.
@@ -595,7 +595,7 @@ bool Search::prepare_search() {
   before_ = beside_.empty() ? sim_.clean({}).drawn : drawn_beside(sim_.points);
   hits_ = sim_.clean(sim_.turn_of(beside_)).hits;
   const Trial trial = sim_.trial_of(beside_);
-  shapes_ = sim_.shapes_of(trial, sim_.stage_of(beside_));
+  shapes_ = sim_.shapes_of(beside_, trial);
   const Model model(trial.scene, *shapes_, *view.assets, trial.options, trial.mistakes);
   for (std::size_t i = 0; i < sim_.points.size(); ++i) {
     const Point& p = sim_.points[i];

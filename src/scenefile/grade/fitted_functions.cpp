@@ -43,7 +43,7 @@ struct Made {
       : sim(simulation),
         turn(sim.turn_of(mistakes)),
         trial(sim.trial_of(mistakes)),
-        shapes(sim.shapes_of(trial, sim.stage_of(mistakes))) {
+        shapes(sim.shapes_of(mistakes, trial)) {
     const Model model(trial.scene, *shapes, *sim.view->assets, trial.options, trial.mistakes);
     for (std::size_t i = 0; i < std::min(max_points_to_fit, sim.points.size()); ++i) {
       const ModelRay ray = sim.ray(model, sim.middle(sim.points[i], turn) + trial.shift);

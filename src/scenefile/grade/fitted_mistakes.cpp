@@ -1,5 +1,7 @@
 #include "scenefile/grade/fitted_mistakes.h"
 
+#include "scenefile/trace/tasks.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -661,17 +663,20 @@ void add_zooms(Simulation& sim) {
   const std::size_t coarse = std::min<std::size_t>(sim.points.size(), 100);
   const std::size_t fine = std::min<std::size_t>(sim.points.size(), 300);
   const double as_it_is = left_with_film(sim, zooms[0], 1, coarse);
-  for (const Zoom& zoom : zooms) {
-    double best = 1;
-    double least = as_it_is;
-    for (int k = -30; k <= 30; ++k) {
-      const double factor = std::exp(0.04 * k);
-      if (const double left = left_with_film(sim, zoom, factor, coarse); left < least) {
-        least = left;
-        best = factor;
-      }
-    }
-    if (least > 0.75 * as_it_is || best == 1) {
+  constexpr int steps = 30;  // smaller, and larger
+  constexpr std::size_t factors = 2 * steps + 1;
+  const auto factor_at = [](std::size_t k) { return std::exp(0.04 * (double(k) - steps)); };
+  std::array<std::array<double, factors>, zooms.size()> left_at;
+  for_each_task(zooms.size() * factors, [&](std::size_t i) {
+    left_at[i / factors][i % factors] =
+        left_with_film(sim, zooms[i / factors], factor_at(i % factors), coarse);
+  });
+  for (std::size_t z = 0; z < zooms.size(); ++z) {
+    const Zoom& zoom = zooms[z];
+    const auto first = std::min_element(left_at[z].begin(), left_at[z].end());
+    double least = *first;
+    double best = factor_at(static_cast<std::size_t>(first - left_at[z].begin()));
+    if (least > 0.75 * as_it_is || least >= as_it_is) {
       continue;
     }
     least = left_with_film(sim, zoom, best, fine);

@@ -7,6 +7,10 @@
 
 namespace scenefile {
 
+bool shows_at_edges(const Hypothesis& h) {
+  return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
+}
+
 void add_other_features(HypothesisList& list) {
   const RenderOptions& o = list.view.options;
   if (o.mode == Mode::intersect && o.profile == Profile::course &&

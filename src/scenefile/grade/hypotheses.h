@@ -58,6 +58,9 @@ struct Hypothesis {
   bool combines = true;
 };
 
+/// Whether the mistake only shows at edges: other samples of pixels.
+bool shows_at_edges(const Hypothesis& h);
+
 /// Mistakes that change the finished picture.
 std::vector<Hypothesis> picture_hypotheses();
 

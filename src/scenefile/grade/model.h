@@ -123,7 +123,7 @@ class Model {
   /// shadows, textures, reflections or refraction. Not clamped.
   glm::dvec3 lit(const ShownPoint& point) const;
   /// The work done so far, in rays of scenes with few shapes.
-  std::uint64_t rays() const { return rays_ + far_nodes_ / 8; }
+  std::uint64_t rays() const { return rays_ + far_steps_ / 8; }
 
  private:
   struct Surface;
@@ -160,7 +160,8 @@ class Model {
   const ModelMistakes& m_;
   double film_;  // height of the film at distance 1
   mutable std::uint64_t rays_ = 0;
-  mutable std::uint64_t far_nodes_ = 0;  // of hierarchies, beyond the first few of each ray
+  mutable std::uint64_t far_steps_ =
+      0;  // nodes and shapes tested, beyond the first few of each ray
   mutable std::uint32_t self_hits_ = 0;  // the argument of self_mirrored()
 };
 

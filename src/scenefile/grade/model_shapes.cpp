@@ -52,6 +52,9 @@ struct TreeBuilder {
     if (last - first <= leaf_size || !(size[axis] > 0 && std::isfinite(size[axis]))) {
       return last;
     }
+    if (last - first == 2) {
+      return first + 1;
+    }
     const auto begin = tree.order.begin() + first;
     const auto end = tree.order.begin() + last;
     if (level > max_level) {
@@ -417,11 +420,12 @@ struct BoxRay {
 };
 
 // Calls leaf(index) for candidates between t_min and the current result of `t_max`, the nearer
-// boxes first; stops when it returns true. `far_nodes`: counts nodes beyond the first few.
+// boxes first; stops when it returns true. `far_steps`: counts nodes and candidates beyond the
+// first few.
 template <typename End, typename Leaf>
 bool walk(const ModelTree& tree, const dvec3& origin, const dvec3& direction, double t_min,
-          const End& t_max, std::uint64_t& far_nodes, const Leaf& leaf) {
-  constexpr int few_nodes = 4;
+          const End& t_max, std::uint64_t& far_steps, const Leaf& leaf) {
+  constexpr int few_steps = 6;
   struct Entered {
     float at;
     ModelTree::Child child;
@@ -431,7 +435,7 @@ bool walk(const ModelTree& tree, const dvec3& origin, const dvec3& direction, do
     const double t = t_max();
     return static_cast<float>(t + double(BoxRay::error) * std::abs(t));
   };
-  int nodes = 0;
+  int steps = 0;
   std::array<Entered, 256> stack;
   std::size_t size = 0;
   stack[size++] = {static_cast<float>(t_min), {0, 0}};
@@ -442,6 +446,7 @@ bool walk(const ModelTree& tree, const dvec3& origin, const dvec3& direction, do
       continue;
     }
     for (std::uint32_t i = now.child.first; i < now.child.first + now.child.count; ++i) {
+      far_steps += ++steps > few_steps ? 1 : 0;
       if (leaf(tree.order[i])) {
         return true;
       }
@@ -449,7 +454,7 @@ bool walk(const ModelTree& tree, const dvec3& origin, const dvec3& direction, do
     if (now.child.count > 0 || size + 4 > stack.size()) {
       continue;
     }
-    far_nodes += ++nodes > few_nodes ? 1 : 0;
+    far_steps += ++steps > few_steps ? 1 : 0;
     const ModelTree::Node& node = tree.nodes[now.child.first];
     const Four enter = ray.enter(node, static_cast<float>(t_min), last);
     const std::size_t first = size;
@@ -522,7 +527,7 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
       const double scale = options_.profile == Profile::course ? glm::length(d) : 1;
       walk(
           shapes_.mesh_trees[part.mesh], o, d, t_min / scale,
-          [&] { return (found && !far ? hit.t : t_max) / scale; }, far_nodes_,
+          [&] { return (found && !far ? hit.t : t_max) / scale; }, far_steps_,
           [&](std::uint32_t index) {
             double t = 0;
             double b1 = 0;
@@ -620,7 +625,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
     return shadow;
   };
   if (is_unbounded(m_.shape) || m_.directions != DirectionMistake::none) {
-    far_nodes_ += shapes_.parts.size();
+    far_steps_ += shapes_.parts.size();
     for (std::uint32_t i = 0; i < shapes_.parts.size() && !(shadow && found); ++i) {
       visit(i);
     }
@@ -628,7 +633,7 @@ bool Model::search(const ModelRay& ray, double t_min, double t_max, bool shadow,
   }
   walk(
       shapes_.tree, ray.origin, ray.direction, t_min,
-      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; }, far_nodes_,
+      [&] { return pruned && found && along ? hit.t * (1 + 1e-12) : searched_to; }, far_steps_,
       visit);
   return found;
 }

@@ -289,10 +289,6 @@ std::string words_of_samples(int side) {
   return fmt::format("pixels are means of {} by {} samples, unlike the reference's", side, side);
 }
 
-bool shows_at_edges(const Hypothesis& h) {
-  return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
-}
-
 std::optional<Claim> drop_other_samples(Simulation& sim,
                                         const std::vector<std::uint32_t>& different) {
   constexpr std::size_t first_points = 60;

@@ -15,8 +15,6 @@ inline constexpr const char* missed_samples =
     "pixels stay black where one of several samples misses everything";
 /// That pixels are means of samples, in words. `side`: samples across and down.
 std::string words_of_samples(int side);
-/// Whether the mistake only shows at edges: other samples of pixels.
-bool shows_at_edges(const Hypothesis& h);
 /// If the points are those of the right picture with other samples of pixels or filtered textures,
 /// says so, as a note. Otherwise drops the points for which that is true, if they are most.
 /// `points` only has pixels that differ, chosen from `different`.

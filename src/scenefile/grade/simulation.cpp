@@ -45,9 +45,8 @@ Trial Simulation::right_trial(bool with_groups) const {
 Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
                         const std::vector<Point>& places, std::size_t count, const Turn& turn,
                         const std::vector<ModelHit>* hits, std::uint64_t* work) const {
-  const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
   const int n = std::max(view->samples, trial.samples);
-  const auto color_at = [&](const glm::dvec2& place, const ModelHit* known) {
+  const auto color_at = [&](const Model& model, const glm::dvec2& place, const ModelHit* known) {
     if (n == 1) {
       return model.pixel(place, whole().x, whole().y, known, {});
     }
@@ -62,13 +61,11 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
     }
     return sum / double(n * n);
   };
-  Colors colors(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto color_of = [&](const Model& model, std::size_t i) {
     const glm::dvec2 place = middle(places[i], turn) + trial.shift + view->corner;
     const std::vector<double>& weights = trial.filter.weights;
     if (weights.empty()) {
-      colors[i] = 255.0 * color_at(place, hits != nullptr ? &(*hits)[i] : nullptr);
-      continue;
+      return 255.0 * color_at(model, place, hits != nullptr ? &(*hits)[i] : nullptr);
     }
     glm::dvec3 sum(0);
     double all = 0;
@@ -76,15 +73,31 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
       for (std::size_t u = 0; u < weights.size(); ++u) {
         const glm::dvec2 step(double(u) - trial.filter.before, double(v) - trial.filter.before);
         const double weight = weights[u] * weights[v];
-        sum += weight * clamped(color_at(place + step, nullptr));
+        sum += weight * clamped(color_at(model, place + step, nullptr));
         all += weight;
       }
     }
-    colors[i] = 255.0 * sum / all;
+    return 255.0 * sum / all;
+  };
+  Colors colors(count);
+  std::atomic<std::uint64_t> all_work{0};
+  const auto draw_range = [&](std::size_t first, std::size_t last) {
+    const Model model(trial.scene, drawn_shapes, *view->assets, trial.options, trial.mistakes);
+    for (std::size_t i = first; i < last; ++i) {
+      colors[i] = color_of(model, i);
+    }
+    all_work += model.rays();
+  };
+  constexpr std::size_t chunk = 100;  // fewer points are not worth a parallel loop
+  if (count <= chunk) {
+    draw_range(0, count);
+  } else {
+    for_each_task((count + chunk - 1) / chunk,
+                  [&](std::size_t k) { draw_range(k * chunk, std::min(count, (k + 1) * chunk)); });
   }
-  rays += model.rays();
+  rays += all_work;
   if (work != nullptr) {
-    *work = model.rays();
+    *work = all_work;
   }
   return colors;
 }
@@ -171,26 +184,25 @@ const Simulation::Clean& Simulation::clean(const Turn& turn) const {
 
 void Simulation::prepare_clean() {
   drawn_before.clear();
-  for (const bool down : {false, true}) {
-    for (const bool across : {false, true}) {
-      const Turn turn{across, down};
-      Clean& c = clean_pictures[(across ? 1 : 0) + (down ? 2 : 0)];
-      c = {};
-      for (const Point& p : points) {
-        const glm::dvec2 m = middle(p, turn);
-        c.reference.push_back(at(reference, static_cast<int>(m.x), static_cast<int>(m.y)));
-      }
-      if (!usable) {
-        continue;
-      }
-      const Trial trial = right_trial(false);
-      const Model model(trial.scene, *shapes, *view->assets, trial.options, trial.mistakes);
-      for (const Point& p : points) {
-        c.hits.push_back(model.first_hit(ray(model, middle(p, turn))));
-      }
-      c.drawn = draw(trial, *shapes, points, points.size(), turn, &c.hits);
+  for_each_task(clean_pictures.size(), [&](std::size_t i) {
+    const Turn turn{(i & 1) != 0, (i & 2) != 0};
+    Clean& c = clean_pictures[i];
+    c = {};
+    for (const Point& p : points) {
+      const glm::dvec2 m = middle(p, turn);
+      c.reference.push_back(at(reference, static_cast<int>(m.x), static_cast<int>(m.y)));
     }
-  }
+    if (!usable) {
+      return;
+    }
+    const Trial trial = right_trial(false);
+    const Model model(trial.scene, *shapes, *view->assets, trial.options, trial.mistakes);
+    for (const Point& p : points) {
+      c.hits.push_back(model.first_hit(ray(model, middle(p, turn))));
+    }
+    c.drawn = draw(trial, *shapes, points, points.size(), turn, &c.hits, &c.work);
+    c.work += model.rays();
+  });
 }
 
 double Simulation::weight_that_differs(std::size_t count) const {
@@ -222,7 +234,7 @@ Simulation::Base Simulation::base(std::size_t count) const {
 }
 
 std::optional<Colors> Simulation::drawn(const Combination& mistakes, std::size_t count,
-                                        const Turn& turn) const {
+                                        const Turn& turn, std::uint64_t* work) const {
   const Stage stage = stage_of(mistakes);
   const bool hits = stage >= Stage::hits;
   if (stage == Stage::picture) {
@@ -248,9 +260,12 @@ std::optional<Colors> Simulation::drawn(const Combination& mistakes, std::size_t
     }
   }
   const Trial trial = trial_of(mistakes);
-  const std::shared_ptr<const ModelShapes> drawn_shapes = shapes_of(trial, stage);
+  const std::shared_ptr<const ModelShapes> drawn_shapes = shapes_of(mistakes, trial);
   now.colors = draw(trial, *drawn_shapes, points, count, turn, hits ? nullptr : &clean(turn).hits,
                     &now.work);
+  if (work != nullptr) {
+    *work = now.work;
+  }
   if (at_all_points) {
     const std::lock_guard lock(drawn_before_mutex);
     drawn_before.push_back(now);
@@ -288,8 +303,30 @@ Trial Simulation::trial_of(const Combination& mistakes) const {
   return trial;
 }
 
-std::shared_ptr<const ModelShapes> Simulation::shapes_of(const Trial& trial, Stage stage) const {
-  return stage == Stage::shapes ? flatten(trial.scene, *view->assets) : shapes;
+std::shared_ptr<const ModelShapes> Simulation::shapes_of(const Combination& mistakes,
+                                                         const Trial& trial) const {
+  constexpr std::size_t max_shapes_before = 8;
+  Combination changing;
+  std::copy_if(mistakes.begin(), mistakes.end(), std::back_inserter(changing),
+               [&](std::uint16_t i) { return list[i].stage == Stage::shapes; });
+  if (changing.empty()) {
+    return shapes;
+  }
+  {
+    const std::lock_guard lock(shapes_before_mutex);
+    for (const auto& [made, before] : shapes_before) {
+      if (made == changing) {
+        return before;
+      }
+    }
+  }
+  std::shared_ptr<const ModelShapes> flat = flatten(trial.scene, *view->assets);
+  const std::lock_guard lock(shapes_before_mutex);
+  shapes_before.emplace_back(std::move(changing), flat);
+  if (shapes_before.size() > max_shapes_before) {
+    shapes_before.pop_front();
+  }
+  return flat;
 }
 
 Turn Simulation::turn_of(const Combination& mistakes) const {
@@ -325,15 +362,40 @@ std::uint16_t Simulation::drawing_member(const Combination& mistakes) const {
   return found;
 }
 
-void Simulation::fill_cache(std::size_t count) {
+void Simulation::fill_cache(std::size_t count, LookFor look_for) {
+  // Far less than a mistake has that explains the picture alone.
+  constexpr double min_merit = 0.2;
+  constexpr std::size_t glance = 60;
+  const Base at_a_glance = base(std::min(glance, points.size()));
+  const auto unlikely = [&](const Combination& one) {
+    return shows_at_edges(list[one.front()]) ||
+           rated(one, score_of(one, std::min(glance, points.size())), at_a_glance).merit() <
+               min_merit;
+  };
   count = std::min(count, points.size());
   const std::size_t first = cache.size();
   std::vector<Colors> drawn_alone(list.size() - first);
+  std::vector<std::uint64_t> work(drawn_alone.size());
   for_each_task(drawn_alone.size(), [&](std::size_t i) {
     const Combination one{static_cast<std::uint16_t>(first + i)};
-    drawn_alone[i] = drawn(one, count, Turn()).value_or(Colors());
+    if (look_for == LookFor::single_mistakes && unlikely(one)) {
+      return;
+    }
+    drawn_alone[i] = drawn(one, count, Turn(), &work[i]).value_or(Colors());
   });
   std::move(drawn_alone.begin(), drawn_alone.end(), std::back_inserter(cache));
+  constexpr double max_work = 50;  // relative to that of the right picture; 25 for a wide blur
+  const double right = static_cast<double>(clean({}).work) * static_cast<double>(count) /
+                       static_cast<double>(std::max<std::size_t>(1, points.size()));
+  heavy.resize(list.size());
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    heavy[first + i] = static_cast<double>(work[i]) > max_work * right;
+  }
+}
+
+bool Simulation::any_heavy(const Combination& mistakes) const {
+  return std::any_of(mistakes.begin(), mistakes.end(),
+                     [&](std::uint16_t i) { return i < heavy.size() && heavy[i]; });
 }
 
 Colors Simulation::predicted(const Combination& mistakes, std::size_t count) const {

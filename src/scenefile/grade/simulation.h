@@ -39,6 +39,7 @@ struct Simulation {
     Colors reference;
     Colors drawn;  ///< empty if the scene is not usable
     std::vector<ModelHit> hits;
+    std::uint64_t work = 0;  ///< in rays
   };
   /// What is to be explained.
   struct Base {
@@ -58,6 +59,9 @@ struct Simulation {
   std::vector<Point> points{};
   std::array<Clean, 4> clean_pictures{};  ///< by Turn
   std::vector<Colors> cache{};            ///< drawn with one mistake, at the first points
+  /// The mistakes that take far more work to draw than the scene without any, such as transforms
+  /// that put thousands of shapes in one place. They are tried alone.
+  std::vector<bool> heavy{};
   /// What was drawn at all points with some mistakes in drawing.
   struct Drawn {
     Combination mistakes;
@@ -67,6 +71,9 @@ struct Simulation {
   };
   mutable std::deque<Drawn> drawn_before{};
   mutable std::mutex drawn_before_mutex{};
+  /// The last shapes that mistakes led to. They do not depend on the points.
+  mutable std::deque<std::pair<Combination, std::shared_ptr<const ModelShapes>>> shapes_before{};
+  mutable std::mutex shapes_before_mutex{};
   mutable std::atomic<std::uint64_t> rays{0};
   bool usable = false;  ///< whether the scene is that of the reference
   bool stopped = false;
@@ -99,24 +106,29 @@ struct Simulation {
   /// Whether enough points differ to be evidence.
   bool significant() const;
   Base base(std::size_t count) const;
-  /// The picture with these mistakes; nullopt if none affects drawing.
-  std::optional<Colors> drawn(const Combination& mistakes, std::size_t count,
-                              const Turn& turn) const;
+  /// The picture with these mistakes; nullopt if none affects drawing. Sets `work` if it is drawn
+  /// now.
+  std::optional<Colors> drawn(const Combination& mistakes, std::size_t count, const Turn& turn,
+                              std::uint64_t* work = nullptr) const;
   Stage stage_of(const Combination& mistakes) const;
   /// Edited scenes come first, and then mistakes that change the shapes, because they replace what
   /// others change.
   void make(const Combination& mistakes, Trial& trial) const;
   Trial trial_of(const Combination& mistakes) const;
-  std::shared_ptr<const ModelShapes> shapes_of(const Trial& trial, Stage stage) const;
+  /// The shapes with the mistakes, of which `trial` is the trial.
+  std::shared_ptr<const ModelShapes> shapes_of(const Combination& mistakes,
+                                               const Trial& trial) const;
   /// The flip of all mistakes together.
   Turn turn_of(const Combination& mistakes) const;
   /// Applies the mistakes that change the finished picture to the colors.
   Colors finished(const Combination& mistakes, Colors colors) const;
   /// The mistake that affects drawing, if it is the only one.
   std::uint16_t drawing_member(const Combination& mistakes) const;
+  bool any_heavy(const Combination& mistakes) const;
   /// Draws single mistakes once, to combine each with those that change the finished picture. Adds
-  /// those that were listed since the last call.
-  void fill_cache(std::size_t count);
+  /// those that were listed since the last call. Only for single mistakes, without those that
+  /// cannot explain much alone.
+  void fill_cache(std::size_t count, LookFor look_for);
   /// The picture with the mistakes at the first points: the changed drawing, or the
   /// reference plus the change, whichever is closer to the test.
   Colors predicted(const Combination& mistakes, std::size_t count) const;

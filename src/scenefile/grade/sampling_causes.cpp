@@ -456,16 +456,19 @@ std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {
       shifts.push_back({i});
     }
   }
-  constexpr std::size_t max_tried = 12;  // at all points
-  const auto by_rest = [](const Tried& t) { return t.score.raw; };
-  std::vector<Tried> tried = sim.try_all(shifts, 2 * screen, 0.95, 0.98);
-  sort_by(tried, by_rest);
-  shifts.clear();
-  for (std::size_t i = 0; i < std::min(max_tried, tried.size()); ++i) {
-    shifts.push_back(tried[i].mistakes);
+  // The best at few points are tried at more.
+  std::vector<Tried> tried;
+  for (const auto& [count, max_tried] :
+       {std::pair(screen / 2, shifts.size()), std::pair(2 * screen, std::size_t{24}),
+        std::pair(sim.points.size(), std::size_t{12})}) {
+    shifts.resize(std::min(shifts.size(), max_tried));
+    tried = sim.try_all(shifts, count, 0.95, 1);
+    sort_by(tried, [](const Tried& t) { return t.score.raw; });
+    shifts.clear();
+    for (const Tried& t : tried) {
+      shifts.push_back(t.mistakes);
+    }
   }
-  tried = sim.try_all(shifts, sim.points.size(), 0.98, 1);
-  sort_by(tried, by_rest);
   if (tried.empty()) {
     return std::nullopt;
   }

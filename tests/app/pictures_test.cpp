@@ -274,6 +274,33 @@ TEST_F(DiffImages, AFolderOfTheCourseDecidesBetweenEqualFeatures) {
               HasSubstr("reference: as drawn with --profile course --features illuminate\n"));
 }
 
+// In the reference, the ball is below the floor, so that shadows and reflections do not show.
+TEST_F(DiffImages, APictureWithoutFeaturesThatTheReferenceDoesNotShow) {
+  const auto floor_and_ball = [](const char* angle) {
+    return std::string(R"(<scenefile>
+<globaldata><ambientcoeff v="1"/><diffusecoeff v="1"/><specularcoeff v="1"/></globaldata>
+<cameradata><pos x="1" y="3" z="6"/><focus x="0" y="0.3" z="0"/><up x="0" y="1" z="0"/>
+<heightangle v="40"/></cameradata>
+<lightdata><type v="directional"/><color r="1" g="1" b="1"/><direction x="1" y="-2" z="-1"/></lightdata>
+<object type="tree" name="root"><transblock><scale x="6" y="0.1" z="6"/>
+<object type="primitive" name="cube"><ambient r="0.1" g="0.1" b="0.1"/>
+<diffuse r="0.5" g="0.6" b="0.7"/><reflective r="0.5" g="0.5" b="0.5"/></object></transblock>
+<transblock><rotate x="0" y="0" z="1" angle=")") +
+           angle + R"("/><translate x="1.5" y="0" z="0"/>
+<object type="primitive" name="sphere"><ambient r="0.2" g="0.1" b="0.1"/>
+<diffuse r="0.9" g="0.4" b="0.3"/></object></transblock></object></scenefile>)";
+  };
+  folder.write("below.xml", floor_and_ball("-50"));
+  folder.write("above.xml", floor_and_ball("50"));
+  draw("below.xml", "below.png", "160x120");
+  in_folder({"render", "above.xml", "-o", "above.png", "--size", "160x120", "--profile", "course",
+             "--features", "none", "--quiet"});
+  EXPECT_THAT(
+      in_folder({"diff", "below.png", "above.png", "--scene", "below.xml"}).out,
+      AllOf(HasSubstr("\ncause: rotations turn the wrong way [transforms]\n       simulating"),
+            HasSubstr("--features none\n")));
+}
+
 // The picture on a gray one, or the part of it that is visible there.
 void show_at(const TempFolder& folder, const char* from, const char* to, const glm::ivec2& corner,
              const glm::ivec2& size) {

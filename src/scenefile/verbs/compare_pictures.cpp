@@ -129,6 +129,21 @@ std::vector<DrawnWay> ways_of(const Texture& reference, const LoadedScene& scene
                                : ways_drawn(reference, scene, settings.ways);
 }
 
+// Sorts those after the first, which is the likeliest way to draw the reference: equally likely
+// ones first, of these the ones with the most other features. A program that does not draw what the
+// reference was made for often draws none of it.
+void most_different_first(std::span<const SceneView> views, std::vector<AlikeView>& best) {
+  const Features& first = views[best.front().index].options.features;
+  const auto unlike = [&](const AlikeView& one) {
+    const Features& f = views[one.index].options.features;
+    return int(f.shadows != first.shadows) + int(f.reflect != first.reflect) +
+           int(f.refract != first.refract) + int(f.texture != first.texture);
+  };
+  std::stable_sort(best.begin() + 1, best.end(), [&](const AlikeView& a, const AlikeView& b) {
+    return a.equally != b.equally ? a.equally : unlike(a) > unlike(b);
+  });
+}
+
 // Whether colors were probably changed to fit into a palette. With fewer colors, it had room.
 bool has_palette(const Texture& picture) {
   std::set<std::uint32_t> colors;
@@ -527,9 +542,12 @@ std::vector<DrawnWay> ways_drawn(const Texture& reference, const LoadedScene& sc
       views.push_back(view_of(scene, way));
     }
   }
+  std::vector<AlikeView> best = views.empty() ? std::vector<AlikeView>() : alike(reference, views);
+  if (!best.empty()) {
+    most_different_first(views, best);
+  }
   std::vector<DrawnWay> found;
-  for (const auto& [i, equally] :
-       views.empty() ? std::vector<AlikeView>() : alike(reference, views)) {
+  for (const auto& [i, equally] : best) {
     // With a mistake, fewer features may be visible than in the first way.
     const auto same = [&, i = i, equally = equally](const DrawnWay& way) {
       const Features& a = way.options.features;

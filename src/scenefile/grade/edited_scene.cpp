@@ -163,7 +163,7 @@ std::optional<Edited> Search::edited(const SceneValue& value,
   replace(result.trial, *scene, stage_of(value));
   sim_.make(beside_, result.trial);
   if (stage == Stage::shapes) {
-    result.shapes = flatten(result.trial.scene, *sim_.view->assets);
+    result.shapes = flatten(result.trial.scene, *sim_.view->assets, sim_.shapes.get());
   }
   return result.shapes == nullptr ? std::nullopt : std::optional(std::move(result));
 }

@@ -628,7 +628,8 @@ void add_missing_objects(Simulation& sim) {
       more.insert(source);
       Trial without = sim.right_trial(true);
       drop_objects(without, more);
-      const std::shared_ptr<const ModelShapes> rest = flatten(without.scene, *sim.view->assets);
+      const std::shared_ptr<const ModelShapes> rest =
+          flatten(without.scene, *sim.view->assets, sim.shapes.get());
       Colors drawn = sim.draw(without, *rest, sim.points, count, Turn(), nullptr);
       if (const double now = score(sim.points, count, drawn).left; now < 0.98 * left) {
         left = now;

@@ -55,14 +55,16 @@ struct ModelTree {
 struct ModelShapes {
   std::vector<ModelPart> parts;
   ModelTree tree;
-  std::vector<ModelTree> mesh_trees;
+  std::shared_ptr<const std::vector<ModelTree>> mesh_trees;  ///< by mesh
 };
 
 /// Scenes with more shapes are not analyzed.
 inline constexpr double max_model_parts = 300000;
 
-/// Null if the scene has more shapes than max_model_parts.
-std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets);
+/// Null if the scene has more shapes than max_model_parts. `same_meshes`: shapes with the same
+/// assets, if there are any.
+std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets,
+                                           const ModelShapes* same_meshes = nullptr);
 
 /// What a camera ray hits first.
 struct ModelHit {

@@ -186,9 +186,26 @@ void add_parts(const RenderScene& scene, const Assets& assets, std::uint32_t gro
   }
 }
 
+std::shared_ptr<const std::vector<ModelTree>> trees_of(const std::vector<Mesh>& meshes) {
+  auto trees = std::make_shared<std::vector<ModelTree>>();
+  std::vector<ModelBox> bounds;
+  for (const Mesh& mesh : meshes) {
+    bounds.clear();
+    for (const auto& corners : mesh.triangles) {
+      const vec3& a = mesh.positions[corners[0]];
+      const vec3& b = mesh.positions[corners[1]];
+      const vec3& c = mesh.positions[corners[2]];
+      bounds.push_back(wider(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))));
+    }
+    trees->push_back(tree_of(bounds, triangles_in_leaf));
+  }
+  return trees;
+}
+
 }  // namespace
 
-std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets) {
+std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Assets& assets,
+                                           const ModelShapes* same_meshes) {
   if (!(count_virtual_primitives(scene) <= max_model_parts) || scene.groups.empty()) {
     return nullptr;
   }
@@ -200,18 +217,7 @@ std::shared_ptr<const ModelShapes> flatten(const RenderScene& scene, const Asset
     bounds.push_back(bounds_of(part, assets));
   }
   shapes->tree = tree_of(bounds, parts_in_leaf);
-  shapes->mesh_trees.resize(assets.meshes.size());
-  for (std::size_t i = 0; i < assets.meshes.size(); ++i) {
-    const Mesh& mesh = assets.meshes[i];
-    bounds.clear();
-    for (const auto& corners : mesh.triangles) {
-      const vec3& a = mesh.positions[corners[0]];
-      const vec3& b = mesh.positions[corners[1]];
-      const vec3& c = mesh.positions[corners[2]];
-      bounds.push_back(wider(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))));
-    }
-    shapes->mesh_trees[i] = tree_of(bounds, triangles_in_leaf);
-  }
+  shapes->mesh_trees = same_meshes != nullptr ? same_meshes->mesh_trees : trees_of(assets.meshes);
   return shapes;
 }
 
@@ -525,18 +531,17 @@ bool Model::meet(const ModelPart& part, const ModelRay& ray, double t_min, doubl
     case Shape::mesh: {
       const Mesh& mesh = assets_.meshes[part.mesh];
       const double scale = options_.profile == Profile::course ? glm::length(d) : 1;
-      walk(
-          shapes_.mesh_trees[part.mesh], o, d, t_min / scale,
-          [&] { return (found && !far ? hit.t : t_max) / scale; }, far_steps_,
-          [&](std::uint32_t index) {
-            double t = 0;
-            double b1 = 0;
-            double b2 = 0;
-            if (triangle(mesh, index, o, d, t, b1, b2)) {
-              offer(t * scale, 0, index, b1, b2);
-            }
-            return shadow && found;
-          });
+      walk((*shapes_.mesh_trees)[part.mesh], o, d, t_min / scale,
+           [&] { return (found && !far ? hit.t : t_max) / scale; }, far_steps_,
+           [&](std::uint32_t index) {
+             double t = 0;
+             double b1 = 0;
+             double b2 = 0;
+             if (triangle(mesh, index, o, d, t, b1, b2)) {
+               offer(t * scale, 0, index, b1, b2);
+             }
+             return shadow && found;
+           });
       return found;
     }
   }

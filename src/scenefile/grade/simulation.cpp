@@ -320,7 +320,7 @@ std::shared_ptr<const ModelShapes> Simulation::shapes_of(const Combination& mist
       }
     }
   }
-  std::shared_ptr<const ModelShapes> flat = flatten(trial.scene, *view->assets);
+  std::shared_ptr<const ModelShapes> flat = flatten(trial.scene, *view->assets, shapes.get());
   const std::lock_guard lock(shapes_before_mutex);
   shapes_before.emplace_back(std::move(changing), flat);
   if (shapes_before.size() > max_shapes_before) {

@@ -657,8 +657,11 @@ std::optional<Tried> Search::run_beside_another() {
   for (Cells& level : levels_) {
     level.max_left = 1;
   }
+  first_ray_ = sim_.rays;  // of all of this search
   for (Promising& start : promising_) {
-    first_ray_ = sim_.rays;
+    if (spent()) {
+      break;
+    }
     for (std::size_t i = 2; i < levels_.size(); ++i) {
       improve(start.value, start.fit, levels_[i], 12);
     }

@@ -208,6 +208,17 @@ TEST_F(DiffImages, ExchangedPicturesAreSaid) {
                      "reference first\n")));
 }
 
+TEST_F(DiffImages, AnExchangedPictureThatIsMostlyRight) {
+  const auto said = [&](const char* first, const char* second) {
+    return in_folder({"diff", first, second, "--scene", "ball.xml"}).out;
+  };
+  EXPECT_THAT(said("wrong.png", "right.png"), EndsWith("give the reference first\n"));
+  // Both right: the reference has several samples per pixel.
+  in_folder({"render", "ball.xml", "-o", "smooth.png", "--size", "64x48", "--profile", "course",
+             "--features", "shadows,reflect,refract,texture,super-sample", "--quiet"});
+  EXPECT_THAT(said("smooth.png", "right.png"), Not(HasSubstr("give the reference first")));
+}
+
 TEST_F(DiffImages, NoObjectIsNamedInAnotherScene) {
   std::string text = ball("0.2");
   text.replace(text.find("v=\"40\""), 6, "v=\"12\"");

@@ -21,6 +21,8 @@ namespace {
 
 // If at most this share differs, a picture shows the scene.
 constexpr double max_share_right = 0.02;
+// If a larger share of the reference differs, it may be wrong.
+constexpr double min_share_wrong = 0.003;
 
 // The sets of features that existing references were rendered with.
 void add_feature_sets(RenderOptions render, std::vector<DrawnWay>& ways) {
@@ -243,10 +245,25 @@ bool explains_nothing(const CauseReport& report) {
          report.claims.empty() && report.notes.empty();
 }
 
+// Whether the pictures were probably given in the wrong order: `test` is right, and a mistake
+// explains the reference.
+bool probably_exchanged(const Texture& reference, const Texture& test, const LoadedScene& scene,
+                        const CompareSettings& settings, const std::function<bool(double)>& go_on) {
+  constexpr double max_share_off = 0.001;
+  const DrawnWay way = ways_of(test, scene, settings).front();
+  if (way.realtime || share_unlike(test, scene, way) > max_share_off) {
+    return false;
+  }
+  const SceneView view = view_of(scene, way);
+  const CauseReport swapped = find_causes(test, reference, &view, go_on, LookFor::single_mistakes);
+  return !swapped.claims.empty() && explained_by_one(swapped);
+}
+
 // Looks for causes; uses the scene if there are ways to draw it.
 void look_for_causes(const Texture& reference, const Texture& test, const LoadedScene* scene,
-                     const std::vector<DrawnWay>& ways, const Part& part, bool noisy, bool lossy,
-                     const std::function<bool(double)>& go_on, PictureComparison& found) {
+                     const std::vector<DrawnWay>& ways, const Part& part, bool noisy,
+                     const CompareSettings& settings, const std::function<bool(double)>& go_on,
+                     PictureComparison& found) {
   if (ways.empty()) {
     found.causes = find_causes(reference, test, nullptr, go_on);
     found.where = place_to_look(reference, test, nullptr, nullptr);
@@ -267,7 +284,7 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
                            LookFor::several_at_once, way);
   found.other_outlines = explains_nothing(found.causes) && found.causes.partial.empty() &&
                          have_other_outlines(reference, test);
-  if (lossy && explains_nothing(found.causes) && found.causes.partial.empty() &&
+  if (settings.lossy && explains_nothing(found.causes) && found.causes.partial.empty() &&
       differ_by_compression(reference, test)) {
     found.causes.notes.push_back(
         {Cause::samples, "the colors are as inexact as those of JPEGs", {}, 1});
@@ -285,15 +302,18 @@ void look_for_causes(const Texture& reference, const Texture& test, const Loaded
   }
   found.drawn_with = way->words;
   found.where = place_to_look(reference, test, scene, way, part);
-  if (found.causes.share_scene_unlike > max_share_unlike) {
-    found.exchanged = !found.other_size() && share_unlike(test, *scene, *way) <= max_share_right;
-    if (found.exchanged) {  // so the causes are those of the reference, the wrong way around
-      found.causes.claims.clear();
-      found.causes.rivals.clear();
-      found.causes.partial.clear();
-      found.causes.notes.clear();
-      found.where.reset();
-    }
+  const double unlike = found.causes.share_scene_unlike;
+  found.exchanged = !found.other_size() &&
+                    (unlike > max_share_unlike
+                         ? share_unlike(test, *scene, *way) <= max_share_right
+                         : unlike > min_share_wrong && !settings.ways_fit &&
+                               probably_exchanged(reference, test, *scene, settings, go_on));
+  if (found.exchanged) {  // so the causes are those of the reference, the wrong way around
+    found.causes.claims.clear();
+    found.causes.rivals.clear();
+    found.causes.partial.clear();
+    found.causes.notes.clear();
+    found.where.reset();
   }
 }
 
@@ -607,7 +627,7 @@ PictureComparison compare_pictures(const Texture& given, const Texture& test,
     }
     const Part part{found.whole, found.corner};
     const bool noisy = settings.lossy || found.resampled || has_palette(shown);
-    look_for_causes(reference, shown, drawable, ways, part, noisy, settings.lossy, go_on, found);
+    look_for_causes(reference, shown, drawable, ways, part, noisy, settings, go_on, found);
     if (found.where && !found.scene_fits()) {  // the pictures show other objects there
       found.where->hit = false;
     }

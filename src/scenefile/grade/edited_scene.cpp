@@ -25,7 +25,8 @@ using glm::dvec3;
 
 constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
 constexpr std::uint64_t max_rays = 6000000;  // of the search for an edited scene alone
-constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each other mistake
+constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each likely mistake
+constexpr std::uint64_t max_rays_beside_another = 6000000;  // and beside all others
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
 struct Cells {
@@ -58,8 +59,9 @@ struct Promising {
 class Search {
  public:
   // `beside`: mistakes that were made, too.
-  Search(Simulation& sim, Combination beside)
-      : sim_(sim), beside_(std::move(beside)), first_ray_(sim.rays) {}
+  // `last_ray`: of the simulation, after which the search ends.
+  Search(Simulation& sim, Combination beside, std::uint64_t last_ray)
+      : sim_(sim), beside_(std::move(beside)), last_ray_(last_ray) {}
 
   std::optional<Tried> run();
   // Beside one mistake that is not known yet. After run().
@@ -86,13 +88,11 @@ class Search {
   bool convincing(const Tried& t) const;
   bool fits_beside(const SceneValue& value) const;
   Colors drawn_beside(const std::vector<Point>& places) const;
-  bool spent() const {
-    return sim_.rays - first_ray_ > (beside_.empty() ? max_rays : max_rays_beside);
-  }
+  bool spent() const { return sim_.rays > last_ray_; }
 
   Simulation& sim_;
   Combination beside_;
-  std::uint64_t first_ray_;
+  std::uint64_t last_ray_;
   Colors before_;                              // of the points, without the edit
   std::vector<char> differs_;                  // which points the test differs from that
   std::shared_ptr<const ModelShapes> shapes_;  // without the edit
@@ -657,7 +657,7 @@ std::optional<Tried> Search::run_beside_another() {
   for (Cells& level : levels_) {
     level.max_left = 1;
   }
-  first_ray_ = sim_.rays;  // of all of this search
+  last_ray_ = sim_.rays + max_rays_beside_another;
   for (Promising& start : promising_) {
     if (spent()) {
       break;
@@ -666,7 +666,7 @@ std::optional<Tried> Search::run_beside_another() {
       improve(start.value, start.fit, levels_[i], 12);
     }
     std::optional<RenderScene> ready = ready_with(start.value, start.fit.numbers);
-    if (!ready || !sim_.step(0.99)) {
+    if (!ready || spent() || !sim_.step(0.99)) {
       continue;
     }
     const std::uint16_t edit = add_to_list(start.value, *std::move(ready));
@@ -675,8 +675,8 @@ std::optional<Tried> Search::run_beside_another() {
     for (const Tried& both : additions) {
       Combination other = both.mistakes;
       std::erase(other, edit);
-      Search beside(sim_, other);
-      if (!beside.prepare_search()) {
+      Search beside(sim_, other, std::min(last_ray_, sim_.rays + max_rays_beside));
+      if (beside.spent() || !beside.prepare_search()) {
         continue;
       }
       const std::optional<Fit> refined = beside.fitted(start.value, start.fit, 3);
@@ -722,10 +722,10 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 }
 
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside) {
-  Search alone(sim, {});
+  Search alone(sim, {}, sim.rays + max_rays);
   std::optional<Tried> found = alone.run();
   for (auto it = beside.begin(); !found && it != beside.end(); ++it) {
-    found = Search(sim, *it).run();
+    found = Search(sim, *it, sim.rays + max_rays_beside).run();
   }
   return found ? found : alone.run_beside_another();
 }

@@ -513,6 +513,8 @@ Tried simplified(Simulation& sim, const Tried& found) {
 }
 
 std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes) {
+  constexpr std::size_t glance = 60;  // points
+  constexpr std::size_t max_at_a_glance = 100;
   constexpr std::size_t max_count = 8;
   const PointsRestored restored(sim);
   const std::size_t count = look_first_at_rest(sim, mistakes);
@@ -526,10 +528,18 @@ std::vector<Tried> likely_additions(Simulation& sim, const Combination& mistakes
       sets.push_back(joined(mistakes, {i}));
     }
   }
-  std::vector<Tried> more = sim.try_all(sets, count, 0.7, 0.9);
-  sort_by(more, [](const Tried& t) { return t.score.left; });
-  more.resize(std::min(more.size(), max_count));
-  return more;
+  const auto best = [&](std::size_t point_count, std::size_t max_sets) {
+    std::vector<Tried> tried = sim.try_all(sets, std::min(count, point_count), 0.7, 0.9);
+    sort_by(tried, [](const Tried& t) { return t.score.left; });
+    tried.resize(std::min(tried.size(), max_sets));
+    return tried;
+  };
+  const std::vector<Tried> at_a_glance = best(glance, max_at_a_glance);
+  sets.clear();
+  for (const Tried& t : at_a_glance) {
+    sets.push_back(t.mistakes);
+  }
+  return best(count, max_count);
 }
 
 Tried completed(Simulation& sim, const Tried& found) {

@@ -24,9 +24,9 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
-constexpr std::uint64_t max_rays = 6000000;  // of the search for an edited scene alone
-constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each likely mistake
-constexpr std::uint64_t max_rays_beside_another = 6000000;  // and beside all others
+constexpr std::uint64_t max_rays = 5000000;  // of the search for an edited scene alone
+constexpr std::uint64_t max_rays_beside = 1500000;  // and of that beside each likely mistake
+constexpr std::uint64_t max_rays_beside_another = 4000000;  // and beside all others
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
 struct Cells {

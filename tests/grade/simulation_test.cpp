@@ -95,5 +95,17 @@ TEST_F(WallOfSpheres, ShapesWithMistakesAreBuiltOnce) {
   EXPECT_NE(shapes_with({heaped}), sim.shapes);
 }
 
+TEST(EditedScenes, AreNotLookedForWhereColorsAreLost) {
+  const Hypothesis edit{Cause::scene_edited, "edited"};
+  const auto stored = [](const std::function<glm::dvec3(const glm::dvec3&)>& color) {
+    Hypothesis h{Cause::swapped_channels, "stored"};
+    h.color = color;
+    return h;
+  };
+  EXPECT_TRUE(hides(stored([](const glm::dvec3& c) { return glm::dvec3(0, c.g, 0); }), edit));
+  EXPECT_TRUE(hides(stored([](const glm::dvec3& c) { return glm::dvec3((c.r + c.g) / 2); }), edit));
+  EXPECT_FALSE(hides(stored([](const glm::dvec3& c) { return glm::dvec3(c.b, c.g, c.r); }), edit));
+}
+
 }  // namespace
 }  // namespace scenefile::grade_test

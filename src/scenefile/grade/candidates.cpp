@@ -172,6 +172,15 @@ bool equally_good(const Simulation& sim, const Tried& t, const Tried& found) {
          t.exact >= found.exact - nearly_as_exact;
 }
 
+// Whether colors look the same that only differ in one channel, or all are gray.
+bool loses_colors(const Hypothesis& curve) {
+  const dvec3 before(0.2, 0.5, 0.8);
+  const dvec3 after = curve.color(before);
+  const auto is_lost = [&](const dvec3& step) { return curve.color(before + step) == after; };
+  return (after.r == after.g && after.g == after.b) || is_lost({0.1, 0, 0}) ||
+         is_lost({0, 0.1, 0}) || is_lost({0, 0, 0.1});
+}
+
 }  // namespace
 
 bool good(const Tried& t) {
@@ -343,10 +352,15 @@ bool any_differs(const Colors& a, const Colors& b, double limit) {
 }
 
 bool hides(const Hypothesis& mistake, const Hypothesis& edit) {
-  return edit.cause == Cause::scene_edited &&
-         (edit.stage == Stage::camera
-              ? mistake.stage == Stage::camera
-              : mistake.cause == Cause::transforms && mistake.stage == Stage::shapes);
+  if (edit.cause != Cause::scene_edited) {
+    return false;
+  }
+  if (mistake.color && loses_colors(mistake)) {
+    return true;
+  }
+  return edit.stage == Stage::camera
+             ? mistake.stage == Stage::camera
+             : mistake.cause == Cause::transforms && mistake.stage == Stage::shapes;
 }
 
 bool is_about_brightness(Cause cause) {

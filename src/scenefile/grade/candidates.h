@@ -40,7 +40,8 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other);
 /// limiting both to what a picture can show. `b` must have as many colors or more.
 bool any_differs(const Colors& a, const Colors& b, double limit);
 /// Whether `edit` is an edited scene that shows little or not at all beside the mistake: mistakes
-/// in transforms replace all objects and lights, and another camera makes a wrong one fit better.
+/// in transforms replace all objects and lights, another camera makes a wrong one fit better, and
+/// in gray pictures, or those of one channel, many colors look the same.
 bool hides(const Hypothesis& mistake, const Hypothesis& edit);
 /// Whether the mistake changes brightness or contrast of the whole picture, which fits many
 /// pictures by chance.

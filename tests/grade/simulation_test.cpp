@@ -96,9 +96,10 @@ TEST_F(WallOfSpheres, ShapesWithMistakesAreBuiltOnce) {
 }
 
 TEST(EditedScenes, AreNotLookedForWhereColorsAreLost) {
-  const Hypothesis edit{Cause::scene_edited, "edited"};
+  Hypothesis edit;
+  edit.cause = Cause::scene_edited;
   const auto stored = [](const std::function<glm::dvec3(const glm::dvec3&)>& color) {
-    Hypothesis h{Cause::swapped_channels, "stored"};
+    Hypothesis h;
     h.color = color;
     return h;
   };

@@ -279,7 +279,7 @@ void add_fading(const Made& made, std::vector<Hypothesis>& list) {
         return fmt::format(
             "lights fade with distance in another way than the file says: the factor is {:.2g} at "
             "a distance of {:.2g}, and {:.2g} at {:.2g}",
-            c.at(near), near, c.at(far), far);
+            c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
       },
       list);
 }

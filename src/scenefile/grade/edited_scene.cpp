@@ -23,8 +23,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t max_parts = 2000;      // with more shapes, only lights and camera are varied
-constexpr std::uint64_t max_rays = 5000000;  // of the search for an edited scene alone
+// With more shapes, only lights and camera are varied, and not beside other mistakes.
+constexpr std::size_t max_parts = 2000;
+constexpr std::uint64_t max_rays = 5000000;         // of the search for an edited scene alone
 constexpr std::uint64_t max_rays_beside = 1500000;  // and of that beside each likely mistake
 constexpr std::uint64_t max_rays_beside_another = 4000000;  // and beside all others
 
@@ -722,8 +723,12 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 }
 
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside) {
-  Search alone(sim, {}, sim.rays + max_rays);
+  const bool few_values = sim.shapes->parts.size() > max_parts;
+  Search alone(sim, {}, sim.rays + (few_values ? max_rays / 2 : max_rays));
   std::optional<Tried> found = alone.run();
+  if (few_values) {
+    return found;
+  }
   for (auto it = beside.begin(); !found && it != beside.end(); ++it) {
     found = Search(sim, *it, sim.rays + max_rays_beside).run();
   }

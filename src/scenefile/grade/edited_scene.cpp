@@ -424,7 +424,11 @@ std::vector<SceneValue> Search::values() const {
   constexpr std::size_t max_nodes = 12;
   const Scene& scene = *sim_.view->written;
   std::vector<SceneValue> found = values_of_view(scene, prepared_);
-  if (sim_.shapes->parts.size() > max_parts) {
+  // Mistakes in transforms replace the objects, which then have other sources and materials.
+  const bool replaced = std::any_of(beside_.begin(), beside_.end(), [&](std::uint16_t i) {
+    return sim_.list[i].stage == Stage::shapes && sim_.list[i].cause == Cause::transforms;
+  });
+  if (replaced || sim_.shapes->parts.size() > max_parts) {
     return found;
   }
   std::vector<NodeId> parent(scene.nodes.size(), scene.root);

@@ -340,7 +340,7 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
     return shifts(a, b) || shifts(b, a) || hides(a, b) || hides(b, a) ||
            (a.cause == b.cause && a.cause != Cause::specular && a.cause != Cause::texture &&
             a.cause != Cause::shapes) ||
-           (a.stage == Stage::shapes && b.stage == Stage::shapes && a.cause == Cause::transforms);
+           (replaces_objects(a) && b.stage == Stage::shapes);
   });
 }
 
@@ -360,7 +360,7 @@ bool hides(const Hypothesis& mistake, const Hypothesis& edit) {
   }
   return edit.stage == Stage::camera
              ? mistake.stage == Stage::camera
-             : mistake.cause == Cause::transforms && mistake.stage == Stage::shapes;
+             : replaces_objects(mistake);
 }
 
 bool is_about_brightness(Cause cause) {
@@ -451,7 +451,8 @@ Tried without_needless(Simulation& sim, Tried found) {
                             !needs_to_be_sure(sim, found.mistakes));
     const bool idle = !completes && rest.explained > found.explained - 0.04 &&
                       rest.exact > found.exact - 0.04 &&
-                      sim.rated(one, sim.score_of(one, count), b).explained < 0.015;
+                      sim.rated(one, sim.score_of(one, count), b).explained < 0.015 &&
+                      leaves_only_rounding(sim, fewer);
     if (!idle && needed(sim, found.mistakes, i)) {
       ++i;
       continue;

@@ -9,6 +9,7 @@
 #include "scenefile/grade/placed_copy.h"
 #include "scenefile/grade/sampling_causes.h"
 #include "scenefile/grade/several_mistakes.h"
+#include "scenefile/grade/smaller_mistakes.h"
 #include "scenefile/grade/undrawn.h"
 #include "scenefile/trace/tasks.h"
 
@@ -378,8 +379,8 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
 
 // `asked`: what find_causes() was asked to look for. `likely`: set to what explains most, without
 // claims.
-void search(Simulation& sim, LookFor look_for, LookFor asked, CauseReport& report,
-            std::vector<Combination>& likely) {
+void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor asked,
+            CauseReport& report, std::vector<Combination>& likely) {
   if (sim.usable) {
     sim.fill_cache(screen, asked);
   }
@@ -451,7 +452,11 @@ void search(Simulation& sim, LookFor look_for, LookFor asked, CauseReport& repor
   }
   if (found && shows_much(sim, *found) &&
       (sure(*found) || causes_as_good(sim, *found, alone) < 3)) {
-    const Tried all = with_edges(sim, *found);
+    Tried all = *found;
+    if (look_for == LookFor::several_at_once) {
+      all = with_smaller_mistakes(sim, pixels, std::move(all));
+    }
+    all = with_edges(sim, all);
     claim(sim, all, alone, several, report);
     if (!claims_one_twice(report)) {
       separate_notes(sim, all, report);
@@ -595,7 +600,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   }
   std::vector<Combination> likely;
   if (sim.significant()) {
-    search(sim, look_for, asked, report, likely);
+    search(sim, pixels, look_for, asked, report, likely);
   }
   if (undrawn) {
     if (report.claims.empty()) {

@@ -38,8 +38,7 @@ struct Cells {
   Colors test;  // by square
 };
 
-// A scene to draw.
-struct Edited {
+struct Drawable {
   Trial trial;
   std::shared_ptr<const ModelShapes> shapes;
 };
@@ -71,8 +70,8 @@ class Search {
  private:
   std::optional<RenderScene> ready_with(const SceneValue& value,
                                         const std::vector<double>& numbers) const;
-  std::optional<Edited> edited(const SceneValue& value, const std::vector<double>& numbers) const;
-  Colors drawn(const Edited& scene, const Cells& cells) const;
+  std::optional<Drawable> edited(const SceneValue& value, const std::vector<double>& numbers) const;
+  Colors drawn(const Drawable& scene, const Cells& cells) const;
   double left_with(const SceneValue& value, const std::vector<double>& numbers,
                    const Cells& cells) const;
   Cells squares(int size, int across, std::size_t max_count) const;
@@ -88,16 +87,16 @@ class Search {
   std::optional<Tried> tried(const SceneValue& value, Fit fit);
   bool convincing(const Tried& t) const;
   bool fits_beside(const SceneValue& value) const;
-  Colors drawn_beside(const std::vector<Point>& places) const;
+  Colors drawn_unedited(const std::vector<Point>& places) const;
   bool spent() const { return sim_.rays > last_ray_; }
 
   Simulation& sim_;
   Combination beside_;
   std::uint64_t last_ray_;
-  Colors before_;                              // of the points, without the edit
-  std::vector<char> differs_;                  // which points the test differs from that
-  std::shared_ptr<const ModelShapes> shapes_;  // without the edit
-  std::vector<ModelHit> hits_;                 // of the points
+  Drawable unedited_;          // with the mistakes beside the edit
+  Colors before_;              // of the points, unedited
+  std::vector<char> differs_;  // which points the test differs from that
+  std::vector<ModelHit> hits_;  // of the points
   std::vector<Promising> promising_;
   Prepared prepared_;
   std::vector<Cells> levels_;  // the coarsest first
@@ -148,7 +147,7 @@ std::optional<RenderScene> Search::ready_with(const SceneValue& value,
   return ready_with_same_files(*sim_.view->scene, scene);
 }
 
-std::optional<Edited> Search::edited(const SceneValue& value,
+std::optional<Drawable> Search::edited(const SceneValue& value,
                                      const std::vector<double>& numbers) const {
   constexpr double too_large = 1e5;
   if (!std::all_of(numbers.begin(), numbers.end(),
@@ -160,7 +159,7 @@ std::optional<Edited> Search::edited(const SceneValue& value,
     return std::nullopt;
   }
   const Stage stage = std::max(stage_of(value), sim_.stage_of(beside_));
-  Edited result{sim_.right_trial(stage == Stage::shapes), sim_.shapes};
+  Drawable result{sim_.right_trial(stage == Stage::shapes), sim_.shapes};
   replace(result.trial, *scene, stage_of(value));
   sim_.make(beside_, result.trial);
   if (stage == Stage::shapes) {
@@ -169,7 +168,7 @@ std::optional<Edited> Search::edited(const SceneValue& value,
   return result.shapes == nullptr ? std::nullopt : std::optional(std::move(result));
 }
 
-Colors Search::drawn(const Edited& scene, const Cells& cells) const {
+Colors Search::drawn(const Drawable& scene, const Cells& cells) const {
   const Colors colors =
       sim_.finished(beside_, sim_.draw(scene.trial, *scene.shapes, cells.pixels,
                                        cells.pixels.size(), sim_.turn_of(beside_), nullptr));
@@ -193,7 +192,7 @@ double left_of(const Colors& colors, const Cells& cells) {
 
 double Search::left_with(const SceneValue& value, const std::vector<double>& numbers,
                          const Cells& cells) const {
-  const std::optional<Edited> scene = edited(value, numbers);
+  const std::optional<Drawable> scene = edited(value, numbers);
   return scene ? left_of(drawn(*scene, cells), cells) : infinity;
 }
 
@@ -223,7 +222,7 @@ Cells Search::squares(int size, int across, std::size_t max_count) const {
     }
   }
   if (!beside_.empty()) {
-    const Colors colors = drawn_beside(middles);
+    const Colors colors = drawn_unedited(middles);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
       all[i].off = largest_of(glm::abs(c - at(sim_.test, middles[i].x, middles[i].y)));
@@ -287,7 +286,7 @@ bool Search::improve(const SceneValue& value, Fit& fit, const Cells& cells, int 
   fit.left = left_with(value, fit.numbers, cells);
   const double start = left_with(value, value.numbers, cells);
   for (int k = 0; k < rounds && !spent(); ++k) {
-    const std::optional<Edited> now = edited(value, fit.numbers);
+    const std::optional<Drawable> now = edited(value, fit.numbers);
     if (!now) {
       return false;
     }
@@ -298,7 +297,7 @@ bool Search::improve(const SceneValue& value, Fit& fit, const Cells& cells, int 
       steps[i] = reach * step_of(value, fit.numbers[i], cells);
       std::vector<double> numbers = fit.numbers;
       numbers[i] += steps[i];
-      const std::optional<Edited> scene = edited(value, numbers);
+      const std::optional<Drawable> scene = edited(value, numbers);
       change[i] = scene ? drawn(*scene, cells) : colors;
       for (std::size_t c = 0; c < colors.size(); ++c) {
         change[i][c] -= colors[c];
@@ -424,10 +423,8 @@ std::vector<SceneValue> Search::values() const {
   constexpr std::size_t max_nodes = 12;
   const Scene& scene = *sim_.view->written;
   std::vector<SceneValue> found = values_of_view(scene, prepared_);
-  // Mistakes in transforms replace the objects, which then have other sources and materials.
-  const bool replaced = std::any_of(beside_.begin(), beside_.end(), [&](std::uint16_t i) {
-    return sim_.list[i].stage == Stage::shapes && sim_.list[i].cause == Cause::transforms;
-  });
+  const bool replaced = std::any_of(beside_.begin(), beside_.end(),
+                                    [&](std::uint16_t i) { return replaces_objects(sim_.list[i]); });
   if (replaced || sim_.shapes->parts.size() > max_parts) {
     return found;
   }
@@ -570,11 +567,9 @@ void Search::measure_bias() {
   }
 }
 
-// Colors of pixels without the edit.
-Colors Search::drawn_beside(const std::vector<Point>& places) const {
-  const Trial trial = sim_.trial_of(beside_);
-  return sim_.finished(beside_, sim_.draw(trial, *sim_.shapes_of(beside_, trial), places,
-                                          places.size(), sim_.turn_of(beside_), nullptr));
+Colors Search::drawn_unedited(const std::vector<Point>& places) const {
+  return sim_.finished(beside_, sim_.draw(unedited_.trial, *unedited_.shapes, places, places.size(),
+                                          sim_.turn_of(beside_), nullptr));
 }
 
 // Whether the scene can be searched.
@@ -597,11 +592,12 @@ bool Search::prepare_search() {
   std::nth_element(distances.begin(), distances.begin() + std::ptrdiff_t(distances.size() / 2),
                    distances.end());
   distance_ = distances[distances.size() / 2];
-  before_ = beside_.empty() ? sim_.clean({}).drawn : drawn_beside(sim_.points);
+  unedited_.trial = sim_.trial_of(beside_);
+  unedited_.shapes = sim_.shapes_of(beside_, unedited_.trial);
+  before_ = beside_.empty() ? sim_.clean({}).drawn : drawn_unedited(sim_.points);
   hits_ = sim_.clean(sim_.turn_of(beside_)).hits;
-  const Trial trial = sim_.trial_of(beside_);
-  shapes_ = sim_.shapes_of(beside_, trial);
-  const Model model(trial.scene, *shapes_, *view.assets, trial.options, trial.mistakes);
+  const Trial& trial = unedited_.trial;
+  const Model model(trial.scene, *unedited_.shapes, *view.assets, trial.options, trial.mistakes);
   for (std::size_t i = 0; i < sim_.points.size(); ++i) {
     const Point& p = sim_.points[i];
     const dvec3 c = glm::clamp(before_[i], dvec3(0), dvec3(255));
@@ -726,6 +722,12 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
   return ready;
 }
 
+std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes) {
+  return sim.shapes->parts.size() > max_parts
+             ? std::nullopt
+             : Search(sim, mistakes, sim.rays + max_rays_beside).run();
+}
+
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside) {
   const bool few_values = sim.shapes->parts.size() > max_parts;
   Search alone(sim, {}, sim.rays + (few_values ? max_rays / 2 : max_rays));
@@ -734,7 +736,7 @@ std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combin
     return found;
   }
   for (auto it = beside.begin(); !found && it != beside.end(); ++it) {
-    found = Search(sim, *it, sim.rays + max_rays_beside).run();
+    found = find_edit_beside(sim, *it);
   }
   return found ? found : alone.run_beside_another();
 }

@@ -11,6 +11,10 @@ bool shows_at_edges(const Hypothesis& h) {
   return h.cause == Cause::half_pixel_shift || h.cause == Cause::samples;
 }
 
+bool replaces_objects(const Hypothesis& h) {
+  return h.stage == Stage::shapes && h.cause == Cause::transforms;
+}
+
 void add_other_features(HypothesisList& list) {
   const RenderOptions& o = list.view.options;
   if (o.mode == Mode::intersect && o.profile == Profile::course &&

@@ -61,6 +61,10 @@ struct Hypothesis {
 /// Whether the mistake only shows at edges: other samples of pixels.
 bool shows_at_edges(const Hypothesis& h);
 
+/// Whether the mistake, in transforms, replaces all objects, which then have other sources and
+/// materials.
+bool replaces_objects(const Hypothesis& h);
+
 /// Mistakes that change the finished picture.
 std::vector<Hypothesis> picture_hypotheses();
 

@@ -18,8 +18,8 @@ using glm::dvec3;
 constexpr std::uint64_t work_for_several = 12'000'000;  // rays
 constexpr std::size_t very_few_points = 40;             // for a first, rough score
 constexpr std::size_t max_starts = 24;
-constexpr std::size_t max_pairs_to_extend = 10;
-constexpr std::size_t max_starts_of_triples = 8;
+constexpr std::size_t max_pairs_to_extend = 16;
+constexpr std::size_t max_starts_of_triples = 12;
 constexpr std::size_t max_in_triples = 120;  // single mistakes that are combined with a start
 
 // The picture with some mistakes, and with each single mistake in addition.
@@ -48,7 +48,8 @@ Additions additions_to(Simulation& sim, const Combination& made, std::size_t cou
   const Simulation::Base b = sim.base(glance);
   for_each_task(sim.list.size(), [&](std::size_t i) {
     const auto other = static_cast<std::uint16_t>(i);
-    if (sim.list[i].stage == Stage::picture || !fits(sim, made, other)) {
+    if (sim.list[i].stage == Stage::picture || shows_at_edges(sim.list[i]) ||
+        !fits(sim, made, other)) {
       return;
     }
     const Combination mistakes = joined(made, {other});

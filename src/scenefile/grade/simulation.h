@@ -141,7 +141,8 @@ struct Simulation {
                              double to);
 };
 
-/// Restores the points of a simulation at the end of a scope that replaces them.
+/// Restores the points of a simulation at the end of a scope that replaces them, unless told to keep
+/// the new ones.
 class PointsRestored {
  public:
   explicit PointsRestored(Simulation& sim)
@@ -154,11 +155,16 @@ class PointsRestored {
     sim.drawn_before.clear();
   }
   ~PointsRestored() {
+    if (keeps_new_) {
+      return;
+    }
     sim_.points = std::move(points_);
     sim_.clean_pictures = std::move(clean_pictures_);
     sim_.cache = std::move(cache_);
     sim_.drawn_before = std::move(drawn_before_);
   }
+  /// Keeps the points that replaced them.
+  void keep_new() { keeps_new_ = true; }
   PointsRestored(const PointsRestored&) = delete;
   PointsRestored& operator=(const PointsRestored&) = delete;
 
@@ -168,6 +174,7 @@ class PointsRestored {
   std::array<Simulation::Clean, 4> clean_pictures_;
   std::vector<Colors> cache_;
   std::deque<Simulation::Drawn> drawn_before_;
+  bool keeps_new_ = false;
 };
 
 }  // namespace scenefile

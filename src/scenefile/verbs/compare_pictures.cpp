@@ -175,6 +175,15 @@ Looked without_noise(const Looked& look) {
   return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
 }
 
+// Whether a report only names some of the mistakes that another one names.
+bool is_part_of(const CauseReport& report, const CauseReport& other) {
+  return report.claims.size() < other.claims.size() &&
+         std::all_of(report.claims.begin(), report.claims.end(), [&](const Claim& claim) {
+           return std::any_of(other.claims.begin(), other.claims.end(),
+                              [&](const Claim& c) { return c.what == claim.what; });
+         });
+}
+
 // Looks for causes. `way`: in which the reference was drawn, and the program probably as well.
 CauseReport causes_of(const Looked& look, const LoadedScene& scene,
                       const std::vector<DrawnWay>& ways, const std::function<bool(double)>& go_on,
@@ -191,7 +200,7 @@ CauseReport causes_of(const Looked& look, const LoadedScene& scene,
     CauseReport causes =
         find_causes(look.reference, look.test, &other, go_on, LookFor::single_mistakes);
     const bool better = !decided_by_a_hair || causes.claims.size() < found.claims.size();
-    if (explained_by_one(causes) && better) {
+    if (explained_by_one(causes) && better && !is_part_of(causes, found)) {
       found = std::move(causes);
       way = &ways[i];
     }

@@ -1,0 +1,110 @@
+#include "scenefile/grade/smaller_mistakes.h"
+
+#include "scenefile/grade/candidates.h"
+#include "scenefile/grade/edited_scene.h"
+
+#include <algorithm>
+
+namespace scenefile {
+
+namespace {
+
+using glm::dvec3;
+
+constexpr std::size_t max_different = 9000;  // pixels to look at
+constexpr std::size_t max_same = 3000;
+constexpr std::size_t max_rest = 500;  // points to keep, among those that are not explained
+constexpr std::size_t max_explained = 1100;
+
+// Of `points`, at most `count`, which then stand for all of them.
+void add_some(const std::vector<Point>& points, std::size_t count, std::vector<Point>& some) {
+  const std::size_t n = std::min(count, points.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    some.push_back(points[i * points.size() / n]);
+    some.back().weight *= double(points.size()) / double(n);
+  }
+}
+
+// Replaces the points by those that the mistakes do not explain, with one of the others after each.
+// Returns the number of points that are not explained.
+std::size_t look_at_rest(Simulation& sim, const Pixels& pixels, const Combination& mistakes) {
+  std::mt19937 random(9);
+  sim.points.clear();
+  add_points(sim.reference, sim.test, pixels.different, max_different, true, false, random,
+             sim.points);
+  add_points(sim.reference, sim.test, pixels.same, max_same, false, false, random, sim.points);
+  sim.prepare_clean();
+  const Colors colors = sim.predicted(mistakes, sim.points.size());
+  std::vector<Point> rest;
+  std::vector<Point> explained;
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    (largest_of(outside(c, p.low, p.high)) > exact_within ? rest : explained).push_back(p);
+  }
+  const std::size_t unexplained = rest.size();
+  std::vector<Point> some;
+  add_some(rest, max_rest, some);
+  const std::size_t count = some.size();
+  add_some(explained, max_explained, some);
+  sim.points.clear();
+  for (std::size_t i = 0; i < std::max(count, some.size() - count); ++i) {
+    if (i < count) {
+      sim.points.push_back(some[i]);
+    }
+    if (count + i < some.size()) {
+      sim.points.push_back(some[count + i]);
+    }
+  }
+  sim.prepare_clean();
+  return unexplained;
+}
+
+// Whether what a mistake changes is right with it nearly everywhere, mostly within rounding.
+bool explains_rest(const Simulation& sim, const Combination& with, const Combination& without) {
+  constexpr double mostly = 0.85;
+  const std::size_t count = sim.points.size();
+  const Effect e = effect_of(sim, sim.predicted(with, count), sim.predicted(without, count));
+  return e.gained >= double(few_pixels) && e.gained >= part * e.changed &&
+         e.right >= nearly_all * e.changed && e.within_rounding >= mostly * e.changed;
+}
+
+// The mistakes with the one in addition that explains most of the rest.
+std::optional<Tried> with_addition(Simulation& sim, const Tried& found) {
+  const Simulation::Base b = sim.base(sim.points.size());
+  const double left = sim.score_of(found.mistakes, sim.points.size()).left;
+  std::optional<Tried> best;
+  for (const Tried& t : likely_additions(sim, found.mistakes)) {
+    Tried whole = sim.rated(t.mistakes, sim.score_of(t.mistakes, sim.points.size()), b);
+    if (whole.score.left < part * left && (!best || whole.score.left < best->score.left) &&
+        explains_rest(sim, whole.mistakes, found.mistakes)) {
+      best = std::move(whole);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Tried with_smaller_mistakes(Simulation& sim, const Pixels& pixels, Tried found) {
+  constexpr std::size_t max_mistakes = 3;
+  while (sim.usable && !sim.stopped && found.mistakes.size() < max_mistakes &&
+         !sim.any_heavy(found.mistakes)) {
+    PointsRestored restored(sim);
+    if (look_at_rest(sim, pixels, found.mistakes) < few_pixels) {
+      break;
+    }
+    std::optional<Tried> more = with_addition(sim, found);
+    if (!more) {
+      more = find_edit_beside(sim, found.mistakes);
+    }
+    if (!more) {
+      break;
+    }
+    found = *std::move(more);
+    restored.keep_new();
+  }
+  return found;
+}
+
+}  // namespace scenefile

@@ -403,6 +403,25 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
   return candidates;
 }
 
+double likeness(const Simulation& sim, const Colors& colors) {
+  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    for (int k = 0; k < 3; ++k) {
+      const double x = c[k];
+      const double y = sim.points[i].test[k];
+      n += 1;
+      a += x;
+      b += y;
+      aa += x * x;
+      bb += y * y;
+      ab += x * y;
+    }
+  }
+  const double spread = (n * aa - a * a) * (n * bb - b * b);
+  return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
+}
+
 Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without) {
   Effect e;
   for (std::size_t i = 0; i < with.size(); ++i) {

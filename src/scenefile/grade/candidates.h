@@ -50,6 +50,8 @@ bool is_about_brightness(Cause cause);
 /// picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
                                         std::uint16_t member);
+/// The correlation between the colors of the first points and those of the test.
+double likeness(const Simulation& sim, const Colors& colors);
 /// What a change of the colors does, as weights of points.
 struct Effect {
   double changed = 0;          ///< points that change visibly

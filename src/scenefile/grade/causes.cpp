@@ -298,12 +298,13 @@ std::vector<Combination> most_likely(const Simulation& sim, std::vector<Tried> t
   return likely;
 }
 
-// Functions of the lighting equation, beside the mistakes that were made, too; those that explain
-// most come first.
-std::vector<Tried> fitting_functions(Simulation& sim, const Combination& made_too) {
+// Functions of the lighting equation, beside the mistakes that were made, too. `only`: the term to
+// fit; all if there is none.
+std::vector<Tried> fitting_functions(Simulation& sim, const Combination& made_too,
+                                     std::optional<Term> only = std::nullopt) {
   const Simulation::Base b = sim.base(sim.points.size());
   std::vector<Tried> fitting;
-  for (Hypothesis& h : fitted_functions(sim, made_too)) {
+  for (Hypothesis& h : fitted_functions(sim, made_too, only)) {
     sim.list.push_back(std::move(h));
     const Combination all = joined(made_too, {static_cast<std::uint16_t>(sim.list.size() - 1)});
     fitting.push_back(sim.rated(all, sim.score_of(all, sim.points.size()), b));
@@ -333,10 +334,82 @@ std::optional<Tried> function_beside(Simulation& sim, const std::vector<Combinat
   return std::nullopt;
 }
 
+// Single mistakes beside which a function may explain the picture: those that explain most, and
+// those that look most like it.
+std::vector<std::uint16_t> likely_beside_functions(const Simulation& sim,
+                                                   const std::vector<Tried>& ranked) {
+  constexpr std::size_t max_count = 40;  // of each
+  std::vector<std::uint16_t> by_merit;
+  std::vector<std::pair<double, std::uint16_t>> by_likeness;
+  for (const Tried& t : ranked) {
+    const std::uint16_t i = t.mistakes.front();
+    const Hypothesis& h = sim.list[i];
+    if (h.stage != Stage::picture && h.turn == Turn() && i < sim.first_fitted && h.combines &&
+        !h.color && !sim.any_heavy({i})) {
+      by_merit.push_back(i);
+      by_likeness.emplace_back(-likeness(sim, sim.cache[i]), i);
+    }
+  }
+  std::stable_sort(by_likeness.begin(), by_likeness.end());
+  by_merit.resize(std::min(by_merit.size(), max_count));
+  for (std::size_t k = 0; k < std::min(by_likeness.size(), max_count); ++k) {
+    if (const std::uint16_t i = by_likeness[k].second;
+        std::find(by_merit.begin(), by_merit.end(), i) == by_merit.end()) {
+      by_merit.push_back(i);
+    }
+  }
+  return by_merit;
+}
+
+// A function that explains the picture beside one of these mistakes, where it does so roughly.
+std::optional<Tried> function_beside_any(Simulation& sim,
+                                         const std::vector<std::uint16_t>& mistakes) {
+  constexpr std::uint64_t max_rays = 6'000'000;
+  constexpr std::size_t max_fitted = 5;
+  constexpr std::size_t chunk = 8;
+  const std::uint64_t last_ray = sim.rays + max_rays;
+  std::vector<std::array<double, term_count>> left(mistakes.size());
+  for (std::array<double, term_count>& one : left) {
+    one.fill(infinity);
+  }
+  for (std::size_t first = 0; first < mistakes.size() && sim.rays < last_ray && sim.step(0.95);
+       first += chunk) {
+    for_each_task(std::min(chunk, mistakes.size() - first), [&](std::size_t i) {
+      left[first + i] = left_with_functions(sim, {mistakes[first + i]});
+    });
+  }
+  struct Lead {
+    double left;
+    std::uint16_t mistake;
+    Term term;
+  };
+  std::vector<Lead> leads;
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    for (std::size_t k = 0; k < term_count; ++k) {
+      if (left[i][k] < infinity && sim.list[mistakes[i]].cause != cause_of(Term(k))) {
+        leads.push_back({left[i][k], mistakes[i], Term(k)});
+      }
+    }
+  }
+  std::stable_sort(leads.begin(), leads.end(),
+                   [](const Lead& a, const Lead& b) { return a.left < b.left; });
+  leads.resize(std::min(leads.size(), max_fitted));
+  for (const Lead& lead : leads) {
+    for (Tried& t : fitting_functions(sim, {lead.mistake}, lead.term)) {
+      if (is_cause(sim, t)) {
+        return std::move(t);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // Puts functions that explain the picture before the others. Otherwise, looks for them beside
-// `likely` mistakes, and beside those that explain what a function leaves.
+// `likely` mistakes, beside those that explain what a function leaves, and beside others. Adds the
+// best to `likely` if nothing is found.
 std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alone,
-                                         const std::vector<Combination>& likely,
+                                         const std::vector<Tried>& ranked,
+                                         std::vector<Combination>& likely,
                                          std::optional<Tried>& found) {
   std::vector<Tried> fitting = fitting_functions(sim, {});
   std::optional<Tried> best;
@@ -374,6 +447,12 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
     }
   }
   found = function_beside(sim, beside);
+  if (!found) {
+    found = function_beside_any(sim, likely_beside_functions(sim, ranked));
+  }
+  if (!found && best) {
+    likely.push_back(best->mistakes);
+  }
   return fitting;
 }
 
@@ -439,9 +518,8 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     // A function is likelier than several mistakes with a number that is fitted to the picture.
     if (!found || std::any_of(found->mistakes.begin(), found->mistakes.end(), imitates)) {
-      alone = with_fitted_functions(sim, std::move(alone),
-                                    found ? std::vector<Combination>() : most_likely(sim, ranked),
-                                    found);
+      likely = found ? std::vector<Combination>() : most_likely(sim, ranked);
+      alone = with_fitted_functions(sim, std::move(alone), ranked, likely, found);
     } else if (found->mistakes.size() == 1 && !reproduces_all(*found)) {
       const std::optional<Tried> both = function_beside(sim, {found->mistakes});
       found = both && clearly_better(*both, *found) ? both : found;
@@ -467,7 +545,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   }
   if (look_for == LookFor::several_at_once && !sim.stopped) {
     report.confined = confined_to(sim);
-    likely = most_likely(sim, std::move(ranked));
+    if (likely.empty()) {
+      likely = most_likely(sim, std::move(ranked));
+    }
   }
   for (const Tried& t : alone) {
     if (t.explained >= part && t.broken <= max_broken && t.mistakes.front() < sim.first_fitted &&

@@ -20,7 +20,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t max_points_to_fit = 320;
+// How exactly to fit.
+struct Detail {
+  std::size_t points = 320;
+  std::size_t knots_divided_by = 1;
+  double min_near = 0.75;  // share of the values that must be near to the test's
+};
+constexpr Detail exact;
+constexpr Detail rough{96, 2, 0.4};
 constexpr std::size_t max_groups = 4;  // of lights or materials with the same function
 constexpr double right_angle = std::numbers::pi / 2;
 
@@ -33,19 +40,21 @@ struct Group {
 // The scene with mistakes that were made, too.
 struct Made {
   const Simulation& sim;
+  Detail detail;
   Turn turn;
   Trial trial;
   std::shared_ptr<const ModelShapes> shapes;
   std::vector<ModelHit> hits;  // of the first points
   std::vector<dvec3> places;   // of these hits in the world
 
-  Made(const Simulation& simulation, const Combination& mistakes)
+  Made(const Simulation& simulation, const Combination& mistakes, const Detail& how)
       : sim(simulation),
+        detail(how),
         turn(sim.turn_of(mistakes)),
         trial(sim.trial_of(mistakes)),
         shapes(sim.shapes_of(mistakes, trial)) {
     const Model model(trial.scene, *shapes, *sim.view->assets, trial.options, trial.mistakes);
-    for (std::size_t i = 0; i < std::min(max_points_to_fit, sim.points.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(detail.points, sim.points.size()); ++i) {
       const ModelRay ray = sim.ray(model, sim.middle(sim.points[i], turn) + trial.shift);
       hits.push_back(model.first_hit(ray));
       if (hits.back().part != nullptr) {
@@ -82,10 +91,17 @@ Curve hat(const std::vector<double>& knots, std::size_t k) {
   return curve;
 }
 
+// The functions of the groups of a term.
+struct FittedTerm {
+  std::vector<Curve> curves;
+  double left = 0;  // mean difference from the test; larger ones than `worst` count as that
+};
+
 // The functions of the groups that make the scene look most like the test; nullopt if none comes
 // near to it, or if the points show few of the functions' values.
-std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Group>& groups) {
-  constexpr std::size_t min_knots = 8;
+std::optional<FittedTerm> fitted(const Made& made, const std::vector<Group>& groups) {
+  constexpr double worst = 40;
+  const std::size_t min_knots = 8 / made.detail.knots_divided_by;
   const Simulation& sim = made.sim;
   const std::size_t count = made.hits.size();
   const auto drawn = [&](std::size_t group, const Curve& curve) {
@@ -122,6 +138,13 @@ std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Gro
   std::vector<double> values(n, 0);
   std::size_t near = 0;
   std::size_t used = 0;
+  const auto now_at = [&](std::size_t i, int channel) {
+    double now = none[i][channel];
+    for (std::size_t u = 0; u < n; ++u) {
+      now += values[u] * bases[u][i][channel];
+    }
+    return now;
+  };
   // Points at edges and other outliers are left out step by step.
   for (const double limit : {1e9, 40.0, 12.0, 4.0}) {
     std::vector<std::vector<double>> a(n, std::vector<double>(n, 0));
@@ -130,15 +153,11 @@ std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Gro
     for (std::size_t i = 0; i < count; ++i) {
       for (int channel = 0; channel < 3; ++channel) {
         const double t = sim.points[i].test[channel];
-        double now = none[i][channel];
-        for (std::size_t u = 0; u < n; ++u) {
-          now += values[u] * bases[u][i][channel];
-        }
         if (t <= 0 || t >= 255) {
           continue;
         }
         ++used;
-        if (std::abs(now - t) > limit) {
+        if (std::abs(now_at(i, channel) - t) > limit) {
           continue;
         }
         ++near;
@@ -158,7 +177,7 @@ std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Gro
     for (std::size_t u = 0; u < n; ++u) {
       trace += a[u][u];
     }
-    if (!(trace > 0) || 2 * near < used) {
+    if (!(trace > 0) || double(near) < std::min(0.5, made.detail.min_near) * double(used)) {
       return std::nullopt;
     }
     // Values without evidence follow those next to them.
@@ -176,44 +195,23 @@ std::optional<std::vector<Curve>> fitted(const Made& made, const std::vector<Gro
       return std::nullopt;
     }
   }
-  if (4 * near < 3 * used) {
+  if (double(near) < made.detail.min_near * double(used)) {
     return std::nullopt;
   }
-  std::vector<Curve> curves;
+  FittedTerm fit;
   for (const Group& group : groups) {
-    curves.push_back({group.knots, std::vector<double>(group.knots.size(), 0)});
+    fit.curves.push_back({group.knots, std::vector<double>(group.knots.size(), 0)});
   }
   for (std::size_t u = 0; u < n; ++u) {
-    curves[unknowns[u].first].values[unknowns[u].second] = values[u];
+    fit.curves[unknowns[u].first].values[unknowns[u].second] = values[u];
   }
-  return curves;
-}
-
-// `words`: says what the functions are; empty if they are not plausible.
-void add_function(const Made& made, Cause cause, const std::vector<Group>& groups,
-                  const std::function<std::string(const std::vector<Curve>&)>& words,
-                  std::vector<Hypothesis>& list) {
-  if (groups.empty() || groups.size() > max_groups) {
-    return;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const double now = std::clamp(now_at(i, channel), 0.0, 255.0);
+      fit.left += std::min(worst, std::abs(now - sim.points[i].test[channel])) / double(3 * count);
+    }
   }
-  const std::optional<std::vector<Curve>> curves = fitted(made, groups);
-  if (!curves) {
-    return;
-  }
-  std::string what = words(*curves);
-  if (what.empty()) {
-    return;
-  }
-  list.push_back({cause,
-                  std::move(what),
-                  Stage::shading,
-                  [groups, curves = *curves](Trial& t) {
-                    for (std::size_t g = 0; g < groups.size(); ++g) {
-                      groups[g].set(t, curves[g]);
-                    }
-                  },
-                  {},
-                  {}});
+  return fit;
 }
 
 void set_by_light(std::vector<Curve>& curves, const std::vector<std::size_t>& lights,
@@ -255,9 +253,9 @@ std::vector<Group> groups_of_lights(
   return groups;
 }
 
-void add_fading(const Made& made, std::vector<Hypothesis>& list) {
+std::vector<Group> groups_of_fading(const Made& made) {
   using Key = std::tuple<float, float, float>;
-  const std::vector<Group> groups = groups_of_lights<Key>(
+  return groups_of_lights<Key>(
       made, &ModelMistakes::fading,
       [](const RenderLight& light) {
         const glm::vec3& a = light.attenuation;
@@ -266,27 +264,26 @@ void add_fading(const Made& made, std::vector<Hypothesis>& list) {
       [](const RenderLight& light, const dvec3& point) {
         return glm::length(dvec3(light.position) - point);
       },
-      [](std::vector<double> distances) { return quantiles(std::move(distances), 16); });
-  add_function(
-      made, Cause::attenuation, groups,
-      [&](const std::vector<Curve>& curves) {
-        const Curve& c = curves.front();
-        const double near = c.knots[c.knots.size() / 4];
-        const double far = c.knots[3 * c.knots.size() / 4];
-        if (c.at(far) > c.at(near)) {
-          return std::string();  // no program makes distant lights brighter
-        }
-        return fmt::format(
-            "lights fade with distance in another way than the file says: the factor is {:.2g} at "
-            "a distance of {:.2g}, and {:.2g} at {:.2g}",
-            c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
-      },
-      list);
+      [&](std::vector<double> distances) {
+        return quantiles(std::move(distances), 16 / made.detail.knots_divided_by);
+      });
 }
 
-void add_cones(const Made& made, std::vector<Hypothesis>& list) {
+std::string words_of_fading(const Curve& c) {
+  const double near = c.knots[c.knots.size() / 4];
+  const double far = c.knots[3 * c.knots.size() / 4];
+  if (c.at(far) > c.at(near)) {
+    return {};  // no program makes distant lights brighter
+  }
+  return fmt::format(
+      "lights fade with distance in another way than the file says: the factor is {:.2g} at a "
+      "distance of {:.2g}, and {:.2g} at {:.2g}",
+      c.at(near), near, std::max(0.0, c.at(far)), far);  // not -0.0001
+}
+
+std::vector<Group> groups_of_cones(const Made& made) {
   using Key = std::tuple<float, float>;
-  const std::vector<Group> groups = groups_of_lights<Key>(
+  return groups_of_lights<Key>(
       made, &ModelMistakes::cone,
       [](const RenderLight& light) {
         return has_cone(light.type) ? std::optional(Key(light.inner_angle, light.outer_angle))
@@ -296,41 +293,35 @@ void add_cones(const Made& made, std::vector<Hypothesis>& list) {
         const dvec3 way = glm::normalize(point - dvec3(light.position));
         return std::acos(std::clamp(glm::dot(way, dvec3(light.direction)), -1.0, 1.0));
       },
-      [](const std::vector<double>& angles) {
+      [&](const std::vector<double>& angles) {
         return evenly(*std::min_element(angles.begin(), angles.end()),
-                      *std::max_element(angles.begin(), angles.end()), 32);
+                      *std::max_element(angles.begin(), angles.end()),
+                      32 / made.detail.knots_divided_by);
       });
-  add_function(
-      made, Cause::spot_falloff, groups,
-      [&](const std::vector<Curve>& curves) {
-        const Curve& c = curves.front();
-        const double most = *std::max_element(c.values.begin(), c.values.end());
-        double half = 0;
-        for (std::size_t k = 0; k < c.knots.size(); ++k) {
-          half = c.values[k] >= most / 2 ? c.knots[k] : half;
-        }
-        return fmt::format(
-            "spotlights fall off with the angle in another way than the file says: half of their "
-            "light is left at about {:.0f} degrees from the axis",
-            half * 180 / std::numbers::pi);
-      },
-      list);
 }
 
-void add_diffuse_response(const Made& made, std::vector<Hypothesis>& list) {
-  const std::vector<Group> groups{{evenly(-1, 1, 24), [](Trial& t, const Curve& curve) {
-                                     t.mistakes.diffuse_response = curve;
-                                   }}};
-  add_function(
-      made, Cause::diffuse, groups,
-      [](const std::vector<Curve>& curves) {
-        const Curve& c = curves.front();
-        return fmt::format(
-            "the diffuse term depends on N.L in another way: its factor is {:.2g} where N.L is "
-            "0.3, and {:.2g} where N.L is 0.8",
-            c.at(0.3), c.at(0.8));
-      },
-      list);
+std::string words_of_cones(const Curve& c) {
+  const double most = *std::max_element(c.values.begin(), c.values.end());
+  double half = 0;
+  for (std::size_t k = 0; k < c.knots.size(); ++k) {
+    half = c.values[k] >= most / 2 ? c.knots[k] : half;
+  }
+  return fmt::format(
+      "spotlights fall off with the angle in another way than the file says: half of their light "
+      "is left at about {:.0f} degrees from the axis",
+      half * 180 / std::numbers::pi);
+}
+
+std::vector<Group> group_of_diffuse(const Made& made) {
+  return {{evenly(-1, 1, 24 / made.detail.knots_divided_by),
+           [](Trial& t, const Curve& curve) { t.mistakes.diffuse_response = curve; }}};
+}
+
+std::string words_of_diffuse(const Curve& c) {
+  return fmt::format(
+      "the diffuse term depends on N.L in another way: its factor is {:.2g} where N.L is 0.3, and "
+      "{:.2g} where N.L is 0.8",
+      c.at(0.3), c.at(0.8));
 }
 
 // The exponent that is most like the shape of a highlight.
@@ -353,8 +344,9 @@ double exponent_like(const Curve& curve) {
   return best;
 }
 
-void add_highlights(const Made& made, std::vector<Hypothesis>& list) {
-  std::map<float, std::size_t> exponents;  // with the number of points
+// The exponents of highlights, with the numbers of points that show them.
+std::map<float, std::size_t> exponents_of(const Made& made) {
+  std::map<float, std::size_t> exponents;
   for (const ModelHit& hit : made.hits) {
     if (hit.part != nullptr) {
       const RenderMaterial& m = made.trial.scene.materials[hit.part->material];
@@ -363,47 +355,132 @@ void add_highlights(const Made& made, std::vector<Hypothesis>& list) {
       }
     }
   }
+  return exponents;
+}
+
+std::vector<Group> groups_of_highlights(const Made& made) {
   std::vector<double> angles;  // between R and V
-  for (const double x : evenly(0, 1, 20)) {
+  for (const double x : evenly(0, 1, 20 / made.detail.knots_divided_by)) {
     angles.push_back(right_angle * x * x);
   }
   std::vector<Group> groups;
-  for (const auto& one : exponents) {
+  for (const auto& one : exponents_of(made)) {
     groups.push_back({angles, [exponent = one.first](Trial& t, const Curve& curve) {
                         t.mistakes.highlights.emplace_back(exponent, curve);
                       }});
   }
-  add_function(
-      made, Cause::specular, groups,
-      [&](const std::vector<Curve>& curves) {
-        const auto most =
-            std::max_element(exponents.begin(), exponents.end(),
-                             [](const auto& x, const auto& y) { return x.second < y.second; });
-        return fmt::format(
-            "highlights have another size or brightness: those of exponent {:g} are like those of "
-            "exponent {:.2g}",
-            most->first,
-            exponent_like(curves[std::size_t(std::distance(exponents.begin(), most))]));
-      },
-      list);
+  return groups;
+}
+
+std::string words_of_highlights(const Made& made, const std::vector<Curve>& curves) {
+  const std::map<float, std::size_t> exponents = exponents_of(made);
+  const auto most =
+      std::max_element(exponents.begin(), exponents.end(),
+                       [](const auto& x, const auto& y) { return x.second < y.second; });
+  return fmt::format(
+      "highlights have another size or brightness: those of exponent {:g} are like those of "
+      "exponent {:.2g}",
+      most->first, exponent_like(curves[std::size_t(std::distance(exponents.begin(), most))]));
+}
+
+std::vector<Group> groups_of(const Made& made, Term term) {
+  switch (term) {
+    case Term::fading:
+      return groups_of_fading(made);
+    case Term::highlights:
+      return groups_of_highlights(made);
+    case Term::cones:
+      return groups_of_cones(made);
+    case Term::diffuse:
+      return group_of_diffuse(made);
+  }
+  return {};
+}
+
+// Says what the functions are; empty if they are not plausible.
+std::string words_of(const Made& made, Term term, const std::vector<Curve>& curves) {
+  switch (term) {
+    case Term::fading:
+      return words_of_fading(curves.front());
+    case Term::highlights:
+      return words_of_highlights(made, curves);
+    case Term::cones:
+      return words_of_cones(curves.front());
+    case Term::diffuse:
+      return words_of_diffuse(curves.front());
+  }
+  return {};
+}
+
+std::optional<FittedTerm> fitted(const Made& made, Term term) {
+  const std::vector<Group> groups = groups_of(made, term);
+  return groups.empty() || groups.size() > max_groups ? std::nullopt : fitted(made, groups);
+}
+
+bool has_functions(const Simulation& sim) {
+  return sim.usable && sim.view->options.mode != Mode::normals && !sim.view->scene->lights.empty();
 }
 
 }  // namespace
 
-std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too) {
+Cause cause_of(Term term) {
+  switch (term) {
+    case Term::fading:
+      return Cause::attenuation;
+    case Term::highlights:
+      return Cause::specular;
+    case Term::cones:
+      return Cause::spot_falloff;
+    case Term::diffuse:
+      return Cause::diffuse;
+  }
+  return Cause::diffuse;
+}
+
+std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too,
+                                         std::optional<Term> only) {
   std::vector<Hypothesis> list;
-  if (!sim.usable || sim.view->options.mode == Mode::normals || sim.view->scene->lights.empty()) {
+  if (!has_functions(sim)) {
     return list;
   }
-  const Made made(sim, made_too);
+  const Made made(sim, made_too, exact);
   if (made.places.size() < few_pixels) {
     return list;
   }
-  add_fading(made, list);
-  add_highlights(made, list);
-  add_cones(made, list);
-  add_diffuse_response(made, list);
+  for (std::size_t k = 0; k < term_count; ++k) {
+    const Term term = Term(k);
+    const std::optional<FittedTerm> fit = only.value_or(term) == term ? fitted(made, term) : std::nullopt;
+    std::string what = fit ? words_of(made, term, fit->curves) : std::string();
+    if (!what.empty()) {
+      list.push_back({cause_of(term),
+                      std::move(what),
+                      Stage::shading,
+                      [groups = groups_of(made, term), curves = fit->curves](Trial& t) {
+                        for (std::size_t g = 0; g < groups.size(); ++g) {
+                          groups[g].set(t, curves[g]);
+                        }
+                      },
+                      {},
+                      {}});
+    }
+  }
   return list;
+}
+
+std::array<double, term_count> left_with_functions(const Simulation& sim,
+                                                   const Combination& made_too) {
+  std::array<double, term_count> left;
+  left.fill(infinity);
+  if (!has_functions(sim)) {
+    return left;
+  }
+  const Made made(sim, made_too, rough);
+  for (std::size_t k = 0; k < term_count && made.places.size() >= few_pixels; ++k) {
+    if (const std::optional<FittedTerm> fit = fitted(made, Term(k))) {
+      left[k] = fit->left;
+    }
+  }
+  return left;
 }
 
 }  // namespace scenefile

@@ -6,11 +6,24 @@
 
 #include "scenefile/grade/simulation.h"
 
+#include <array>
+
 namespace scenefile {
+
+/// The terms with such a function; those whose function is likelier to be wrong come first.
+enum class Term : std::uint8_t { fading, highlights, cones, diffuse };
+inline constexpr std::size_t term_count = 4;
+
+Cause cause_of(Term term);
 
 /// The mistakes whose functions fit the points nearly everywhere, the likeliest first. The pictures
 /// decide whether they are causes: see leaves_only_rounding().
-/// `made_too`: mistakes that were made, too, without changes of the finished picture.
-std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too);
+/// `made_too`: mistakes that were made, too, without changes of the finished picture. `only`: the
+/// term to fit; all if there is none.
+std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combination& made_too,
+                                         std::optional<Term> only = std::nullopt);
+/// By term, the mean difference that the best function leaves, roughly; infinity if none fits.
+std::array<double, term_count> left_with_functions(const Simulation& sim,
+                                                   const Combination& made_too);
 
 }  // namespace scenefile

@@ -74,26 +74,6 @@ Additions additions_to(Simulation& sim, const Combination& made, std::size_t cou
   return f;
 }
 
-// The correlation between the colors and those of the test.
-double likeness(const Simulation& sim, const Colors& colors) {
-  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    for (int k = 0; k < 3; ++k) {
-      const double x = c[k];
-      const double y = sim.points[i].test[k];
-      n += 1;
-      a += x;
-      b += y;
-      aa += x * x;
-      bb += y * y;
-      ab += x * y;
-    }
-  }
-  const double spread = (n * aa - a * a) * (n * bb - b * b);
-  return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
-}
-
 // Combinations to extend, in the order of add(), without those that look the same as an earlier
 // one.
 class Starts {

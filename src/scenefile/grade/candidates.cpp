@@ -358,9 +358,7 @@ bool hides(const Hypothesis& mistake, const Hypothesis& edit) {
   if (mistake.color && loses_colors(mistake)) {
     return true;
   }
-  return edit.stage == Stage::camera
-             ? mistake.stage == Stage::camera
-             : replaces_objects(mistake);
+  return edit.stage == Stage::camera ? mistake.stage == Stage::camera : replaces_objects(mistake);
 }
 
 bool is_about_brightness(Cause cause) {

@@ -25,8 +25,8 @@ using glm::dvec3;
 
 // With more shapes, only lights and camera are varied, and not beside other mistakes.
 constexpr std::size_t max_parts = 2000;
-constexpr std::uint64_t max_rays = 5000000;         // of the search for an edited scene alone
-constexpr std::uint64_t max_rays_beside = 1500000;  // and of that beside each likely mistake
+constexpr std::uint64_t max_rays = 7000000;         // of the search for an edited scene alone
+constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each likely mistake
 constexpr std::uint64_t max_rays_beside_another = 4000000;  // and beside all others
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
@@ -81,6 +81,9 @@ class Search {
   void round(const SceneValue& value, Fit& fit) const;
   void measure_bias();
   std::vector<SceneValue> values() const;
+  double agreement(const SceneValue& value, const Cells& cells, const Colors& unedited) const;
+  double left_at_a_glance(const SceneValue& value) const;
+  std::vector<SceneValue> likeliest_first(std::vector<SceneValue> values);
   bool prepare_search();
   std::optional<Fit> fitted(const SceneValue& value, Fit fit, std::size_t first_level);
   std::uint16_t add_to_list(const SceneValue& value, RenderScene ready);
@@ -93,15 +96,16 @@ class Search {
   Simulation& sim_;
   Combination beside_;
   std::uint64_t last_ray_;
-  Drawable unedited_;          // with the mistakes beside the edit
-  Colors before_;              // of the points, unedited
-  std::vector<char> differs_;  // which points the test differs from that
+  Drawable unedited_;           // with the mistakes beside the edit
+  Colors before_;               // of the points, unedited
+  std::vector<char> differs_;   // which points the test differs from that
   std::vector<ModelHit> hits_;  // of the points
   std::vector<Promising> promising_;
   Prepared prepared_;
-  std::vector<Cells> levels_;  // the coarsest first
-  double distance_ = 1;        // from the camera to what it shows
-  dvec3 bias_{0};              // of the test's values, which may be truncated
+  std::vector<Cells> levels_;   // the coarsest first
+  std::vector<Cells> glances_;  // few squares of the first two levels
+  double distance_ = 1;         // from the camera to what it shows
+  dvec3 bias_{0};               // of the test's values, which may be truncated
 };
 
 // Errors beyond this count less, because they are probably not of the value that is varied.
@@ -148,7 +152,7 @@ std::optional<RenderScene> Search::ready_with(const SceneValue& value,
 }
 
 std::optional<Drawable> Search::edited(const SceneValue& value,
-                                     const std::vector<double>& numbers) const {
+                                       const std::vector<double>& numbers) const {
   constexpr double too_large = 1e5;
   if (!std::all_of(numbers.begin(), numbers.end(),
                    [](double x) { return std::abs(x) < too_large; })) {
@@ -423,8 +427,9 @@ std::vector<SceneValue> Search::values() const {
   constexpr std::size_t max_nodes = 12;
   const Scene& scene = *sim_.view->written;
   std::vector<SceneValue> found = values_of_view(scene, prepared_);
-  const bool replaced = std::any_of(beside_.begin(), beside_.end(),
-                                    [&](std::uint16_t i) { return replaces_objects(sim_.list[i]); });
+  const bool replaced = std::any_of(beside_.begin(), beside_.end(), [&](std::uint16_t i) {
+    return replaces_objects(sim_.list[i]);
+  });
   if (replaced || sim_.shapes->parts.size() > max_parts) {
     return found;
   }
@@ -495,6 +500,86 @@ bool Search::fits_beside(const SceneValue& value) const {
   edit.stage = stage_of(value);
   return std::none_of(beside_.begin(), beside_.end(),
                       [&](std::uint16_t i) { return hides(sim_.list[i], edit); });
+}
+
+// How well the pixels that a change of the value changes are those that differ: 1 if they are the
+// same. `cells`: some of the first points.
+double Search::agreement(const SceneValue& value, const Cells& cells,
+                         const Colors& unedited) const {
+  std::vector<bool> changed(cells.pixels.size());
+  for (std::size_t k = 0; k < value.numbers.size(); ++k) {
+    std::vector<double> numbers = value.numbers;
+    numbers[k] += step_of(value, numbers[k], levels_[1]);
+    if (const std::optional<Drawable> scene = edited(value, numbers)) {
+      const Colors colors = drawn(*scene, cells);
+      for (std::size_t i = 0; i < colors.size(); ++i) {
+        changed[i] = changed[i] || largest_of(glm::abs(colors[i] - unedited[i])) > 1;
+      }
+    }
+  }
+  double both = 0, changes = 0, differs = 0;
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    both += changed[i] && differs_[i] != 0 ? 1 : 0;
+    changes += changed[i] ? 1 : 0;
+    differs += differs_[i] != 0 ? 1 : 0;
+  }
+  return both > 0 ? both * both / (changes * differs) : 0;
+}
+
+// The share of the difference that a few steps leave.
+double Search::left_at_a_glance(const SceneValue& value) const {
+  constexpr int max_steps = 3;
+  const Cells& cells = glances_[first_level(value.effect) > 0 ? 1 : 0];
+  Fit fit{value.numbers, 0};
+  improve(value, fit, cells, max_steps);
+  return fit.left / std::max(1.0, left_with(value, value.numbers, cells));
+}
+
+// The number of rays is limited, so values come first that explain much after a few steps, and then
+// those that change what differs. Beside mistakes, only these.
+std::vector<SceneValue> Search::likeliest_first(std::vector<SceneValue> values) {
+  constexpr std::size_t glance = 96;           // points
+  constexpr std::size_t max_at_a_glance = 30;  // values
+  constexpr double max_left_at_a_glance = 0.95;
+  constexpr double likely = 0.6;
+  constexpr std::uint64_t max_rays_for_likely = 3000000;
+  constexpr double one_step = 0.05;  // of agreement; within it, the order remains
+  struct Ranked {
+    double agreement = 0;  // in steps
+    double left = 1;
+    std::size_t value = 0;
+  };
+  std::erase_if(values, [&](const SceneValue& value) { return !fits_beside(value); });
+  const Cells cells = pixels(glance);
+  const Colors unedited = drawn(unedited_, cells);
+  std::vector<Ranked> ranked(values.size());
+  for_each_task(values.size(), [&](std::size_t i) {
+    ranked[i] = {std::round(agreement(values[i], cells, unedited) / one_step), 1, i};
+  });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.agreement > b.agreement; });
+  const std::uint64_t last_glance = sim_.rays + (last_ray_ - sim_.rays) / 2;
+  for (std::size_t i = 0; i < std::min(max_at_a_glance, ranked.size()); ++i) {
+    if (sim_.rays < last_glance && ranked[i].agreement > 0) {
+      ranked[i].left = left_at_a_glance(values[ranked[i].value]);
+    }
+  }
+  const auto unlikely = std::stable_partition(ranked.begin(), ranked.end(), [](const Ranked& one) {
+    return one.left < max_left_at_a_glance;
+  });
+  std::stable_sort(ranked.begin(), unlikely,
+                   [](const Ranked& a, const Ranked& b) { return a.left < b.left; });
+  if (unlikely != ranked.begin() && ranked.front().left < likely) {
+    last_ray_ += max_rays_for_likely;
+  }
+  if (!beside_.empty()) {
+    ranked.erase(unlikely, ranked.end());
+  }
+  std::vector<SceneValue> ordered;
+  for (const Ranked& one : ranked) {
+    ordered.push_back(std::move(values[one.value]));
+  }
+  return ordered;
 }
 
 // From the numbers in `fit`.
@@ -611,7 +696,8 @@ bool Search::prepare_search() {
   levels_ = {squares(std::max(3, sim_.test.width / 16), 4, 400),
              squares(std::max(3, sim_.test.width / 40), 3, 300), squares(3, 3, 250), pixels(320),
              pixels(sim_.points.size())};
-  constexpr std::array max_left{0.6, 0.5, 0.35, 0.35, 0.3};
+  glances_ = {squares(int(levels_[0].size), 2, 48), squares(int(levels_[1].size), 2, 48)};
+  constexpr std::array max_left{0.6, 0.5, 0.2, 0.15, 0.15};
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     levels_[i].max_left = max_left[i];
   }
@@ -629,13 +715,11 @@ std::optional<Tried> Search::run() {
     return std::nullopt;
   }
   std::optional<Tried> best;
-  for (const SceneValue& value : values()) {
+  for (const SceneValue& value : likeliest_first(values())) {
     if (spent() || !sim_.step(0.98)) {
       break;
     }
-    const std::optional<Fit> fit =
-        fits_beside(value) ? fitted(value, {value.numbers, 0}, first_level(value.effect))
-                           : std::nullopt;
+    const std::optional<Fit> fit = fitted(value, {value.numbers, 0}, first_level(value.effect));
     const std::optional<Tried> t = fit ? tried(value, *fit) : std::nullopt;
     if (t && convincing(*t)) {
       best = !best || t->score.raw < 0.9 * best->score.raw ? t : best;

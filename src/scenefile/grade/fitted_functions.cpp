@@ -449,7 +449,8 @@ std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combinatio
   }
   for (std::size_t k = 0; k < term_count; ++k) {
     const Term term = Term(k);
-    const std::optional<FittedTerm> fit = only.value_or(term) == term ? fitted(made, term) : std::nullopt;
+    const std::optional<FittedTerm> fit =
+        only.value_or(term) == term ? fitted(made, term) : std::nullopt;
     std::string what = fit ? words_of(made, term, fit->curves) : std::string();
     if (!what.empty()) {
       list.push_back({cause_of(term),

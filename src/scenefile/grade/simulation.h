@@ -141,8 +141,8 @@ struct Simulation {
                              double to);
 };
 
-/// Restores the points of a simulation at the end of a scope that replaces them, unless told to keep
-/// the new ones.
+/// Restores the points of a simulation at the end of a scope that replaces them, unless told to
+/// keep the new ones.
 class PointsRestored {
  public:
   explicit PointsRestored(Simulation& sim)

@@ -321,65 +321,106 @@ bool is_factor(const Hypothesis& curve) {
   return largest_of(glm::abs(curve.color(dvec3(0.4)) - 2.0 * curve.color(dvec3(0.2)))) < 1e-6;
 }
 
-// Combines a mistake in drawing with a curve that is fitted to the picture with that mistake.
-// Factors are in the list already.
-std::optional<Tried> with_fitted_curve(Simulation& sim) {
-  const std::size_t count = std::min(screen, sim.points.size());
-  const std::vector<Point> points(sim.points.begin(), sim.points.begin() + std::ptrdiff_t(count));
-  const auto clamped = [](Colors colors) {
-    for (dvec3& c : colors) {
-      c = glm::clamp(c, dvec3(0), dvec3(255));
-    }
-    return colors;
-  };
-  const auto curved = [](const Hypothesis& curve, Colors colors) {
-    for (dvec3& c : colors) {
-      c = 255.0 * curve.color(c / 255.0);
-    }
-    return colors;
-  };
-  std::vector<std::pair<double, std::uint16_t>> order(sim.first_fitted);
-  for_each_task(order.size(), [&](std::size_t i) {
-    const Hypothesis& h = sim.list[i];
-    order[i] = {0, static_cast<std::uint16_t>(i)};
-    const Colors& drawn = h.turn != Turn() ? sim.clean(h.turn).drawn : sim.cache[i];
-    if (drawn.size() < count || shows_at_edges(h)) {
-      return;
-    }
-    const Colors colors = clamped(first_of(drawn, count));
-    for (const Hypothesis& curve : fitted_curves(points, colors)) {
-      if (is_factor(curve)) {
-        continue;
+Colors shown(Colors colors) {
+  for (dvec3& c : colors) {
+    c = glm::clamp(c, dvec3(0), dvec3(255));
+  }
+  return colors;
+}
+
+// The most merit that the colors have with a curve that is fitted to them. Factors are in the list
+// of mistakes already.
+double merit_with_curve(const Simulation& sim, const Colors& drawn) {
+  const std::vector<Point> points(sim.points.begin(),
+                                  sim.points.begin() + std::ptrdiff_t(drawn.size()));
+  const Colors colors = shown(drawn);
+  double best = 0;
+  for (const Hypothesis& curve : fitted_curves(points, colors)) {
+    if (!is_factor(curve)) {
+      Colors curved = colors;
+      for (dvec3& c : curved) {
+        c = 255.0 * curve.color(c / 255.0);
       }
-      const Score s = score(points, count, curved(curve, colors));
-      order[i].first = std::min(order[i].first, -sim.rated({}, s, sim.base(count)).merit());
-    }
-  });
-  std::stable_sort(order.begin(), order.end());
-  const Simulation::Base b = sim.base(sim.points.size());
-  for (std::size_t k = 0; k < std::min<std::size_t>(4, order.size()); ++k) {
-    const auto [merit, i] = order[k];
-    if (merit > -0.9) {
-      break;
-    }
-    const Turn turn = sim.list[i].turn;
-    const Colors colors =
-        clamped(sim.drawn({i}, sim.points.size(), turn).value_or(sim.clean(turn).drawn));
-    for (Hypothesis& curve : fitted_curves(sim.points, colors)) {
-      if (is_factor(curve)) {
-        continue;
-      }
-      const auto added = static_cast<std::uint16_t>(sim.list.size());
-      sim.list.push_back(std::move(curve));
-      const Combination mistakes{i, added};
-      const Tried t = sim.rated(mistakes, sim.score_of(mistakes, sim.points.size()), b);
-      if (reproduces_all(t) && good_enough(sim, t) && each_needed(sim, mistakes)) {
-        return t;
-      }
-      sim.list.pop_back();
+      const Score s = score(points, points.size(), curved);
+      best = std::max(best, sim.rated({}, s, sim.base(points.size())).merit());
     }
   }
+  return best;
+}
+
+// The mistakes with a curve that is fitted to the picture with them, if that reproduces the test.
+std::optional<Tried> reproduced_with_curve(Simulation& sim, const Combination& mistakes) {
+  const Simulation::Base b = sim.base(sim.points.size());
+  const Turn turn = sim.turn_of(mistakes);
+  const Colors colors =
+      shown(sim.drawn(mistakes, sim.points.size(), turn).value_or(sim.clean(turn).drawn));
+  for (Hypothesis& curve : fitted_curves(sim.points, colors)) {
+    if (is_factor(curve)) {
+      continue;
+    }
+    const auto added = static_cast<std::uint16_t>(sim.list.size());
+    sim.list.push_back(std::move(curve));
+    const Combination all = joined(mistakes, {added});
+    const Tried t = sim.rated(all, sim.score_of(all, sim.points.size()), b);
+    if (reproduces_all(t) && good_enough(sim, t) && each_needed(sim, all)) {
+      return t;
+    }
+    sim.list.pop_back();
+  }
   return std::nullopt;
+}
+
+using Ranked = std::vector<std::pair<double, Combination>>;  // by falling merit
+
+// Adds each mistake to those made, and keeps those that come nearest to the test with a curve.
+void add_with_curve(Simulation& sim, const Additions& f, Ranked& ranked) {
+  std::vector<double> merits(f.members.size());
+  for_each_task(merits.size(),
+                [&](std::size_t k) { merits[k] = merit_with_curve(sim, f.with[f.members[k]]); });
+  for (std::size_t k = 0; k < merits.size(); ++k) {
+    ranked.emplace_back(merits[k], joined(f.made, {f.members[k]}));
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+}
+
+// Combines one or two mistakes in drawing with a curve that is fitted to the picture with them.
+std::optional<Tried> with_fitted_curve(Simulation& sim, const Additions& plain) {
+  constexpr double min_merit = 0.9;
+  constexpr double min_merit_of_one = 0.4;  // of two mistakes
+  constexpr std::size_t max_tried = 8;
+  constexpr std::size_t max_first = 3;  // mistakes to add another one to
+  Ranked ones;
+  add_with_curve(sim, plain, ones);
+  for (const Turn turn : {Turn{true, false}, Turn{false, true}, Turn{true, true}}) {
+    const Colors& drawn = sim.clean(turn).drawn;
+    const double merit = merit_with_curve(sim, first_of(drawn, plain.count));
+    for (std::uint16_t i = 0; i < sim.first_fitted && merit >= min_merit; ++i) {
+      if (sim.list[i].turn == turn) {
+        ones.insert(ones.begin(), {merit, {i}});
+      }
+    }
+  }
+  const auto best_of = [&](const Ranked& ranked) {
+    std::optional<Tried> best;
+    for (std::size_t k = 0; k < std::min(max_tried, ranked.size()); ++k) {
+      if (ranked[k].first < min_merit) {
+        break;
+      }
+      // The curve may make up for a mistake that is nearly the right one.
+      const std::optional<Tried> t = reproduced_with_curve(sim, ranked[k].second);
+      best = t && (!best || t->score.raw < best->score.raw) ? t : best;
+    }
+    return best;
+  };
+  std::optional<Tried> found = best_of(ones);
+  Ranked twos;
+  for (std::size_t k = 0; !found && k < std::min(max_first, ones.size()); ++k) {
+    if (ones[k].first >= min_merit_of_one && sim.step(0.7)) {
+      add_with_curve(sim, additions_to(sim, ones[k].second, few_points), twos);
+    }
+  }
+  return found ? found : best_of(twos);
 }
 
 // Combines the best single mistakes with each mistake in sampling, which changes edges and steep
@@ -435,7 +476,7 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
     found = better(found, search_from(sim, singles, 0.5, 0.7, pairs));
   }
   if (!found || !sure(*found)) {
-    found = better(found, with_fitted_curve(sim));
+    found = better(found, with_fitted_curve(sim, plain));
   }
   if (found) {
     found = completed(sim, *found);

@@ -7,6 +7,7 @@
 #include "scenefile/grade/fitted_functions.h"
 #include "scenefile/grade/fitted_mistakes.h"
 #include "scenefile/grade/placed_copy.h"
+#include "scenefile/grade/reordered.h"
 #include "scenefile/grade/sampling_causes.h"
 #include "scenefile/grade/several_mistakes.h"
 #include "scenefile/grade/smaller_mistakes.h"
@@ -716,6 +717,29 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
   return report;
 }
 
+// The claim of another order of pixels or channels, and of what is wrong beside it, if these
+// explain the test.
+std::optional<CauseReport> causes_beside_order(const Texture& reference, const Texture& test,
+                                               const std::optional<Reordered>& reordered,
+                                               const SceneView& view,
+                                               const std::function<bool(double)>& go_on) {
+  if (!reordered) {
+    return std::nullopt;
+  }
+  Simulation sim{reference, reordered->picture, &view, go_on};
+  CauseReport rest = look_for_causes(sim, LookFor::several_at_once);
+  if (rest.claims.empty()) {
+    return std::nullopt;
+  }
+  Claim order = reordered->claim;
+  order.explained = rest.claims.front().explained;
+  order.evidence = evidence_of_share(order.explained);
+  rest.claims.insert(rest.claims.begin(), std::move(order));
+  const Pixels pixels = sorted_pixels(reference, test);
+  rest.share_different = double(pixels.different.size()) / (double(test.width) * test.height);
+  return rest;
+}
+
 // Counts of values that are one higher, one lower, or differ by more.
 struct Steps {
   std::size_t up = 0;
@@ -855,8 +879,17 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     return {};
   }
   const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
+  const bool several = view != nullptr && look_for == LookFor::several_at_once;
+  std::optional<CauseReport> beside;
+  if (several) {
+    beside = causes_beside_order(reference, test, in_right_order(test), *view, go_on);
+  }
   Simulation sim{reference, test, view, go_on};
-  CauseReport report = look_for_causes(sim, look_for);
+  CauseReport report = beside ? *std::move(beside) : look_for_causes(sim, look_for);
+  if (several && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped) {
+    beside = causes_beside_order(reference, test, in_likelier_order(reference, test), *view, go_on);
+    report = beside ? *std::move(beside) : std::move(report);
+  }
   if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {
       report.claims.push_back(*std::move(rounding));

@@ -167,9 +167,9 @@ std::optional<PlacedCopy> find_order(const Texture& reference, const Texture& te
         [=](int x, int y) { return at_or_black(y, height - 1 - x); }},
        {"the picture is rotated by a quarter turn, counterclockwise",
         [=](int x, int y) { return at_or_black(width - 1 - y, x); }},
-       {"pixels are stored column by column, not row by row",
+       {stored_by_columns,
         [=](int x, int y) { return at_or_black(place(x, y) / height, place(x, y) % height); }},
-       {"pixels are read column by column, not row by row",
+       {read_by_columns,
         [=](int x, int y) {
           const int i = x * height + y;
           return at_or_black(i % width, i / width);

@@ -436,7 +436,7 @@ Effect effect_of(const Simulation& sim, const Colors& with, const Colors& withou
       e.right += now;
       e.within_rounding += largest_of(glm::abs(a - p.test)) <= rounding ? p.weight : 0;
       e.gained += gain;
-      e.shown += largest_of(p.test) > 16 ? gain : 0;
+      e.shown += largest_of(p.test) > dark_up_to ? gain : 0;
     }
   }
   return e;

@@ -54,7 +54,7 @@ bool shows_bright_pixels(const Simulation& sim, const Tried& t) {
   std::vector<std::uint32_t> bright;
   for (std::uint32_t i = 0; 3 * i < sim.test.rgb.size(); ++i) {
     const std::uint8_t* p = &sim.test.rgb[3 * i];
-    if (std::max({p[0], p[1], p[2]}) > 16) {
+    if (std::max({p[0], p[1], p[2]}) > dark_up_to) {
       bright.push_back(i);
     }
   }
@@ -89,7 +89,7 @@ bool shows_much(const Simulation& sim, const Tried& t) {
   const Colors colors = sim.predicted(t.mistakes, sim.points.size());
   for (std::size_t i = 0; i < sim.points.size(); ++i) {
     const Point& p = sim.points[i];
-    if (p.differs && largest_of(p.test) > 16) {
+    if (p.differs && largest_of(p.test) > dark_up_to) {
       bright += p.weight;
       const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
       matched += largest_of(glm::abs(c - p.test)) <= right_within ? p.weight : 0;
@@ -649,7 +649,7 @@ CauseReport look_for_causes(Simulation& sim, LookFor asked) {
     std::move(drawn.begin(), drawn.end(), std::back_inserter(sim.list));
   }
   std::mt19937 random(1);
-  add_points(sim.reference, sim.test, pixels.different, 1200, true, false, random, sim.points);
+  add_differing_points(sim.reference, sim.test, pixels.different, 1200, random, sim.points);
   if (!undrawn && !copy) {
     if (std::optional<Claim> note = drop_other_samples(sim, pixels.different)) {
       report.notes.push_back(*std::move(note));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <tuple>
 
 namespace scenefile {
 
@@ -74,6 +75,37 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
     p.differs = differs;
     points.push_back(p);
   }
+}
+
+void add_differing_points(const Texture& reference, const Texture& test,
+                          const std::vector<std::uint32_t>& pixels, std::size_t count,
+                          std::mt19937& random, std::vector<Point>& points) {
+  std::vector<std::uint32_t> dark;
+  std::vector<std::uint32_t> bright;
+  for (const std::uint32_t i : pixels) {
+    const std::uint8_t* p = &test.rgb[std::size_t{3} * i];
+    (std::max({p[0], p[1], p[2]}) <= dark_up_to ? dark : bright).push_back(i);
+  }
+  if (bright.size() < 10 * few_pixels || bright.size() >= dark.size()) {
+    add_points(reference, test, pixels, count, true, false, random, points);
+    return;
+  }
+  const std::size_t first = points.size();
+  add_points(reference, test, dark, count / 2, true, false, random, points);
+  const std::size_t second = points.size();
+  add_points(reference, test, bright, count / 2, true, false, random, points);
+  const double half = double(pixels.size()) / 2;
+  std::vector<Point> mixed;
+  for (std::size_t i = 0; first + i < second || second + i < points.size(); ++i) {
+    for (const auto& [from, to, all] : {std::tuple(first, second, dark.size()),
+                                        std::tuple(second, points.size(), bright.size())}) {
+      if (from + i < to) {
+        mixed.push_back(points[from + i]);
+        mixed.back().weight *= half / double(all);
+      }
+    }
+  }
+  std::copy(mixed.begin(), mixed.end(), points.begin() + std::ptrdiff_t(first));
 }
 
 Pixels sorted_pixels(const Texture& reference, const Texture& test) {

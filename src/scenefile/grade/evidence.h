@@ -73,10 +73,19 @@ struct Pixels {
 };
 Pixels sorted_pixels(const Texture& reference, const Texture& test);
 
+/// Values up to this look black.
+inline constexpr double dark_up_to = 16;
+
 /// Adds points at pixels that are chosen at random, but reproducibly. `strict`: the test's own
 /// colors count at edges as well.
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points);
+
+/// Adds points at the pixels that differ. In a nearly black picture, the few pixels that are not dark
+/// get half of the weight: any mistake that makes the others black explains them.
+void add_differing_points(const Texture& reference, const Texture& test,
+                          const std::vector<std::uint32_t>& pixels, std::size_t count,
+                          std::mt19937& random, std::vector<Point>& points);
 
 }  // namespace scenefile

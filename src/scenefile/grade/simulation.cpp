@@ -437,7 +437,9 @@ Tried Simulation::rated(Combination mistakes, const Score& s, const Base& b) con
   t.score = s;
   t.explained = b.left > 0 ? 1 - s.left / b.left : 0;
   t.exact = b.differs > 0 ? s.exact / b.differs : 0;
-  t.broken = b.same > 0 ? s.broken / b.same : 0;
+  // Where nearly all pixels differ, others are equal by chance.
+  const double by_chance = 0.1 * b.differs;
+  t.broken = b.same > 0 ? s.broken / std::max(b.same, by_chance) : 0;
   // Where few pixels differ, breaking few others is much. Single points may be broken by chance.
   const double many = std::max(0.0, s.broken - 0.005 * b.same);
   t.broken = std::max(t.broken, b.differs > 0 ? 0.1 * many / b.differs : 0);

@@ -86,7 +86,7 @@ void add_differing_points(const Texture& reference, const Texture& test,
     const std::uint8_t* p = &test.rgb[std::size_t{3} * i];
     (std::max({p[0], p[1], p[2]}) <= dark_up_to ? dark : bright).push_back(i);
   }
-  if (bright.size() < 10 * few_pixels || bright.size() >= dark.size()) {
+  if (bright.size() < 2 * few_pixels || bright.size() >= dark.size()) {
     add_points(reference, test, pixels, count, true, false, random, points);
     return;
   }

@@ -323,7 +323,9 @@ bool fits(const Simulation& sim, const Combination& start, std::uint16_t other) 
   if (sim.list[other].stage == Stage::shapes && sim.shapes->parts.size() > max_shapes_to_edit) {
     return false;
   }
-  if (!start.empty() && (sim.any_heavy(start) || sim.any_heavy({other}))) {
+  const auto at_edges = [&](std::uint16_t i) { return shows_at_edges(sim.list[i]); };
+  const bool only_at_edges = at_edges(other) || std::all_of(start.begin(), start.end(), at_edges);
+  if (!start.empty() && !only_at_edges && (sim.any_heavy(start) || sim.any_heavy({other}))) {
     return false;
   }
   const auto combines = [&](std::uint16_t i) { return sim.list[i].combines; };

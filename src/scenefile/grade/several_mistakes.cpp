@@ -98,8 +98,8 @@ class Starts {
 
 // Single mistakes to combine with all others, the most promising first: flips, because nothing else
 // is right without them; those that explain most, that are right at most points, that are right
-// wherever they change the picture, and those that move objects closer to where the test shows
-// them.
+// wherever they change the picture, and those with which it looks most like the test, whatever its
+// brightness.
 std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<Tried>& ranked) {
   const std::size_t count = std::min(screen, sim.points.size());
   std::array<std::vector<std::pair<double, std::uint16_t>>, 4> orders;
@@ -125,8 +125,7 @@ std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<
     if (effect.changed >= 0.03 * differs && effect.right >= 0.5 * effect.changed) {
       orders[2].emplace_back(-effect.right * effect.right / effect.changed, i);
     }
-    if (const double like = likeness(sim, sim.cache[i]);
-        h.stage >= Stage::hits && like > likeness_now + 0.003) {
+    if (const double like = likeness(sim, sim.cache[i]); like > likeness_now + 0.003) {
       orders[3].emplace_back(-like, i);
     }
   }

@@ -229,6 +229,18 @@ void add_shifts(HypothesisList& list) {
         Stage::hits);
     list.items.back().mistake = false;
   }
+  for (const int side : {2, 3}) {
+    for (const auto& [divisor, what] :
+         {std::pair(1, "added, not averaged"), std::pair(side, "divided by the number in a row")}) {
+      list.add(
+          Cause::brightness, fmt::format("the {} by {} samples of pixels are {}", side, side, what),
+          [side, divisor = divisor](Trial& t) {
+            t.samples = side;
+            t.divisor = divisor;
+          },
+          Stage::hits);
+    }
+  }
   list.add(
       Cause::samples, missed_samples,
       [](Trial& t) {

@@ -52,9 +52,12 @@ bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
 
 // Whether another brightness alone comes so near to the picture that two more mistakes only imitate
 // what is left.
-bool only_refines_brightness(const Simulation& sim, const Combination& mistakes) {
-  constexpr double nearly = 0.95;  // of the difference
-  return mistakes.size() > 2 && std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
+bool only_refines_brightness(const Simulation& sim, const Tried& t) {
+  constexpr double nearly = 0.95;    // of the difference
+  constexpr double exactly = 0.995;  // of the differing points
+  const bool exact = t.exact >= exactly && !any_fitted(sim, t.mistakes);
+  return t.mistakes.size() > 2 && !exact &&
+         std::any_of(t.mistakes.begin(), t.mistakes.end(), [&](std::uint16_t i) {
            const std::size_t count = sim.points.size();
            return is_about_brightness(sim.list[i].cause) &&
                   sim.rated({i}, sim.score_of({i}, count), sim.base(count)).explained >= nearly;
@@ -191,7 +194,7 @@ bool good_enough(const Simulation& sim, const Tried& t) {
   return good(t) &&
          (sure(t) ||
           (!needs_to_be_sure(sim, t.mistakes) && (t.mistakes.size() == 1 || t.exact >= enough))) &&
-         leaves_only_rounding(sim, t.mistakes) && !only_refines_brightness(sim, t.mistakes);
+         leaves_only_rounding(sim, t.mistakes) && !only_refines_brightness(sim, t);
 }
 
 bool leaves_only_rounding(const Simulation& sim, const Combination& mistakes) {

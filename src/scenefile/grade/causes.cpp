@@ -426,8 +426,9 @@ std::vector<Tried> with_fitted_functions(Simulation& sim, std::vector<Tried> alo
   }
   append(fitting, alone);
   if (fitting.size() > alone.size()) {
-    const bool better =
-        !found || found->mistakes.size() > 1 || fitting.front().score.raw < 0.6 * found->score.raw;
+    // Several mistakes that leave less are not imitated by chance.
+    const double limit = found && found->mistakes.size() > 1 ? 1.1 : 0.6;
+    const bool better = !found || fitting.front().score.raw < limit * found->score.raw;
     found = better ? fitting.front() : *found;
     return better ? fitting : alone;
   }

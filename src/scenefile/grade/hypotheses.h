@@ -24,6 +24,7 @@ struct Trial {
   glm::dvec2 shift{0};  ///< of rays, from pixel centers, in pixels: right and down
   PixelFilter filter{};
   int samples = 1;               ///< of each pixel, across and down
+  int divisor = 0;               ///< of the sum of a pixel's samples; 0: their number
   bool black_if_missed = false;  ///< pixels are black if one of their samples hits nothing
 };
 

@@ -480,12 +480,16 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   if (found) {
     found = completed(sim, *found);
   }
-  if (found && sure(*found)) {
+  if (found && sure(*found) && found->mistakes.size() < 3) {
     return found;
   }
+  // Three mistakes may imitate one beside acne.
   claims = find_acne_beside(sim, likely_beside_acne(ranked, best)).claims;
   if (!claims.empty()) {
     return std::nullopt;
+  }
+  if (found && sure(*found)) {
+    return found;
   }
   sort_by_merit(pairs);
   Starts starts(sim);

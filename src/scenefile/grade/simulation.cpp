@@ -59,7 +59,7 @@ Colors Simulation::draw(const Trial& trial, const ModelShapes& drawn_shapes,
       }
       sum += clamped(model.pixel(sample, whole().x, whole().y, nullptr, {k, n * n}));
     }
-    return sum / double(n * n);
+    return sum / double(trial.divisor > 0 ? trial.divisor : n * n);
   };
   const auto color_of = [&](const Model& model, std::size_t i) {
     const glm::dvec2 place = middle(places[i], turn) + trial.shift + view->corner;

@@ -45,7 +45,8 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
 // take several samples of a pixel, too.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
   return mistakes.size() > 2 || any_fitted(sim, mistakes) ||
-         (mistakes.size() == 1 && is_about_brightness(sim.list[mistakes.front()].cause)) ||
+         std::any_of(mistakes.begin(), mistakes.end(),
+                     [&](std::uint16_t i) { return is_about_brightness(sim.list[i].cause); }) ||
          std::any_of(mistakes.begin(), mistakes.end(),
                      [&](std::uint16_t i) { return sim.list[i].cause == Cause::samples; });
 }

@@ -457,6 +457,24 @@ std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
   return likely;
 }
 
+// `found`, or one of the pairs with a third mistake, if that leaves less.
+Tried best_completed(Simulation& sim, const std::vector<Tried>& pairs, Tried found) {
+  constexpr std::size_t max_pairs = 5;
+  constexpr double clearly_less = 0.9;
+  for (std::size_t k = 0; k < std::min(max_pairs, pairs.size()); ++k) {
+    const bool known = std::includes(found.mistakes.begin(), found.mistakes.end(),
+                                     pairs[k].mistakes.begin(), pairs[k].mistakes.end());
+    if (known || !good(pairs[k]) || sim.stopped) {
+      continue;
+    }
+    Tried other = completed(sim, pairs[k]);
+    if (good_enough(sim, other) && other.score.raw < clearly_less * found.score.raw) {
+      found = std::move(other);
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ranked,
@@ -479,6 +497,9 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   }
   if (found) {
     found = completed(sim, *found);
+    if (found->mistakes.size() > 2) {
+      found = best_completed(sim, best, *found);
+    }
   }
   if (found && sure(*found) && found->mistakes.size() < 3) {
     return found;

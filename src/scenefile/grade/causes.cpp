@@ -282,7 +282,7 @@ Tried likeliest(const Simulation& sim, const Tried& found, const std::vector<Tri
 
 // The mistakes that explain most, without those that look the same as an earlier one.
 std::vector<Combination> most_likely(const Simulation& sim, std::vector<Tried> tried) {
-  constexpr std::size_t max_count = 3;
+  constexpr std::size_t max_count = 5;
   constexpr double min_merit = 0.15;
   sort_by_merit(tried);
   std::vector<Combination> likely;

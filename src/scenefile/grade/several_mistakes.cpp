@@ -18,7 +18,6 @@ using glm::dvec3;
 constexpr std::uint64_t work_for_several = 12'000'000;  // rays
 constexpr std::size_t very_few_points = 40;             // for a first, rough score
 constexpr std::size_t max_starts = 24;
-constexpr std::size_t max_pairs_to_extend = 16;
 constexpr std::size_t max_starts_of_triples = 12;
 constexpr std::size_t max_in_triples = 120;  // single mistakes that are combined with a start
 
@@ -457,6 +456,32 @@ std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
   return likely;
 }
 
+// The pairs that explain most, and of many, those that look most like the test.
+std::vector<Combination> pairs_to_extend(const Simulation& sim, std::vector<Tried> pairs) {
+  constexpr double min_merit = 0.3;
+  constexpr std::size_t max_by_merit = 14;
+  constexpr std::size_t max_by_likeness = 8;
+  constexpr std::size_t max_examined = 200;
+  sort_by_merit(pairs);
+  std::erase_if(pairs, [](const Tried& t) { return t.merit() < min_merit; });
+  pairs.resize(std::min(pairs.size(), max_examined));
+  const std::size_t count = std::min(few_points, sim.points.size());
+  std::vector<std::pair<double, std::size_t>> order(pairs.size());
+  for_each_task(pairs.size(), [&](std::size_t i) {
+    order[i] = {-likeness(sim, sim.predicted(pairs[i].mistakes, count)), i};
+  });
+  std::sort(order.begin(), order.end());
+  Starts starts(sim);
+  for (std::size_t i = 0; i < pairs.size() && starts.items.size() < max_by_merit; ++i) {
+    starts.add(pairs[i].mistakes);
+  }
+  const std::size_t most = starts.items.size() + max_by_likeness;
+  for (std::size_t i = 0; i < order.size() && starts.items.size() < most; ++i) {
+    starts.add(pairs[order[i].second].mistakes);
+  }
+  return std::move(starts.items);
+}
+
 // `found`, or one of the pairs with a third mistake, if that leaves less.
 Tried best_completed(Simulation& sim, const std::vector<Tried>& pairs, Tried found) {
   constexpr std::size_t max_pairs = 5;
@@ -512,16 +537,8 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   if (found && sure(*found)) {
     return found;
   }
-  sort_by_merit(pairs);
-  Starts starts(sim);
-  for (const Tried& t : pairs) {
-    if (t.merit() < 0.3 || starts.items.size() == max_pairs_to_extend) {
-      break;
-    }
-    starts.add(t.mistakes);
-  }
   std::vector<Tried> triples;
-  found = better(found, search_from(sim, starts.items, 0.7, 0.9, triples));
+  found = better(found, search_from(sim, pairs_to_extend(sim, pairs), 0.7, 0.9, triples));
   if (!found) {
     singles.resize(std::min(singles.size(), max_starts_of_triples));
     found = search_triples_from(sim, singles, 0.9, 1);

@@ -27,6 +27,7 @@ using glm::dvec3;
 constexpr std::size_t max_parts = 2000;
 constexpr std::uint64_t max_rays = 7000000;         // of the search for an edited scene alone
 constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each likely mistake
+constexpr std::uint64_t max_rays_beside_all = 15000000;
 constexpr std::uint64_t max_rays_beside_another = 4000000;  // and beside all others
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
@@ -542,7 +543,7 @@ std::vector<SceneValue> Search::likeliest_first(std::vector<SceneValue> values) 
   constexpr std::size_t max_at_a_glance = 30;  // values
   constexpr double max_left_at_a_glance = 0.95;
   constexpr double likely = 0.6;
-  constexpr std::uint64_t max_rays_for_likely = 3000000;
+  constexpr std::uint64_t max_rays_for_likely = 6000000;
   constexpr double one_step = 0.05;  // of agreement; within it, the order remains
   struct Ranked {
     double agreement = 0;  // in steps
@@ -819,7 +820,8 @@ std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combin
   if (few_values) {
     return found;
   }
-  for (auto it = beside.begin(); !found && it != beside.end(); ++it) {
+  const std::uint64_t last_ray = sim.rays + max_rays_beside_all;
+  for (auto it = beside.begin(); !found && it != beside.end() && sim.rays < last_ray; ++it) {
     found = find_edit_beside(sim, *it);
   }
   return found ? found : alone.run_beside_another();

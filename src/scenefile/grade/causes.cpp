@@ -889,7 +889,9 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   CauseReport report = beside ? *std::move(beside) : look_for_causes(sim, look_for);
   if (several && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped) {
     beside = causes_beside_order(reference, test, in_likelier_order(reference, test), *view, go_on);
-    report = beside ? *std::move(beside) : std::move(report);
+    if (beside) {
+      report = *std::move(beside);
+    }
   }
   if (report.claims.empty() && report.partial.empty()) {
     if (std::optional<Claim> rounding = find_rounding(reference, test, report.share_different)) {

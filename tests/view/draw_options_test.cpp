@@ -32,7 +32,8 @@ TEST(DrawOptions, ContainTheFeaturesOfOpenGl) {
       EXPECT_EQ(n, 7U);
       break;
     }
-    EXPECT_NE(same_drawing(course, changed), supports_option(Engine::gl, field.support)) << field.name;
+    EXPECT_NE(same_drawing(course, changed), supports_option(Engine::gl, field.support))
+        << field.name;
   }
 }
 

@@ -3,8 +3,8 @@
 // only the tessellation and the options with the library.
 
 #include "scenefile/asset/image.h"
-#include "scenefile/scene/render_scene.h"
 #include "scenefile/base/realtime.h"
+#include "scenefile/scene/render_scene.h"
 
 #include <vector>
 

@@ -82,8 +82,8 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points);
 
-/// Adds points at the pixels that differ. In a nearly black picture, the few pixels that are not dark
-/// get half of the weight: any mistake that makes the others black explains them.
+/// Adds points at the pixels that differ. In a nearly black picture, the few pixels that are not
+/// dark get half of the weight: any mistake that makes the others black explains them.
 void add_differing_points(const Texture& reference, const Texture& test,
                           const std::vector<std::uint32_t>& pixels, std::size_t count,
                           std::mt19937& random, std::vector<Point>& points);

@@ -175,12 +175,14 @@ Looked without_noise(const Looked& look) {
   return {smaller(reference), smaller(test), {whole / double(k), part.corner / double(k), 2}};
 }
 
-// Whether a report only names some of the mistakes that another one names.
+// Whether a report only names some of the mistakes that another one names, and explains less.
 bool is_part_of(const CauseReport& report, const CauseReport& other) {
+  constexpr double clearly = 0.005;
   return report.claims.size() < other.claims.size() &&
          std::all_of(report.claims.begin(), report.claims.end(), [&](const Claim& claim) {
-           return std::any_of(other.claims.begin(), other.claims.end(),
-                              [&](const Claim& c) { return c.what == claim.what; });
+           return std::any_of(other.claims.begin(), other.claims.end(), [&](const Claim& c) {
+             return c.what == claim.what && c.explained > claim.explained + clearly;
+           });
          });
 }
 

@@ -134,6 +134,44 @@ bool equal_colors(const Colors& a, const Colors& b) {
 
 constexpr std::size_t max_ties = 4;
 
+// Whether the mistake only leaves out features that the reference does not show.
+bool leaves_out_unseen(const Simulation& sim, std::uint16_t i) {
+  const std::size_t count = sim.points.size();
+  return sim.list[i].cause == Cause::features &&
+         !any_differs(sim.predicted({i}, count), sim.predicted({}, count), tolerance);
+}
+
+// Beside other mistakes, one that may only be such features; nullopt if it is no such mistake.
+std::optional<std::uint16_t> features_left_out(const Simulation& sim, const Combination& mistakes,
+                                               std::uint16_t member) {
+  const std::size_t count = sim.points.size();
+  if (any_differs(sim.predicted({member}, count), sim.predicted({}, count), tolerance)) {
+    return std::nullopt;
+  }
+  std::vector<std::uint16_t> same = same_instead(sim, mistakes, member);
+  same.push_back(member);
+  const auto found = std::find_if(same.begin(), same.end(),
+                                  [&](std::uint16_t i) { return leaves_out_unseen(sim, i); });
+  return found == same.end() ? std::nullopt : std::optional(*found);
+}
+
+// Moves claims that are no mistakes to the notes: of one of `mistakes` each.
+void separate_notes(const Simulation& sim, const Combination& mistakes, CauseReport& report) {
+  for (std::size_t k = mistakes.size(); k-- > 0;) {
+    const std::optional<std::uint16_t> left_out =
+        mistakes.size() > 1 ? features_left_out(sim, mistakes, mistakes[k]) : std::nullopt;
+    if (left_out) {
+      report.claims[k].cause = Cause::features;
+      report.claims[k].what =
+          sim.list[*left_out].what + "; the reference does not show them, either";
+    }
+    if (left_out || !sim.list[mistakes[k]].mistake) {
+      report.notes.push_back(std::move(report.claims[k]));
+      report.claims.erase(report.claims.begin() + std::ptrdiff_t(k));
+    }
+  }
+}
+
 // Names the mistakes that give the same picture in place of one of several: one of each kind first,
 // the likeliest before others. Then a combination of others, in place of all.
 void name_ties(const Simulation& sim, const Tried& found, const std::vector<Tried>& equal,
@@ -141,7 +179,8 @@ void name_ties(const Simulation& sim, const Tried& found, const std::vector<Trie
   std::set<std::uint16_t> seen_instead;
   for (std::size_t k = 0; k < found.mistakes.size(); ++k) {
     std::vector<std::uint16_t> same = same_instead(sim, found.mistakes, found.mistakes[k]);
-    if (same.empty() || shows_at_edges(sim.list[found.mistakes[k]])) {
+    if (same.empty() || shows_at_edges(sim.list[found.mistakes[k]]) ||
+        features_left_out(sim, found.mistakes, found.mistakes[k])) {
       continue;
     }
     seen_instead.insert(same.begin(), same.end());
@@ -239,16 +278,6 @@ bool claims_one_twice(const CauseReport& report) {
   std::set<std::string_view> seen;
   return std::any_of(report.claims.begin(), report.claims.end(),
                      [&](const Claim& c) { return !seen.insert(c.what).second; });
-}
-
-// Moves claims that are no mistakes to the notes.
-void separate_notes(const Simulation& sim, const Tried& found, CauseReport& report) {
-  for (std::size_t k = found.mistakes.size(); k-- > 0;) {
-    if (!sim.list[found.mistakes[k]].mistake) {
-      report.notes.push_back(std::move(report.claims[k]));
-      report.claims.erase(report.claims.begin() + std::ptrdiff_t(k));
-    }
-  }
 }
 
 // Fitted numbers can imitate other mistakes; so can exchanged channels in a nearly gray picture.
@@ -539,7 +568,7 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
     all = with_edges(sim, all);
     claim(sim, all, alone, several, report);
     if (!claims_one_twice(report)) {
-      separate_notes(sim, all, report);
+      separate_notes(sim, all.mistakes, report);
       return;
     }
     report.claims.clear();

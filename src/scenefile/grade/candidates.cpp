@@ -127,7 +127,7 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
   // mistake.
   const bool little = e.gained < 0.05 * differs;
   const bool strict = is_fitted(sim, mistakes[member]) || (little && any_fitted(sim, mistakes));
-  const double min_gain = !strict ? 0.4 : e.differing_right >= 0.995 * differs ? 0.5 : 0.8;
+  const double min_gain = !strict ? 0.4 : e.differing_right >= 0.995 * differs ? 0.3 : 0.8;
   return e.changed >= necessary * differs && e.gained >= min_gain * e.changed &&
          (!little || e.right >= 0.9 * e.changed);
 }

@@ -88,6 +88,10 @@ std::optional<Tried> with_addition(Simulation& sim, const Tried& found) {
 
 Tried with_smaller_mistakes(Simulation& sim, const Pixels& pixels, Tried found) {
   constexpr std::size_t max_mistakes = 3;
+  // A fitted curve may imitate a mistake, but hardly all but a small part of it.
+  for (const std::uint16_t i : found.mistakes) {
+    sim.list[i].combines = true;
+  }
   while (sim.usable && !sim.stopped && found.mistakes.size() < max_mistakes &&
          !sim.any_heavy(found.mistakes)) {
     PointsRestored restored(sim);

@@ -394,7 +394,7 @@ std::vector<std::uint16_t> likely_beside_functions(const Simulation& sim,
 // A function that explains the picture beside one of these mistakes, where it does so roughly.
 std::optional<Tried> function_beside_any(Simulation& sim,
                                          const std::vector<std::uint16_t>& mistakes) {
-  constexpr std::uint64_t max_rays = 6'000'000;
+  constexpr std::uint64_t max_rays = 3'000'000;
   constexpr std::size_t max_fitted = 5;
   constexpr std::size_t chunk = 8;
   const std::uint64_t last_ray = sim.rays + max_rays;
@@ -504,6 +504,9 @@ void search(Simulation& sim, const Pixels& pixels, LookFor look_for, LookFor ask
   }
   std::vector<Tried> ranked = sim.try_all(singles, screen, 0, 0.3);
   sort_by_merit(ranked);
+  if (asked == LookFor::single_mistakes) {
+    std::erase_if(ranked, [](const Tried& t) { return t.merit() < part; });
+  }
   std::vector<Tried> alone = verified(sim, ranked, 16, 0.3, 0.4);
   if (sim.stopped && alone.empty()) {
     return;
@@ -911,14 +914,17 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
   const ThreadLimit limit(view != nullptr ? view->options.threads : 0);
   const bool several = view != nullptr && look_for == LookFor::several_at_once;
   std::optional<CauseReport> beside;
+  std::optional<Reordered> likelier;
   if (several) {
     beside = causes_beside_order(reference, test, in_right_order(test), *view, go_on);
+    likelier = in_likelier_order(reference, test);
   }
   Simulation sim{reference, test, view, go_on};
-  CauseReport report = beside ? *std::move(beside) : look_for_causes(sim, look_for);
-  if (several && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped) {
-    beside = causes_beside_order(reference, test, in_likelier_order(reference, test), *view, go_on);
-    if (beside) {
+  CauseReport report = beside
+                           ? *std::move(beside)
+                           : look_for_causes(sim, likelier ? LookFor::single_mistakes : look_for);
+  if (likelier && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped) {
+    if (beside = causes_beside_order(reference, test, likelier, *view, go_on); beside) {
       report = *std::move(beside);
     }
   }

@@ -25,10 +25,14 @@ using glm::dvec3;
 
 // With more shapes, only lights and camera are varied, and not beside other mistakes.
 constexpr std::size_t max_parts = 2000;
-constexpr std::uint64_t max_rays = 7000000;         // of the search for an edited scene alone
-constexpr std::uint64_t max_rays_beside = 2000000;  // and of that beside each likely mistake
-constexpr std::uint64_t max_rays_beside_all = 15000000;
-constexpr std::uint64_t max_rays_beside_another = 4000000;  // and beside all others
+// Rays of the searches.
+constexpr std::uint64_t max_work = 14'000'000;                // of all together
+constexpr std::uint64_t min_work = 6'000'000;                 // ... where other searches took many
+constexpr std::uint64_t max_work_with_others = 28'000'000;    // with those of other searches
+constexpr std::uint64_t max_work_alone = 5'000'000;           // for an edited scene alone
+constexpr std::uint64_t max_work_beside = 2'000'000;          // beside each likely mistake
+constexpr std::uint64_t max_work_beside_another = 4'000'000;  // beside all others
+constexpr std::uint64_t max_work_for_likely = 6'000'000;      // more, where a value explains much
 
 // Squares of the picture, or single pixels, with the mean color of some of their pixels.
 struct Cells {
@@ -60,9 +64,13 @@ struct Promising {
 class Search {
  public:
   // `beside`: mistakes that were made, too.
-  // `last_ray`: of the simulation, after which the search ends.
-  Search(Simulation& sim, Combination beside, std::uint64_t last_ray)
-      : sim_(sim), beside_(std::move(beside)), last_ray_(last_ray) {}
+  // `last_ray`: of the simulation, after which the search ends. If a value explains much, it goes
+  // on, at most to `last_of_all`.
+  Search(Simulation& sim, Combination beside, std::uint64_t last_ray, std::uint64_t last_of_all)
+      : sim_(sim),
+        beside_(std::move(beside)),
+        last_ray_(std::min(last_ray, last_of_all)),
+        last_of_all_(last_of_all) {}
 
   std::optional<Tried> run();
   // Beside one mistake that is not known yet. After run().
@@ -97,6 +105,7 @@ class Search {
   Simulation& sim_;
   Combination beside_;
   std::uint64_t last_ray_;
+  std::uint64_t last_of_all_;
   Drawable unedited_;           // with the mistakes beside the edit
   Colors before_;               // of the points, unedited
   std::vector<char> differs_;   // which points the test differs from that
@@ -543,7 +552,6 @@ std::vector<SceneValue> Search::likeliest_first(std::vector<SceneValue> values) 
   constexpr std::size_t max_at_a_glance = 30;  // values
   constexpr double max_left_at_a_glance = 0.95;
   constexpr double likely = 0.6;
-  constexpr std::uint64_t max_rays_for_likely = 6000000;
   constexpr double one_step = 0.05;  // of agreement; within it, the order remains
   struct Ranked {
     double agreement = 0;  // in steps
@@ -571,7 +579,7 @@ std::vector<SceneValue> Search::likeliest_first(std::vector<SceneValue> values) 
   std::stable_sort(ranked.begin(), unlikely,
                    [](const Ranked& a, const Ranked& b) { return a.left < b.left; });
   if (unlikely != ranked.begin() && ranked.front().left < likely) {
-    last_ray_ += max_rays_for_likely;
+    last_ray_ = std::min(last_ray_ + max_work_for_likely, last_of_all_);
   }
   if (!beside_.empty()) {
     ranked.erase(unlikely, ranked.end());
@@ -743,7 +751,7 @@ std::optional<Tried> Search::run_beside_another() {
   for (Cells& level : levels_) {
     level.max_left = 1;
   }
-  last_ray_ = sim_.rays + max_rays_beside_another;
+  last_ray_ = std::min(sim_.rays + max_work_beside_another, last_of_all_);
   for (Promising& start : promising_) {
     if (spent()) {
       break;
@@ -761,7 +769,7 @@ std::optional<Tried> Search::run_beside_another() {
     for (const Tried& both : additions) {
       Combination other = both.mistakes;
       std::erase(other, edit);
-      Search beside(sim_, other, std::min(last_ray_, sim_.rays + max_rays_beside));
+      Search beside(sim_, other, sim_.rays + max_work_beside, last_ray_);
       if (beside.spent() || !beside.prepare_search()) {
         continue;
       }
@@ -810,19 +818,21 @@ std::optional<RenderScene> ready_with_same_files(const RenderScene& scene, const
 std::optional<Tried> find_edit_beside(Simulation& sim, const Combination& mistakes) {
   return sim.shapes->parts.size() > max_parts
              ? std::nullopt
-             : Search(sim, mistakes, sim.rays + max_rays_beside).run();
+             : Search(sim, mistakes, sim.rays + max_work_beside, sim.rays + max_work).run();
 }
 
 std::optional<Tried> find_edited_scene(Simulation& sim, const std::vector<Combination>& beside) {
   const bool few_values = sim.shapes->parts.size() > max_parts;
-  Search alone(sim, {}, sim.rays + (few_values ? max_rays / 2 : max_rays));
+  const std::uint64_t last =
+      std::clamp(max_work_with_others, sim.rays + min_work, sim.rays + max_work);
+  const std::uint64_t last_alone = sim.rays + (few_values ? max_work_alone / 2 : max_work_alone);
+  Search alone(sim, {}, last_alone, std::min(last, last_alone + max_work_for_likely / 2));
   std::optional<Tried> found = alone.run();
   if (few_values) {
     return found;
   }
-  const std::uint64_t last_ray = sim.rays + max_rays_beside_all;
-  for (auto it = beside.begin(); !found && it != beside.end() && sim.rays < last_ray; ++it) {
-    found = find_edit_beside(sim, *it);
+  for (auto it = beside.begin(); !found && it != beside.end() && sim.rays < last; ++it) {
+    found = Search(sim, *it, sim.rays + max_work_beside, last).run();
   }
   return found ? found : alone.run_beside_another();
 }

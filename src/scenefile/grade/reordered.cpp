@@ -123,7 +123,7 @@ std::optional<Reordered> in_right_order(const Texture& test) {
 }
 
 std::optional<Reordered> in_likelier_order(const Texture& reference, const Texture& test) {
-  constexpr double much = 0.25;  // of a correlation
+  constexpr double much = 0.4;  // of a correlation
   std::optional<Reordered> best;
   double most = likeness(reference, test, false) + much;
   const std::vector<Hypothesis> changes = picture_hypotheses();

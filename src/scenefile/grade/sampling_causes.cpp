@@ -464,13 +464,13 @@ std::optional<Tried> find_shift(Simulation& sim, const Pixels& pixels) {
     shifts.resize(std::min(shifts.size(), max_tried));
     tried = sim.try_all(shifts, count, 0.95, 1);
     sort_by(tried, [](const Tried& t) { return t.score.raw; });
+    if (tried.empty() || tried.front().explained < enough_shift / 2) {
+      return std::nullopt;
+    }
     shifts.clear();
     for (const Tried& t : tried) {
       shifts.push_back(t.mistakes);
     }
-  }
-  if (tried.empty()) {
-    return std::nullopt;
   }
   // Only a subpixel shift leaves much of the edges unexplained.
   const Tried& best = tried.front();

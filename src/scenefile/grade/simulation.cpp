@@ -364,8 +364,8 @@ std::uint16_t Simulation::drawing_member(const Combination& mistakes) const {
 
 void Simulation::fill_cache(std::size_t count, LookFor look_for) {
   // Far less than a mistake has that explains the picture alone.
-  constexpr double min_merit = 0.2;
-  constexpr std::size_t glance = 60;
+  constexpr double min_merit = 0.4;
+  constexpr std::size_t glance = 32;
   const Base at_a_glance = base(std::min(glance, points.size()));
   const auto unlikely = [&](const Combination& one) {
     return shows_at_edges(list[one.front()]) ||

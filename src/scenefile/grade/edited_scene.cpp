@@ -706,7 +706,7 @@ bool Search::prepare_search() {
              squares(std::max(3, sim_.test.width / 40), 3, 300), squares(3, 3, 250), pixels(320),
              pixels(sim_.points.size())};
   glances_ = {squares(int(levels_[0].size), 2, 48), squares(int(levels_[1].size), 2, 48)};
-  constexpr std::array max_left{0.6, 0.5, 0.2, 0.15, 0.15};
+  constexpr std::array max_left{0.6, 0.5, 0.2, 0.08, 0.08};
   for (std::size_t i = 0; i < levels_.size(); ++i) {
     levels_[i].max_left = max_left[i];
   }

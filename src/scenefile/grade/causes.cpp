@@ -761,7 +761,9 @@ std::optional<CauseReport> causes_beside_order(const Texture& reference, const T
   }
   Simulation sim{reference, reordered->picture, &view, go_on};
   CauseReport rest = look_for_causes(sim, LookFor::several_at_once);
-  if (rest.claims.empty()) {
+  const bool again = std::any_of(rest.claims.begin(), rest.claims.end(),
+                                 [&](const Claim& c) { return c.cause == reordered->claim.cause; });
+  if (rest.claims.empty() || again) {
     return std::nullopt;
   }
   Claim order = reordered->claim;
@@ -920,9 +922,10 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
     likelier = in_likelier_order(reference, test);
   }
   Simulation sim{reference, test, view, go_on};
-  CauseReport report = beside
-                           ? *std::move(beside)
-                           : look_for_causes(sim, likelier ? LookFor::single_mistakes : look_for);
+  CauseReport report =
+      beside
+          ? *std::move(beside)
+          : look_for_causes(sim, likelier && likelier->sure ? LookFor::single_mistakes : look_for);
   if (likelier && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped) {
     if (beside = causes_beside_order(reference, test, likelier, *view, go_on); beside) {
       report = *std::move(beside);

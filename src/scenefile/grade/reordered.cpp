@@ -124,35 +124,41 @@ std::optional<Reordered> in_right_order(const Texture& test) {
 
 std::optional<Reordered> in_likelier_order(const Texture& reference, const Texture& test) {
   constexpr double much = 0.4;  // of a correlation
+  constexpr double unlike = 0.25;
+  constexpr double like = 0.75;
   std::optional<Reordered> best;
-  double most = likeness(reference, test, false) + much;
+  double most = 0;
+  const auto try_picture = [&](const Hypothesis& change, Texture picture, bool of_hues) {
+    const double likeness_now = likeness(reference, picture, of_hues);
+    if (likeness_now > most) {
+      most = likeness_now;
+      best = {{change.cause, change.what, {}, 1}, std::move(picture), likeness_now >= like};
+    }
+  };
   const std::vector<Hypothesis> changes = picture_hypotheses();
-  for (const Hypothesis& h : changes) {
-    if (h.turn != Turn()) {
-      Texture picture = with_places(test, [&](int x, int y) {
-        return ivec2(h.turn.across ? test.width - 1 - x : x, h.turn.down ? test.height - 1 - y : y);
-      });
-      if (const double like = likeness(reference, picture, false); like > most) {
-        most = like;
-        best = {{h.cause, h.what, {}, 1}, std::move(picture)};
+  for (const bool of_hues : {false, true}) {
+    // A negative is unlike the reference, too.
+    const double before = std::max(0.0, likeness(reference, test, of_hues));
+    most = before + much;
+    for (const Hypothesis& h : changes) {
+      if (!of_hues && h.turn != Turn()) {
+        const auto place = [&](int x, int y) {
+          return ivec2(h.turn.across ? test.width - 1 - x : x,
+                       h.turn.down ? test.height - 1 - y : y);
+        };
+        try_picture(h, with_places(test, place), of_hues);
+      }
+      const auto order = of_hues && h.color ? order_of_channels(h.color) : std::nullopt;
+      if (order && *order != std::array{0, 1, 2}) {
+        try_picture(h, with_channels(test, *order), of_hues);
       }
     }
-  }
-  if (best) {
-    return best;
-  }
-  most = likeness(reference, test, true) + much;
-  for (const Hypothesis& h : changes) {
-    const auto order = h.color ? order_of_channels(h.color) : std::nullopt;
-    if (order && *order != std::array{0, 1, 2}) {
-      Texture picture = with_channels(test, *order);
-      if (const double like = likeness(reference, picture, true); like > most) {
-        most = like;
-        best = {{h.cause, h.what, {}, 1}, std::move(picture)};
-      }
+    if (best) {
+      best->sure = best->sure && before <= unlike;
+      return best;
     }
   }
-  return best;
+  return std::nullopt;
 }
 
 }  // namespace scenefile

@@ -9,8 +9,9 @@
 namespace scenefile {
 
 struct Reordered {
-  Claim claim;      ///< without evidence
-  Texture picture;  ///< the test in the other order
+  Claim claim;       ///< without evidence
+  Texture picture;   ///< the test in the other order
+  bool sure = true;  ///< the test is unlike the reference, and the picture is like it
 };
 
 /// The test with pixels in the order of rows, if they are in that of columns: neighboring pixels

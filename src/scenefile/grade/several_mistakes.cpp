@@ -314,9 +314,11 @@ std::optional<Tried> search_triples_from(Simulation& sim, const std::vector<Comb
   });
 }
 
-// Whether the curve multiplies all values.
+// Whether the curve multiplies all values by one number.
 bool is_factor(const Hypothesis& curve) {
-  return largest_of(glm::abs(curve.color(dvec3(0.4)) - 2.0 * curve.color(dvec3(0.2)))) < 1e-6;
+  const dvec3 once = curve.color(dvec3(0.2));
+  return largest_of(glm::abs(curve.color(dvec3(0.4)) - 2.0 * once)) < 1e-6 &&
+         largest_of(glm::abs(once - once.x)) < 1e-6;
 }
 
 Colors shown(Colors colors) {
@@ -387,7 +389,8 @@ std::optional<Tried> with_fitted_curve(Simulation& sim, const Additions& plain) 
   constexpr double min_merit = 0.9;
   constexpr double min_merit_of_one = 0.4;  // of two mistakes
   constexpr std::size_t max_tried = 8;
-  constexpr std::size_t max_first = 3;  // mistakes to add another one to
+  constexpr double max_left_by_two = 0.2;  // of what one leaves
+  constexpr std::size_t max_first = 3;     // mistakes to add another one to
   Ranked ones;
   add_with_curve(sim, plain, ones);
   for (const Turn turn : {Turn{true, false}, Turn{false, true}, Turn{true, true}}) {
@@ -412,13 +415,20 @@ std::optional<Tried> with_fitted_curve(Simulation& sim, const Additions& plain) 
     return best;
   };
   std::optional<Tried> found = best_of(ones);
+  if (found) {
+    return found;
+  }
   Ranked twos;
-  for (std::size_t k = 0; !found && k < std::min(max_first, ones.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(max_first, ones.size()); ++k) {
     if (ones[k].first >= min_merit_of_one && sim.step(0.7)) {
       add_with_curve(sim, additions_to(sim, ones[k].second, few_points), twos);
     }
   }
-  return found ? found : best_of(twos);
+  found = best_of(twos);
+  // A mistake that changes the brightness may only make up for what another curve would do.
+  const double left_by_one = ones.empty() ? 1 : 1 - ones.front().first;
+  const bool helps = found && 1 - found->merit() < max_left_by_two * left_by_one;
+  return helps ? found : std::nullopt;
 }
 
 // Combines the best single mistakes with each mistake in sampling, which changes edges and steep
@@ -454,6 +464,26 @@ std::vector<Combination> likely_beside_acne(std::vector<Tried> ranked,
   add(ranked, 16);
   add(pairs, 4);
   return likely;
+}
+
+// Mistakes that explain nearly everything, with another one that shows at few pixels.
+std::optional<Tried> nearly_alone(Simulation& sim, const std::vector<Tried>& alone) {
+  constexpr std::size_t max_count = 3;
+  Starts starts(sim);
+  for (const Tried& t : alone) {
+    if (good(t) && starts.items.size() < max_count) {
+      starts.add(t.mistakes);
+    }
+  }
+  std::optional<Tried> found;
+  const Simulation::Base b = sim.base(sim.points.size());
+  for (const Combination& start : starts.items) {
+    const Tried more = completed(sim, sim.rated(start, sim.score_of(start, sim.points.size()), b));
+    if (more.mistakes.size() > 1) {
+      found = better(found, more);
+    }
+  }
+  return found;
 }
 
 // The pairs that explain most, and of many, those that look most like the test.
@@ -513,6 +543,9 @@ std::optional<Tried> find_several(Simulation& sim, const std::vector<Tried>& ran
   std::vector<Tried> best = verified(sim, pairs, 16, 0.45, 0.5);
   std::optional<Tried> found = first_good(sim, best);
   std::vector<Combination> singles;
+  if (!found || !reproduces_all(*found)) {
+    found = better(found, nearly_alone(sim, alone));
+  }
   if (!found || !reproduces_all(*found)) {
     singles = likely_starts(sim, ranked);
     found = better(found, search_from(sim, singles, 0.5, 0.7, pairs));

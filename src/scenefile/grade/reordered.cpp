@@ -154,7 +154,8 @@ std::optional<Reordered> in_likelier_order(const Texture& reference, const Textu
       }
     }
     if (best) {
-      best->sure = best->sure && before <= unlike;
+      // Hues also change where textures or lights are missing.
+      best->sure = best->sure && before <= unlike && !of_hues;
       return best;
     }
   }

@@ -389,8 +389,8 @@ std::optional<Tried> with_fitted_curve(Simulation& sim, const Additions& plain) 
   constexpr double min_merit = 0.9;
   constexpr double min_merit_of_one = 0.4;  // of two mistakes
   constexpr std::size_t max_tried = 8;
-  constexpr double max_left_by_two = 0.2;  // of what one leaves
-  constexpr std::size_t max_first = 3;     // mistakes to add another one to
+  constexpr double max_left_by_two = 0.08;  // of what one leaves
+  constexpr std::size_t max_first = 3;      // mistakes to add another one to
   Ranked ones;
   add_with_curve(sim, plain, ones);
   for (const Turn turn : {Turn{true, false}, Turn{false, true}, Turn{true, true}}) {

@@ -926,7 +926,7 @@ CauseReport find_causes(const Texture& reference, const Texture& test, const Sce
       beside
           ? *std::move(beside)
           : look_for_causes(sim, likelier && likelier->sure ? LookFor::single_mistakes : look_for);
-  constexpr std::uint64_t max_rays_before = 18'000'000;  // for a second search
+  constexpr std::uint64_t max_rays_before = 16'000'000;  // for a second search
   if (likelier && report.claims.empty() && report.notes.empty() && sim.usable && !sim.stopped &&
       sim.rays <= max_rays_before) {
     if (beside = causes_beside_order(reference, test, likelier, *view, go_on); beside) {

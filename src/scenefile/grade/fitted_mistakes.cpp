@@ -165,15 +165,19 @@ void add_lines(const std::array<Pairs, 3>& by_channel, std::vector<Hypothesis>& 
   }
   const double least = std::min({factors.x, factors.y, factors.z});
   if (least > 0.03 && (spread(factors) > 0.05 || spread(offsets) > 3)) {
-    add_to_picture(
-        list, Cause::brightness,
-        fmt::format("red is {:.2f} times, green {:.2f} times, blue {:.2f} times as bright as in "
-                    "the reference{}",
-                    factors.x, factors.y, factors.z,
-                    lines ? fmt::format(", plus {:.0f} {:.0f} {:.0f} of 255", offsets.x, offsets.y,
-                                        offsets.z)
-                          : std::string()),
-        [=](const dvec3& c) { return factors * clamped(c) + offsets / 255.0; });
+    const std::string what = fmt::format(
+        "red is {:.2f} times, green {:.2f} times, blue {:.2f} times as bright as in "
+        "the reference",
+        factors.x, factors.y, factors.z);
+    add_to_picture(list, Cause::brightness,
+                   lines ? what + fmt::format(", plus {:.0f} {:.0f} {:.0f} of 255", offsets.x,
+                                              offsets.y, offsets.z)
+                         : what,
+                   [=](const dvec3& c) { return factors * clamped(c) + offsets / 255.0; });
+    if (!lines) {
+      add_to_picture(list, Cause::brightness, what + ", before values over 1 are cut off",
+                     [=](const dvec3& c) { return factors * c; });
+    }
   }
 }
 

@@ -745,6 +745,44 @@ TEST(Causes, AcneBesideAnotherMistake) {
 }
 
 // Each edit changes one value of the file. The claim names it, and no claim names another.
+TEST(Causes, AMistakeInPicturesStoredByColumns) {
+  const Change by_columns = [](const Texture& picture) {
+    Texture changed = picture;
+    for (int i = 0; i < width * height; ++i) {
+      std::copy_n(picture.texel(i / height, i % height), 3, &changed.rgb[std::size_t{3} * i]);
+    }
+    return changed;
+  };
+  expect_right(5, {{"camera-full-angle"}, {"shadow-none"}, {"texture-swapped"}}, {1, 3}, by_columns,
+               [](const CauseReport& report) {
+                 return report.claims.size() == 2 && report.claims.front().cause == Cause::viewport;
+               });
+}
+
+TEST(Causes, AnotherFunctionBesideAnotherMistake) {
+  expect_right(3,
+               {{"attenuation-exponential", "texture-swapped"},
+                {"attenuation-exponential", "camera-full-angle"}},
+               {1, 2}, unchanged, [](const CauseReport& report) {
+                 return report.claims.size() == 2 && all_named(report).contains(Cause::attenuation);
+               });
+}
+
+TEST(Causes, AddedSamplesBesideAnotherMistake) {
+  expect_right(3,
+               {{"output-average-side", "shadow-none"}, {"output-average-side", "mirror-missing"}},
+               {1, 3}, unchanged, [](const CauseReport& report) {
+                 return report.claims.size() == 2 && all_named(report).contains(Cause::brightness);
+               });
+}
+
+TEST(Causes, ASmallMistakeBesideALargeOne) {
+  expect_right(3, {{"output-gamma", "texture-missing-on-caps"}}, {1, 2, 3, 4}, unchanged,
+               [](const CauseReport& report) {
+                 return report.claims.size() == 2 && all_named(report).contains(Cause::texture);
+               });
+}
+
 TEST(Causes, OneEditedValueOfTheScene) {
   struct Edit {
     const char* name;

@@ -27,7 +27,7 @@ using glm::dvec3;
 constexpr std::size_t max_parts = 2000;
 // Rays of the searches.
 constexpr std::uint64_t max_work = 14'000'000;                // of all together
-constexpr std::uint64_t min_work = 6'000'000;                 // ... where other searches took many
+constexpr std::uint64_t min_work = 5'000'000;                 // ... where other searches took many
 constexpr std::uint64_t max_work_with_others = 28'000'000;    // with those of other searches
 constexpr std::uint64_t max_work_alone = 5'000'000;           // for an edited scene alone
 constexpr std::uint64_t max_work_beside = 2'000'000;          // beside each likely mistake

@@ -15,9 +15,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::uint64_t work_for_several = 12'000'000;  // rays
+constexpr std::uint64_t work_for_several = 14'000'000;  // rays
 constexpr std::size_t very_few_points = 40;             // for a first, rough score
-constexpr std::size_t max_starts = 24;
+constexpr std::size_t max_starts = 32;
 constexpr std::size_t max_starts_of_triples = 12;
 constexpr std::size_t max_in_triples = 120;  // single mistakes that are combined with a start
 
@@ -131,7 +131,7 @@ std::vector<Combination> likely_starts(const Simulation& sim, const std::vector<
   for (auto& order : orders) {
     std::stable_sort(order.begin(), order.end());
   }
-  for (std::size_t rank = 0; rank < 12 && starts.items.size() < max_starts; ++rank) {
+  for (std::size_t rank = 0; rank < 16 && starts.items.size() < max_starts; ++rank) {
     for (const auto& order : orders) {
       if (rank < order.size()) {
         starts.add({order[rank].second});

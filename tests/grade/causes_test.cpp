@@ -744,7 +744,6 @@ TEST(Causes, AcneBesideAnotherMistake) {
                });
 }
 
-// Each edit changes one value of the file. The claim names it, and no claim names another.
 TEST(Causes, AMistakeInPicturesStoredByColumns) {
   const Change by_columns = [](const Texture& picture) {
     Texture changed = picture;
@@ -783,6 +782,7 @@ TEST(Causes, ASmallMistakeBesideALargeOne) {
                });
 }
 
+// Each edit changes one value of the file. The claim names it, and no claim names another.
 TEST(Causes, OneEditedValueOfTheScene) {
   struct Edit {
     const char* name;

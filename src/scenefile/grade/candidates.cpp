@@ -45,10 +45,10 @@ bool any_fitted(const Simulation& sim, const Combination& mistakes) {
 // take several samples of a pixel, too.
 bool needs_to_be_sure(const Simulation& sim, const Combination& mistakes) {
   return mistakes.size() > 2 || any_fitted(sim, mistakes) ||
-         std::any_of(mistakes.begin(), mistakes.end(),
-                     [&](std::uint16_t i) { return is_about_brightness(sim.list[i].cause); }) ||
-         std::any_of(mistakes.begin(), mistakes.end(),
-                     [&](std::uint16_t i) { return sim.list[i].cause == Cause::samples; });
+         std::any_of(mistakes.begin(), mistakes.end(), [&](std::uint16_t i) {
+           const Cause cause = sim.list[i].cause;
+           return is_about_brightness(cause) || cause == Cause::samples;
+         });
 }
 
 // Whether another brightness alone comes so near to the picture that two more mistakes only imitate
@@ -135,14 +135,7 @@ bool needed(const Simulation& sim, const Combination& mistakes, std::size_t memb
 // Moves points that the mistakes do not explain to the front, with one right point after every
 // three of them. Returns how many points to use for screening.
 std::size_t look_first_at_rest(Simulation& sim, const Combination& mistakes) {
-  const Colors colors = sim.predicted(mistakes, sim.points.size());
-  std::vector<Point> wrong;
-  std::vector<Point> right;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
-    const Point& p = sim.points[i];
-    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    (largest_of(outside(c, p.low, p.high)) > exact_within ? wrong : right).push_back(p);
-  }
+  const auto [wrong, right] = wrong_and_right(sim, mistakes);
   const std::size_t count = std::min<std::size_t>(wrong.size(), screen);
   sim.points.clear();
   std::size_t r = 0;
@@ -408,23 +401,27 @@ std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination
   return candidates;
 }
 
+WrongAndRight wrong_and_right(const Simulation& sim, const Combination& mistakes) {
+  WrongAndRight points;
+  const Colors colors = sim.predicted(mistakes, sim.points.size());
+  for (std::size_t i = 0; i < sim.points.size(); ++i) {
+    const Point& p = sim.points[i];
+    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
+    (largest_of(outside(c, p.low, p.high)) > exact_within ? points.wrong : points.right)
+        .push_back(p);
+  }
+  return points;
+}
+
 double likeness(const Simulation& sim, const Colors& colors) {
-  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  Correlation correlation;
   for (std::size_t i = 0; i < colors.size(); ++i) {
     const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
     for (int k = 0; k < 3; ++k) {
-      const double x = c[k];
-      const double y = sim.points[i].test[k];
-      n += 1;
-      a += x;
-      b += y;
-      aa += x * x;
-      bb += y * y;
-      ab += x * y;
+      correlation.add(c[k], sim.points[i].test[k]);
     }
   }
-  const double spread = (n * aa - a * a) * (n * bb - b * b);
-  return spread > 0 ? (n * ab - a * b) / std::sqrt(spread) : 0;
+  return correlation.value();
 }
 
 Effect effect_of(const Simulation& sim, const Colors& with, const Colors& without) {

@@ -50,6 +50,12 @@ bool is_about_brightness(Cause cause);
 /// picture.
 std::vector<std::uint16_t> same_instead(const Simulation& sim, const Combination& mistakes,
                                         std::uint16_t member);
+/// The points where the picture with the mistakes is not the test, and the others.
+struct WrongAndRight {
+  std::vector<Point> wrong;
+  std::vector<Point> right;
+};
+WrongAndRight wrong_and_right(const Simulation& sim, const Combination& mistakes);
 /// The correlation between the colors of the first points and those of the test.
 double likeness(const Simulation& sim, const Colors& colors);
 /// What a change of the colors does, as weights of points.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
-#include <tuple>
 
 namespace scenefile {
 
@@ -50,6 +50,20 @@ Score score(const std::vector<Point>& points, std::size_t count, const Colors& c
   return s;
 }
 
+void Correlation::add(double x, double y) {
+  n_ += 1;
+  x_ += x;
+  y_ += y;
+  xx_ += x * x;
+  yy_ += y * y;
+  xy_ += x * y;
+}
+
+double Correlation::value() const {
+  const double spread = (n_ * xx_ - x_ * x_) * (n_ * yy_ - y_ * y_);
+  return spread > 0 ? (n_ * xy_ - x_ * y_) / std::sqrt(spread) : 0;
+}
+
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points) {
@@ -77,6 +91,19 @@ void add_points(const Texture& reference, const Texture& test, std::vector<std::
   }
 }
 
+std::vector<Point> alternating(const std::vector<Point>& a, const std::vector<Point>& b) {
+  std::vector<Point> both;
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    if (i < a.size()) {
+      both.push_back(a[i]);
+    }
+    if (i < b.size()) {
+      both.push_back(b[i]);
+    }
+  }
+  return both;
+}
+
 void add_differing_points(const Texture& reference, const Texture& test,
                           const std::vector<std::uint32_t>& pixels, std::size_t count,
                           std::mt19937& random, std::vector<Point>& points) {
@@ -90,22 +117,19 @@ void add_differing_points(const Texture& reference, const Texture& test,
     add_points(reference, test, pixels, count, true, false, random, points);
     return;
   }
-  const std::size_t first = points.size();
-  add_points(reference, test, dark, count / 2, true, false, random, points);
-  const std::size_t second = points.size();
-  add_points(reference, test, bright, count / 2, true, false, random, points);
+  std::vector<Point> of_dark;
+  std::vector<Point> of_bright;
+  add_points(reference, test, dark, count / 2, true, false, random, of_dark);
+  add_points(reference, test, bright, count / 2, true, false, random, of_bright);
   const double half = double(pixels.size()) / 2;
-  std::vector<Point> mixed;
-  for (std::size_t i = 0; first + i < second || second + i < points.size(); ++i) {
-    for (const auto& [from, to, all] : {std::tuple(first, second, dark.size()),
-                                        std::tuple(second, points.size(), bright.size())}) {
-      if (from + i < to) {
-        mixed.push_back(points[from + i]);
-        mixed.back().weight *= half / double(all);
-      }
-    }
+  for (Point& p : of_dark) {
+    p.weight *= half / double(dark.size());
   }
-  std::copy(mixed.begin(), mixed.end(), points.begin() + std::ptrdiff_t(first));
+  for (Point& p : of_bright) {
+    p.weight *= half / double(bright.size());
+  }
+  const std::vector<Point> both = alternating(of_dark, of_bright);
+  points.insert(points.end(), both.begin(), both.end());
 }
 
 Pixels sorted_pixels(const Texture& reference, const Texture& test) {

@@ -65,6 +65,17 @@ struct Score {
 };
 Score score(const std::vector<Point>& points, std::size_t count, const Colors& colors);
 
+/// The correlation of pairs of values, added one by one.
+class Correlation {
+ public:
+  void add(double x, double y);
+  /// From -1 to 1; 0 if all values of one side are equal.
+  double value() const;
+
+ private:
+  double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, yy_ = 0, xy_ = 0;
+};
+
 /// The pixels that differ by more than edges and rounding explain, and the others.
 struct Pixels {
   std::vector<std::uint32_t> different;
@@ -81,6 +92,9 @@ inline constexpr double dark_up_to = 16;
 void add_points(const Texture& reference, const Texture& test, std::vector<std::uint32_t> pixels,
                 std::size_t count, bool differs, bool strict, std::mt19937& random,
                 std::vector<Point>& points);
+
+/// A point of `a`, one of `b`, and so on, and the rest of the longer one.
+std::vector<Point> alternating(const std::vector<Point>& a, const std::vector<Point>& b);
 
 /// Adds points at the pixels that differ. In a nearly black picture, the few pixels that are not
 /// dark get half of the weight: any mistake that makes the others black explains them.

@@ -93,7 +93,8 @@ Curve hat(const std::vector<double>& knots, std::size_t k) {
 
 // The functions of the groups of a term.
 struct FittedTerm {
-  std::vector<Curve> curves;
+  std::vector<Group> groups;
+  std::vector<Curve> curves;  // by group
   double left = 0;  // mean difference from the test; larger ones than `worst` count as that
 };
 
@@ -199,6 +200,7 @@ std::optional<FittedTerm> fitted(const Made& made, const std::vector<Group>& gro
     return std::nullopt;
   }
   FittedTerm fit;
+  fit.groups = groups;
   for (const Group& group : groups) {
     fit.curves.push_back({group.knots, std::vector<double>(group.knots.size(), 0)});
   }
@@ -456,7 +458,7 @@ std::vector<Hypothesis> fitted_functions(const Simulation& sim, const Combinatio
       list.push_back({cause_of(term),
                       std::move(what),
                       Stage::shading,
-                      [groups = groups_of(made, term), curves = fit->curves](Trial& t) {
+                      [groups = fit->groups, curves = fit->curves](Trial& t) {
                         for (std::size_t g = 0; g < groups.size(); ++g) {
                           groups[g].set(t, curves[g]);
                         }

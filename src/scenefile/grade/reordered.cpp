@@ -1,5 +1,6 @@
 #include "scenefile/grade/reordered.h"
 
+#include "scenefile/grade/evidence.h"
 #include "scenefile/grade/hypotheses.h"
 #include "scenefile/grade/placed_copy.h"
 
@@ -74,30 +75,22 @@ double roughness(const Texture& t) {
   return sum;
 }
 
-// The correlation of values, or of what the channels differ from their mean.
+// The correlation of values, or of the differences of the channels from their mean.
 double likeness(const Texture& a, const Texture& b, bool of_hues) {
   constexpr std::size_t max_pixels = 20000;
   const std::size_t pixels = a.rgb.size() / 3;
   const std::size_t step = std::max<std::size_t>(1, pixels / max_pixels);
-  double n = 0, sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
+  Correlation correlation;
   for (std::size_t i = 0; i < pixels; i += step) {
     const std::uint8_t* p = &a.rgb[3 * i];
     const std::uint8_t* q = &b.rgb[3 * i];
     const double mean_p = of_hues ? (p[0] + p[1] + p[2]) / 3.0 : 0;
     const double mean_q = of_hues ? (q[0] + q[1] + q[2]) / 3.0 : 0;
     for (int c = 0; c < 3; ++c) {
-      const double x = p[c] - mean_p;
-      const double y = q[c] - mean_q;
-      n += 1;
-      sum_a += x;
-      sum_b += y;
-      aa += x * x;
-      bb += y * y;
-      ab += x * y;
+      correlation.add(p[c] - mean_p, q[c] - mean_q);
     }
   }
-  const double spread = (n * aa - sum_a * sum_a) * (n * bb - sum_b * sum_b);
-  return spread > 0 ? (n * ab - sum_a * sum_b) / std::sqrt(spread) : 0;
+  return correlation.value();
 }
 
 }  // namespace

@@ -9,20 +9,20 @@ namespace scenefile {
 
 namespace {
 
-using glm::dvec3;
-
 constexpr std::size_t max_different = 9000;  // pixels to look at
 constexpr std::size_t max_same = 3000;
 constexpr std::size_t max_rest = 500;  // points to keep, among those that are not explained
 constexpr std::size_t max_explained = 1100;
 
 // Of `points`, at most `count`, which then stand for all of them.
-void add_some(const std::vector<Point>& points, std::size_t count, std::vector<Point>& some) {
+std::vector<Point> some_of(const std::vector<Point>& points, std::size_t count) {
+  std::vector<Point> some;
   const std::size_t n = std::min(count, points.size());
   for (std::size_t i = 0; i < n; ++i) {
     some.push_back(points[i * points.size() / n]);
     some.back().weight *= double(points.size()) / double(n);
   }
+  return some;
 }
 
 // Replaces the points by those that the mistakes do not explain, with one of the others after each.
@@ -34,30 +34,10 @@ std::size_t look_at_rest(Simulation& sim, const Pixels& pixels, const Combinatio
              sim.points);
   add_points(sim.reference, sim.test, pixels.same, max_same, false, false, random, sim.points);
   sim.prepare_clean();
-  const Colors colors = sim.predicted(mistakes, sim.points.size());
-  std::vector<Point> rest;
-  std::vector<Point> explained;
-  for (std::size_t i = 0; i < sim.points.size(); ++i) {
-    const Point& p = sim.points[i];
-    const dvec3 c = glm::clamp(colors[i], dvec3(0), dvec3(255));
-    (largest_of(outside(c, p.low, p.high)) > exact_within ? rest : explained).push_back(p);
-  }
-  const std::size_t unexplained = rest.size();
-  std::vector<Point> some;
-  add_some(rest, max_rest, some);
-  const std::size_t count = some.size();
-  add_some(explained, max_explained, some);
-  sim.points.clear();
-  for (std::size_t i = 0; i < std::max(count, some.size() - count); ++i) {
-    if (i < count) {
-      sim.points.push_back(some[i]);
-    }
-    if (count + i < some.size()) {
-      sim.points.push_back(some[count + i]);
-    }
-  }
+  const auto [rest, explained] = wrong_and_right(sim, mistakes);
+  sim.points = alternating(some_of(rest, max_rest), some_of(explained, max_explained));
   sim.prepare_clean();
-  return unexplained;
+  return rest.size();
 }
 
 // Whether what a mistake changes is right with it nearly everywhere, mostly within rounding.

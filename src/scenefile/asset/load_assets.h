@@ -1,6 +1,7 @@
 #pragma once
 // From file names to images and meshes.
 
+#include "scenefile/asset/face_material.h"
 #include "scenefile/asset/image.h"
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/base/limits.h"
@@ -20,8 +21,12 @@ namespace scenefile {
 /// The contents of a scene's files, at the same indices as RenderScene::texture_files and
 /// mesh_files.
 struct Assets {
-  std::vector<Texture> textures;  ///< empty() if the file could not be used
-  std::vector<Mesh> meshes;       ///< without triangles if the file could not be used
+  /// empty() if the file could not be used. After the scene's textures come those that face
+  /// materials name.
+  std::vector<Texture> textures;
+  std::vector<Mesh> meshes;  ///< without triangles if the file could not be used
+  /// As meshes; empty if LoadOptions::materials was not set.
+  std::vector<MeshMaterials> mesh_materials;
 };
 
 /// Reads a file by its name as written in the scene; ErrorKind::limit means that it is larger than
@@ -40,6 +45,7 @@ using ForEach =
 struct LoadOptions {
   bool textures = true;        ///< false: leave them all empty, without a diagnostic
   bool allow_missing = false;  ///< a mesh that cannot be used is a warning
+  bool materials = false;      ///< also read the materials of mesh faces
   Limits limits;
   ForEach for_each = {};  ///< for decoding textures; empty: sequentially
 };

@@ -279,7 +279,7 @@ bench: bench-build ## CPU time and memory of renders and their parts, compared w
 docs: build ## build the documentation site: out/site/index.html
 	@scripts/install-deps docs
 	@$(BUILD)/scenefile help --markdown > docs/diagnostics.md
-	@scripts/library-reference
+	@scripts/library-reference $(BUILD)/installed-headers.txt
 	@mkdocs build --quiet
 	@echo "The site is in out/site; python3 -m http.server -d out/site shows it, with its search."
 

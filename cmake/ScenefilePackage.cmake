@@ -13,6 +13,11 @@ install(FILES ${PROJECT_BINARY_DIR}/scenefileConfig.cmake
   ${PROJECT_BINARY_DIR}/scenefileConfigVersion.cmake DESTINATION ${package_folder} COMPONENT library)
 install(EXPORT scenefileTargets NAMESPACE scenefile:: DESTINATION ${package_folder} COMPONENT library)
 
+# What scripts/library-reference shows.
+get_property(headers GLOBAL PROPERTY scenefile_installed_headers)
+list(JOIN headers "\n" headers)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/installed-headers.txt CONTENT "${headers}\n")
+
 # Archives in link order: each comes before those that it uses. Libraries without a .pc file on some systems
 # are listed by name.
 get_property(rooms GLOBAL PROPERTY scenefile_installed_rooms)

@@ -100,9 +100,9 @@ def make_files(folder, program):
         (folder / f"{name}.xml").write_text(SCENE.replace('v="35"', 'v="40"') if name in ("new", "b") else SCENE)
     run("convert", "scene.xml", "scene.json")
     run("convert", "scene.xml", "model.glb")
-    # The pages explain the pixel 320,240.
-    run("render", "scene.xml", "-o", "reference.png", "--size", "352x264", "--profile", "course")
-    run("render", "new.xml", "-o", "mine.png", "--size", "352x264", "--profile", "course")
+    # The pages explain the pixels 320,240 and 512,384.
+    run("render", "scene.xml", "-o", "reference.png", "--size", "528x396", "--profile", "course")
+    run("render", "new.xml", "-o", "mine.png", "--size", "528x396", "--profile", "course")
     (folder / "scenes").mkdir()
     for name in ("chess", "hello", "showcase"):
         (folder / "scenes" / f"{name}.xml").write_text(SCENE)

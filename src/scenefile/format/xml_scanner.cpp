@@ -33,10 +33,10 @@ constexpr std::array<std::uint8_t, 256> make_character_classes() {
         static_cast<std::uint8_t>((letter ? name_start | name_part : 0) | (digit ? name_part : 0) |
                                   (special ? 0 : value_part) | (c == '-' ? 0 : comment_part));
   }
-  for (const unsigned c : {' ', '\t', '\n', '\r'}) {
+  for (const unsigned char c : {' ', '\t', '\n', '\r'}) {
     classes[c] |= blank | name_end | comment_part;
   }
-  for (const unsigned c : {'=', '>', '/', '"', '\''}) {
+  for (const unsigned char c : {'=', '>', '/', '"', '\''}) {
     classes[c] |= name_end;
   }
   return classes;

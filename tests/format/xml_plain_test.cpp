@@ -150,8 +150,9 @@ RC_GTEST_PROP(XmlPlainLaws, AgreesWithExpat, ()) {
   const auto piece = rc::gen::element<std::string>(
       "<a>", "</a>", "<a/>", "<b c='1'>", "</b>", "<b c=\"1\" d='2'/>", " ", "\n", "\r", "<!--",
       "-->", "--", "-", ">", "<", "/", "=", "\"", "'", "&", "&lt;", "&#10;", "x", "c='1'", " d=''",
-      "<stop>", "?>", "<?xml version=\"1.0\"?>", "\u00e4", "\xEF\xBF\xBE", "\xC3", "\x7F", "\x02",
-      "]]>", "<![CDATA[", "<!DOCTYPE a", "[", "]", "<!ELEMENT a ANY>");
+      " e=1", "<a f=2>", "</A>", "\u201C", "<stop>", "?>", "<?xml version=\"1.0\"?>", "\u00e4",
+      "\xEF\xBF\xBE", "\xC3", "\x7F", "\x02", "]]>", "<![CDATA[", "<!DOCTYPE a", "[", "]",
+      "<!ELEMENT a ANY>");
   std::string text;
   for (const std::string& part : *rc::gen::container<std::vector<std::string>>(piece)) {
     text += part;
@@ -162,6 +163,43 @@ RC_GTEST_PROP(XmlPlainLaws, AgreesWithExpat, ()) {
   RC_ASSERT(agrees_with_expat("<a>" + text + "</a>", limits));
   RC_ASSERT(agrees_with_expat("<!--" + text + "--><a/>", {}));
   RC_ASSERT(agrees_with_expat("<a b='" + text + "'/>", {}));
+}
+
+// The events of a text, without their places.
+std::string without_places(const std::string& said) {
+  std::string text;
+  for (std::size_t at = 0; at < said.size();) {
+    const std::size_t end = said.find('\n', at) + 1;
+    const std::size_t tag = said.find('<', at);
+    text += said.substr(tag < end ? tag : at, end - (tag < end ? tag : at));
+    at = end;
+  }
+  return text;
+}
+
+RC_GTEST_PROP(XmlPlainLaws, QuotationMarksCanBeMissing, ()) {
+  const Scene scene = RandomScene(*rc::gen::arbitrary<unsigned>(), 3, false).make();
+  Diagnostics diagnostics;
+  const std::string text = write_scene(scene, SceneFormat::xml, {}, diagnostics);
+  RC_PRE(is_read_without_expat(text));
+  std::string unquoted;
+  std::size_t removed = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = std::min(text.find("=\"", at), text.size());
+    const std::size_t end = std::min(text.find('"', std::min(open + 2, text.size())), text.size());
+    const std::string value = open < text.size() ? text.substr(open + 2, end - open - 2) : "";
+    const bool remove =
+        !value.empty() && *rc::gen::inRange(0, 3) == 0 &&
+        value.find_first_not_of("0123456789.-abcdefghijklmnopqrstuvwxyz") == std::string::npos;
+    unquoted += text.substr(at, open - at);
+    unquoted += remove ? "=" + value : text.substr(open, std::min(end + 1, text.size()) - open);
+    removed += remove;
+    at = std::min(end + 1, text.size());
+  }
+  const Told told = events_of(unquoted, {});
+  RC_ASSERT(told.reading.complete);
+  RC_ASSERT(told.diagnostics.count(Severity::error) == removed);
+  RC_ASSERT(without_places(told.said) == without_places(events_of(text, {}).said));
 }
 
 RC_GTEST_PROP(XmlPlainLaws, AgreesAfterAnyChangedByte, ()) {

@@ -91,7 +91,7 @@ class EventReader {
   std::vector<std::string> decoded_;    // values of the current tag
   bool has_root_ = false;
   std::optional<XmlFault> fault_;        // what Expat found, once it was asked
-  std::optional<std::string> repaired_;  // the text that Expat was given, if comments were repaired
+  std::optional<std::string> repaired_;  // the text that Expat was given, if it is another
 };
 
 XmlReading EventReader::run() {
@@ -126,7 +126,7 @@ bool EventReader::is_plain() const {
 
 void EventReader::ask_expat() {
   if (!fault_) {
-    repaired_ = repair_comments(text_, options_, diagnostics_);
+    repaired_ = repair(text_, options_, diagnostics_);
     fault_ = find_fault(repaired_ ? *repaired_ : text_, options_.limits, diagnostics_);
   }
 }
@@ -184,6 +184,9 @@ bool EventReader::read_token() {
     case XmlTokenKind::empty:
       return read_start();
     case XmlTokenKind::end:
+      if (!same_name(open_.back(), token_.name)) {
+        report_end_case(token_, open_.back(), places_, diagnostics_);
+      }
       close();
       break;
     case XmlTokenKind::text:
@@ -204,6 +207,9 @@ bool EventReader::read_start() {
     return refuse(xml_nesting_limit, token_.written.data(),
                   fmt::format("<{}> is nested deeper than the limit of {} elements",
                               escaped(tag.name, 40), options_.limits.nesting));
+  }
+  if (token_.unquoted) {
+    report_unquoted(token_, places_, diagnostics_);
   }
   has_root_ = true;
   open_.push_back(token_.name);

@@ -1,5 +1,5 @@
 #pragma once
-// Reads well-formed XML as a sequence of events. Independent of scenes. Internal to format.
+// Reads XML as a sequence of events. Independent of scenes. Internal to format.
 
 #include "scenefile/base/diagnostics.h"
 #include "scenefile/format/read_scene.h"
@@ -31,7 +31,8 @@ struct XmlReading {
 
 /// Reads all of `text`, UTF-8 without a byte order mark, and calls `handler`. Stops with an error
 /// at the first place that is not well-formed, declares or uses an entity, or exceeds a limit.
-/// Malformed comments are reported, and then skipped. XmlHandler may query `places`, of the same
+/// After malformed comments, values without quotation marks and end tags in the wrong case, which
+/// are errors too, it goes on. XmlHandler may query `places`, of the same
 /// text. Memory does not depend on the length of the text if it is plain.
 XmlReading read_events(std::string_view text, const ReadOptions& options, TextPlaces& places,
                        XmlHandler& handler, Diagnostics& diagnostics);

@@ -20,6 +20,7 @@ enum CharacterClass : std::uint8_t {
   name_end = 8,       ///< what may follow a name
   value_part = 16,    ///< of a value in either quotes
   comment_part = 32,  ///< but for the dash
+  bare_part = 64,     ///< of a value without quotation marks, but for the slash
 };
 
 /// Bytes from 128 on are in no class.
@@ -29,14 +30,16 @@ constexpr std::array<std::uint8_t, 256> make_character_classes() {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':';
     const bool digit = (c >= '0' && c <= '9') || c == '-' || c == '.';
     const bool special = c == '<' || c == '>' || c == '&' || c == '"' || c == '\'';
+    const bool separator = c == ' ' || c == '=' || c == ',' || c == ';' || c == '/' || c == '\\';
     classes[c] =
         static_cast<std::uint8_t>((letter ? name_start | name_part : 0) | (digit ? name_part : 0) |
-                                  (special ? 0 : value_part) | (c == '-' ? 0 : comment_part));
+                                  (special ? 0 : value_part) | (c == '-' ? 0 : comment_part) |
+                                  (special || separator ? 0 : bare_part));
   }
-  for (const unsigned char c : {' ', '\t', '\n', '\r'}) {
+  for (const unsigned c : {' ', '\t', '\n', '\r'}) {
     classes[c] |= blank | name_end | comment_part;
   }
-  for (const unsigned char c : {'=', '>', '/', '"', '\''}) {
+  for (const unsigned c : {'=', '>', '/', '"', '\''}) {
     classes[c] |= name_end;
   }
   return classes;
@@ -100,7 +103,8 @@ class TagScanner {
     }
     p = finish(p, is_end);
     token_.written = between(begin_, p);
-    token_.plain = plain_;
+    token_.plain = plain_ && !unquoted_;
+    token_.unquoted = plain_ && unquoted_;
     token_.needs_decoding = needs_decoding_;
   }
 
@@ -133,6 +137,10 @@ class TagScanner {
       if (*p == '"' || *p == '\'') {
         return read_value(p, attribute.value);
       }
+      if (const char* const after = read_unquoted(p, attribute.value)) {
+        unquoted_ = true;
+        return after;
+      }
     }
     plain_ = false;
     well_formed = false;
@@ -147,6 +155,35 @@ class TagScanner {
     }
     value = between(first, p);
     return p == end_ ? p : p + 1;
+  }
+
+  // Returns nullptr if it is not clear where the value ends.
+  const char* read_unquoted(const char* p, std::string_view& value) const {
+    const std::size_t opening = typographic_quote(between(p, end_));
+    const char* const first = p + opening;
+    p = skip_unquoted(first, opening != 0 ? value_part : bare_part);
+    value = between(first, p);
+    if (opening != 0) {
+      const std::size_t closing = typographic_quote(between(p, end_));
+      p = closing == 0 ? end_ : p + closing;
+    } else if (p != end_ && (*p == '"' || *p == '\'')) {
+      ++p;
+    }
+    const bool ends = p != end_ && (is(*p, blank) || *p == '>' || *p == '/');
+    return ends && !value.empty() ? p : nullptr;
+  }
+
+  const char* skip_unquoted(const char* p, CharacterClass what) const {
+    while ((p = skip(p, end_, what)) != end_) {
+      const std::string_view rest = between(p, end_);
+      const bool slash = *p == '/' && rest.size() > 1 && rest[1] != '>' && !is(rest[1], blank);
+      const std::size_t size = typographic_quote(rest) != 0 ? 0 : plain_character(rest);
+      if (!slash && size == 0) {
+        break;
+      }
+      p += slash ? 1 : size;
+    }
+    return p;
   }
 
   // The first character of a value that is not in the class value_part.
@@ -207,6 +244,7 @@ class TagScanner {
   const char* end_;
   XmlToken& token_;
   bool plain_ = true;
+  bool unquoted_ = false;
   bool needs_decoding_ = false;
 };
 
@@ -313,6 +351,20 @@ const XmlAttribute* XmlTag::find(std::string_view attribute) const {
   return nullptr;
 }
 
+bool is_unquoted(const XmlAttribute& attribute) {
+  const char before = attribute.value.data()[-1];
+  return before != '"' && before != '\'';
+}
+
+std::size_t typographic_quote(std::string_view text) {
+  for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
+    if (text.starts_with(quote)) {
+      return quote.size();
+    }
+  }
+  return 0;
+}
+
 bool XmlScanner::next(XmlToken& token) {
   const char* const begin = text_.data() + at_;
   const char* const end = text_.data() + text_.size();
@@ -327,6 +379,7 @@ bool XmlScanner::next(XmlToken& token) {
     token.attributes.clear();
     token.name = {};
     token.needs_decoding = false;
+    token.unquoted = false;
     if (*p == '<') {
       token.written = rest.substr(0, markup_end(rest, token.kind));
       token.plain = (token.kind == XmlTokenKind::comment && is_plain_comment(token.written)) ||

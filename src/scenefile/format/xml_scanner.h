@@ -45,16 +45,23 @@ struct XmlToken {
   /// values without references and line breaks. Expat must judge other tokens.
   bool plain = false;
   // Of a tag:
+  bool unquoted = false;  ///< plain but for is_unquoted() attributes
   std::string_view name;
   std::vector<XmlAttribute> attributes;  ///< as written, without quotes
   bool needs_decoding = false;           ///< a value contains a reference or a line break
 };
 
+/// Of a token that is `unquoted`: whether this attribute is: `v=1`, `v=1"`, or `v=“1”`.
+bool is_unquoted(const XmlAttribute& attribute);
+
+/// The size in bytes of the typographic quotation mark that `text` begins with, or 0.
+std::size_t typographic_quote(std::string_view text);
+
 /// Accepts any text in an encoding that is a superset of ASCII; only UTF-8 is plain. White space
 /// between tokens is not a token. Markup that is not closed extends to the end of the text. A tag
 /// that is not well-formed ends at the first `>` outside of quotes, and its attributes are those
-/// before the mistake. `<--` counts as the start of a comment, which ends before the next `<` at
-/// the latest.
+/// before the mistake; a value without quotation marks is not one if its end is clear. `<--` counts
+/// as the start of a comment, which ends before the next `<` at the latest.
 class XmlScanner {
  public:
   explicit XmlScanner(std::string_view text) : text_(text) {}

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace scenefile {
 
@@ -23,6 +24,9 @@ namespace {
 // The message about `-- >` as the end of a comment.
 constexpr std::string_view broken_comment_end_text =
     "a comment ends with -->, without spaces in it; remove them";
+
+constexpr std::string_view typographic_text =
+    "a typographic quotation mark, as word processors insert it";
 
 // Mistakes that begin before the place where the parser notices them.
 
@@ -190,6 +194,11 @@ std::string opened_at(const OpenElement& element) {
   return fmt::format("<{}>, opened at line {}", escaped(element.name, 40), element.location.line);
 }
 
+std::string misspelled_end(std::string_view closing, const OpenElement& inner) {
+  return fmt::format("</{}> cannot close {}; did you mean </{}>?", escaped(closing, 40),
+                     opened_at(inner), escaped(inner.name, 40));
+}
+
 std::string cut_off_message(std::string_view text, std::size_t at,
                             std::span<const OpenElement> open) {
   const bool in_markup = at < text.size() && text[at] == '<';
@@ -223,8 +232,7 @@ std::string mismatch_message(std::string_view text, std::size_t at,
   const bool outer = std::any_of(open.begin(), open.end(),
                                  [&](const OpenElement& e) { return e.name == name_at(rest); });
   if (!outer && !nearest_name(name_at(rest), std::span(&inner.name, 1)).empty()) {
-    return fmt::format("</{}> cannot close {}; did you mean </{}>?", closing, opened_at(inner),
-                       escaped(inner.name, 40));
+    return misspelled_end(name_at(rest), inner);
   }
   const std::string_view slash =
       holds_elements(inner.name) ? "" : ", or a / in front of the > that ends its tag";
@@ -237,15 +245,6 @@ bool in_comment(std::string_view text, std::size_t at) {
   const std::size_t open = text.rfind("<!--", at);
   return open != std::string_view::npos &&
          text.substr(open, at - open).find("-->") == std::string_view::npos;
-}
-
-std::string quote_hint(std::string_view rest) {
-  for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
-    if (rest.starts_with(quote)) {
-      return "a typographic quotation mark, as word processors insert it; use \" or '";
-    }
-  }
-  return {};
 }
 
 // The offset is a `<` inside a tag, but not inside a value: a hint about that tag.
@@ -305,8 +304,8 @@ std::string hint_before(std::string_view text, std::size_t at) {
 // Why the characters at the offset are not allowed there.
 std::string token_message(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
-  if (const std::string hint = quote_hint(rest); !hint.empty()) {
-    return hint;
+  if (typographic_quote(rest) != 0) {
+    return fmt::format("{}; use \" or '", typographic_text);
   }
   if (rest.empty()) {
     return "the file ends too early";
@@ -416,26 +415,46 @@ std::size_t exact_place(SyntaxFault fault, std::string_view text, std::size_t at
   return at;
 }
 
-// Comments.
-
-class CommentMender {
+class Mender {
  public:
-  CommentMender(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics)
+  Mender(std::string_view text, const ReadOptions& options, Diagnostics& diagnostics)
       : text_(text), options_(options), diagnostics_(diagnostics), places_(text) {}
 
   std::optional<std::string> run() {
     XmlScanner scanner(text_);
     for (XmlToken token; scanner.next(token);) {
+      const std::size_t begin = offset(token.written.data());
       if (token.kind == XmlTokenKind::comment && !token.plain) {
-        const auto begin = static_cast<std::size_t>(token.written.data() - text_.data());
         token.written.starts_with("<!--") ? repair_comment(begin, token.written.size())
                                           : repair_false_comment(begin, token.written.size());
+      } else if (in_order_) {
+        repair_tag(token);
       }
     }
     return std::move(repaired_);
   }
 
  private:
+  std::size_t offset(const char* p) const { return static_cast<std::size_t>(p - text_.data()); }
+
+  void repair_tag(const XmlToken& token) {
+    if (token.unquoted) {
+      const std::size_t end = token.kind == XmlTokenKind::empty ? 2 : 1;
+      blank(offset(token.name.data() + token.name.size()),
+            offset(token.written.data() + token.written.size()) - end);
+    }
+    if (token.kind == XmlTokenKind::start) {
+      in_order_ = open_.size() < options_.limits.nesting;
+      open_.push_back(token.name);
+    } else if (token.kind == XmlTokenKind::end) {
+      in_order_ = !open_.empty() && equal_ignoring_case(open_.back(), token.name);
+      if (in_order_ && open_.back() != token.name) {
+        writable().replace(offset(token.name.data()), token.name.size(), open_.back());
+      }
+      open_.resize(open_.size() - (in_order_ ? 1 : 0));
+    }
+  }
+
   void repair_comment(std::size_t begin, std::size_t size) {
     const std::size_t end = begin + size - 3;
     if (size < 7 || text_.substr(end, 3) != "-->") {
@@ -471,13 +490,13 @@ class CommentMender {
                         std::string(options_.compat_course ? accepted : refused));
   }
 
+  std::string& writable() { return repaired_ ? *repaired_ : repaired_.emplace(text_); }
+
   // Keeps line ends.
   void blank(std::size_t from, std::size_t to) {
-    if (!repaired_) {
-      repaired_ = text_;
-    }
+    std::string& text = writable();
     for (std::size_t at = from; at < to; ++at) {
-      char& c = (*repaired_)[at];
+      char& c = text[at];
       c = c == '\n' || c == '\r' ? c : ' ';
     }
   }
@@ -487,6 +506,8 @@ class CommentMender {
   Diagnostics& diagnostics_;
   TextPlaces places_;
   std::optional<std::string> repaired_;
+  std::vector<std::string_view> open_;  // the names of the open elements
+  bool in_order_ = true;                // up to here, elements end where they should
 };
 
 }  // namespace
@@ -526,9 +547,38 @@ void report_syntax(const XmlFault& fault, std::string_view text, std::span<const
   diagnostics.report(xml_syntax, places.at(at), message_of(fault, text, at, open));
 }
 
-std::optional<std::string> repair_comments(std::string_view text, const ReadOptions& options,
-                                           Diagnostics& diagnostics) {
-  return CommentMender(text, options, diagnostics).run();
+void report_unquoted(const XmlToken& token, TextPlaces& places, Diagnostics& diagnostics) {
+  for (const XmlAttribute& attribute : token.attributes) {
+    if (!is_unquoted(attribute)) {
+      continue;
+    }
+    const char* const value = attribute.value.data();
+    const char* const before = value - std::min<std::ptrdiff_t>(value - token.written.data(), 3);
+    const std::size_t opening = typographic_quote({before, 3});
+    const char after = value[attribute.value.size()];
+    std::string what;
+    if (opening != 0) {
+      what = typographic_text;
+    } else {
+      what = fmt::format("{} {}", quoted(attribute.value, 20),
+                         after == '"' || after == '\'' ? "is missing its opening quotation mark"
+                                                       : "must be in quotation marks");
+    }
+    diagnostics.report(xml_syntax, places.at(value - opening),
+                       fmt::format("{}; write {}=\"{}\"", what, escaped(attribute.name, 40),
+                                   escaped(attribute.value, 60)));
+  }
+}
+
+void report_end_case(const XmlToken& end, std::string_view open, TextPlaces& places,
+                     Diagnostics& diagnostics) {
+  diagnostics.report(xml_syntax, places.at(end.written.data()),
+                     misspelled_end(end.name, {open, places.at(open.data() - 1)}));
+}
+
+std::optional<std::string> repair(std::string_view text, const ReadOptions& options,
+                                  Diagnostics& diagnostics) {
+  return Mender(text, options, diagnostics).run();
 }
 
 }  // namespace scenefile
